@@ -1,0 +1,63 @@
+// What is wrong with the input, where, and what would help. Libraries return these; only src/app prints.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/source.h"
+
+namespace snell {
+
+enum class Severity : std::uint8_t { note, warning, error };
+
+struct Note {
+    Span span;
+    std::string message;
+};
+
+struct Diagnostic {
+    Severity severity = Severity::error;
+    std::string code;  // stable, kebab-case: "unknown-command"
+    Span span;
+    std::string message;  // one line, no capital, no full stop
+    std::string help;     // may be empty: what to do about it
+    std::vector<Note> notes;
+    bool has_span = true;  // false for what has no place in a text (no graphics, unwritable output)
+};
+
+class Diagnostics {
+public:
+    Diagnostic& add(Diagnostic diagnostic);
+    Diagnostic& error(std::string_view code, Span span, std::string message, std::string help = {});
+    Diagnostic& warning(std::string_view code, Span span, std::string message, std::string help = {});
+    // Without a place in a text.
+    Diagnostic& error(std::string_view code, std::string message, std::string help = {});
+    Diagnostic& warning(std::string_view code, std::string message, std::string help = {});
+
+    bool has_errors() const { return errors_ > 0; }
+    std::size_t errors() const { return errors_; }
+    std::size_t warnings() const { return warnings_; }
+    bool empty() const { return items_.empty(); }
+    const std::vector<Diagnostic>& items() const { return items_; }
+
+    void append(const Diagnostics& others);
+    // Source order (file, then offset); those without a place last; stable.
+    void sort();
+
+private:
+    std::vector<Diagnostic> items_;
+    std::size_t errors_ = 0;
+    std::size_t warnings_ = 0;
+};
+
+// `file:line:column: error: message [code]`, the line, a caret under the span, help and notes.
+// Control characters of the source are never printed raw.
+std::string render(const Diagnostic& diagnostic, const Sources& sources);
+std::string render(const Diagnostics& diagnostics, const Sources& sources);
+
+// The candidate nearest to `word` by edit distance without regard to case, if near enough to be meant;
+// else empty.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+}  // namespace snell

@@ -1,0 +1,279 @@
+// What a .glib text means: a display list. Every draw carries the state that stood at its statement.
+// Plain values, C++ standard library only. Shared state is kept once and referred to by index, so that a
+// scene of a million statements stays small.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "parser/source.h"
+
+namespace snell {
+
+using Index = std::uint32_t;
+inline constexpr Index none = std::numeric_limits<Index>::max();
+
+using Vec2 = std::array<double, 2>;
+using Vec3 = std::array<double, 3>;
+using Vec4 = std::array<double, 4>;
+using Mat4 = std::array<double, 16>;  // column-major, as OpenGL's
+
+struct FileName {
+    std::string name;  // as written, with '/' for '\'
+    Span span;
+};
+
+// ---- geometry ---------------------------------------------------------------------------------------
+
+enum class Topology : std::uint8_t {
+    points,
+    lines,
+    line_strip,
+    line_loop,
+    triangles,
+    triangle_strip,
+    triangle_fan,
+    lines_adjacency,
+    line_strip_adjacency,
+    triangles_adjacency,
+    triangle_strip_adjacency,
+    patches,
+};
+
+struct Sphere {
+    double radius = 1;
+    int slices = 60, stacks = 60;
+};
+struct Torus {
+    double outer = 1, inner = .5;
+    int sides = 20, rings = 40;
+};
+struct Cone {
+    double radius = 1, height = 1;
+    int slices = 60, stacks = 1;
+};
+struct Cylinder {
+    double radius = 1, height = 1;
+    int slices = 60, stacks = 1;
+};
+struct Box {
+    double dx = 2, dy = 2, dz = 2;
+};
+struct Teapot {};
+struct Disk {
+    double z = 0, radius = 1;
+    int slices = 60, rings = 1;
+};
+// Quads spanning -size..size, split in n1 x n2 cells, at `offset` on the axis that is left out.
+enum class Plane : std::uint8_t { xy, xz, yz };
+struct Quad {
+    Plane plane = Plane::xy;
+    double offset = 0, size = 1;
+    int n1 = 1, n2 = 1;
+};
+struct QuadBox {
+    int n = 10;
+};
+struct Soccerball {
+    double radius = 1;
+};
+struct PointCloud {
+    int nx = 10, ny = 10, nz = 10;
+    bool jitter = false;
+};
+struct Xarrow {
+    int n = 100;
+};
+enum class ObjAs : std::uint8_t { triangles, adjacency, patches };
+struct ObjFile {
+    Index file = none;
+    ObjAs as = ObjAs::triangles;
+};  // Scene::files
+struct ShpFile {
+    Index file = none;
+};  // Scene::files
+struct VertexList {
+    Index list = none;
+};  // Scene::vertex_lists
+
+using Shape = std::variant<Sphere, Torus, Cone, Cylinder, Box, Teapot, Disk, Quad, QuadBox, Soccerball, PointCloud,
+                           Xarrow, ObjFile, ShpFile, VertexList>;
+
+// glBegin … glEnd, Triangles and LinesAdjacency.
+struct ListVertex {
+    Vec4 position{0, 0, 0, 1};
+    Vec3 normal{0, 0, 1};
+    Vec3 texcoord{0, 0, 0};
+    Vec4 color{1, 1, 1, 1};
+};
+struct VertexListData {
+    Topology topology = Topology::triangles;
+    int patch_vertices = 3;
+    bool has_color = false;  // some glColor was given: the draw's own colour does not apply
+    std::vector<ListVertex> vertices;
+};
+
+// ---- programs ---------------------------------------------------------------------------------------
+
+enum class Stage : std::uint8_t { vertex, tess_control, tess_evaluation, geometry, fragment };
+inline constexpr int stage_count = 5;
+
+struct UniformValue {
+    enum class Kind : std::uint8_t { scalar, array, range, boolean, color };
+    std::string name;
+    Kind kind = Kind::scalar;
+    std::vector<double> values;  // range: min, current, max; boolean: 0 or 1
+    bool integral = false;       // every number was written without point and exponent
+    Span span;                   // name and value
+    Span name_span;
+    std::vector<Span> value_spans;  // one for each number: "save values" rewrites just these
+};
+
+struct Program {
+    std::string name;
+    std::array<std::optional<FileName>, stage_count> stages;  // none: stage not set
+    std::vector<UniformValue> uniforms;                       // in the order of the statement
+    std::string geometry_input, geometry_output;              // "gl_triangles", …; empty: as the shader says
+    Span span;
+};
+
+// ---- textures ---------------------------------------------------------------------------------------
+
+enum class TextureTarget : std::uint8_t { d1, d2, d3, cube };
+inline constexpr int texture_target_count = 4;
+
+struct Filter {
+    enum class Mode : std::uint8_t { nearest, linear, mipmap, anisotropic };
+    Mode mode = Mode::linear;
+    int anisotropy = 1;
+    bool operator==(const Filter&) const = default;
+};
+
+struct Texture {
+    int unit = 0;
+    TextureTarget target = TextureTarget::d2;
+    std::vector<FileName> files;       // none: empty texture of `size`; cube: one or six
+    std::array<int, 3> size{0, 0, 0};  // of an empty texture; cube: size[0]
+    Filter filter;
+    Span span;
+};
+
+// ---- state of a draw --------------------------------------------------------------------------------
+
+struct Camera {
+    bool perspective = true;
+    double fov = 50;                             // vertical, degrees
+    std::array<double, 4> ortho{-3, 3, -3, 3};   // left right bottom top
+    std::optional<std::array<Vec3, 3>> look_at;  // eye, centre, up; none: eye at the origin, looking to -Z
+    bool operator==(const Camera&) const = default;
+};
+
+enum class BlendFactor : std::uint8_t {
+    zero,
+    one,
+    src_color,
+    one_minus_src_color,
+    dst_color,
+    one_minus_dst_color,
+    src_alpha,
+    one_minus_src_alpha,
+    dst_alpha,
+    one_minus_dst_alpha,
+    src_alpha_saturate,
+};
+enum class CullFace : std::uint8_t { none, back, front };
+
+struct RasterState {
+    bool blend = true;
+    BlendFactor src = BlendFactor::src_alpha, dst = BlendFactor::one_minus_src_alpha;
+    CullFace cull = CullFace::none;
+    bool depth_test = true, depth_write = true;
+    bool wireframe = false;
+    bool flat = false;
+    bool clamp = false;            // textures of this draw clamp to edge
+    bool point_size_mode = false;  // the vertex shader sets gl_PointSize
+    double line_width = 1, point_size = 1;
+    bool operator==(const RasterState&) const = default;
+};
+
+// Textures by unit and target: Scene::textures, sorted by (unit, target).
+struct Bindings {
+    struct Entry {
+        int unit;
+        TextureTarget target;
+        Index texture;
+        bool operator==(const Entry&) const = default;
+    };
+    std::vector<Entry> entries;
+};
+
+struct Draw {
+    Shape shape;
+    bool wire = false;      // WireSphere …: GL_LINES of the same solid
+    Index matrix = none;    // Scene::matrices: model transformation; the camera's LookAt is not in it
+    Index camera = none;    // Scene::cameras
+    Index raster = none;    // Scene::rasters
+    Index bindings = none;  // Scene::bindings
+    Index color = none;     // Scene::colors
+    Index program = none;   // Scene::programs; none: the built-in program
+    Span span;
+};
+
+struct Clear {
+    Span span;
+};
+
+struct Item {
+    enum class Kind : std::uint8_t { draw, clear };
+    Kind kind = Kind::draw;
+    Index index = 0;  // Scene::draws or Scene::clears
+};
+
+// The draws between one RenderTo… statement and the next.
+struct Pass {
+    enum class Kind : std::uint8_t { window, textures, cube };
+    Kind kind = Kind::window;
+    std::vector<int> units;          // textures: the units as written
+    std::vector<Index> textures;     // what stood on those units; none where nothing did (an error was given)
+    Vec3 center{0, 0, 0};            // cube: world position of the eye
+    std::optional<Vec4> background;  // last Background of this pass; none: the target's default
+    std::vector<Item> items;
+    Span span;  // the statement that began it; empty for the first
+};
+
+struct Message {
+    std::string text;
+    Span span;
+};
+
+struct Scene {
+    std::array<int, 2> window_size{600, 600};
+    Vec4 background{.0706, .1059, .1294, 1};  // of the window
+    double timer_period = 10;                 // seconds
+    int noise2d = 64, noise3d = 64;
+    bool gstap = false;
+    bool verbose = false;
+    std::vector<Message> messages;
+
+    std::vector<Pass> passes;  // at least one
+    std::vector<Draw> draws;
+    std::vector<Clear> clears;
+
+    std::vector<Program> programs;
+    std::vector<Texture> textures;
+    std::vector<FileName> files;
+    std::vector<VertexListData> vertex_lists;
+
+    std::vector<Mat4> matrices;
+    std::vector<Camera> cameras;
+    std::vector<RasterState> rasters;
+    std::vector<Bindings> bindings;
+    std::vector<Vec4> colors;
+};
+
+}  // namespace snell

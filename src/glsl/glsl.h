@@ -1,0 +1,161 @@
+// From the GLSL that students write to the GLSL that core profiles and OpenGL ES take. No GL here.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/diagnostic.h"
+#include "parser/scene.h"
+#include "parser/source.h"
+
+namespace snell::glsl {
+
+// What the context accepts.
+struct Target {
+    int version = 330;  // 330, 410, 450 …; with es: 300, 320
+    bool es = false;
+    bool fp64 = true;  // doubles are there
+};
+
+// One stage of a program: its text is in Sources, so that messages can point into it.
+struct StageInput {
+    Stage stage = Stage::vertex;
+    FileId file = 0;
+    Span reference;  // where the scene names it
+};
+
+// A macro set from outside (ladders): `#define NAME VALUE` ahead of the user's first line.
+struct Define {
+    std::string name, value;
+};
+
+// Gives the text of `#include "name"` (relative to `from`) or `#include <name>` (angle = true).
+struct IncludeText {
+    std::string name, text;
+};
+using IncludeReader =
+    std::function<std::optional<IncludeText>(std::string_view from, std::string_view name, bool angle)>;
+
+struct Options {
+    Target target;
+    std::vector<Define> defines;
+    std::string geometry_input, geometry_output;  // "gl_triangles" …, from GeometryInput/GeometryOutput
+    IncludeReader include;
+};
+
+// A stage as the driver shall compile it. `files[n]` is the text that `#line … n` numbers as source string n,
+// so the driver's "n:line" leads back to the user's file.
+struct StageOutput {
+    Stage stage = Stage::vertex;
+    std::string text;
+    std::vector<FileId> files;
+};
+
+// The value an initialised uniform has until something sets it (needed where the target takes no
+// initialisers, and to fill the user interface).
+struct UniformDefault {
+    std::string name;
+    std::vector<double> values;
+};
+
+struct Translation {
+    bool ok = false;  // false: diagnostics hold at least one error
+    std::vector<StageOutput> stages;
+    std::vector<UniformDefault> defaults;
+    bool uses_alpha = true;  // false: every colour output is known to have alpha 1
+};
+
+// Translates all stages of one program together: interfaces between them are made to match.
+Translation translate(const std::vector<StageInput>& stages, Sources& sources, const Options& options,
+                      Diagnostics& diagnostics);
+
+// Turns a driver's compile or link log (Mesa, NVIDIA, AMD/Intel, Apple, ANGLE) into diagnostics at the user's
+// own lines: first cause first, follow-ups folded, hints for the classics. `stage` is null for link logs.
+// `where` is the scene's statement, for lines that lead nowhere.
+void explain_log(std::string_view log, const Translation& translation, const StageOutput* stage, Span where,
+                 std::string_view program, const Sources& sources, Diagnostics& diagnostics);
+
+// ---- the names that translated shaders use for what the system provides --------------------------------
+// The translator writes these, the runtime sets them. A legacy `gl_Xyz` becomes `snell_Xyz`, an array or
+// struct keeps its shape (snell_TextureMatrix[8], snell_LightSource[8], snell_FrontMaterial, snell_Fog …).
+
+// Vertex attributes, at fixed locations in every program: bound by the runtime with glBindAttribLocation
+// before linking, by any of these names. Multi-texture coordinates beyond 0 read as texcoord 0.
+enum class Attribute : int {
+    vertex = 0,
+    normal = 1,
+    color = 2,
+    texcoord = 3,
+    tangent = 4,
+    secondary_color = 5,
+    fog_coord = 6,
+    vertex_id = 7
+};
+inline constexpr int attribute_count = 8;
+struct AttributeName {
+    std::string_view name;
+    Attribute attribute;
+};
+// snell_Vertex, snell_Normal, snell_Color, snell_MultiTexCoord0 …, and the modern names: aVertex, aNormal,
+// aColor, aTexCoord0 … 7, Tangent, position, i_position, normal, i_normal …
+std::vector<AttributeName> attribute_names();
+
+// Matrices and the like that the runtime sets when a linked program has them active.
+enum class System : std::uint8_t {
+    model_view,
+    projection,
+    model_view_projection,
+    normal_matrix,
+    model_view_inverse,
+    projection_inverse,
+    model_view_projection_inverse,
+    model_view_transpose,
+    projection_transpose,
+    model_view_projection_transpose,
+    model_view_inverse_transpose,
+    projection_inverse_transpose,
+    model_view_projection_inverse_transpose,
+    texture_matrix,
+    texture_matrix_inverse,
+    texture_matrix_transpose,
+    texture_matrix_inverse_transpose,
+    model,
+    view,
+    view_projection,
+    model_inverse,
+    view_inverse,
+    model_normal_matrix,
+    camera_position,      // world space; the eye of the scene's camera
+    viewer_position_eye,  // eye space; the eye that looks through the scene transformation
+    normal_scale,
+    timer,
+    time,
+    resolution,
+    mouse,
+    noise2,
+    noise3,
+    face_index,
+    depth_range_near,
+    depth_range_far,
+    depth_range_diff,
+    point_size,
+};
+struct SystemName {
+    std::string_view name;
+    System system;
+    std::string_view type;  // GLSL type that the active uniform must have: "mat4", "vec3", "float", "int" …
+    bool legacy;            // written by the translator only: always set. Otherwise set only if the scene does
+                            // not set that name itself.
+};
+std::vector<SystemName> system_names();
+
+// Documented defaults of gl_LightSource, gl_FrontMaterial, gl_Fog, gl_LightModel …: the name of each active
+// uniform ("snell_LightSource[0].position") and its value.
+std::vector<UniformDefault> fixed_function_defaults();
+
+}  // namespace snell::glsl

@@ -1,0 +1,63 @@
+// Plan → GL resources → frames. Needs a current context; calls GL only in its own methods.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "parser/diagnostic.h"
+#include "src/gl/caps.h"
+#include "src/plan/controls.h"
+#include "src/plan/files.h"
+#include "src/plan/plan.h"
+#include "src/plan/view.h"
+
+namespace snell {
+
+// All that may vary between frames.
+struct Frame {
+    double time = 0;  // seconds since the scene began
+    const View& view;
+    const Controls& controls;
+};
+
+// All that a platform is. The framebuffer may be multisampled; row 0 of its pixels is the bottom.
+struct Surface {
+    unsigned framebuffer = 0;
+    int width = 0, height = 0;
+};
+
+// Since the runtime was made; exact, always on.
+struct Counters {
+    std::uint64_t files_opened = 0, bytes_read = 0, images_decoded = 0, bytes_decoded = 0, bytes_uploaded = 0;
+    std::uint64_t textures = 0, buffers = 0, programs_compiled = 0, targets = 0;
+    std::uint64_t frames = 0, passes = 0, draws = 0, triangles = 0, uniform_uploads = 0, state_changes = 0;
+    std::uint64_t gpu_bytes = 0;  // estimated, of what is held now
+};
+
+class Runtime {
+public:
+    // Compiles the programs, then realises what their active uniforms and the draws call for. Problems go to
+    // `diagnostics`; a draw whose program failed is left out.
+    Runtime(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics);
+    ~Runtime();
+    Runtime(Runtime&&) noexcept;
+    Runtime& operator=(Runtime&&) noexcept;
+
+    const Scene& scene() const;
+    // By Scene::programs; empty for one that failed.
+    const std::vector<std::vector<ActiveUniform>>& active_uniforms() const;
+    // Some drawn program reads Timer or uTime: every moment is another picture.
+    bool animated() const;
+    bool uses_mouse() const;
+
+    void draw(const Frame& frame, const Surface& surface);
+    const Counters& counters() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace snell
