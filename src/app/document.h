@@ -1,0 +1,32 @@
+// A scene that is open: everything from its text to the runtime that draws it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "parser/diagnostic.h"
+#include "parser/scene.h"
+#include "parser/source.h"
+#include "src/gl/caps.h"
+#include "src/plan/controls.h"
+#include "src/plan/files.h"
+#include "src/runtime/runtime.h"
+
+namespace snell {
+
+struct Document {
+    std::string path;
+    std::unique_ptr<Files> files;
+    Sources sources;
+    Diagnostics diagnostics;         // of reading, planning, compiling, loading
+    std::optional<Runtime> runtime;  // none: the file could not be read
+    Controls controls;
+
+    const Scene& scene() const { return runtime->scene(); }
+};
+
+// Never throws; what is wrong is in `diagnostics`. Needs a current context.
+std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps);
+
+}  // namespace snell
