@@ -1,0 +1,46 @@
+#include "src/optics/fresnel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/optics/refraction.h"
+
+namespace snell::optics {
+
+Polarised fresnel_polarised(double cos_incident, double n1, double n2) {
+    const double c = std::clamp(cos_incident, 0.0, 1.0);
+    if (n1 == n2) return {0.0, 0.0};
+    const double k = transmitted_cos2(c, n1, n2);
+    if (!(k > 0.0)) return {1.0, 1.0};
+    const double t = std::sqrt(k);
+    const double sum = n1 * c + n2 * t;
+    const double rs = (n1 - n2) * (n1 + n2) / (sum * sum);
+    const double cosines = c * t, sines = n1 / n2 * (1.0 - c) * (1.0 + c);
+    const double ratio = (cosines - sines) / (cosines + sines);
+    return {std::min(rs * rs, 1.0), std::min(rs * rs * ratio * ratio, 1.0)};
+}
+
+double fresnel(double cos_incident, double n1, double n2) { return fresnel_polarised(cos_incident, n1, n2).mean(); }
+
+double normal_reflectance(double n1, double n2) {
+    const double r = (n1 - n2) / (n1 + n2);
+    return r * r;
+}
+
+double schlick(double cos_incident, double f0, double power) {
+    return f0 + (1.0 - f0) * std::pow(1.0 - std::clamp(cos_incident, 0.0, 1.0), power);
+}
+
+double schlick_dielectric(double cos_incident, double n1, double n2) {
+    const double f0 = normal_reflectance(n1, n2);
+    if (n1 <= n2) return schlick(cos_incident, f0);
+    const double k = transmitted_cos2(std::clamp(cos_incident, 0.0, 1.0), n1, n2);
+    return k < 0.0 ? 1.0 : schlick(std::sqrt(k), f0);
+}
+
+double cg_fresnel(double cos_incident, double bias, double scale, double power) {
+    const double shape = std::pow(1.0 - std::clamp(cos_incident, 0.0, 1.0), power);
+    return std::clamp(bias + scale * shape, 0.0, 1.0);
+}
+
+}  // namespace snell::optics
