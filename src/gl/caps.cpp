@@ -1,0 +1,71 @@
+#include "src/gl/caps.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace snell::gl {
+
+namespace {
+
+std::string text(GLenum name) {
+    const auto* value = reinterpret_cast<const char*>(glGetString(name));
+    return value ? value : "";
+}
+
+int integer(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+float range_end(GLenum name) {
+    std::array<GLfloat, 2> range{1, 1};
+    glGetFloatv(name, range.data());
+    return range[1];
+}
+
+int glsl_version(int gl, bool es) {
+    if (es) return gl >= 32 ? 320 : 300;
+    return gl * 10;  // from 3.3 on the two count alike
+}
+
+}  // namespace
+
+Caps query_caps() {
+    Caps caps;
+    caps.renderer = text(GL_RENDERER);
+    caps.vendor = text(GL_VENDOR);
+    caps.version = text(GL_VERSION);
+    const int version = epoxy_gl_version();
+    caps.es = !epoxy_is_desktop_gl();
+    caps.glsl = glsl_version(version, caps.es);
+    for (std::string_view name : {"llvmpipe", "softpipe", "SwiftShader", "swrast"})
+        caps.software = caps.software || caps.renderer.find(name) != std::string::npos;
+    caps.fp64 = !caps.es && version >= 40;
+    caps.geometry = !caps.es || version >= 32;
+    caps.tessellation = caps.es ? version >= 32 : version >= 40;
+    caps.program_interface_query =
+        caps.es ? version >= 31 : version >= 43 || epoxy_has_gl_extension("GL_ARB_program_interface_query");
+    caps.max_texture = integer(GL_MAX_TEXTURE_SIZE);
+    caps.max_texture_3d = integer(GL_MAX_3D_TEXTURE_SIZE);
+    caps.max_cube = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
+    caps.max_units = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    caps.max_vertex_attributes = integer(GL_MAX_VERTEX_ATTRIBS);
+    caps.max_samples = integer(GL_MAX_SAMPLES);
+    caps.max_draw_buffers = std::min(integer(GL_MAX_DRAW_BUFFERS), integer(GL_MAX_COLOR_ATTACHMENTS));
+    caps.max_uniform_components =
+        caps.es ? integer(GL_MAX_VERTEX_UNIFORM_VECTORS) * 4 : integer(GL_MAX_VERTEX_UNIFORM_COMPONENTS);
+    if (caps.tessellation) caps.max_patch_vertices = integer(GL_MAX_PATCH_VERTICES);
+    if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || (!caps.es && version >= 46))
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &caps.max_anisotropy);
+    caps.max_line_width = range_end(GL_ALIASED_LINE_WIDTH_RANGE);
+    // A forward-compatible core context refuses widths above 1 whatever it says of the range.
+    if (!caps.es && (integer(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT)) caps.max_line_width = 1;
+    caps.max_point_size = range_end(caps.es ? GL_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE);
+    return caps;
+}
+
+}  // namespace snell::gl

@@ -1,0 +1,54 @@
+#include "src/gl/debug.h"
+
+#include <epoxy/gl.h>
+
+namespace snell::gl {
+
+namespace {
+
+void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* message,
+                           const void* user) {
+    if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) return;
+    auto* log = static_cast<std::vector<std::string>*>(const_cast<void*>(user));
+    log->emplace_back(message, length < 0 ? std::char_traits<char>::length(message) : static_cast<size_t>(length));
+}
+
+const char* error_name(GLenum error) {
+    switch (error) {
+        case GL_INVALID_ENUM:
+            return "GL_INVALID_ENUM";
+        case GL_INVALID_VALUE:
+            return "GL_INVALID_VALUE";
+        case GL_INVALID_OPERATION:
+            return "GL_INVALID_OPERATION";
+        case GL_INVALID_FRAMEBUFFER_OPERATION:
+            return "GL_INVALID_FRAMEBUFFER_OPERATION";
+        case GL_OUT_OF_MEMORY:
+            return "GL_OUT_OF_MEMORY";
+        case GL_CONTEXT_LOST:
+            return "GL_CONTEXT_LOST";
+        default:
+            return "unknown GL error";
+    }
+}
+
+}  // namespace
+
+void collect_messages(std::vector<std::string>& log) {
+    const bool here = epoxy_is_desktop_gl() ? epoxy_gl_version() >= 43 || epoxy_has_gl_extension("GL_KHR_debug")
+                                            : epoxy_gl_version() >= 32;
+    if (!here) return;
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(on_message, &log);
+}
+
+std::vector<std::string> take_errors() {
+    std::vector<std::string> errors;
+    // A lost context reports the same error for ever.
+    for (GLenum error; errors.size() < 16 && (error = glGetError()) != GL_NO_ERROR;)
+        errors.emplace_back(error_name(error));
+    return errors;
+}
+
+}  // namespace snell::gl

@@ -1,0 +1,49 @@
+#include "src/gl/present.h"
+
+namespace snell::gl {
+
+namespace {
+
+// Scissors cut copies and clears too.
+void copy(GLuint from, GLuint to, int width, int height, int x, int y) {
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    glBlitFramebuffer(0, 0, width, height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace
+
+bool Canvas::resize(int width, int height, int samples) {
+    if (drawn_.framebuffer && drawn_.width == width && drawn_.height == height && wanted_ == samples) return true;
+    // The old ones go first: both at once need not fit.
+    drawn_ = {};
+    resolved_ = {};
+    wanted_ = samples;
+    drawn_ = make_target(width, height, samples);
+    // A default framebuffer need not have our format, which a multisampled copy requires: resolve to our own.
+    if (drawn_.samples > 1) resolved_ = make_target(width, height, 1);
+    return drawn_.framebuffer && (drawn_.samples <= 1 || resolved_.framebuffer);
+}
+
+void Canvas::resolve() {
+    if (resolved_.framebuffer)
+        copy(drawn_.framebuffer.get(), resolved_.framebuffer.get(), drawn_.width, drawn_.height, 0, 0);
+}
+
+void Canvas::show(int x, int y) const {
+    const Target& shown = resolved_.framebuffer ? resolved_ : drawn_;
+    if (shown.framebuffer) copy(shown.framebuffer.get(), 0, shown.width, shown.height, x, y);
+}
+
+void clear_window(int width, int height, float red, float green, float blue) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glViewport(0, 0, width, height);
+    glClearColor(red, green, blue, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+}  // namespace snell::gl

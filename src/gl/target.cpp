@@ -1,0 +1,108 @@
+#include "src/gl/target.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace snell::gl {
+
+namespace {
+
+GLenum color_format(Pixels type) {
+    switch (type) {
+        case Pixels::rgba8:
+            return GL_RGBA8;
+        case Pixels::rgba16f:
+            return GL_RGBA16F;
+        case Pixels::rgba32f:
+            return GL_RGBA32F;
+    }
+    return GL_RGBA8;
+}
+
+Renderbuffer make_renderbuffer(GLenum format, int width, int height, int samples) {
+    Renderbuffer buffer(make(glGenRenderbuffers));
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.get());
+    if (samples > 1)
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+    else
+        glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    return buffer;
+}
+
+template <typename Component>
+std::vector<Component> read_rows(GLuint framebuffer, int width, int height, int samples, Pixels pixels, GLenum type,
+                                 size_t row) {
+    Target resolved;
+    if (samples > 1) {
+        resolved = make_target(width, height, 1, pixels);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.framebuffer.get());
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        framebuffer = resolved.framebuffer.get();
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    std::vector<Component> rows(row * static_cast<size_t>(height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGBA, type, rows.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    for (size_t top = 0, bottom = static_cast<size_t>(height); top + 1 < bottom; ++top) {
+        --bottom;
+        std::swap_ranges(rows.begin() + static_cast<std::ptrdiff_t>(top * row),
+                         rows.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
+                         rows.begin() + static_cast<std::ptrdiff_t>(bottom * row));
+    }
+    return rows;
+}
+
+}  // namespace
+
+Target make_target(int width, int height, int samples, Pixels type) {
+    Target target;
+    GLint max_samples = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
+    target.width = width;
+    target.height = height;
+    target.samples = std::clamp(samples, 1, std::max(1, max_samples));
+    target.color = make_renderbuffer(color_format(type), width, height, target.samples);
+    target.depth = make_renderbuffer(GL_DEPTH_COMPONENT24, width, height, target.samples);
+    target.framebuffer = Framebuffer(make(glGenFramebuffers));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.color.get());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.get());
+    const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (!complete) target.framebuffer.reset();
+    return target;
+}
+
+TextureTarget make_texture_target(const std::vector<Attachment>& attachments, int width, int height) {
+    TextureTarget target;
+    target.depth = make_renderbuffer(GL_DEPTH_COMPONENT24, width, height, 1);
+    target.framebuffer = Framebuffer(make(glGenFramebuffers));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
+    std::vector<GLenum> buffers;
+    for (const Attachment& attachment : attachments) {
+        const GLenum point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, point, attachment.target, attachment.texture, 0);
+        buffers.push_back(point);
+    }
+    glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.get());
+    const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (!complete) target.framebuffer.reset();
+    return target;
+}
+
+std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples) {
+    return read_rows<std::byte>(framebuffer, width, height, samples, Pixels::rgba8, GL_UNSIGNED_BYTE,
+                                static_cast<size_t>(width) * 4);
+}
+
+std::vector<float> read_rgba32f(GLuint framebuffer, int width, int height, int samples) {
+    return read_rows<float>(framebuffer, width, height, samples, Pixels::rgba32f, GL_FLOAT,
+                            static_cast<size_t>(width) * 4);
+}
+
+}  // namespace snell::gl

@@ -1,0 +1,127 @@
+#include "src/gl/texture.h"
+
+namespace snell::gl {
+
+namespace {
+
+GLenum internal_format(Pixels type) {
+    switch (type) {
+        case Pixels::rgba8:
+            return GL_RGBA8;
+        case Pixels::rgba16f:
+            return GL_RGBA16F;
+        case Pixels::rgba32f:
+            return GL_RGBA32F;
+    }
+    return GL_RGBA8;
+}
+
+GLenum component_type(Pixels type) {
+    switch (type) {
+        case Pixels::rgba8:
+            return GL_UNSIGNED_BYTE;
+        case Pixels::rgba16f:
+            return GL_HALF_FLOAT;
+        case Pixels::rgba32f:
+            return GL_FLOAT;
+    }
+    return GL_UNSIGNED_BYTE;
+}
+
+bool has_mipmaps(const Sampling& sampling) {
+    return sampling.mode == Sampling::Mode::mipmap || sampling.mode == Sampling::Mode::anisotropic;
+}
+
+GLint min_filter(const Sampling& sampling) {
+    switch (sampling.mode) {
+        case Sampling::Mode::nearest:
+            return GL_NEAREST;
+        case Sampling::Mode::linear:
+            return GL_LINEAR;
+        case Sampling::Mode::mipmap:
+        case Sampling::Mode::anisotropic:
+            return GL_LINEAR_MIPMAP_LINEAR;
+    }
+    return GL_LINEAR;
+}
+
+void upload(GLenum target, const Texels& texels) {
+    const auto internal = static_cast<GLint>(internal_format(texels.type));
+    const GLenum type = component_type(texels.type);
+    switch (target) {
+        case GL_TEXTURE_1D:
+            glTexImage1D(target, 0, internal, texels.width, 0, GL_RGBA, type, texels.data);
+            break;
+        case GL_TEXTURE_3D:
+            glTexImage3D(target, 0, internal, texels.width, texels.height, texels.depth, 0, GL_RGBA, type, texels.data);
+            break;
+        default:
+            glTexImage2D(target, 0, internal, texels.width, texels.height, 0, GL_RGBA, type, texels.data);
+            break;
+    }
+}
+
+// Without this a texture with one level and the default filter is incomplete and reads as black.
+void set_levels(GLenum target, const Sampling& sampling) {
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, min_filter(sampling));
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, sampling.mode == Sampling::Mode::nearest ? GL_NEAREST : GL_LINEAR);
+    if (!has_mipmaps(sampling)) glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+}  // namespace
+
+std::size_t texel_bytes(Pixels type) {
+    switch (type) {
+        case Pixels::rgba8:
+            return 4;
+        case Pixels::rgba16f:
+            return 8;
+        case Pixels::rgba32f:
+            return 16;
+    }
+    return 4;
+}
+
+Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling) {
+    Texture texture(make(glGenTextures));
+    if (target == GL_TEXTURE_1D && !epoxy_is_desktop_gl()) target = GL_TEXTURE_2D;
+    glBindTexture(target, texture.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    upload(target, texels);
+    set_levels(target, sampling);
+    if (has_mipmaps(sampling) && texels.data) glGenerateMipmap(target);
+    glBindTexture(target, 0);
+    return texture;
+}
+
+Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling) {
+    Texture texture(make(glGenTextures));
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.get());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (GLenum face = 0; face < 6; ++face) upload(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, faces[face]);
+    set_levels(GL_TEXTURE_CUBE_MAP, sampling);
+    if (has_mipmaps(sampling) && faces[0].data) glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
+    return texture;
+}
+
+void generate_mipmaps(GLenum target, GLuint texture) {
+    glBindTexture(target, texture);
+    glGenerateMipmap(target);
+    glBindTexture(target, 0);
+}
+
+Sampler make_sampler(const Sampling& sampling, bool cube) {
+    GLuint id = 0;
+    glGenSamplers(1, &id);
+    Sampler sampler(id);
+    glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, min_filter(sampling));
+    glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, sampling.mode == Sampling::Mode::nearest ? GL_NEAREST : GL_LINEAR);
+    const GLint wrap = cube || sampling.clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+    for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glSamplerParameteri(id, axis, wrap);
+    if (sampling.mode == Sampling::Mode::anisotropic)
+        glSamplerParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, sampling.anisotropy);
+    return sampler;
+}
+
+}  // namespace snell::gl

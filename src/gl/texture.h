@@ -1,0 +1,39 @@
+// Textures of the kinds that scenes name.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "src/gl/handle.h"
+
+namespace snell::gl {
+
+enum class Pixels { rgba8, rgba16f, rgba32f };
+
+// Tightly packed RGBA rows, the first row at t = 0 (cube faces: as uploaded). Null data: allocated only.
+struct Texels {
+    Pixels type = Pixels::rgba8;
+    int width = 0, height = 1, depth = 1;
+    const std::byte* data = nullptr;
+};
+
+struct Sampling {
+    enum class Mode { nearest, linear, mipmap, anisotropic };
+    Mode mode = Mode::linear;
+    float anisotropy = 1;
+    bool clamp = false;  // repeat otherwise; cube maps always clamp
+};
+
+std::size_t texel_bytes(Pixels type);
+
+// `target` is GL_TEXTURE_1D, 2D, 3D or CUBE_MAP. 1D textures are 2D ones of one row in OpenGL ES.
+Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling);
+Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling);
+void generate_mipmaps(GLenum target, GLuint texture);
+
+// A sampler object, so that one texture may be clamped in one draw and repeated in the next.
+inline void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }
+using Sampler = Handle<delete_sampler>;
+Sampler make_sampler(const Sampling& sampling, bool cube);
+
+}  // namespace snell::gl

@@ -1,0 +1,96 @@
+#include "src/platform/headless.h"
+
+#include <epoxy/egl.h>
+
+#include <array>
+#include <vector>
+
+namespace snell {
+
+namespace {
+
+struct Attempt {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    std::string platform;
+};
+
+std::vector<Attempt> displays() {
+    std::vector<Attempt> attempts;
+    if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
+        attempts.push_back(
+            {eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), "surfaceless"});
+    if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") &&
+        epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
+        std::array<EGLDeviceEXT, 16> devices{};
+        EGLint count = 0;
+        eglQueryDevicesEXT(devices.size(), devices.data(), &count);
+        for (EGLint i = 0; i < count; ++i)
+            attempts.push_back(
+                {eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(i)], nullptr),
+                 "device"});
+    }
+    return attempts;
+}
+
+EGLContext make_context(EGLDisplay display, EGLConfig config, const ContextRequest& request, int version) {
+    const EGLint profile =
+        request.compatibility ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT;
+    std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION, version % 10};
+    if (!request.es) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_PROFILE_MASK, profile});
+    if (request.debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    attributes.push_back(EGL_NONE);
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+}
+
+EGLContext best_context(EGLDisplay display, const ContextRequest& request) {
+    if (!eglBindAPI(request.es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return EGL_NO_CONTEXT;
+    EGLConfig config = EGL_NO_CONFIG_KHR;
+    if (!epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
+        // The default surface type is a window, which no config here has.
+        const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                           request.es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
+        EGLint count = 0;
+        if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count == 0) return EGL_NO_CONTEXT;
+    }
+    const std::vector<int> desktop{45, 41, 33};
+    const std::vector<int> embedded{32, 30};
+    const std::vector<int> exact{request.version};
+    for (int version : request.version ? exact : request.es ? embedded : desktop)
+        if (EGLContext context = make_context(display, config, request, version); context != EGL_NO_CONTEXT)
+            return context;
+    return EGL_NO_CONTEXT;
+}
+
+}  // namespace
+
+std::unique_ptr<HeadlessContext> HeadlessContext::make(const ContextRequest& request, std::string& error) {
+    error = "EGL offers neither the surfaceless nor the device platform";
+    for (const Attempt& attempt : displays()) {
+        EGLint major = 0, minor = 0;
+        if (attempt.display == EGL_NO_DISPLAY || !eglInitialize(attempt.display, &major, &minor)) {
+            error = "EGL's " + attempt.platform + " platform does not start";
+            continue;
+        }
+        EGLContext context = best_context(attempt.display, request);
+        if (context != EGL_NO_CONTEXT && eglMakeCurrent(attempt.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+            std::unique_ptr<HeadlessContext> result(new HeadlessContext);
+            result->display_ = attempt.display;
+            result->context_ = context;
+            result->platform_ = attempt.platform;
+            return result;
+        }
+        error = request.es ? "EGL gives no OpenGL ES 3 context" : "EGL gives no OpenGL 3.3 core context";
+        if (context != EGL_NO_CONTEXT) eglDestroyContext(attempt.display, context);
+        eglTerminate(attempt.display);
+    }
+    return nullptr;
+}
+
+void HeadlessContext::make_current() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_); }
+
+HeadlessContext::~HeadlessContext() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+}
+
+}  // namespace snell

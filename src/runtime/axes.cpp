@@ -1,0 +1,63 @@
+// White axes of length 1.5 with their letters, about three pixels wide, turning with the scene.
+#include "src/runtime/impl.h"
+
+namespace snell {
+
+namespace {
+
+using Point = std::array<float, 3>;
+
+content::Mesh axes_mesh() {
+    content::Mesh mesh;
+    mesh.topology = Topology::lines;
+    const auto line = [&mesh](Point a, Point b) {
+        for (const Point& p : {a, b}) {
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+            mesh.positions.push_back(p);
+        }
+    };
+    constexpr float length = 1.5F, gap = 1.6F, half = .05F, high = .1F;
+    line({0, 0, 0}, {length, 0, 0});
+    line({0, 0, 0}, {0, length, 0});
+    line({0, 0, 0}, {0, 0, length});
+    line({gap - half, -high, 0}, {gap + half, high, 0});  // X
+    line({gap - half, high, 0}, {gap + half, -high, 0});
+    line({-half, gap + 2 * high, 0}, {0, gap + high, 0});  // Y
+    line({half, gap + 2 * high, 0}, {0, gap + high, 0});
+    line({0, gap + high, 0}, {0, gap, 0});
+    line({-half, high, gap}, {half, high, gap});  // Z
+    line({half, high, gap}, {-half, -high, gap});
+    line({-half, -high, gap}, {half, -high, gap});
+    return mesh;
+}
+
+}  // namespace
+
+void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
+    if (!axes) axes = runtime::upload(axes_mesh());
+    glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
+    glViewport(0, 0, surface.width, surface.height);
+    const Scene& scene = plan.scene;
+    // The camera of the last draw in the window, or the default one where nothing is drawn.
+    Camera camera;
+    for (const Pass& pass : scene.passes)
+        if (pass.kind == Pass::Kind::window)
+            for (const Item& item : pass.items)
+                if (item.kind == Item::Kind::draw) camera = scene.cameras[scene.draws[item.index].camera];
+    runtime::DrawContext context;
+    context.view = frame.view.eye.matrix() * view_matrix(camera);
+    context.scene = runtime::about_origin(frame.view.scene, context.view);
+    context.projection = projection_matrix(camera, static_cast<double>(surface.width) / surface.height) * context.scene;
+    state.forget();
+    RasterState raster;
+    raster.line_width = 3;
+    state.raster(raster, true);
+    state.program(builtin.program.get());
+    counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_system(builtin, context));
+    state.vertex_array(axes->array.get());
+    state.color({1, 1, 1, 1});
+    glDrawElements(GL_LINES, static_cast<GLsizei>(axes->count), GL_UNSIGNED_INT, nullptr);
+    ++counters.draws;
+}
+
+}  // namespace snell

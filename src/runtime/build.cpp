@@ -1,0 +1,288 @@
+// From a Plan to what can be drawn: programs, then what their active uniforms call for.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "src/runtime/impl.h"
+
+namespace snell {
+
+using runtime::BoundTexture;
+using runtime::LinkedProgram;
+using runtime::ReadyDraw;
+using runtime::ReadyPass;
+using runtime::SamplerUniform;
+
+namespace {
+
+// The scene's unit of one element of a sampler: what the Program line says, else what the shader says.
+int scene_unit(const Program& program, const SamplerUniform& sampler, size_t element) {
+    for (const UniformValue& uniform : program.uniforms)
+        if (uniform.name == sampler.name && element < uniform.values.size())
+            return static_cast<int>(uniform.values[element]);
+    return element < sampler.initial.size() ? sampler.initial[element] : 0;
+}
+
+bool names_unit(const Program& program, const SamplerUniform& sampler) {
+    return std::ranges::any_of(program.uniforms, [&](const UniformValue& u) { return u.name == sampler.name; });
+}
+
+// The dimensions of the built-in noise that stands on this sampler, 0 for none.
+int noise_dimensions(const Program& program, const SamplerUniform& sampler, int unit) {
+    const bool named = names_unit(program, sampler);
+    if (sampler.target == TextureTarget::d2 && ((sampler.name == "Noise2" && !named) || unit == 2)) return 2;
+    if (sampler.target == TextureTarget::d3 && ((sampler.name == "Noise3" && !named) || unit == 3)) return 3;
+    return 0;
+}
+
+GLenum input_of(Topology topology) {
+    switch (topology) {
+        case Topology::points:
+            return GL_POINTS;
+        case Topology::lines:
+        case Topology::line_strip:
+        case Topology::line_loop:
+            return GL_LINES;
+        case Topology::triangles:
+        case Topology::triangle_strip:
+        case Topology::triangle_fan:
+            return GL_TRIANGLES;
+        case Topology::lines_adjacency:
+        case Topology::line_strip_adjacency:
+            return GL_LINES_ADJACENCY;
+        case Topology::triangles_adjacency:
+        case Topology::triangle_strip_adjacency:
+            return GL_TRIANGLES_ADJACENCY;
+        case Topology::patches:
+            return GL_PATCHES;
+    }
+    return GL_TRIANGLES;
+}
+
+std::string_view input_name(GLenum input) {
+    switch (input) {
+        case GL_POINTS:
+            return "points";
+        case GL_LINES:
+            return "lines";
+        case GL_LINES_ADJACENCY:
+            return "lines_adjacency";
+        case GL_TRIANGLES:
+            return "triangles";
+        case GL_TRIANGLES_ADJACENCY:
+            return "triangles_adjacency";
+        default:
+            return "patches";
+    }
+}
+
+constexpr std::array<std::string_view, 4> target_names{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
+
+}  // namespace
+
+Runtime::Impl::Impl(Plan p, Files& files, Sources& sources, const gl::Caps& c, Diagnostics& diagnostics)
+    : plan(std::move(p)), caps(c), textures(plan.scene, files, caps, diagnostics), state(caps) {
+    builtin = runtime::link_builtin("color", caps);
+    link_programs(files, sources, diagnostics);
+    ready_passes(files, diagnostics);
+    drop_unread_passes(diagnostics);
+    textures.finish();
+    const runtime::TextureCounters& t = textures.counters();
+    counters.images_decoded = t.decoded;
+    counters.bytes_decoded = t.bytes_decoded;
+    counters.bytes_uploaded += t.bytes_uploaded;
+    counters.textures = t.textures;
+    counters.gpu_bytes += t.gpu_bytes;
+    counters.targets = targets.size();
+    counters.files_opened = files.counters().opened;
+    counters.bytes_read = files.counters().bytes;
+}
+
+void Runtime::Impl::link_programs(Files& files, Sources& sources, Diagnostics& diagnostics) {
+    std::vector<bool> used(plan.scene.programs.size(), false);
+    for (const Draw& draw : plan.scene.draws)
+        if (draw.program != none) used[draw.program] = true;
+    for (Index i = 0; i < plan.programs.size(); ++i) {
+        // A program that nothing draws with is compiled all the same: its sliders and its errors are the user's.
+        programs.push_back(runtime::link_program(plan.scene, plan.programs[i], caps, files, sources, diagnostics));
+        active.emplace_back(programs.back() ? programs.back()->active : std::vector<ActiveUniform>{});
+        if (!programs.back()) continue;
+        counters.programs_compiled += 1;
+        const LinkedProgram& linked = *programs.back();
+        if (!used[i]) continue;
+        animated = animated || linked.reads(glsl::System::timer) || linked.reads(glsl::System::time);
+        mouse = mouse || linked.reads(glsl::System::mouse);
+    }
+}
+
+void Runtime::Impl::ready_passes(Files& files, Diagnostics& diagnostics) {
+    meshes.resize(plan.meshes.size());
+    passes.resize(plan.scene.passes.size());
+    for (Index pass = 0; pass < plan.scene.passes.size(); ++pass) {
+        ready_target(pass, diagnostics);
+        for (const Item& item : plan.scene.passes[pass].items)
+            passes[pass].items.push_back(
+                item.kind == Item::Kind::draw ? ready_draw(pass, item.index, files, diagnostics) : std::nullopt);
+    }
+}
+
+void Runtime::Impl::ready_target(Index pass, Diagnostics& diagnostics) {
+    const Pass& declared = plan.scene.passes[pass];
+    ReadyPass& ready = passes[pass];
+    if (declared.kind == Pass::Kind::window) return;
+    std::vector<gl::Attachment> attachments;
+    for (Index texture : declared.textures) {
+        const runtime::GpuTexture* gpu = texture == none ? nullptr : textures.realise(texture);
+        if (!gpu) continue;
+        ready.textures.push_back(texture);
+        ready.remake_mipmaps.push_back(gpu->mipmapped ? gpu->target : 0);
+        const bool first = attachments.empty();
+        ready.width = first ? gpu->size[0] : std::min(ready.width, gpu->size[0]);
+        ready.height = first ? gpu->size[1] : std::min(ready.height, gpu->size[1]);
+        attachments.push_back({gpu->texture.get(), gpu->target});
+    }
+    auto& made = targets[ready.textures];
+    ready.live = !attachments.empty();
+    if (!ready.live || !made.empty()) return;
+    const bool cube = declared.kind == Pass::Kind::cube;
+    for (GLenum face = 0; face < (cube ? 6U : 1U); ++face) {
+        for (gl::Attachment& attachment : attachments)
+            if (cube) attachment.target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face;
+        made.push_back(gl::make_texture_target(attachments, ready.width, ready.height));
+        if (made.back().framebuffer) continue;
+        diagnostics.error("target-unsupported", declared.span, "this OpenGL can't render to these textures",
+                          fmt::format("use 2D textures, at most {} at once", caps.max_draw_buffers));
+        ready.live = false;
+        return;
+    }
+    counters.gpu_bytes +=
+        std::size_t{4} * static_cast<std::size_t>(ready.width) * static_cast<std::size_t>(ready.height) * made.size();
+}
+
+std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Files& files, Diagnostics& diagnostics) {
+    const Draw& draw = plan.scene.draws[index];
+    ReadyDraw ready;
+    ready.draw = index;
+    ready.program = draw.program;
+    if (draw.program != none && !programs[draw.program]) return std::nullopt;
+    ready.mesh = plan.draw_mesh[index];
+    if (ready.mesh == none) return std::nullopt;
+    auto& mesh = meshes[ready.mesh];
+    if (!mesh) {
+        mesh = runtime::upload(load_mesh(plan, ready.mesh, files, diagnostics));
+        counters.bytes_uploaded += mesh->bytes;
+        counters.gpu_bytes += mesh->bytes;
+        counters.buffers += mesh->bytes ? 2 : 0;
+    }
+    if (mesh->count == 0 || !match_topology(ready, *mesh, diagnostics)) return std::nullopt;
+    if (!bind_textures(ready, pass, diagnostics)) return std::nullopt;
+    return ready;
+}
+
+// GL refuses a draw whose primitives are not what the program takes.
+bool Runtime::Impl::match_topology(ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics) {
+    const LinkedProgram& program = ready.program == none ? builtin : *programs[ready.program];
+    const GLenum input = input_of(mesh.topology);
+    const Span span = plan.scene.draws[ready.draw].span;
+    ready.mode = runtime::gl_mode(mesh.topology);
+    ready.patch_vertices = mesh.patch_vertices;
+    if (program.tessellates) {
+        if (input == GL_PATCHES) return true;
+        const bool lists = mesh.topology == Topology::triangles || mesh.topology == Topology::lines ||
+                           mesh.topology == Topology::points;
+        if (lists) {  // each triangle, line or point is a patch
+            ready.mode = GL_PATCHES;
+            ready.patch_vertices = input == GL_TRIANGLES ? 3 : input == GL_LINES ? 2 : 1;
+            return true;
+        }
+        diagnostics.error("tessellation-input", span, "a program with tessellation shaders draws patches",
+                          "use gl_patches or ObjPatch");
+        return false;
+    }
+    if (input == GL_PATCHES) {
+        diagnostics.error("patches-without-tessellation", span,
+                          "patches can only be drawn by a program with tessellation shaders",
+                          "name TessControl and TessEvaluation shaders before the Program");
+        return false;
+    }
+    if (!program.geometry_input || program.geometry_input == input) return true;
+    diagnostics.error("geometry-input", span,
+                      fmt::format("the geometry shader takes {}, but this draws {}", input_name(program.geometry_input),
+                                  input_name(input)));
+    return false;
+}
+
+bool Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
+    if (ready.program == none) return true;
+    const Scene& scene = plan.scene;
+    const Draw& draw = scene.draws[ready.draw];
+    const Program& program = scene.programs[ready.program];
+    const bool clamp = scene.rasters[draw.raster].clamp;
+    for (const SamplerUniform& sampler : programs[ready.program]->samplers) {
+        if (!sampler.target) continue;
+        const bool cube = sampler.target == TextureTarget::cube;
+        for (int element = 0; element < sampler.size; ++element) {
+            const int unit = scene_unit(program, sampler, static_cast<size_t>(element));
+            const int noise = noise_dimensions(program, sampler, unit);
+            const bool by_name = noise && !names_unit(program, sampler);
+            const Index found = find_texture(scene, draw, by_name ? noise : unit, *sampler.target);
+            const runtime::GpuTexture* gpu = nullptr;
+            Filter filter;
+            if (found != none) {
+                if (auto problem = feedback_error(scene, pass, ready.draw, found)) {
+                    diagnostics.add(std::move(*problem));
+                    continue;
+                }
+                gpu = textures.realise(found);
+                filter = scene.textures[found].filter;
+            } else if (noise) {
+                gpu = textures.noise(noise);
+            } else {
+                diagnostics.warning(
+                    "unbound-texture", draw.span,
+                    fmt::format("no {} stands on unit {}, which '{}' of program '{}' reads",
+                                target_names[static_cast<size_t>(*sampler.target)], unit, sampler.name, program.name),
+                    "it reads as black");
+            }
+            if (gpu)
+                ready.textures.push_back({sampler.first_unit + element, gpu->target, gpu->texture.get(),
+                                          textures.sampler(filter, clamp, cube)});
+        }
+    }
+    return true;
+}
+
+// A pass that nothing reads is not drawn. What reads it may itself be unread, so this repeats until nothing
+// changes.
+void Runtime::Impl::drop_unread_passes(Diagnostics& diagnostics) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::set<GLuint> read;
+        for (const ReadyPass& pass : passes)
+            if (pass.live)
+                for (const auto& item : pass.items)
+                    if (item)
+                        for (const BoundTexture& texture : item->textures) read.insert(texture.texture);
+        for (Index i = 0; i < passes.size(); ++i) {
+            ReadyPass& pass = passes[i];
+            if (!pass.live || plan.scene.passes[i].kind == Pass::Kind::window) continue;
+            const bool wanted = std::ranges::any_of(pass.textures, [&](Index texture) {
+                const auto* gpu = textures.find(texture);
+                return gpu && read.contains(gpu->texture.get());
+            });
+            if (wanted) continue;
+            pass.live = false;
+            changed = true;
+            Diagnostic note{Severity::note,
+                            "unread-pass",
+                            plan.scene.passes[i].span,
+                            "nothing reads what is rendered here: the pass is not drawn",
+                            "",
+                            {},
+                            true};
+            diagnostics.add(std::move(note));
+        }
+    }
+}
+
+}  // namespace snell

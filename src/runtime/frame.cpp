@@ -1,0 +1,244 @@
+// Drawing one frame: the passes in their order, each draw with the state that stood at its statement.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/runtime/impl.h"
+
+namespace snell {
+
+using runtime::DrawContext;
+using runtime::LinkedProgram;
+using runtime::ReadyDraw;
+using runtime::ReadyPass;
+
+// Where a pass looks from. Off-screen cube faces replace the scene's camera.
+struct Runtime::Impl::PassView {
+    int width = 1, height = 1;
+    Vec4 background{0, 0, 0, 1};
+    const glm::dmat4* projection = nullptr;  // replaces the draw's camera, with `view`
+    const glm::dmat4* view = nullptr;
+};
+
+namespace {
+
+glm::dmat4 matrix(const Mat4& m) {
+    glm::dmat4 result;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) result[column][row] = m[static_cast<size_t>(column * 4 + row)];
+    return result;
+}
+
+void clear(const Vec4& color) {
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    const auto part = [&](size_t i) { return static_cast<float>(std::clamp(color[i], 0.0, 1.0)); };
+    glClearColor(part(0), part(1), part(2), part(3));
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+// The view of each cube face from `center`, so that the face's first row is its top row.
+glm::dmat4 face_view(int face, const Vec3& center) {
+    static const std::array<glm::dvec3, 6> forward{glm::dvec3(1, 0, 0),  glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
+                                                   glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),  glm::dvec3(0, 0, -1)};
+    static const std::array<glm::dvec3, 6> up{glm::dvec3(0, -1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),
+                                              glm::dvec3(0, 0, -1), glm::dvec3(0, -1, 0), glm::dvec3(0, -1, 0)};
+    const glm::dvec3 eye(center[0], center[1], center[2]);
+    return glm::lookAt(eye, eye + forward[static_cast<size_t>(face)], up[static_cast<size_t>(face)]);
+}
+
+}  // namespace
+
+DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const PassView& view) const {
+    const Scene& scene = plan.scene;
+    DrawContext result;
+    const glm::dmat4 camera = view.view ? *view.view : view_matrix(scene.cameras[draw.camera]);
+    result.view = view.view ? camera : frame.view.eye.matrix() * camera;
+    result.scene = view.view ? glm::dmat4(1) : runtime::about_origin(frame.view.scene, result.view);
+    const double aspect = static_cast<double>(view.width) / view.height;
+    result.projection =
+        (view.projection ? *view.projection : projection_matrix(scene.cameras[draw.camera], aspect)) * result.scene;
+    result.model = draw.matrix == none ? glm::dmat4(1) : matrix(scene.matrices[draw.matrix]);
+    const auto index = static_cast<Index>(&draw - scene.draws.data());
+    if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
+        result.model = result.model * object->second.matrix();
+    result.texture = frame.view.texture.matrix();
+    result.time = frame.time;
+    result.timer_period = scene.timer_period;
+    result.width = view.width;
+    result.height = view.height;
+    result.mouse_x = frame.view.mouse_x;
+    result.mouse_y = frame.view.mouse_y;
+    result.point_size = scene.rasters[draw.raster].point_size;
+    return result;
+}
+
+void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
+    if (surface.width <= 0 || surface.height <= 0) return;
+    state.forget();
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    const std::uint64_t before = state.changes();
+    std::set<std::vector<Index>> cleared;
+    bool first_window = true;
+    for (Index pass = 0; pass < passes.size(); ++pass) {
+        if (!passes[pass].live) continue;
+        switch (plan.scene.passes[pass].kind) {
+            case Pass::Kind::window:
+                draw_window(pass, frame, surface, first_window);
+                first_window = false;
+                break;
+            case Pass::Kind::textures:
+                draw_textures(pass, frame, cleared);
+                break;
+            case Pass::Kind::cube:
+                draw_cube(pass, frame);
+                break;
+        }
+    }
+    if (frame.view.axes) draw_axes(frame, surface);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    counters.state_changes += state.changes() - before;
+    ++counters.frames;
+}
+
+void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& surface, bool first) {
+    glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
+    glViewport(0, 0, surface.width, surface.height);
+    PassView view{surface.width, surface.height, plan.scene.background};
+    if (first) clear(view.background);
+    state.forget();
+    draw_items(pass, frame, view);
+    ++counters.passes;
+}
+
+void Runtime::Impl::draw_textures(Index pass, const Frame& frame, std::set<std::vector<Index>>& cleared) {
+    ReadyPass& ready = passes[pass];
+    const gl::TextureTarget& target = targets.at(ready.textures).front();
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
+    glViewport(0, 0, ready.width, ready.height);
+    PassView view{ready.width, ready.height, plan.scene.passes[pass].background.value_or(Vec4{0, 0, 0, 0})};
+    if (cleared.insert(ready.textures).second) clear(view.background);
+    state.forget();
+    draw_items(pass, frame, view);
+    for (size_t i = 0; i < ready.textures.size(); ++i)
+        if (ready.remake_mipmaps[i]) {
+            glActiveTexture(GL_TEXTURE0);
+            gl::generate_mipmaps(ready.remake_mipmaps[i], textures.find(ready.textures[i])->texture.get());
+        }
+    state.forget();
+    ++counters.passes;
+}
+
+// Everything that can change what the faces of a cube pass show.
+std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const {
+    std::vector<double> seen{1};
+    bool moves = false;
+    for (const auto& item : passes[pass].items) {
+        if (!item) continue;
+        if (const auto object = frame.view.objects.find(item->draw); object != frame.view.objects.end()) {
+            const Transformation& t = object->second;
+            seen.insert(seen.end(), {t.rotate_x, t.rotate_y, t.scale, t.x, t.y, t.z});
+        }
+        if (item->program == none) continue;
+        const LinkedProgram& program = *programs[item->program];
+        moves = moves || program.reads(glsl::System::timer) || program.reads(glsl::System::time);
+        for (const Control& control : frame.controls.items)
+            if (control.program == item->program) seen.insert(seen.end(), control.value.begin(), control.value.end());
+        if (program.reads(glsl::System::texture_matrix)) {
+            const Transformation& t = frame.view.texture;
+            seen.insert(seen.end(), {t.rotate_x, t.rotate_y, t.scale, t.x, t.y, t.z});
+        }
+        if (program.reads(glsl::System::mouse)) seen.insert(seen.end(), {frame.view.mouse_x, frame.view.mouse_y});
+    }
+    if (moves) seen.push_back(frame.time);
+    return seen;
+}
+
+void Runtime::Impl::draw_cube(Index pass, const Frame& frame) {
+    ReadyPass& ready = passes[pass];
+    std::vector<double> seen = seen_by(pass, frame);
+    // Pictures of earlier passes may be read here: then nothing is known of what changed.
+    bool reads_pass = false;
+    for (const auto& item : ready.items)
+        for (const runtime::BoundTexture& texture : item ? item->textures : std::vector<runtime::BoundTexture>{})
+            for (const ReadyPass& other : passes)
+                for (Index rendered : other.textures) {
+                    const auto* gpu = textures.find(rendered);
+                    reads_pass = reads_pass || (gpu && gpu->texture.get() == texture.texture);
+                }
+    if (!reads_pass && seen == ready.cube_seen) return;
+    ready.cube_seen = std::move(seen);
+    const Pass& declared = plan.scene.passes[pass];
+    const glm::dmat4 projection = glm::perspective(glm::radians(90.0), 1.0, .1, 1000.0);
+    const auto& faces = targets.at(ready.textures);
+    for (int face = 0; face < 6; ++face) {
+        const glm::dmat4 view_matrix = face_view(face, declared.center);
+        PassView view{ready.width, ready.height, declared.background.value_or(plan.scene.background), &projection,
+                      &view_matrix};
+        glBindFramebuffer(GL_FRAMEBUFFER, faces[static_cast<size_t>(face)].framebuffer.get());
+        glViewport(0, 0, ready.width, ready.height);
+        clear(view.background);
+        state.forget();
+        draw_items(pass, frame, view);
+    }
+    for (size_t i = 0; i < ready.textures.size(); ++i)
+        if (ready.remake_mipmaps[i]) {
+            glActiveTexture(GL_TEXTURE0);
+            gl::generate_mipmaps(GL_TEXTURE_CUBE_MAP, textures.find(ready.textures[i])->texture.get());
+        }
+    state.forget();
+    ++counters.passes;
+}
+
+void Runtime::Impl::draw_items(Index pass, const Frame& frame, const PassView& view) {
+    const Pass& declared = plan.scene.passes[pass];
+    for (size_t i = 0; i < declared.items.size(); ++i) {
+        if (declared.items[i].kind == Item::Kind::clear) {
+            clear(view.background);
+            state.forget();
+        } else if (passes[pass].items[i]) {
+            draw_one(*passes[pass].items[i], frame, view);
+        }
+    }
+}
+
+void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, const PassView& view) {
+    const Draw& draw = plan.scene.draws[ready.draw];
+    LinkedProgram& program = ready.program == none ? builtin : *programs[ready.program];
+    state.program(program.program.get());
+    const int uploads = runtime::set_system(program, context(draw, frame, view)) +
+                        (ready.program == none ? 0 : runtime::set_user(program, ready.program, frame.controls));
+    counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
+    for (const runtime::BoundTexture& texture : ready.textures)
+        state.texture(texture.unit, texture.target, texture.texture, texture.sampler);
+    const Vec4& color = draw.color == none ? Vec4{1, 1, 1, 1} : plan.scene.colors[draw.color];
+    const bool opaque = program.opaque || (ready.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color);
+    state.raster(plan.scene.rasters[draw.raster], opaque);
+    state.vertex_array(meshes[ready.mesh]->array.get());
+    state.color(color);
+    draw_mesh(ready, program);
+}
+
+void Runtime::Impl::draw_mesh(const ReadyDraw& ready, LinkedProgram& program) {
+    const runtime::GpuMesh& mesh = *meshes[ready.mesh];
+    if (ready.mode == GL_PATCHES) glPatchParameteri(GL_PATCH_VERTICES, ready.patch_vertices);
+    const auto elements = [&](std::uint32_t first, std::uint32_t count) {
+        glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));
+        ++counters.draws;
+        counters.triangles += runtime::triangle_count(mesh.topology, count);
+    };
+    if (mesh.parts.empty() || !program.reads(glsl::System::face_index)) {
+        elements(0, mesh.count);
+        return;
+    }
+    for (const content::MeshPart& part : mesh.parts) {
+        counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_face_index(program, part.face_index));
+        elements(part.first, part.count);
+    }
+}
+
+}  // namespace snell

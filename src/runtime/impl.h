@@ -1,0 +1,88 @@
+// What a Runtime holds. Built once by build.cpp; frame.cpp draws it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "src/gl/target.h"
+#include "src/runtime/mesh.h"
+#include "src/runtime/program.h"
+#include "src/runtime/runtime.h"
+#include "src/runtime/state.h"
+#include "src/runtime/textures.h"
+#include "src/runtime/uniforms.h"
+
+namespace snell {
+
+namespace runtime {
+
+struct BoundTexture {
+    int unit = 0;  // GL's
+    GLenum target = GL_TEXTURE_2D;
+    GLuint texture = 0, sampler = 0;
+};
+
+// A draw that was found possible.
+struct ReadyDraw {
+    Index draw = none;
+    Index mesh = none;
+    Index program = none;  // Scene::programs; none: the built-in one
+    GLenum mode = GL_TRIANGLES;
+    int patch_vertices = 0;  // of GL_PATCHES
+    std::vector<BoundTexture> textures;
+};
+
+struct ReadyPass {
+    bool live = true;  // false: nothing reads what it renders
+    std::vector<Index> textures;
+    int width = 0, height = 0;                    // of off-screen targets
+    std::vector<GLenum> remake_mipmaps;           // targets, as `textures`; 0: none
+    std::vector<double> cube_seen;                // cube: what the faces show, as numbers; empty: never drawn
+    std::vector<std::optional<ReadyDraw>> items;  // as Pass::items; empty where it is a Clear or impossible
+};
+
+}  // namespace runtime
+
+struct Runtime::Impl {
+    Impl(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics);
+
+    // build.cpp
+    void link_programs(Files& files, Sources& sources, Diagnostics& diagnostics);
+    void ready_passes(Files& files, Diagnostics& diagnostics);
+    void drop_unread_passes(Diagnostics& diagnostics);
+    std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Files& files, Diagnostics& diagnostics);
+    bool bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
+    bool match_topology(runtime::ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics);
+    void ready_target(Index pass, Diagnostics& diagnostics);
+
+    // frame.cpp
+    struct PassView;
+    void draw(const Frame& frame, const Surface& surface);
+    void draw_window(Index pass, const Frame& frame, const Surface& surface, bool first);
+    void draw_textures(Index pass, const Frame& frame, std::set<std::vector<Index>>& cleared);
+    void draw_cube(Index pass, const Frame& frame);
+    void draw_items(Index pass, const Frame& frame, const PassView& view);
+    void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, const PassView& view);
+    void draw_mesh(const runtime::ReadyDraw& ready, runtime::LinkedProgram& program);
+    void draw_axes(const Frame& frame, const Surface& surface);
+    std::vector<double> seen_by(Index pass, const Frame& frame) const;
+    runtime::DrawContext context(const Draw& draw, const Frame& frame, const PassView& view) const;
+
+    Plan plan;
+    gl::Caps caps;
+    runtime::LinkedProgram builtin;
+    std::vector<std::optional<runtime::LinkedProgram>> programs;
+    std::vector<std::vector<ActiveUniform>> active;
+    std::vector<std::optional<runtime::GpuMesh>> meshes;
+    std::optional<runtime::GpuMesh> axes;
+    runtime::Textures textures;
+    std::vector<runtime::ReadyPass> passes;
+    std::map<std::vector<Index>, std::vector<gl::TextureTarget>> targets;  // by the textures rendered to
+    runtime::State state;
+    Counters counters;
+    bool animated = false, mouse = false;
+};
+
+}  // namespace snell

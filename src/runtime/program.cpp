@@ -1,0 +1,306 @@
+#include "src/runtime/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "shaders/embedded.h"
+
+namespace snell::runtime {
+
+namespace {
+
+GLenum gl_stage(Stage stage) {
+    switch (stage) {
+        case Stage::vertex:
+            return GL_VERTEX_SHADER;
+        case Stage::tess_control:
+            return GL_TESS_CONTROL_SHADER;
+        case Stage::tess_evaluation:
+            return GL_TESS_EVALUATION_SHADER;
+        case Stage::geometry:
+            return GL_GEOMETRY_SHADER;
+        case Stage::fragment:
+            return GL_FRAGMENT_SHADER;
+    }
+    return GL_VERTEX_SHADER;
+}
+
+std::optional<TextureTarget> sampler_target(std::string_view type) {
+    if (type == "sampler1D" || type == "sampler1DShadow") return TextureTarget::d1;
+    if (type == "sampler2D" || type == "sampler2DShadow") return TextureTarget::d2;
+    if (type == "sampler3D") return TextureTarget::d3;
+    if (type == "samplerCube" || type == "samplerCubeShadow") return TextureTarget::cube;
+    return std::nullopt;
+}
+
+struct TypeFacts {
+    ValueType type = ValueType::float_;
+    int components = 1;
+};
+
+TypeFacts facts(std::string_view type) {
+    TypeFacts result;
+    if (type.find("sampler") != std::string_view::npos) return {ValueType::sampler, 1};
+    const char last = type.empty() ? '1' : type.back();
+    const int digit = last >= '2' && last <= '4' ? last - '0' : 1;
+    if (type.starts_with("mat")) {
+        const int columns = type[3] - '0';
+        return {ValueType::matrix, columns * digit};
+    }
+    result.components = digit;
+    switch (type.empty() ? 'f' : type[0]) {
+        case 'i':
+            result.type = ValueType::int_;
+            break;
+        case 'u':
+            result.type = ValueType::uint_;
+            break;
+        case 'b':
+            result.type = ValueType::bool_;
+            break;
+        case 'd':
+            result.type = ValueType::double_;
+            break;
+        default:
+            result.type = ValueType::float_;
+            break;
+    }
+    return result;
+}
+
+std::vector<double> read_values(GLuint program, const gl::Uniform& uniform, const TypeFacts& type) {
+    std::vector<double> values;
+    for (int element = 0; element < uniform.size; ++element) {
+        const GLint location = uniform.size > 1
+                                   ? glGetUniformLocation(program, fmt::format("{}[{}]", uniform.name, element).c_str())
+                                   : uniform.location;
+        float floats[16]{};
+        int ints[16]{};
+        const bool whole =
+            type.type != ValueType::float_ && type.type != ValueType::matrix && type.type != ValueType::double_;
+        if (location >= 0) {
+            if (whole)
+                glGetUniformiv(program, location, ints);
+            else
+                glGetUniformfv(program, location, floats);
+        }
+        for (int i = 0; i < type.components; ++i) values.push_back(whole ? ints[i] : static_cast<double>(floats[i]));
+    }
+    return values;
+}
+
+bool scene_sets(const Program* program, std::string_view name) {
+    return program && std::ranges::any_of(program->uniforms, [&](const UniformValue& u) { return u.name == name; });
+}
+
+const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, std::string_view name,
+                                    std::string_view type, const Program* program) {
+    for (const glsl::SystemName& candidate : names)
+        if (candidate.name == name && candidate.type == type && (candidate.legacy || !scene_sets(program, name)))
+            return &candidate;
+    return nullptr;
+}
+
+// Sorts the active uniforms into what the runtime sets, what the scene sets and samplers.
+void introspect(LinkedProgram& linked, const Program* program, const gl::Caps& caps) {
+    const GLuint id = linked.program.get();
+    const auto names = glsl::system_names();
+    int next_unit = 0;
+    for (const gl::Uniform& uniform : gl::active_uniforms(id, caps.program_interface_query)) {
+        const std::string_view type = gl::type_name(uniform.type);
+        if (type.empty()) continue;
+        ActiveUniform active;
+        active.name = uniform.name;
+        active.glsl_type = type;
+        active.type = facts(type).type;
+        active.components = facts(type).components;
+        active.array_size = uniform.size;
+        active.location = uniform.location;
+        active.initial = read_values(id, uniform, facts(type));
+        if (active.type == ValueType::sampler) {
+            SamplerUniform sampler{uniform.name, sampler_target(type), uniform.location, next_unit, uniform.size, {}};
+            for (double unit : active.initial) sampler.initial.push_back(static_cast<int>(unit));
+            next_unit += uniform.size;
+            active.system =
+                (uniform.name == "Noise2" || uniform.name == "Noise3") && !scene_sets(program, uniform.name);
+            linked.samplers.push_back(std::move(sampler));
+        } else if (const auto* system = find_system(names, uniform.name, type, program)) {
+            active.system = true;
+            linked.system.push_back({system->system, uniform.location, uniform.size, {}});
+        } else {
+            active.system = uniform.name.starts_with("snell_");
+            linked.user.push_back(
+                {uniform.name, type, uniform.location, active.components, uniform.size, active.initial});
+        }
+        linked.active.push_back(std::move(active));
+    }
+}
+
+// Each sampler gets GL units of its own: one scene unit may hold a 2D texture and a cube map at once, which
+// GL does not allow within a program.
+void assign_units(const LinkedProgram& linked) {
+    glUseProgram(linked.program.get());
+    for (const SamplerUniform& sampler : linked.samplers) {
+        std::vector<GLint> units(static_cast<size_t>(sampler.size));
+        for (int i = 0; i < sampler.size; ++i) units[static_cast<size_t>(i)] = sampler.first_unit + i;
+        glUniform1iv(sampler.location, sampler.size, units.data());
+    }
+}
+
+// Lights, materials and fog have the values that OpenGL documents, once and for all.
+void set_fixed_function_defaults(LinkedProgram& linked) {
+    const auto defaults = glsl::fixed_function_defaults();
+    glUseProgram(linked.program.get());
+    for (const UserUniform& uniform : linked.user) {
+        if (!uniform.name.starts_with("snell_")) continue;
+        for (const auto& value : defaults) {
+            if (value.name != uniform.name) continue;
+            std::vector<float> floats(value.values.begin(), value.values.end());
+            const auto count = static_cast<GLsizei>(floats.size()) / uniform.components;
+            switch (uniform.components) {
+                case 1:
+                    glUniform1fv(uniform.location, count, floats.data());
+                    break;
+                case 2:
+                    glUniform2fv(uniform.location, count, floats.data());
+                    break;
+                case 3:
+                    glUniform3fv(uniform.location, count, floats.data());
+                    break;
+                default:
+                    glUniform4fv(uniform.location, count, floats.data());
+                    break;
+            }
+        }
+    }
+}
+
+bool stages_supported(const PlannedProgram& planned, const Program& program, const gl::Caps& caps,
+                      Diagnostics& diagnostics) {
+    bool ok = true;
+    for (const glsl::StageInput& stage : planned.stages) {
+        const bool tessellation = stage.stage == Stage::tess_control || stage.stage == Stage::tess_evaluation;
+        const bool missing = (tessellation && !caps.tessellation) || (stage.stage == Stage::geometry && !caps.geometry);
+        if (!missing) continue;
+        ok = false;
+        diagnostics.error("stage-unsupported", stage.reference,
+                          fmt::format("program '{}' needs {} shaders, which this OpenGL ({}) does not have",
+                                      program.name, tessellation ? "tessellation" : "geometry", caps.version));
+    }
+    return ok;
+}
+
+std::string header(const gl::Caps& caps) {
+    return caps.es ? fmt::format("#version {} es\nprecision highp float;\n", caps.glsl)
+                   : fmt::format("#version {} core\n", caps.glsl);
+}
+
+std::vector<gl::AttributeLocation> attribute_locations(const std::vector<glsl::AttributeName>& names) {
+    std::vector<gl::AttributeLocation> locations;
+    for (const auto& name : names) locations.push_back({name.name, static_cast<GLuint>(name.attribute)});
+    return locations;
+}
+
+glsl::IncludeReader include_reader(Files& files) {
+    return [&files](std::string_view from, std::string_view name, bool angle) -> std::optional<glsl::IncludeText> {
+        if (angle) {
+            const std::string_view text = embedded_shader(name);
+            if (text.empty()) return std::nullopt;
+            return glsl::IncludeText{std::string(name), std::string(text)};
+        }
+        const auto slash = from.find_last_of('/');
+        const std::string beside = slash == std::string_view::npos
+                                       ? std::string(name)
+                                       : std::string(from.substr(0, slash + 1)) + std::string(name);
+        for (const std::string& candidate : {beside, std::string(name)}) {
+            std::string error;
+            const Resolved resolved = files.resolve(candidate);
+            if (resolved.path.empty()) continue;
+            if (auto text = files.read(resolved.path, error)) return glsl::IncludeText{candidate, std::move(*text)};
+        }
+        return std::nullopt;
+    };
+}
+
+void note_geometry(LinkedProgram& linked, const glsl::Translation& translation) {
+    for (const auto& stage : translation.stages) {
+        if (stage.stage == Stage::tess_evaluation) linked.tessellates = true;
+        if (stage.stage != Stage::geometry) continue;
+        GLint input = 0;
+        glGetProgramiv(linked.program.get(), GL_GEOMETRY_INPUT_TYPE, &input);
+        linked.geometry_input = static_cast<GLenum>(input);
+    }
+}
+
+}  // namespace
+
+bool LinkedProgram::reads(glsl::System which) const {
+    return std::ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
+}
+
+std::optional<LinkedProgram> link_program(const Scene& scene, const PlannedProgram& planned, const gl::Caps& caps,
+                                          Files& files, Sources& sources, Diagnostics& diagnostics) {
+    const Program& program = scene.programs[planned.program];
+    if (!planned.readable || !stages_supported(planned, program, caps, diagnostics)) return std::nullopt;
+    glsl::Options options;
+    options.target = {caps.glsl, caps.es, caps.fp64};
+    options.geometry_input = program.geometry_input;
+    options.geometry_output = program.geometry_output;
+    options.include = include_reader(files);
+    const glsl::Translation translation = glsl::translate(planned.stages, sources, options, diagnostics);
+    if (!translation.ok) return std::nullopt;
+
+    std::vector<gl::Shader> shaders;
+    bool ok = true;
+    for (const glsl::StageOutput& stage : translation.stages) {
+        gl::Compiled compiled = gl::compile(gl_stage(stage.stage), stage.text);
+        if (!compiled.shader) {
+            glsl::explain_log(compiled.log, translation, &stage, program.span, program.name, sources, diagnostics);
+            ok = false;
+        }
+        shaders.push_back(std::move(compiled.shader));
+    }
+    if (!ok) return std::nullopt;
+
+    std::vector<const gl::Shader*> parts;
+    for (const gl::Shader& shader : shaders) parts.push_back(&shader);
+    const auto names = glsl::attribute_names();
+    gl::Linked result = gl::link(parts, attribute_locations(names));
+    if (!result.program) {
+        glsl::explain_log(result.log, translation, nullptr, program.span, program.name, sources, diagnostics);
+        return std::nullopt;
+    }
+    LinkedProgram linked;
+    linked.program = std::move(result.program);
+    linked.opaque = !translation.uses_alpha;
+    note_geometry(linked, translation);
+    introspect(linked, &program, caps);
+    assign_units(linked);
+    set_fixed_function_defaults(linked);
+    // Where the target takes no initialisers, the values they would have given become the uniforms' own.
+    for (const glsl::UniformDefault& value : translation.defaults)
+        for (ActiveUniform& active : linked.active)
+            if (caps.es && active.name == value.name && active.initial.size() == value.values.size())
+                active.initial = value.values;
+    return linked;
+}
+
+LinkedProgram link_builtin(std::string_view name, const gl::Caps& caps) {
+    const std::string base = "builtin/" + std::string(name);
+    const gl::Compiled vertex =
+        gl::compile(GL_VERTEX_SHADER, header(caps) + std::string(embedded_shader(base + ".vert")));
+    const gl::Compiled fragment =
+        gl::compile(GL_FRAGMENT_SHADER, header(caps) + std::string(embedded_shader(base + ".frag")));
+    const auto names = glsl::attribute_names();
+    LinkedProgram linked;
+    if (vertex.shader && fragment.shader)
+        linked.program = gl::link({&vertex.shader, &fragment.shader}, attribute_locations(names)).program;
+    // Our own text on a context that passed the version check: nothing sensible can go on without it.
+    if (!linked.program) throw std::runtime_error("built-in program '" + base + "': " + vertex.log + fragment.log);
+    introspect(linked, nullptr, caps);
+    return linked;
+}
+
+}  // namespace snell::runtime

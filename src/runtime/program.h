@@ -1,0 +1,62 @@
+// A program of the scene, compiled and linked, and what it asks of the runtime.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parser/diagnostic.h"
+#include "src/gl/caps.h"
+#include "src/gl/program.h"
+#include "src/glsl/glsl.h"
+#include "src/plan/controls.h"
+#include "src/plan/plan.h"
+
+namespace snell::runtime {
+
+// A uniform that the runtime sets, with what it was last set to.
+struct SystemUniform {
+    glsl::System system;
+    GLint location = -1;
+    int size = 1;  // of the array
+    std::vector<float> last;
+};
+
+// A uniform that a Control sets.
+struct UserUniform {
+    std::string name;
+    std::string_view glsl_type;  // static text
+    GLint location = -1;
+    int components = 1, size = 1;
+    std::vector<double> last;  // what the program holds
+};
+
+// A sampler and the GL texture units that it was given for good; the scene's own units are only names.
+struct SamplerUniform {
+    std::string name;
+    std::optional<TextureTarget> target;  // none: a kind of sampler that scenes have no textures for
+    GLint location = -1;
+    int first_unit = 0, size = 1;
+    std::vector<int> initial;  // units that the shader names itself, by layout(binding)
+};
+
+struct LinkedProgram {
+    gl::Program program;
+    std::vector<ActiveUniform> active;
+    std::vector<SystemUniform> system;
+    std::vector<UserUniform> user;
+    std::vector<SamplerUniform> samplers;
+    bool opaque = false;  // writes alpha 1 whatever happens
+    bool tessellates = false;
+    GLenum geometry_input = 0;  // 0: no geometry shader
+
+    bool reads(glsl::System system) const;
+};
+
+// Nothing when it failed; why is in `diagnostics`. `compiled` counts shader stages.
+std::optional<LinkedProgram> link_program(const Scene& scene, const PlannedProgram& planned, const gl::Caps& caps,
+                                          Files& files, Sources& sources, Diagnostics& diagnostics);
+// From the embedded shaders/builtin/NAME.vert and .frag.
+LinkedProgram link_builtin(std::string_view name, const gl::Caps& caps);
+
+}  // namespace snell::runtime
