@@ -19,21 +19,28 @@ struct FileCounters {
 struct Resolved {
     std::string path;      // on disk; empty: nothing there
     bool inexact = false;  // found under another case or with an extension added: warn
-    std::string nearest;   // when nothing is there: the most similar name in that folder
+    std::string nearest;   // when nothing is there: the most similar name, as a scene would write it
 };
 
+// Thread-safe. Nothing is ever created or written.
 class Files {
 public:
+    // A larger file is refused.
+    static constexpr std::uint64_t size_limit = std::uint64_t{2} << 30;
+
     // Names are relative to `folder` ("" is the working directory).
     explicit Files(std::string folder) : folder_(std::move(folder)) {}
 
     const std::string& folder() const { return folder_; }
-    // `extensions` are tried when the bare name is not there: {"vert", "vs", "glsl"}.
+    // Tries, in this order: the name itself; its components without regard to case (ASCII); the name with each
+    // of `extensions` ({"vert", "vs", "glsl"}), exactly and then without regard to case; for an absolute name
+    // its last component in the folder. '\' is '/'. Only regular files count, links to them included.
     Resolved resolve(std::string_view name, const std::vector<std::string_view>& extensions = {}) const;
-    // nullopt: can't be read (`error` says why). Regular files only.
+    // nullopt: can't be read (`error` says why). Regular files only: a pipe or a device is refused before
+    // it is opened, so that reading never waits.
     std::optional<std::string> read(const std::string& path, std::string& error);
     FileCounters counters() const;
-    // Every path that was read, for watching.
+    // Every path that was read, once each in the order of first reading, for watching.
     std::vector<std::string> read_paths() const;
 
 private:

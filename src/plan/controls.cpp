@@ -1,0 +1,309 @@
+// From the values of Program lines and the uniforms of linked programs to controls.
+#include "src/plan/controls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/plan/fit.h"
+
+namespace snell {
+namespace {
+
+using Kind = UniformValue::Kind;
+
+std::string_view base_name(std::string_view name) {
+    return name.ends_with("[0]") ? name.substr(0, name.size() - 3) : name;
+}
+
+const ActiveUniform* find_active(const std::vector<ActiveUniform>& active, std::string_view name) {
+    const auto found = std::find_if(active.begin(), active.end(), [&](const ActiveUniform& uniform) {
+        return base_name(uniform.name) == base_name(name);
+    });
+    return found == active.end() ? nullptr : &*found;
+}
+
+// Of the translator's own making: never shown, never suggested.
+bool is_internal(std::string_view name) { return name.starts_with("snell_") || name.starts_with("gl_"); }
+
+std::string type_name(const ActiveUniform& uniform) {
+    return uniform.array_size > 1 ? fmt::format("{}[{}]", uniform.glsl_type, uniform.array_size) : uniform.glsl_type;
+}
+
+class Maker {
+public:
+    Maker(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+
+    Controls make(const std::vector<std::vector<ActiveUniform>>& active) {
+        static const std::vector<ActiveUniform> nothing;
+        for (Index program = 0; program < scene_.programs.size(); ++program) {
+            const auto& uniforms = program < active.size() ? active[program] : nothing;
+            add_listed(program, uniforms);
+            add_unlisted(program, uniforms);
+        }
+        return std::move(controls_);
+    }
+
+private:
+    void add_listed(Index program, const std::vector<ActiveUniform>& active) {
+        const auto& values = scene_.programs[program].uniforms;
+        for (Index index = 0; index < values.size(); ++index) {
+            const UniformValue& written = values[index];
+            const ActiveUniform* uniform = find_active(active, written.name);
+            Control control;
+            control.program = program;
+            control.name = written.name;
+            control.uniform = index;
+            control.span = written.span;
+            control.active = uniform != nullptr;
+            if (uniform == nullptr && !active.empty()) report_unknown(program, written, active);
+            fit(control, written, uniform != nullptr ? *uniform : guess(written));
+            control.initial = control.value;
+            // The last one of a name that is given twice is what the program would get last.
+            if (Control* earlier = controls_.find(program, written.name)) {
+                diagnostics_.warning("duplicate-uniform", written.name_span,
+                                     fmt::format("'{}' is given twice; this value is used", written.name));
+                *earlier = std::move(control);
+            } else {
+                controls_.items.push_back(std::move(control));
+            }
+        }
+    }
+
+    void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
+        std::vector<std::string_view> names;
+        for (const ActiveUniform& uniform : active) {
+            if (!is_internal(uniform.name)) names.push_back(base_name(uniform.name));
+        }
+        const std::string_view near = nearest(written.name, names);
+        diagnostics_.warning(
+            "unknown-uniform", written.name_span,
+            fmt::format("program '{}' has no uniform '{}' that it uses", scene_.programs[program].name, written.name),
+            near.empty() || near == written.name ? std::string() : fmt::format("did you mean '{}'?", near));
+    }
+
+    // The type that a value would have in a program that does not tell.
+    static ActiveUniform guess(const UniformValue& written) {
+        ActiveUniform uniform;
+        uniform.name = written.name;
+        uniform.glsl_type = "float";
+        const int count = static_cast<int>(written.values.size());
+        if (written.kind == Kind::boolean) {
+            uniform.type = ValueType::bool_;
+            uniform.glsl_type = "bool";
+        } else if (written.kind == Kind::color || written.kind == Kind::array) {
+            uniform.components = std::clamp(count, 1, 4);
+            if (count > 4) {
+                uniform.components = 1;
+                uniform.array_size = count;
+            }
+        }
+        return uniform;
+    }
+
+    void fit(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        control.type = uniform.type;
+        control.components = std::max(uniform.components, 1);
+        control.array_size = std::max(uniform.array_size, 1);
+        const auto total = static_cast<std::size_t>(control.components) * static_cast<std::size_t>(control.array_size);
+        control.value = uniform.initial;
+        control.value.resize(total, 0.);
+        switch (written.kind) {
+            case Kind::range:
+                fit_range(control, written, uniform);
+                break;
+            case Kind::boolean:
+                fit_boolean(control, written, uniform);
+                break;
+            case Kind::color:
+                fit_color(control, written, uniform);
+                break;
+            case Kind::scalar:
+            case Kind::array:
+                fit_values(control, written.values, written, uniform);
+                break;
+        }
+    }
+
+    // As many of `values` as there is room for, in the uniform's type.
+    void fit_values(Control& control, const std::vector<double>& values, const UniformValue& written,
+                    const ActiveUniform& uniform) {
+        if (values.size() != control.value.size()) {
+            diagnostics_.warning(
+                "uniform-value-count", written.span,
+                fmt::format("'{}' is a {} and takes {} {}, not {}", written.name, type_name(uniform),
+                            control.value.size(), control.value.size() == 1 ? "number" : "numbers", values.size()),
+                "the numbers that are there are used");
+        }
+        for (std::size_t i = 0; i < std::min(values.size(), control.value.size()); ++i) {
+            control.value[i] = typed(control, values[i], written, uniform);
+        }
+    }
+
+    double typed(const Control& control, double value, const UniformValue& written, const ActiveUniform& uniform) {
+        const double fitted = fit_to_type(value, control.type);
+        if (fitted != value && control.type != ValueType::bool_) {
+            diagnostics_.warning(
+                "uniform-value-type", written.span,
+                fmt::format("'{}' is a {}: {} becomes {}", written.name, type_name(uniform), value, fitted));
+        }
+        return fitted;
+    }
+
+    void fit_boolean(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        const std::vector<double> values{written.values.empty() || written.values[0] == 0 ? 0. : 1.};
+        fit_values(control, values, written, uniform);
+        if (control.value.size() == 1 && control.type != ValueType::sampler) control.widget = Widget::check_box;
+    }
+
+    void fit_color(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        std::vector<double> values = written.values;
+        const bool color = control.array_size == 1 && (control.components == 3 || control.components == 4) &&
+                           (control.type == ValueType::float_ || control.type == ValueType::double_);
+        if (color && control.components == 4 && values.size() == 3) values.resize(4, 1);
+        if (color && control.components == 3 && values.size() == 4) values.resize(3);
+        fit_values(control, values, written, uniform);
+        if (color) control.widget = Widget::color;
+    }
+
+    void fit_range(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        const std::vector<double>& values = written.values;
+        if (values.size() < 2) {
+            fit_values(control, values, written, uniform);
+            if (control.type == ValueType::bool_ && control.value.size() == 1) control.widget = Widget::check_box;
+            return;
+        }
+        if (values.size() > 3) {
+            diagnostics_.warning("uniform-value-count", written.span,
+                                 fmt::format("the range of '{}' has {} numbers", written.name, values.size()),
+                                 "a range is <minimum current maximum>; the first three are used");
+        }
+        const Range range = mend_range(control, written, uniform);
+        // A range is for one number; one for a vector moves all of its components.
+        const double current = typed(control, range.current, written, uniform);
+        if (control.value.size() > 1) {
+            diagnostics_.warning(
+                "uniform-value-count", written.span,
+                fmt::format("'{}' is a {}, and a range gives one number", written.name, type_name(uniform)),
+                "all of its components are given that number; [1. 2. 3.] gives each its own");
+        }
+        std::fill(control.value.begin(), control.value.end(), current);
+        control.min = range.min;
+        control.max = range.max;
+        if (control.type == ValueType::matrix || control.type == ValueType::sampler || control.array_size > 1) return;
+        control.widget = control.type == ValueType::bool_ ? Widget::check_box : Widget::slider;
+        if (control.widget == Widget::slider && range.min == range.max) control.widget = Widget::none;
+    }
+
+    // min <= current <= max, finite, of the uniform's type.
+    Range mend_range(const Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        const std::vector<double>& v = written.values;
+        Range range{v[0], v[1], v.size() > 2 ? v[2] : v[1]};
+        if (control.type == ValueType::bool_) return {0, range.current, 1};
+        if (range.min > range.max) {
+            std::swap(range.min, range.max);
+            if (v.size() > 2) {
+                warn_range("range-reversed", written, "its minimum is above its maximum: they are exchanged");
+            }
+        }
+        if (range.current < range.min || range.current > range.max) {
+            range.min = std::min(range.min, range.current);
+            range.max = std::max(range.max, range.current);
+            if (v.size() > 2) {
+                warn_range("range-widened", written, fmt::format("{} lies outside it: it is widened", range.current));
+            }
+        }
+        const Range limited = limit_range(range, control.type);
+        if (limited.min != range.min || limited.max != range.max) {
+            warn_range("range-limited", written,
+                       fmt::format("for a {} it becomes {} to {}", type_name(uniform), limited.min, limited.max));
+        }
+        if (limited.min == limited.max) {
+            warn_range("range-empty", written, "its minimum is its maximum: there is nothing to slide");
+        }
+        return {limited.min, range.current, limited.max};
+    }
+
+    void warn_range(std::string_view code, const UniformValue& written, const std::string& what) {
+        diagnostics_.warning(code, written.span, fmt::format("range of '{}': {}", written.name, what));
+    }
+
+    void add_unlisted(Index program, const std::vector<ActiveUniform>& active) {
+        for (const ActiveUniform& uniform : active) {
+            const std::string_view name = base_name(uniform.name);
+            if (uniform.system || is_internal(name) || controls_.find(program, name) != nullptr) continue;
+            Control control;
+            control.program = program;
+            control.name = name;
+            control.type = uniform.type;
+            control.components = std::max(uniform.components, 1);
+            control.array_size = std::max(uniform.array_size, 1);
+            control.listed = false;
+            control.span = scene_.programs[program].span;
+            control.value = uniform.initial;
+            control.value.resize(
+                static_cast<std::size_t>(control.components) * static_cast<std::size_t>(control.array_size), 0.);
+            for (double& value : control.value) value = fit_to_type(value, control.type);
+            control.initial = control.value;
+            suggest_widget(control);
+            unlisted_.push_back(std::move(control));
+        }
+        for (Control& control : unlisted_) controls_.items.push_back(std::move(control));
+        unlisted_.clear();
+    }
+
+    const Scene& scene_;
+    Diagnostics& diagnostics_;
+    Controls controls_;
+    std::vector<Control> unlisted_;
+};
+
+}  // namespace
+
+const Control* Controls::find(Index program, std::string_view name) const {
+    const auto found = std::find_if(items.begin(), items.end(), [&](const Control& control) {
+        return control.program == program && base_name(control.name) == base_name(name);
+    });
+    return found == items.end() ? nullptr : &*found;
+}
+
+Control* Controls::find(Index program, std::string_view name) {
+    return const_cast<Control*>(static_cast<const Controls*>(this)->find(program, name));
+}
+
+Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
+                       Diagnostics& diagnostics) {
+    return Maker(scene, diagnostics).make(active);
+}
+
+void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
+    // Programs are told apart by name; of several with one name, by their order.
+    const auto occurrence = [](const Scene& scene, Index program) {
+        const auto end = scene.programs.begin() + program;
+        return std::count_if(scene.programs.begin(), end,
+                             [&](const Program& p) { return p.name == scene.programs[program].name; });
+    };
+    const auto same_program = [&](Index a, Index b) {
+        return from_scene.programs[a].name == to_scene.programs[b].name &&
+               occurrence(from_scene, a) == occurrence(to_scene, b);
+    };
+    for (Control& control : to.items) {
+        const auto match = std::find_if(from.items.begin(), from.items.end(), [&](const Control& old) {
+            return old.name == control.name && old.type == control.type && old.components == control.components &&
+                   old.array_size == control.array_size && same_program(old.program, control.program);
+        });
+        if (match == from.items.end() || match->initial != control.initial) continue;
+        control.value = match->value;
+        if (control.widget != Widget::slider) continue;
+        // A value that was typed beyond the scene's range takes the range with it.
+        for (const double value : control.value) {
+            const Range range =
+                limit_range({std::min(control.min, value), value, std::max(control.max, value)}, control.type);
+            control.min = range.min;
+            control.max = range.max;
+        }
+    }
+}
+
+}  // namespace snell

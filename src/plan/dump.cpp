@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "src/plan/plan.h"
+
+namespace snell {
+namespace {
+
+constexpr std::array stage_names{"vertex", "tess control", "tess evaluation", "geometry", "fragment"};
+constexpr std::array target_names{"1D", "2D", "3D", "cube"};
+
+std::string at(const Span& span, const Sources& sources) {
+    if (span.file >= sources.size()) return "?";
+    return fmt::format("{}:{}", sources.name(span.file), sources.position(span.file, span.begin).line);
+}
+
+std::string file_name(const Scene& scene, Index file) {
+    return file < scene.files.size() ? scene.files[file].name : std::string("?");
+}
+
+std::string_view plane_name(Plane plane) {
+    switch (plane) {
+        case Plane::xy:
+            return "XY";
+        case Plane::xz:
+            return "XZ";
+        case Plane::yz:
+            return "YZ";
+    }
+    return {};
+}
+
+std::string_view obj_name(ObjAs as) {
+    switch (as) {
+        case ObjAs::triangles:
+            return "Obj";
+        case ObjAs::adjacency:
+            return "ObjAdj";
+        case ObjAs::patches:
+            return "ObjPatch";
+    }
+    return {};
+}
+
+struct Describe {
+    const Scene& scene;
+    std::string operator()(const Sphere& s) const {
+        return fmt::format("Sphere {} {} {}", s.radius, s.slices, s.stacks);
+    }
+    std::string operator()(const Torus& t) const {
+        return fmt::format("Torus {} {} {} {}", t.outer, t.inner, t.sides, t.rings);
+    }
+    std::string operator()(const Cone& c) const {
+        return fmt::format("Cone {} {} {} {}", c.radius, c.height, c.slices, c.stacks);
+    }
+    std::string operator()(const Cylinder& c) const {
+        return fmt::format("Cylinder {} {} {} {}", c.radius, c.height, c.slices, c.stacks);
+    }
+    std::string operator()(const Box& b) const { return fmt::format("Box {} {} {}", b.dx, b.dy, b.dz); }
+    std::string operator()(const Teapot&) const { return "Teapot"; }
+    std::string operator()(const Disk& d) const {
+        return fmt::format("DiskXY {} {} {} {}", d.z, d.radius, d.slices, d.rings);
+    }
+    std::string operator()(const Quad& q) const {
+        return fmt::format("Quad{} {} {} {} {}", plane_name(q.plane), q.offset, q.size, q.n1, q.n2);
+    }
+    std::string operator()(const QuadBox& q) const { return fmt::format("QuadBox {}", q.n); }
+    std::string operator()(const Soccerball& s) const { return fmt::format("Soccerball {}", s.radius); }
+    std::string operator()(const PointCloud& p) const {
+        return fmt::format("{} {} {} {}", p.jitter ? "JitterCloud" : "PointCloud", p.nx, p.ny, p.nz);
+    }
+    std::string operator()(const Xarrow& x) const { return fmt::format("Xarrow {}", x.n); }
+    std::string operator()(const ObjFile& o) const {
+        return fmt::format("{} '{}'", obj_name(o.as), file_name(scene, o.file));
+    }
+    std::string operator()(const ShpFile& s) const { return fmt::format("Shp '{}'", file_name(scene, s.file)); }
+    std::string operator()(const VertexList& v) const {
+        const std::size_t count = v.list < scene.vertex_lists.size() ? scene.vertex_lists[v.list].vertices.size() : 0;
+        return fmt::format("vertex list {} of {} vertices", v.list, count);
+    }
+};
+
+void dump_programs(std::string& out, const Plan& plan, const Sources& sources) {
+    std::set<FileId> files;
+    for (const PlannedProgram& planned : plan.programs) {
+        const bool known = planned.program < plan.scene.programs.size();
+        const std::string name = known ? plan.scene.programs[planned.program].name : std::string("?");
+        out += fmt::format("program {} '{}'{}\n", planned.program, name, planned.readable ? "" : " (not readable)");
+        for (const glsl::StageInput& stage : planned.stages) {
+            files.insert(stage.file);
+            out += fmt::format("  {}: {}\n", stage_names[static_cast<std::size_t>(stage.stage)],
+                               stage.file < sources.size() ? sources.name(stage.file) : "?");
+        }
+    }
+    out += fmt::format("shader files: {}\n", files.size());
+}
+
+void dump_meshes(std::string& out, const Plan& plan, const Sources& sources) {
+    std::vector<std::size_t> uses(plan.meshes.size());
+    for (const Index mesh : plan.draw_mesh) {
+        if (mesh < uses.size()) ++uses[mesh];
+    }
+    for (std::size_t i = 0; i < plan.meshes.size(); ++i) {
+        const MeshRequest& mesh = plan.meshes[i];
+        out += fmt::format("mesh {} {}{}, draws: {}, first at {}\n", i, mesh.wire ? "wire " : "",
+                           std::visit(Describe{plan.scene}, mesh.shape), uses[i], at(mesh.span, sources));
+    }
+}
+
+void dump_textures(std::string& out, const Plan& plan, const Sources& sources) {
+    for (std::size_t i = 0; i < plan.scene.textures.size(); ++i) {
+        const Texture& texture = plan.scene.textures[i];
+        out += fmt::format("texture {} {} unit {}", i, target_names[static_cast<std::size_t>(texture.target)],
+                           texture.unit);
+        if (texture.files.empty()) {
+            out += fmt::format(", empty {} x {} x {}", texture.size[0], texture.size[1], texture.size[2]);
+        }
+        for (const FileName& file : texture.files) out += fmt::format(" '{}'", file.name);
+        if (i < plan.same_pixels.size() && plan.same_pixels[i] != i) {
+            out += fmt::format(", pixels of texture {}", plan.same_pixels[i]);
+        }
+        out += fmt::format(", at {}\n", at(texture.span, sources));
+    }
+}
+
+std::string pass_target(const Pass& pass) {
+    std::string units;
+    for (const int unit : pass.units) units += fmt::format(" {}", unit);
+    switch (pass.kind) {
+        case Pass::Kind::window:
+            return "window";
+        case Pass::Kind::textures:
+            return "textures on units" + units;
+        case Pass::Kind::cube:
+            return fmt::format("cube{} from {} {} {}", units, pass.center[0], pass.center[1], pass.center[2]);
+    }
+    return {};
+}
+
+void dump_passes(std::string& out, const Plan& plan, const Sources& sources) {
+    for (std::size_t i = 0; i < plan.scene.passes.size(); ++i) {
+        const Pass& pass = plan.scene.passes[i];
+        out += fmt::format("pass {} to {}\n", i, pass_target(pass));
+        for (const Item& item : pass.items) {
+            if (item.kind == Item::Kind::clear) {
+                out += "  clear\n";
+                continue;
+            }
+            if (item.index >= plan.scene.draws.size()) continue;
+            const Draw& draw = plan.scene.draws[item.index];
+            const std::string program = draw.program == none ? "built-in" : std::to_string(draw.program);
+            out +=
+                fmt::format("  draw {} mesh {} program {} camera {} matrix {} at {}\n", item.index,
+                            plan.draw_mesh.at(item.index), program, draw.camera, draw.matrix, at(draw.span, sources));
+        }
+    }
+}
+
+}  // namespace
+
+std::string dump_plan(const Plan& plan, const Sources& sources) {
+    std::string out;
+    dump_programs(out, plan, sources);
+    dump_meshes(out, plan, sources);
+    dump_textures(out, plan, sources);
+    dump_passes(out, plan, sources);
+    return out;
+}
+
+}  // namespace snell

@@ -1,0 +1,296 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <map>
+#include <thread>
+
+#include "src/content/noise.h"
+#include "src/plan/locate.h"
+#include "src/plan/plan.h"
+
+namespace snell {
+namespace {
+
+using content::CubeFaces;
+using content::Image;
+using content::ImageIssue;
+using content::PixelType;
+
+// What the libraries found, at the place in the scene that asked.
+template <class Issue>
+void report(const Issue& issue, std::string_view name, const Span& span, Diagnostics& diagnostics) {
+    std::string message = name.empty() ? issue.message : fmt::format("'{}': {}", name, issue.message);
+    if (issue.error) {
+        diagnostics.error(issue.code, span, std::move(message), issue.help);
+    } else {
+        diagnostics.warning(issue.code, span, std::move(message), issue.help);
+    }
+}
+
+content::MeshResult read_mesh(const FileName& file, const MeshRequest& request, Files& files,
+                              Diagnostics& diagnostics) {
+    content::MeshResult result;
+    const std::string path = locate(file, mesh_extensions(request.shape), files, diagnostics);
+    if (path.empty()) return result;
+    std::string reason;
+    const std::optional<std::string> bytes = files.read(path, reason);
+    if (!bytes) {
+        report_unreadable(file, reason, diagnostics);
+        return result;
+    }
+    const auto* obj = std::get_if<ObjFile>(&request.shape);
+    return obj != nullptr ? content::parse_obj(*bytes, obj->as, request.wire) : content::parse_shp(*bytes);
+}
+
+using Picture = std::shared_ptr<const ImageCache::Entry>;
+
+Picture decode(const std::string& path, Files& files, ImageCache& cache) {
+    std::shared_ptr<ImageCache::Entry> entry = cache.entry(path);
+    std::call_once(entry->once, [&] {
+        std::string reason;
+        if (const std::optional<std::string> bytes = files.read(path, reason)) {
+            entry->result = content::decode_image(path, *bytes);
+        } else {
+            entry->unreadable = reason.empty() ? "unknown reason" : reason;
+        }
+    });
+    return entry;
+}
+
+// The decoded picture; null, with an error, when there is none.
+const Image* usable(const Picture& picture, const TextureFile& file, Diagnostics& diagnostics) {
+    if (!picture) return nullptr;  // not there, and said so
+    if (!picture->unreadable.empty()) {
+        report_unreadable({file.name, file.span}, picture->unreadable, diagnostics);
+        return nullptr;
+    }
+    for (const ImageIssue& issue : picture->result.issues) report(issue, file.name, file.span, diagnostics);
+    return picture->result.image ? &*picture->result.image : nullptr;
+}
+
+// The first `count` rows, in memory order, of the first slice.
+Image some_rows(const Image& image, int first, int count) {
+    Image part = image;
+    part.height = count;
+    part.depth = 1;
+    const auto begin = image.pixels.begin() + static_cast<std::ptrdiff_t>(image.row_bytes()) * first;
+    part.pixels.assign(begin, begin + static_cast<std::ptrdiff_t>(image.row_bytes()) * count);
+    return part;
+}
+
+// A picture of more dimensions than its texture is cut: its bottom row, its first slice.
+Image fitted(const Image& image, const Texture& texture, const TextureFile& file, Diagnostics& diagnostics) {
+    const bool too_tall = texture.target == TextureTarget::d1 && image.height > 1;
+    const bool too_deep = texture.target != TextureTarget::d3 && image.depth > 1;
+    if (!too_tall && !too_deep) return image;
+    diagnostics.warning("image-cut", file.span,
+                        fmt::format("'{}' has {} x {} x {} pixels: only its {} is used", file.name, image.width,
+                                    image.height, image.depth, too_tall ? "bottom row" : "first slice"));
+    if (!too_tall) return some_rows(image, 0, image.height);
+    return some_rows(image, image.bottom_first ? 0 : image.height - 1, 1);
+}
+
+// ---- cube maps -------------------------------------------------------------------------------------------
+
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
+    const std::size_t workers = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, count);
+    std::atomic<std::size_t> next = 0;
+    const auto run = [&] {
+        for (std::size_t i = next++; i < count; i = next++) work(i);
+    };
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 1; i < workers; ++i) threads.emplace_back(run);
+    run();
+}
+
+// The side that most faces have; 0 when none is square.
+int common_side(const std::array<const Image*, 6>& faces) {
+    std::map<int, int> votes;
+    for (const Image* face : faces) {
+        if (face != nullptr && face->width == face->height && face->depth == 1) ++votes[face->width];
+    }
+    const auto most =
+        std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == votes.end() ? 0 : most->first;
+}
+
+Image to_half(const Image& image) {
+    if (image.type == PixelType::f16) return image;
+    Image half = image;
+    half.type = PixelType::f16;
+    const std::size_t bytes_each = image.type == PixelType::u8 ? 1 : 4;
+    const std::size_t values = image.pixels.size() / bytes_each;
+    half.pixels.resize(values * 2);
+    for (std::size_t i = 0; i < values; ++i) {
+        float value = 0;
+        if (image.type == PixelType::u8) {
+            value = static_cast<float>(std::to_integer<int>(image.pixels[i])) / 255.F;
+        } else {
+            std::copy_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(i * 4), 4,
+                        reinterpret_cast<std::byte*>(&value));
+        }
+        const std::uint16_t bits = content::float_to_half(value);
+        std::copy_n(reinterpret_cast<const std::byte*>(&bits), 2,
+                    half.pixels.begin() + static_cast<std::ptrdiff_t>(i * 2));
+    }
+    return half;
+}
+
+// GL takes six faces only of one format.
+void make_alike(CubeFaces& faces) {
+    const auto all = [&](auto same) {
+        return std::all_of(faces.begin(), faces.end(), [&](const Image& face) { return same(face, faces[0]); });
+    };
+    const bool same_channels = all([](const Image& a, const Image& b) { return a.channels == b.channels; });
+    const bool same_type = all([](const Image& a, const Image& b) { return a.type == b.type; });
+    for (Image& face : faces) {
+        if (!same_channels) face = content::to_rgba(face);
+        if (!same_type) face = to_half(face);
+        if (face.bottom_first) {
+            face = content::flipped(face);
+            face.bottom_first = false;
+        }
+    }
+}
+
+CubeFaces all_checks(int side) {
+    CubeFaces faces;
+    faces.fill(content::checkerboard(side));
+    return faces;
+}
+
+constexpr int check_side = 64;
+
+CubeFaces six_faces(const std::vector<TextureFile>& files, const std::vector<Picture>& pictures, const Span& span,
+                    Diagnostics& diagnostics) {
+    std::array<const Image*, 6> found{};
+    for (std::size_t i = 0; i < 6; ++i) found[i] = usable(pictures[i], files[i], diagnostics);
+    const int side = common_side(found);
+    CubeFaces faces = all_checks(side > 0 ? side : check_side);
+    std::array<std::string, 6> names;
+    CubeFaces read;  // as they came, for the check of sizes
+    bool odd = false;
+    for (std::size_t i = 0; i < 6; ++i) {
+        names[i] = files[i].name;
+        read[i] = faces[i];
+        if (found[i] == nullptr) continue;
+        const bool fits = found[i]->width == side && found[i]->height == side && found[i]->depth == 1;
+        odd = odd || !fits;
+        (fits ? faces[i] : read[i]) = *found[i];
+        if (fits) read[i] = *found[i];
+    }
+    if (odd) {
+        for (const ImageIssue& issue : content::check_faces(read, names)) report(issue, {}, span, diagnostics);
+    }
+    return faces;
+}
+
+CubeFaces one_file(const TextureFile& file, const Picture& picture, Diagnostics& diagnostics) {
+    const Image* image = usable(picture, file, diagnostics);
+    if (image == nullptr) return all_checks(check_side);
+    const std::optional<content::CubeLayout> layout = content::detect_layout(image->width, image->height);
+    if (!layout || image->depth != 1) {
+        diagnostics.error("cube-layout", file.span,
+                          fmt::format("'{}' of {} x {} pixels is no cube map", file.name, image->width, image->height),
+                          "a panorama is 2:1, a cross 4:3 or 3:4, a strip 6:1 or 1:6; or name six files");
+        return all_checks(check_side);
+    }
+    return content::split_cube(*image, *layout);
+}
+
+}  // namespace
+
+std::shared_ptr<ImageCache::Entry> ImageCache::entry(const std::string& path) {
+    const std::scoped_lock lock(mutex_);
+    std::shared_ptr<Entry>& entry = entries_[path];
+    if (!entry) entry = std::make_shared<Entry>();
+    return entry;
+}
+
+void ImageCache::clear() {
+    const std::scoped_lock lock(mutex_);
+    entries_.clear();
+}
+
+content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics& diagnostics) {
+    if (mesh >= plan.meshes.size()) return {};
+    const MeshRequest& request = plan.meshes[mesh];
+    const Scene& scene = plan.scene;
+    content::MeshResult result;
+    std::string name;
+    Span span = request.span;
+    const auto read_file = [&](Index file) {
+        if (file >= scene.files.size()) return;
+        name = scene.files[file].name;
+        span = scene.files[file].span;
+        result = read_mesh(scene.files[file], request, files, diagnostics);
+    };
+    if (const auto* obj = std::get_if<ObjFile>(&request.shape)) {
+        read_file(obj->file);
+    } else if (const auto* shp = std::get_if<ShpFile>(&request.shape)) {
+        read_file(shp->file);
+    } else if (const auto* list = std::get_if<VertexList>(&request.shape)) {
+        if (list->list < scene.vertex_lists.size()) {
+            result = content::make_vertex_list(scene.vertex_lists[list->list]);
+        }
+    } else {
+        result = content::make_shape(request.shape, request.wire);
+    }
+    for (const content::MeshIssue& issue : result.issues) report(issue, name, span, diagnostics);
+    return std::move(result.mesh);
+}
+
+Image load_texture(const Scene& scene, Index index, Files& files, Diagnostics& diagnostics, ImageCache* cache) {
+    if (index >= scene.textures.size() || scene.textures[index].files.empty()) return content::checkerboard();
+    const Texture& texture = scene.textures[index];
+    ImageCache own;
+    const TextureFile file = locate_texture(texture, files, diagnostics).at(0);
+    const Picture picture = file.path.empty() ? nullptr : decode(file.path, files, cache != nullptr ? *cache : own);
+    const Image* image = usable(picture, file, diagnostics);
+    return image != nullptr ? fitted(*image, texture, file, diagnostics) : content::checkerboard();
+}
+
+CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& diagnostics, ImageCache* cache) {
+    if (index >= scene.textures.size()) return all_checks(check_side);
+    const Texture& texture = scene.textures[index];
+    ImageCache own;
+    ImageCache& images = cache != nullptr ? *cache : own;
+    const std::vector<TextureFile> located = locate_texture(texture, files, diagnostics);
+    std::vector<Picture> pictures(located.size());
+    if (!located.empty()) {
+        on_all_cores(located.size(), [&](std::size_t i) {
+            if (!located[i].path.empty()) pictures[i] = decode(located[i].path, files, images);
+        });
+    }
+    CubeFaces faces = located.size() == 6   ? six_faces(located, pictures, texture.span, diagnostics)
+                      : located.size() == 1 ? one_file(located[0], pictures[0], diagnostics)
+                                            : all_checks(check_side);
+    make_alike(faces);
+    return faces;
+}
+
+Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostics) {
+    const std::string name = content::noise_file_name(dimensions, size);
+    const std::string path = files.resolve(name).path;
+    std::string reason;
+    if (path.empty()) return content::make_noise(dimensions, size);
+    if (const std::optional<std::string> bytes = files.read(path, reason)) {
+        content::ImageResult result = content::decode_image(path, *bytes);
+        const int depth = dimensions == 3 ? size : 1;
+        if (result.image && result.image->width == size && result.image->height == size &&
+            result.image->depth == depth) {
+            return std::move(*result.image);
+        }
+        reason = fmt::format("it is not noise of {} texels a side", size);
+        for (const ImageIssue& issue : result.issues) {
+            if (issue.error) reason = issue.message;
+        }
+    }
+    diagnostics.warning("noise-file", fmt::format("'{}': {}; noise is generated instead", path, reason),
+                        "remove the file, or replace it");
+    return content::make_noise(dimensions, size);
+}
+
+}  // namespace snell

@@ -1,0 +1,110 @@
+#include "src/plan/locate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "src/content/cubemap.h"
+
+namespace snell {
+namespace {
+
+using Extensions = std::vector<std::string_view>;
+
+bool said(const Diagnostics& diagnostics, std::string_view code, const Span& span) {
+    return std::any_of(diagnostics.items().begin(), diagnostics.items().end(),
+                       [&](const Diagnostic& d) { return d.has_span && d.code == code && d.span == span; });
+}
+
+void report_missing(const FileName& file, const std::string& nearest, Diagnostics& diagnostics) {
+    if (said(diagnostics, "file-not-found", file.span)) return;
+    diagnostics.error("file-not-found", file.span, fmt::format("there is no file '{}'", file.name),
+                      nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest));
+}
+
+std::string accept(const FileName& file, const Resolved& resolved, Diagnostics& diagnostics) {
+    if (resolved.path.empty()) {
+        report_missing(file, resolved.nearest, diagnostics);
+    } else if (resolved.inexact && !said(diagnostics, "file-inexact", file.span)) {
+        diagnostics.warning("file-inexact", file.span,
+                            fmt::format("there is no file '{}'; '{}' is used", file.name, resolved.path),
+                            "write the name as it is on disk: other systems tell capitals from small letters");
+    }
+    return resolved.path;
+}
+
+// The six names that one stands for: of the convention that most of its files are there for.
+std::vector<TextureFile> locate_faces(const FileName& file, const Files& files, Diagnostics& diagnostics) {
+    std::vector<TextureFile> best;
+    std::size_t most = 0;
+    for (const auto& names : content::face_names(file.name)) {
+        std::vector<TextureFile> faces;
+        std::size_t found = 0;
+        for (const std::string& name : names) {
+            faces.push_back({name, files.resolve(name).path, file.span});
+            found += faces.back().path.empty() ? 0 : 1;
+        }
+        if (found > most) {
+            most = found;
+            best = std::move(faces);
+        }
+    }
+    for (const TextureFile& face : best) {
+        if (face.path.empty() && !said(diagnostics, "file-not-found", file.span)) {
+            diagnostics.error(
+                "file-not-found", file.span,
+                fmt::format("there is no file '{}', one of the six that '{}' stands for", face.name, file.name));
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+const Extensions& stage_extensions(Stage stage) {
+    static const std::array<Extensions, stage_count> all{{
+        {"vert", "vs", "vsh", "vert.glsl", "vs.glsl", "glsl", "vertex"},
+        {"tcs", "tesc", "tcs.glsl", "tesc.glsl", "glsl"},
+        {"tes", "tese", "tes.glsl", "tese.glsl", "glsl"},
+        {"geom", "gs", "gsh", "geom.glsl", "gs.glsl", "glsl"},
+        {"frag", "fs", "fsh", "frag.glsl", "fs.glsl", "glsl", "fragment"},
+    }};
+    return all[static_cast<std::size_t>(stage)];
+}
+
+const Extensions& mesh_extensions(const Shape& shape) {
+    static const Extensions obj{"obj"}, shp{"shp"};
+    return std::holds_alternative<ShpFile>(shape) ? shp : obj;
+}
+
+const Extensions& image_extensions() {
+    static const Extensions all{"bmp", "tex", "png", "jpg", "jpeg", "hdr", "exr", "tif", "tiff", "tga"};
+    return all;
+}
+
+std::string locate(const FileName& file, const Extensions& extensions, const Files& files, Diagnostics& diagnostics) {
+    return accept(file, files.resolve(file.name, extensions), diagnostics);
+}
+
+void report_unreadable(const FileName& file, std::string_view reason, Diagnostics& diagnostics) {
+    if (said(diagnostics, "file-unreadable", file.span)) return;
+    diagnostics.error("file-unreadable", file.span, fmt::format("'{}' can't be read: {}", file.name, reason));
+}
+
+std::vector<TextureFile> locate_texture(const Texture& texture, const Files& files, Diagnostics& diagnostics) {
+    std::vector<TextureFile> result;
+    if (texture.target == TextureTarget::cube && texture.files.size() == 1) {
+        const FileName& file = texture.files[0];
+        const Resolved whole = files.resolve(file.name, image_extensions());
+        if (whole.path.empty()) result = locate_faces(file, files, diagnostics);
+        if (result.empty()) result.push_back({file.name, accept(file, whole, diagnostics), file.span});
+        return result;
+    }
+    for (const FileName& file : texture.files) {
+        result.push_back({file.name, locate(file, image_extensions(), files, diagnostics), file.span});
+    }
+    return result;
+}
+
+}  // namespace snell

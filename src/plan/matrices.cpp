@@ -1,0 +1,154 @@
+// Formulas: OpenGL 1.0 specification (glFrustum, glOrtho) and GLU (gluPerspective, gluLookAt), in double, with
+// results for what those leave undefined.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/plan/plan.h"
+
+namespace snell {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+bool usable(double value) { return std::isfinite(value) && value > 0; }
+
+// Half extents that show the square's content, and more along the longer side.
+glm::dvec2 widened(glm::dvec2 half, double aspect) {
+    if (aspect >= 1) return {half.x * aspect, half.y};
+    return {half.x, half.y / aspect};
+}
+
+glm::dmat4 perspective(double fov, double aspect, DepthRange depth) {
+    if (!usable(fov) || fov >= 180) fov = Camera{}.fov;
+    if (!usable(depth.near) || !std::isfinite(depth.far) || !(depth.far > depth.near)) depth = DepthRange{};
+    const glm::dvec2 half = widened(glm::dvec2(std::tan(fov * (pi / 360))), aspect);
+    const double length = depth.far - depth.near;
+    glm::dmat4 m(0);
+    m[0][0] = 1 / half.x;
+    m[1][1] = 1 / half.y;
+    m[2][2] = -(depth.far + depth.near) / length;
+    m[2][3] = -1;
+    m[3][2] = -2 * depth.far * depth.near / length;
+    return m;
+}
+
+glm::dmat4 orthographic(std::array<double, 4> box, double aspect, DepthRange depth) {
+    const auto spans = [](double low, double high) {
+        return std::isfinite(low) && std::isfinite(high) && std::isfinite(1 / (high - low)) &&
+               std::isfinite(high - low);
+    };
+    if (!spans(box[0], box[1]) || !spans(box[2], box[3])) box = Camera{}.ortho;
+    if (!spans(depth.near, depth.far)) depth = {-DepthRange{}.far, DepthRange{}.far};
+    const glm::dvec2 center((box[0] + box[1]) / 2, (box[2] + box[3]) / 2);
+    const glm::dvec2 half = widened({(box[1] - box[0]) / 2, (box[3] - box[2]) / 2}, aspect);
+    const double length = depth.far - depth.near;
+    glm::dmat4 m(1);
+    m[0][0] = 1 / half.x;
+    m[1][1] = 1 / half.y;
+    m[2][2] = -2 / length;
+    m[3] = glm::dvec4(-center.x / half.x, -center.y / half.y, -(depth.far + depth.near) / length, 1);
+    return m;
+}
+
+glm::dvec3 vector(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// Of unit length; zero for a vector that has no direction. Scaled first: squares neither overflow nor vanish.
+glm::dvec3 direction(glm::dvec3 v) {
+    const double size = largest(v);
+    if (!usable(size)) return glm::dvec3(0);
+    v /= size;
+    return v / std::sqrt(glm::dot(v, v));
+}
+
+// Unit vector perpendicular to `forward` toward `up`; zero when they are parallel. Projecting twice keeps it
+// perpendicular to the last digit however small the angle between them.
+glm::dvec3 upright(const glm::dvec3& forward, const glm::dvec3& up) {
+    // Two directions nearer than this differ by little more than their own rounding.
+    constexpr double parallel = 1e-12;
+    glm::dvec3 u = direction(up);
+    u -= forward * glm::dot(forward, u);
+    if (!(largest(u) > parallel)) return glm::dvec3(0);
+    u = direction(u);
+    return direction(u - forward * glm::dot(forward, u));
+}
+
+}  // namespace
+
+glm::dmat4 projection_matrix(const Camera& camera, double aspect, std::optional<DepthRange> depth) {
+    if (!usable(aspect)) aspect = 1;  // a minimised window
+    if (camera.perspective) return perspective(camera.fov, aspect, depth.value_or(DepthRange{}));
+    return orthographic(camera.ortho, aspect, depth.value_or(DepthRange{-DepthRange{}.far, DepthRange{}.far}));
+}
+
+glm::dmat4 view_matrix(const Camera& camera) {
+    if (!camera.look_at) return glm::dmat4(1);
+    const glm::dvec3 eye = vector((*camera.look_at)[0]);
+    if (!finite(eye)) return glm::dmat4(1);
+    glm::dvec3 forward = direction(vector((*camera.look_at)[1]) - eye);
+    if (forward == glm::dvec3(0)) forward = {0, 0, -1};
+    glm::dvec3 up = upright(forward, vector((*camera.look_at)[2]));
+    // What tilting a level camera up or down leads to.
+    if (up == glm::dvec3(0)) up = upright(forward, {0, 1, 0});
+    if (up == glm::dvec3(0)) up = upright(forward, {0, 0, forward.y});
+    const glm::dvec3 right = glm::cross(forward, up);
+    glm::dmat4 m(1);
+    for (int column = 0; column < 3; ++column) {
+        m[column] = glm::dvec4(right[column], up[column], -forward[column], 0);
+    }
+    m[3] = glm::dvec4(-glm::dot(right, eye), -glm::dot(up, eye), glm::dot(forward, eye), 1);
+    return m;
+}
+
+namespace {
+
+double length(const glm::dvec3& v) {
+    const double size = largest(v);
+    return size > 0 ? size * std::sqrt(glm::dot(v / size, v / size)) : 0;
+}
+
+// |det| as a part of what it could be at most (Hadamard), by columns or by rows, whichever is larger: 1 for
+// any scaling of perpendicular axes, and rounding noise for a matrix that flattens space.
+double independence(const glm::dmat3& a, double determinant) {
+    const glm::dmat3 t = glm::transpose(a);
+    const double columns = length(a[0]) * length(a[1]) * length(a[2]);
+    const double rows = length(t[0]) * length(t[1]) * length(t[2]);
+    const double most = std::min(columns, rows);
+    return most > 0 ? std::abs(determinant) / most : 0;
+}
+
+}  // namespace
+
+glm::dmat3 normal_matrix(const glm::dmat4& model_view) {
+    constexpr double noise = 1e-14;
+    // Squares of what a shader normalises must fit into a float.
+    constexpr double longest = 1e18, shortest = 1e-18;
+    glm::dmat3 a(model_view);
+    const double size = std::max({largest(a[0]), largest(a[1]), largest(a[2])});
+    if (!usable(size)) return glm::dmat3(1);
+    a /= size;
+    const glm::dmat3 cofactors(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1]));
+    const double determinant = glm::dot(a[0], cofactors[0]);
+    const double top = std::max({largest(cofactors[0]), largest(cofactors[1]), largest(cofactors[2])});
+    if (!(independence(a, determinant) > noise)) {
+        // Flat: all normals are the plane's. Flatter still: nothing to be lit is left.
+        return top > noise ? cofactors / top : glm::dmat3(1);
+    }
+    // Divided by the determinant last: its inverse alone may overflow.
+    const double sign = determinant < 0 ? -1 : 1;
+    const double scale = std::abs(determinant) / top;
+    const glm::dmat3 inverse_transpose = (cofactors / (top * sign)) / scale / size;
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (int column = 0; column < 3; ++column) {
+        low = std::min(low, length(inverse_transpose[column]));
+        high = std::max(high, length(inverse_transpose[column]));
+    }
+    if (low > shortest && high < longest) return inverse_transpose;
+    return inverse_transpose / (std::sqrt(low) * std::sqrt(high));
+}
+
+}  // namespace snell

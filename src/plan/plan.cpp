@@ -1,0 +1,216 @@
+#include "src/plan/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "src/plan/locate.h"
+
+namespace snell {
+namespace {
+
+// Extends a key by the bytes of values.
+template <class... Values>
+void put(std::string& key, Values... values) {
+    (key.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
+}
+
+// Equal keys are equal meshes.
+struct MeshKey {
+    const std::vector<std::string>& file_keys;  // by Scene::files
+    std::string key;
+
+    void operator()(const Sphere& s) { put(key, s.radius, s.slices, s.stacks); }
+    void operator()(const Torus& t) { put(key, t.outer, t.inner, t.sides, t.rings); }
+    void operator()(const Cone& c) { put(key, c.radius, c.height, c.slices, c.stacks); }
+    void operator()(const Cylinder& c) { put(key, c.radius, c.height, c.slices, c.stacks); }
+    void operator()(const Box& b) { put(key, b.dx, b.dy, b.dz); }
+    void operator()(const Teapot&) {}
+    void operator()(const Disk& d) { put(key, d.z, d.radius, d.slices, d.rings); }
+    void operator()(const Quad& q) { put(key, q.plane, q.offset, q.size, q.n1, q.n2); }
+    void operator()(const QuadBox& q) { put(key, q.n); }
+    void operator()(const Soccerball& s) { put(key, s.radius); }
+    void operator()(const PointCloud& p) { put(key, p.nx, p.ny, p.nz, p.jitter); }
+    void operator()(const Xarrow& x) { put(key, x.n); }
+    void operator()(const ObjFile& o) {
+        put(key, o.as);
+        if (o.file < file_keys.size()) key += file_keys[o.file];
+    }
+    void operator()(const ShpFile& s) {
+        if (s.file < file_keys.size()) key += file_keys[s.file];
+    }
+    void operator()(const VertexList& v) { put(key, v.list); }
+};
+
+Index file_of(const Shape& shape) {
+    if (const auto* obj = std::get_if<ObjFile>(&shape)) return obj->file;
+    if (const auto* shp = std::get_if<ShpFile>(&shape)) return shp->file;
+    return none;
+}
+
+class Planner {
+public:
+    Planner(Plan& plan, Files& files, Sources& sources, Diagnostics& diagnostics)
+        : plan_(plan), files_(files), sources_(sources), diagnostics_(diagnostics) {}
+
+    void plan() {
+        for (Index program = 0; program < plan_.scene.programs.size(); ++program) plan_program(program);
+        plan_meshes();
+        plan_textures();
+    }
+
+private:
+    void plan_program(Index index) {
+        const Program& program = plan_.scene.programs[index];
+        PlannedProgram planned{index, {}, true};
+        bool any = false;
+        for (int stage = 0; stage < stage_count; ++stage) {
+            const std::optional<FileName>& file = program.stages[static_cast<std::size_t>(stage)];
+            if (!file) continue;
+            any = true;
+            if (const auto text = read_shader(*file, static_cast<Stage>(stage))) {
+                planned.stages.push_back({static_cast<Stage>(stage), *text, file->span});
+            } else {
+                planned.readable = false;
+            }
+        }
+        if (!any) {
+            diagnostics_.warning("program-without-shaders", program.span,
+                                 fmt::format("program '{}' has no shaders", program.name),
+                                 "name them before it with 'Vertex' and 'Fragment'; what it draws shows the "
+                                 "current colour, unlit");
+        }
+        plan_.programs.push_back(std::move(planned));
+    }
+
+    std::optional<FileId> read_shader(const FileName& file, Stage stage) {
+        const std::string path = locate(file, stage_extensions(stage), files_, diagnostics_);
+        if (path.empty()) return std::nullopt;
+        if (const auto known = shaders_.find(path); known != shaders_.end()) return known->second;
+        std::string reason;
+        std::optional<std::string> text = files_.read(path, reason);
+        std::optional<FileId> id;
+        if (text) {
+            id = sources_.add(path, std::move(*text));
+        } else {
+            report_unreadable(file, reason, diagnostics_);
+        }
+        shaders_.emplace(path, id);
+        return id;
+    }
+
+    void plan_meshes() {
+        const Scene& scene = plan_.scene;
+        std::vector<std::string> file_keys(scene.files.size());
+        for (std::size_t i = 0; i < file_keys.size(); ++i) file_keys[i] = scene.files[i].name;
+        std::unordered_map<std::string, Index> known;
+        MeshKey key{file_keys, {}};
+        plan_.draw_mesh.reserve(scene.draws.size());
+        for (const Draw& draw : scene.draws) {
+            key.key.clear();
+            put(key.key, static_cast<std::uint8_t>(draw.shape.index()), draw.wire);
+            std::visit(key, draw.shape);
+            const auto [entry, added] = known.try_emplace(key.key, static_cast<Index>(plan_.meshes.size()));
+            if (added) {
+                plan_.meshes.push_back({draw.shape, draw.wire, draw.span});
+                check_mesh_file(draw.shape);
+            }
+            plan_.draw_mesh.push_back(entry->second);
+        }
+    }
+
+    void check_mesh_file(const Shape& shape) {
+        const Index file = file_of(shape);
+        if (file >= plan_.scene.files.size()) return;
+        locate(plan_.scene.files[file], mesh_extensions(shape), files_, diagnostics_);
+    }
+
+    void plan_textures() {
+        const std::vector<Texture>& textures = plan_.scene.textures;
+        std::map<std::string, Index> known;
+        for (Index index = 0; index < textures.size(); ++index) {
+            const Texture& texture = textures[index];
+            if (texture.files.empty()) {
+                plan_.same_pixels.push_back(index);
+                continue;
+            }
+            std::string key;
+            put(key, texture.target);
+            for (const TextureFile& file : locate_texture(texture, files_, diagnostics_)) {
+                (key += file.path.empty() ? file.name : file.path) += '\0';
+            }
+            plan_.same_pixels.push_back(known.try_emplace(std::move(key), index).first->second);
+        }
+    }
+
+    Plan& plan_;
+    Files& files_;
+    Sources& sources_;
+    Diagnostics& diagnostics_;
+    std::map<std::string, std::optional<FileId>> shaders_;  // by path; none: can't be read, said so
+};
+
+}  // namespace
+
+Plan make_plan(Scene scene, Files& files, Sources& sources, Diagnostics& diagnostics) {
+    Plan plan;
+    plan.scene = std::move(scene);
+    Planner(plan, files, sources, diagnostics).plan();
+    return plan;
+}
+
+// ---- what a draw reads and writes ------------------------------------------------------------------------
+
+Index find_texture(const Scene& scene, const Draw& draw, int unit, TextureTarget target) {
+    if (draw.bindings < scene.bindings.size()) {
+        const auto& entries = scene.bindings[draw.bindings].entries;
+        const auto found = std::find_if(entries.begin(), entries.end(), [&](const Bindings::Entry& entry) {
+            return entry.unit == unit && entry.target == target;
+        });
+        if (found != entries.end()) return found->texture;
+    }
+    for (std::size_t i = scene.textures.size(); i-- > 0;) {
+        if (scene.textures[i].unit == unit && scene.textures[i].target == target) return static_cast<Index>(i);
+    }
+    return none;
+}
+
+Sampled find_sampled(const Scene& scene, const Draw& draw, std::string_view name, std::optional<int> unit,
+                     TextureTarget target) {
+    // The units that the noise stands on, and the dimensions of the targets that it has.
+    constexpr int noise2_unit = 2, noise3_unit = 3;
+    const bool noise2 = target == TextureTarget::d2, noise3 = target == TextureTarget::d3;
+    const bool named = (noise2 && name == "Noise2") || (noise3 && name == "Noise3");
+    const int noise_unit = noise2 ? noise2_unit : noise3_unit;
+    const int at = unit.value_or(named ? noise_unit : 0);
+    if (const Index texture = find_texture(scene, draw, at, target); texture != none) {
+        return {Sampled::Kind::texture, texture, 0};
+    }
+    if (named || (unit && (noise2 || noise3) && at == noise_unit)) {
+        return {Sampled::Kind::noise, none, noise2 ? 2 : 3};
+    }
+    return {};
+}
+
+std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index draw, Index texture) {
+    if (pass >= scene.passes.size() || draw >= scene.draws.size() || texture >= scene.textures.size()) {
+        return std::nullopt;
+    }
+    const Pass& target = scene.passes[pass];
+    if (target.kind == Pass::Kind::window ||
+        std::find(target.textures.begin(), target.textures.end(), texture) == target.textures.end()) {
+        return std::nullopt;
+    }
+    Diagnostic diagnostic;
+    diagnostic.code = "feedback-loop";
+    diagnostic.span = scene.draws[draw].span;
+    diagnostic.message =
+        fmt::format("this reads the texture on unit {} while rendering to it", scene.textures[texture].unit);
+    diagnostic.help = "render to another texture, and read this one in a later pass";
+    diagnostic.notes.push_back({target.span, "rendering to it begins here"});
+    diagnostic.notes.push_back({scene.textures[texture].span, "the texture"});
+    return diagnostic;
+}
+
+}  // namespace snell
