@@ -26,6 +26,17 @@ struct Document {
     const Scene& scene() const { return runtime->scene(); }
 };
 
+// The reading alone, for what needs no graphics. Nothing when the file can't be read.
+struct ParsedDocument {
+    FileId file = 0;
+    Scene scene;
+};
+std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
+                                             Diagnostics& diagnostics);
+
+// The folder that names in the scene are relative to.
+std::string scene_folder(const std::string& path);
+
 // Never throws; what is wrong is in `diagnostics`. Needs a current context.
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps);
 

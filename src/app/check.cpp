@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "parser/commands.h"
+#include "parser/parse.h"
+#include "src/app/commands.h"
+#include "src/app/document.h"
+#include "src/app/headless.h"
+#include "src/plan/plan.h"
+
+namespace snell::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Messages may quote bytes that are no UTF-8.
+std::string dump_json(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+
+Json span_json(const Span& span, const Sources& sources) {
+    const Position begin = sources.position(span.file, span.begin);
+    const Position end = sources.position(span.file, span.end);
+    return {{"file", std::string(sources.name(span.file))},
+            {"line", begin.line},
+            {"column", begin.column},
+            {"end_line", end.line},
+            {"end_column", end.column}};
+}
+
+std::string_view severity_name(Severity severity) {
+    switch (severity) {
+        case Severity::note:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::error:
+            return "error";
+    }
+    return "error";
+}
+
+Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
+    Json json{
+        {"severity", severity_name(diagnostic.severity)}, {"code", diagnostic.code}, {"message", diagnostic.message}};
+    if (diagnostic.has_span) json["at"] = span_json(diagnostic.span, sources);
+    if (!diagnostic.help.empty()) json["help"] = diagnostic.help;
+    for (const Note& note : diagnostic.notes)
+        json["notes"].push_back({{"at", span_json(note.span, sources)}, {"message", note.message}});
+    return json;
+}
+
+// Reading and planning, and compiling too where there is graphics.
+struct Checked {
+    std::unique_ptr<Document> document;
+    std::string dump;
+};
+
+Checked check_scene(const std::string& path, const CheckOptions& options, const std::optional<gl::Caps>& caps) {
+    Checked checked;
+    if (caps && options.dump.empty()) {
+        checked.document = open_document(path, *caps);
+        return checked;
+    }
+    checked.document = std::make_unique<Document>();
+    Document& document = *checked.document;
+    document.path = path;
+    document.files = std::make_unique<Files>(scene_folder(path));
+    auto parsed = parse_document(path, *document.files, document.sources, document.diagnostics);
+    if (!parsed) return checked;
+    if (options.dump == "tokens") checked.dump = dump_tokens(parsed->file, document.sources);
+    if (options.dump == "statements") checked.dump = dump_statements(parsed->file, document.sources);
+    if (options.dump == "scene") checked.dump = dump_scene(parsed->scene);
+    if (options.dump.empty() || options.dump == "plan") {
+        const Plan plan = make_plan(std::move(parsed->scene), *document.files, document.sources, document.diagnostics);
+        if (options.dump == "plan") checked.dump = dump_plan(plan, document.sources);
+    }
+    document.diagnostics.sort();
+    return checked;
+}
+
+std::optional<gl::Caps> caps_of(std::unique_ptr<HeadlessContext>& context) {
+    std::string error;
+    context = HeadlessContext::make({}, error);
+    if (!context) return std::nullopt;
+    return gl::query_caps();
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+    std::unique_ptr<HeadlessContext> context;
+    std::optional<gl::Caps> caps;
+    if (options.dump.empty()) caps = caps_of(context);
+    if (options.dump.empty() && !caps && !options.json)
+        fmt::print(stderr, "snell: note: no graphics here: programs are not compiled\n");
+    Json all = Json::array();
+    bool errors = false;
+    for (const std::string& path : options.scenes) {
+        const Checked checked = check_scene(path, options, caps);
+        const Document& document = *checked.document;
+        errors = errors || document.diagnostics.has_errors();
+        std::fwrite(checked.dump.data(), 1, checked.dump.size(), stdout);
+        if (options.json) {
+            Json scene{{"scene", path},
+                       {"errors", document.diagnostics.errors()},
+                       {"warnings", document.diagnostics.warnings()},
+                       {"diagnostics", Json::array()}};
+            for (const Diagnostic& diagnostic : document.diagnostics.items())
+                scene["diagnostics"].push_back(diagnostic_json(diagnostic, document.sources));
+            all.push_back(std::move(scene));
+        } else {
+            const std::string text = snell::render(document.diagnostics, document.sources);
+            std::fwrite(text.data(), 1, text.size(), options.dump.empty() ? stdout : stderr);
+        }
+    }
+    if (options.json) fmt::print("{}\n", dump_json(all));
+    return errors ? exit_input : exit_fine;
+}
+
+int print_commands(bool json) {
+    if (json) {
+        fmt::print("{}\n", commands_json());
+        return exit_fine;
+    }
+    for (const CommandRow& row : command_table()) fmt::print("{:<16} {:<48} {}\n", row.name, row.signature, row.doc);
+    return exit_fine;
+}
+
+int print_info(const std::string& context_name) {
+    auto context = headless_context(context_name);
+    if (!context) return exit_graphics;
+    const gl::Caps caps = gl::query_caps();
+    fmt::print("snell {}\nrenderer   {}\nvendor     {}\nOpenGL     {}\nGLSL used  {}{}\nplatform   EGL {}\n",
+               SNELL_VERSION, caps.renderer, caps.vendor, caps.version, caps.glsl, caps.es ? " es" : " core",
+               context->platform());
+    fmt::print("textures   {} (2D), {} (3D), {} (cube)\nsamples    {}\nline width {}\npoint size {}\n",
+               caps.max_texture, caps.max_texture_3d, caps.max_cube, caps.max_samples, caps.max_line_width,
+               caps.max_point_size);
+    return exit_fine;
+}
+
+}  // namespace snell::app

@@ -1,0 +1,63 @@
+#include "src/app/document.h"
+
+#include <filesystem>
+
+#include "parser/parse.h"
+#include "src/plan/plan.h"
+
+namespace snell {
+
+namespace {
+
+std::string folder_of(const std::string& path) {
+    const auto slash = path.find_last_of('/');
+    return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+}
+
+// Included names are relative to the scene that includes them; the names given back are relative to the
+// document's own folder.
+IncludeReader include_reader(Files& files) {
+    return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
+        const std::string beside = folder_of(std::string(from)) + std::string(name);
+        const Resolved resolved = files.resolve(beside, {"glib"});
+        if (resolved.path.empty()) return std::nullopt;
+        std::string error;
+        auto text = files.read(resolved.path, error);
+        if (!text) return std::nullopt;
+        return IncludedText{resolved.path, std::move(*text)};
+    };
+}
+
+}  // namespace
+
+std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
+                                             Diagnostics& diagnostics) {
+    std::string error;
+    auto text = files.read(path, error);
+    if (!text) {
+        diagnostics.error("scene-unreadable", "can't read '" + path + "': " + error);
+        return std::nullopt;
+    }
+    const FileId file = sources.add(path, std::move(*text));
+    Parsed parsed = parse(file, sources, include_reader(files));
+    diagnostics.append(parsed.diagnostics);
+    return ParsedDocument{file, std::move(parsed.scene)};
+}
+
+std::string scene_folder(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
+
+std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps) {
+    auto document = std::make_unique<Document>();
+    document->path = path;
+    document->files = std::make_unique<Files>(scene_folder(path));
+    auto parsed = parse_document(path, *document->files, document->sources, document->diagnostics);
+    if (!parsed) return document;
+    Plan plan = make_plan(std::move(parsed->scene), *document->files, document->sources, document->diagnostics);
+    document->runtime.emplace(std::move(plan), *document->files, document->sources, caps, document->diagnostics);
+    document->controls =
+        make_controls(document->runtime->scene(), document->runtime->active_uniforms(), document->diagnostics);
+    document->diagnostics.sort();
+    return document;
+}
+
+}  // namespace snell

@@ -1,0 +1,31 @@
+#include "src/app/headless.h"
+
+#include <cstdio>
+
+namespace snell::app {
+
+bool parse_context(const std::string& text, ContextRequest& request) {
+    std::string version = text;
+    request.es = version.starts_with("es");
+    if (request.es) version.erase(0, 2);
+    if (version.empty()) return true;
+    if (version.size() != 3 || version[1] != '.' || version[0] < '1' || version[0] > '9' || version[2] < '0' ||
+        version[2] > '9')
+        return false;
+    request.version = (version[0] - '0') * 10 + (version[2] - '0');
+    return true;
+}
+
+std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
+    ContextRequest request;
+    parse_context(text, request);
+    std::string error;
+    auto context = HeadlessContext::make(request, error);
+    if (!context)
+        std::fprintf(stderr,
+                     "snell: error: no graphics: %s\n   help: install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)\n",
+                     error.c_str());
+    return context;
+}
+
+}  // namespace snell::app

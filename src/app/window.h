@@ -1,0 +1,20 @@
+// The window: a scene, its sliders, and the loop that draws only when something changed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace snell {
+
+struct WindowOptions {
+    std::string scene;
+    std::optional<std::pair<int, int>> size;
+    std::string state_file;  // for tests: counters, values and layout are written there after every frame
+    double exit_after = 0;   // seconds; 0: never
+};
+
+// Returns the exit status.
+int run_window(const WindowOptions& options);
+
+}  // namespace snell
