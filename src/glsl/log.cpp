@@ -1,0 +1,161 @@
+// Drivers' logs as diagnostics at the user's own lines.
+#include "glsl/log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace snell::glsl {
+namespace {
+
+using log::Context;
+using log::Entry;
+using log::Kind;
+using log::Place;
+
+// Independent mistakes shown for one shader; a student mends a few and tries again.
+constexpr std::size_t most_errors = 6;
+
+std::string_view code_of(Kind kind) {
+    switch (kind) {
+        case Kind::undeclared:
+            return "glsl-undeclared";
+        case Kind::no_function:
+        case Kind::no_overload:
+        case Kind::few_arguments:
+        case Kind::many_arguments:
+            return "glsl-call";
+        case Kind::convert:
+        case Kind::returns:
+        case Kind::operands:
+        case Kind::constructor_few:
+        case Kind::constructor_many:
+        case Kind::swizzle:
+            return "glsl-type";
+        case Kind::redeclared:
+            return "glsl-redeclared";
+        case Kind::read_only:
+            return "glsl-read-only";
+        case Kind::not_constant:
+            return "glsl-not-constant";
+        case Kind::syntax:
+        case Kind::end_of_file:
+        case Kind::if_unfinished:
+            return "glsl-syntax";
+        case Kind::no_return:
+            return "glsl-no-return";
+        case Kind::needs_version:
+            return "glsl-version";
+        case Kind::no_main:
+            return "glsl-no-main";
+        case Kind::no_body:
+            return "glsl-no-body";
+        case Kind::not_written:
+        case Kind::types_differ:
+            return "glsl-interface";
+        case Kind::other:
+        case Kind::noise:
+            break;
+    }
+    return "glsl-driver";
+}
+
+struct Found {
+    Entry entry;
+    Place place;
+};
+
+bool is_syntax(Kind kind) { return kind == Kind::syntax || kind == Kind::end_of_file || kind == Kind::if_unfinished; }
+
+bool same_line(const Found& x, const Found& y) {
+    return x.place.known && y.place.known && x.place.file == y.place.file && x.place.line == y.place.line;
+}
+
+// Whether `later` would vanish if `cause` were mended.
+bool follows(const Found& later, const Found& cause) {
+    const bool about_names = later.entry.kind == Kind::undeclared || later.entry.kind == Kind::no_function;
+    if (later.entry.stage != cause.entry.stage) return false;
+    if (is_syntax(cause.entry.kind) && later.entry.string >= 0) return true;
+    if (about_names) return later.entry.kind == cause.entry.kind && later.entry.a == cause.entry.a;
+    if (same_line(later, cause)) return later.entry.kind != Kind::redeclared;
+    return later.entry.text == cause.entry.text && later.entry.string < 0;
+}
+
+// A variable declared on a line with an error: what is wrong with it later may come from there.
+std::set<std::string_view> doubtful_names(const Found& cause, const Sources& sources) {
+    std::set<std::string_view> names;
+    if (!cause.place.known) return names;
+    for (const log::Declared& d : log::declared(sources.text(cause.place.file)))
+        if (sources.position(cause.place.file, d.begin).line == cause.place.line) names.insert(d.name);
+    return names;
+}
+
+std::string told_of(const Entry& entry, const Context& context, std::string_view program) {
+    const auto stage = context.stage ? std::optional(context.stage->stage) : entry.stage;
+    if (stage) return fmt::format(" ({} shader of '{}')", log::stage_word(*stage), program);
+    return fmt::format(" (program '{}')", program);
+}
+
+Diagnostic explain(const Found& found, const Context& context, std::string_view program) {
+    Diagnostic diagnostic{
+        .severity = found.entry.severity,
+        .code = std::string(code_of(found.entry.kind)),
+        .span = found.place.span,
+        .message = log::message(found.entry, found.place, context) + told_of(found.entry, context, program)};
+    log::hint(found.entry, found.place, context, diagnostic);
+    return diagnostic;
+}
+
+struct Group {
+    Found cause;
+    std::vector<Found> rest;
+};
+
+std::vector<Group> folded(const std::vector<Found>& all, const Sources& sources) {
+    std::vector<Group> groups;
+    for (const Found& found : all) {
+        const auto caused_by = [&](const Group& group) {
+            if (follows(found, group.cause)) return true;
+            return found.entry.kind == Kind::undeclared && !found.entry.a.empty() &&
+                   doubtful_names(group.cause, sources).contains(found.entry.a);
+        };
+        const auto group = std::find_if(groups.begin(), groups.end(), caused_by);
+        if (group == groups.end()) {
+            groups.push_back({found, {}});
+        } else {
+            group->rest.push_back(found);
+        }
+    }
+    return groups;
+}
+
+}  // namespace
+
+void explain_log(std::string_view log, const Translation& translation, const StageOutput* stage, Span where,
+                 std::string_view program, const Sources& sources, Diagnostics& diagnostics) {
+    const Context context{translation, stage, where, sources};
+    std::vector<Found> errors, warnings;
+    for (Entry& entry : log::read(log)) {
+        auto& list = entry.severity == Severity::error ? errors : warnings;
+        if (stage) entry.stage = stage->stage;
+        const Place place = log::place(entry, context);
+        list.push_back({std::move(entry), place});
+    }
+    const std::vector<Group> groups = folded(errors, sources);
+    for (std::size_t i = 0; i < groups.size() && i < most_errors; ++i) {
+        Diagnostic diagnostic = explain(groups[i].cause, context, program);
+        if (!groups[i].rest.empty())
+            diagnostic.notes.push_back(
+                {groups[i].rest.front().place.span,
+                 fmt::format("and {} more that may come from the same mistake", groups[i].rest.size())});
+        if (i + 1 == most_errors && groups.size() > most_errors)
+            diagnostic.notes.push_back(
+                {groups[i + 1].cause.place.span, fmt::format("and {} more errors", groups.size() - most_errors)});
+        diagnostics.add(std::move(diagnostic));
+    }
+    if (!errors.empty()) return;  // warnings about a shader that does not compile only distract
+    for (const Found& found : warnings) diagnostics.add(explain(found, context, program));
+}
+
+}  // namespace snell::glsl
