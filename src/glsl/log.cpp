@@ -72,13 +72,19 @@ bool same_line(const Found& x, const Found& y) {
     return x.place.known && y.place.known && x.place.file == y.place.file && x.place.line == y.place.line;
 }
 
+bool about_names(const Found& found) {
+    return found.entry.kind == Kind::undeclared || found.entry.kind == Kind::no_function;
+}
+
+// What drivers say of an expression in which another error stands.
+bool is_consequence(const Found& found) { return !about_names(found) && found.entry.kind != Kind::redeclared; }
+
 // Whether `later` would vanish if `cause` were mended.
 bool follows(const Found& later, const Found& cause) {
-    const bool about_names = later.entry.kind == Kind::undeclared || later.entry.kind == Kind::no_function;
     if (later.entry.stage != cause.entry.stage) return false;
     if (is_syntax(cause.entry.kind) && later.entry.string >= 0) return true;
-    if (about_names) return later.entry.kind == cause.entry.kind && later.entry.a == cause.entry.a;
-    if (same_line(later, cause)) return later.entry.kind != Kind::redeclared;
+    if (about_names(later)) return later.entry.kind == cause.entry.kind && later.entry.a == cause.entry.a;
+    if (same_line(later, cause)) return is_consequence(later);
     return later.entry.text == cause.entry.text && later.entry.string < 0;
 }
 
@@ -98,11 +104,11 @@ std::string told_of(const Entry& entry, const Context& context, std::string_view
 }
 
 Diagnostic explain(const Found& found, const Context& context, std::string_view program) {
-    Diagnostic diagnostic{
-        .severity = found.entry.severity,
-        .code = std::string(code_of(found.entry.kind)),
-        .span = found.place.span,
-        .message = log::message(found.entry, found.place, context) + told_of(found.entry, context, program)};
+    Diagnostic diagnostic;
+    diagnostic.severity = found.entry.severity;
+    diagnostic.code = code_of(found.entry.kind);
+    diagnostic.span = found.place.span;
+    diagnostic.message = log::message(found.entry, found.place, context) + told_of(found.entry, context, program);
     log::hint(found.entry, found.place, context, diagnostic);
     return diagnostic;
 }
@@ -117,6 +123,8 @@ std::vector<Group> folded(const std::vector<Found>& all, const Sources& sources)
     for (const Found& found : all) {
         const auto caused_by = [&](const Group& group) {
             if (follows(found, group.cause)) return true;
+            const auto beside = [&](const Found& other) { return is_consequence(found) && same_line(found, other); };
+            if (std::any_of(group.rest.begin(), group.rest.end(), beside)) return true;
             return found.entry.kind == Kind::undeclared && !found.entry.a.empty() &&
                    doubtful_names(group.cause, sources).contains(found.entry.a);
         };

@@ -133,6 +133,39 @@ bool ends_operand(std::string_view word) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || c == '.';
 }
 
+// Names of types that other languages have.
+std::string_view foreign_type(std::string_view name) {
+    for (const std::string_view base : {"float", "half", "fixed"})
+        if (name.starts_with(base) && name.size() == base.size() + 1) switch (name.back()) {
+                case '2':
+                    return "vec2";
+                case '3':
+                    return "vec3";
+                case '4':
+                    return "vec4";
+            }
+    if (name == "half" || name == "fixed" || name == "real") return "float";
+    if (name == "float3x3") return "mat3";
+    if (name == "float4x4") return "mat4";
+    return {};
+}
+
+// `vex3 a`: two names in a row, of which the first is no type.
+bool hint_unknown_type(std::string_view type, const Span& span, Diagnostic& diagnostic) {
+    std::string_view meant = foreign_type(type);
+    if (meant.empty()) {
+        meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
+                               "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",
+                               "bvec4",       "mat2",  "mat3",    "mat4",    "sampler1D", "sampler2D", "sampler3D",
+                               "samplerCube", "const", "uniform", "varying", "attribute", "return"});
+    }
+    if (meant.empty() || meant == type) return false;
+    diagnostic.message.replace(0, diagnostic.message.find(" ("), fmt::format("'{}' is not a type", type));
+    diagnostic.help = fmt::format("did you mean '{}'?", meant);
+    diagnostic.span = span;
+    return true;
+}
+
 // The words before the place: is a semicolon missing at the end of a line, is a bracket not closed?
 void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
@@ -157,6 +190,9 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
             diagnostic.notes.push_back({{place.file, before->end - 1, before->end}, "a ';' is missing after this"});
             return;
         }
+        if (before && before->name && all[at].name && before->line == all[at].line &&
+            hint_unknown_type(text_of(text, *before), {place.file, before->begin, before->end}, diagnostic))
+            return;
     }
     const std::size_t brace = unclosed_brace(text);
     if (brace != std::string_view::npos && brace < place.span.begin && diagnostic.help.empty()) {

@@ -157,6 +157,9 @@ constexpr auto patterns = std::to_array<Pattern>({
     {"Types of * '*' differ between *", Kind::types_differ, "-a-"},
     {"Type of '*' doesn't match*", Kind::types_differ, "a"},
 
+    {"*macro * invoked with *", Kind::other, "-a-"},
+    {"unrecognized layout identifier '*'", Kind::other, "a"},
+
     {"linking with uncompiled*", Kind::noise, "-"},
     {"* compilation errors.*", Kind::noise, "--"},
     {"*compilation terminated*", Kind::noise, "--"},

@@ -183,7 +183,9 @@ std::vector<Entry> read(std::string_view log) {
         if (!repeated && entry->kind != Kind::noise) entries.push_back(std::move(*entry));
     }
     if (entries.empty() && !unread.empty()) {
-        Entry entry{.driver = Driver::khronos, .text = std::string(unread)};
+        Entry entry;
+        entry.driver = Driver::khronos;
+        entry.text = unread;
         classify(entry);
         if (entry.kind != Kind::noise) entries.push_back(std::move(entry));
     }

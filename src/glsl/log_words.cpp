@@ -80,6 +80,7 @@ std::string syntax_message(const Entry& entry, const Place& place, const Context
 // The driver's own words: no capital, no full stop, the translation's names turned back.
 std::string driver_message(const Entry& entry, std::string_view user) {
     std::string text = user_words(entry.text, user);
+    if (text.starts_with("Error: ")) text.erase(0, 7);
     if (text.size() > 1 && std::isupper(static_cast<unsigned char>(text[0])) != 0 &&
         std::islower(static_cast<unsigned char>(text[1])) != 0)
         text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
