@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# The architecture as a test: who may include and call what, and what the program links.
+# usage: layers.sh ROOT BIN
+set -u
+root=$1 bin=$2
+cd "$root" || exit 1
+failed=0
+complain() {
+  [ -z "$2" ] && return
+  printf '%s:\n%s\n' "$1" "$2"
+  failed=1
+}
+code() { find parser src tools -name '*.h' -o -name '*.cpp' | sort; }
+
+complain "OpenGL is called in src/gl and src/runtime only" \
+  "$(code | grep -vE '^src/(gl|runtime)/' | xargs grep -nE '\bgl[A-Z][A-Za-z0-9]*\(|#include <epoxy/gl.h>')"
+complain "EGL and GLFW belong to src/platform" \
+  "$(code | grep -vE '^src/platform/' | xargs grep -nE '#include <(epoxy/egl|EGL/|GLFW/)' | grep -vE '^src/ui/')"
+complain "OpenImageIO belongs to src/content/oiio" \
+  "$(code | grep -vE '^src/content/oiio/' | xargs grep -nE '#include <OpenImageIO')"
+complain "Dear ImGui belongs to src/ui" "$(code | grep -vE '^src/ui/' | xargs grep -nE '#include <imgui|#include <backends/imgui')"
+complain "the parser is the C++ standard library only" \
+  "$(find parser -name '*.h' -o -name '*.cpp' | xargs grep -nE '#include <(fmt|glm|nlohmann|filesystem|fstream|iostream|cstdio)|#include "src/')"
+
+# folder: the folders that it may include
+allow() {
+  local folder=$1 pattern=$2
+  complain "$folder includes more than it may" \
+    "$(find "$folder" -name '*.h' -o -name '*.cpp' | xargs grep -nE '#include "(parser|src|shaders|tools|tests)/' |
+       grep -vE "#include \"($pattern)/")"
+}
+allow src/content 'parser|src/content'
+allow src/glsl 'parser|src/glsl'
+allow src/optics 'src/optics'
+allow src/plan 'parser|src/content|src/glsl|src/plan'
+allow src/gl 'src/gl'
+allow src/runtime 'parser|shaders|src/content|src/glsl|src/plan|src/gl|src/runtime'
+allow src/platform 'src/gl|src/platform'
+allow src/ui 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/platform|src/ui'
+
+complain "the program must not link OpenImageIO: it costs start-up" "$(ldd "$bin/snell" | grep -i openimageio)"
+complain "no target, namespace or header is called glib" "$(code | grep -iE '/glib\.' ; code | xargs grep -nE 'namespace glib')"
+exit $failed
