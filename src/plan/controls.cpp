@@ -288,6 +288,10 @@ void carry_over(const Controls& from, const Scene& from_scene, Controls& to, con
         return from_scene.programs[a].name == to_scene.programs[b].name &&
                occurrence(from_scene, a) == occurrence(to_scene, b);
     };
+    const auto written = [](const Scene& scene, const Control& control) {
+        const std::vector<UniformValue>& uniforms = scene.programs[control.program].uniforms;
+        return control.uniform < uniforms.size() ? uniforms[control.uniform].values : std::vector<double>{};
+    };
     for (Control& control : to.items) {
         const auto match = std::find_if(from.items.begin(), from.items.end(), [&](const Control& old) {
             return old.name == control.name && old.type == control.type && old.components == control.components &&
@@ -296,12 +300,11 @@ void carry_over(const Controls& from, const Scene& from_scene, Controls& to, con
         if (match == from.items.end() || match->initial != control.initial) continue;
         control.value = match->value;
         if (control.widget != Widget::slider) continue;
-        // A value that was typed beyond the scene's range takes the range with it.
-        for (const double value : control.value) {
-            const Range range =
-                limit_range({std::min(control.min, value), value, std::max(control.max, value)}, control.type);
-            control.min = range.min;
-            control.max = range.max;
+        if (written(from_scene, *match) == written(to_scene, control)) {  // it may have been widened since
+            control.min = match->min;
+            control.max = match->max;
+        } else {
+            for (double& value : control.value) value = std::clamp(value, control.min, control.max);
         }
     }
 }

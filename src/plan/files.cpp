@@ -58,10 +58,13 @@ std::vector<std::string> list(const std::string& folder) {
     return names;
 }
 
-// A name as a path: '/' only, no empty or "." components, no blanks around it.
+// A name as a path: '/' only, no empty or "." components, no blanks or quotes around it.
 std::string tidy(std::string_view name) {
     while (!name.empty() && std::isspace(static_cast<unsigned char>(name.front())) != 0) name.remove_prefix(1);
     while (!name.empty() && std::isspace(static_cast<unsigned char>(name.back())) != 0) name.remove_suffix(1);
+    if (name.size() > 1 && name.front() == name.back() && (name.front() == '"' || name.front() == '\'')) {
+        name = name.substr(1, name.size() - 2);
+    }
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     std::string result = !slashed.empty() && slashed[0] == '/' ? "/" : "";
@@ -145,11 +148,9 @@ Resolved Files::resolve(std::string_view written, const std::vector<std::string_
         if (std::string path = at(longer); is_regular(path)) return {std::move(path), true, {}};
         if (std::string path = find_case(folder_, longer); !path.empty()) return {std::move(path), true, {}};
     }
-    if (is_absolute(name)) {  // written on another machine: the file often came along with the scene
-        const std::string file(last_component(name));
-        if (!file.empty() && file != ".." && !has_drive(file)) {
-            if (Resolved here = resolve(file, extensions); !here.path.empty()) return {here.path, true, {}};
-        }
+    // Written on another machine, or before the files were gathered in one folder.
+    if (const std::string file(last_component(name)); file != name && file != ".." && !has_drive(file)) {
+        if (Resolved here = resolve(file, extensions); !here.path.empty()) return {here.path, true, {}};
     }
     return {{}, false, most_similar(folder_, name)};
 }

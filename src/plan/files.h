@@ -18,7 +18,7 @@ struct FileCounters {
 // What a name led to.
 struct Resolved {
     std::string path;      // on disk; empty: nothing there
-    bool inexact = false;  // found under another case or with an extension added: warn
+    bool inexact = false;  // found under another case, in another place or with an extension: warn
     std::string nearest;   // when nothing is there: the most similar name, as a scene would write it
 };
 
@@ -33,8 +33,9 @@ public:
 
     const std::string& folder() const { return folder_; }
     // Tries, in this order: the name itself; its components without regard to case (ASCII); the name with each
-    // of `extensions` ({"vert", "vs", "glsl"}), exactly and then without regard to case; for an absolute name
-    // its last component in the folder. '\' is '/'. Only regular files count, links to them included.
+    // of `extensions` ({"vert", "vs", "glsl"}), exactly and then without regard to case; its last component in
+    // the folder itself. '\' is '/', quotes around the name are dropped. Only regular files count, links to them
+    // included.
     Resolved resolve(std::string_view name, const std::vector<std::string_view>& extensions = {}) const;
     // nullopt: can't be read (`error` says why). Regular files only: a pipe or a device is refused before
     // it is opened, so that reading never waits.

@@ -20,7 +20,8 @@ glm::dvec2 widened(glm::dvec2 half, double aspect) {
 }
 
 glm::dmat4 perspective(double fov, double aspect, DepthRange depth) {
-    if (!usable(fov) || fov >= 180) fov = Camera{}.fov;
+    constexpr double smallest = 1e-9;  // below, the reciprocal of its tangent loses its meaning
+    if (!(fov >= smallest && fov < 180)) fov = Camera{}.fov;
     if (!usable(depth.near) || !std::isfinite(depth.far) || !(depth.far > depth.near)) depth = DepthRange{};
     const glm::dvec2 half = widened(glm::dvec2(std::tan(fov * (pi / 360))), aspect);
     const double length = depth.far - depth.near;
@@ -100,7 +101,9 @@ glm::dmat4 view_matrix(const Camera& camera) {
     for (int column = 0; column < 3; ++column) {
         m[column] = glm::dvec4(right[column], up[column], -forward[column], 0);
     }
-    m[3] = glm::dvec4(-glm::dot(right, eye), -glm::dot(up, eye), glm::dot(forward, eye), 1);
+    const glm::dvec3 shift(-glm::dot(right, eye), -glm::dot(up, eye), glm::dot(forward, eye));
+    if (!finite(shift)) return glm::dmat4(1);
+    m[3] = glm::dvec4(shift, 1);
     return m;
 }
 

@@ -1,0 +1,186 @@
+// Finding and reading files by the names that scenes write.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "src/plan/files.h"
+#include "tests/unit/plan_scratch.h"
+
+namespace snell {
+namespace {
+
+TEST(Resolve, ExactNameIsUsedAsItIs) {
+    const Scratch folder;
+    folder.write("wall.bmp", "x");
+    folder.write("Wall.bmp", "y");
+    const Files files(folder.path());
+    for (const char* name : {"wall.bmp", "Wall.bmp"}) {
+        const Resolved found = files.resolve(name);
+        EXPECT_EQ(found.path, folder.at(name));
+        EXPECT_FALSE(found.inexact);
+    }
+}
+
+TEST(Resolve, CaseOfEveryComponentIsForgiven) {
+    const Scratch folder;
+    folder.write("Textures/Stone/Wall.BMP", "x");
+    const Files files(folder.path());
+    for (const char* name : {"textures/stone/wall.bmp", "TEXTURES\\Stone\\wall.bmp", "./textures//STONE/Wall.bmp",
+                             "\"Textures\\\\Stone\\\\wall.BMP\"", " textures/stone/wall.bmp "}) {
+        const Resolved found = files.resolve(name);
+        EXPECT_EQ(found.path, folder.at("Textures/Stone/Wall.BMP")) << name;
+    }
+    EXPECT_TRUE(files.resolve("textures/stone/wall.bmp").inexact);
+    EXPECT_FALSE(files.resolve("Textures\\Stone\\Wall.BMP").inexact) << "a backslash is no other name";
+}
+
+TEST(Resolve, LooksIntoEveryFolderThatFits) {
+    const Scratch folder;
+    folder.write("DATA/other.obj", "x");
+    folder.write("Data/cow.obj", "x");
+    EXPECT_EQ(Files(folder.path()).resolve("data/COW.obj").path, folder.at("Data/cow.obj"));
+}
+
+TEST(Resolve, ExtensionsInTheirOrder) {
+    const Scratch folder;
+    folder.write("light.vert", "x");
+    folder.write("light.glsl", "x");
+    folder.write("shade.VS", "x");
+    const Files files(folder.path());
+    const Resolved light = files.resolve("light", {"vert", "vs", "glsl"});
+    EXPECT_EQ(light.path, folder.at("light.vert"));
+    EXPECT_TRUE(light.inexact);
+    EXPECT_EQ(files.resolve("light.", {"vert"}).path, folder.at("light.vert"));
+    EXPECT_EQ(files.resolve("Shade", {"vert", "vs", "glsl"}).path, folder.at("shade.VS"));
+    EXPECT_TRUE(files.resolve("light").path.empty()) << "without extensions nothing is added";
+}
+
+TEST(Resolve, NamesFromOtherMachines) {
+    const Scratch folder, elsewhere;
+    folder.write("cow.obj", "x");
+    elsewhere.write("far.obj", "x");
+    const Files files(folder.path());
+    for (const char* name : {"C:\\Users\\me\\Cow.obj", "/no/such/place/cow.obj", "models/cow.obj", "../lost/cow.obj"}) {
+        const Resolved found = files.resolve(name);
+        EXPECT_EQ(found.path, folder.at("cow.obj")) << name;
+        EXPECT_TRUE(found.inexact) << name;
+    }
+    EXPECT_EQ(files.resolve(elsewhere.at("far.obj")).path, elsewhere.at("far.obj"));
+    folder.write("scene/a.glib", "x");
+    EXPECT_EQ(Files(folder.at("scene")).resolve("../cow.obj").path, folder.at("scene/../cow.obj"));
+    EXPECT_EQ(Files(folder.at("scene")).resolve("../COW.obj").path, folder.at("scene/../cow.obj"));
+}
+
+TEST(Resolve, SuggestsTheNearestName) {
+    const Scratch folder;
+    folder.write("reflect.vert", "x");
+    folder.write("refract.frag", "x");
+    folder.write("img/kitchen.bmp", "x");
+    const Files files(folder.path());
+    EXPECT_EQ(files.resolve("reflct.vert").nearest, "reflect.vert");
+    EXPECT_EQ(files.resolve("img/kichen.bmp").nearest, "img/kitchen.bmp");
+    EXPECT_EQ(files.resolve("img/kitchen.jpeg2000").nearest, "img/kitchen.bmp") << "only the extension differs";
+    EXPECT_TRUE(files.resolve("entirely-different-thing").nearest.empty());
+    EXPECT_TRUE(files.resolve("nofolder/entirely-different").nearest.empty());
+}
+
+TEST(Resolve, OnlyRegularFilesCount) {
+    const Scratch folder;
+    std::filesystem::create_directory(folder.at("wall.bmp"));
+    folder.write("WALL.bmp", "x");
+    std::filesystem::create_symlink("WALL.bmp", folder.at("link.bmp"));
+    std::filesystem::create_symlink("nowhere", folder.at("broken.bmp"));
+    std::filesystem::create_symlink("loop.bmp", folder.at("loop.bmp"));
+    ASSERT_EQ(mkfifo(folder.at("pipe.bmp").c_str(), 0600), 0);
+    const Files files(folder.path());
+    EXPECT_EQ(files.resolve("wall.bmp").path, folder.at("WALL.bmp")) << "a folder is not a picture";
+    EXPECT_EQ(files.resolve("link.bmp").path, folder.at("link.bmp"));
+    for (const char* name : {"broken.bmp", "loop.bmp", "pipe.bmp", "", ".", "..", "/", "\\", "   "}) {
+        EXPECT_TRUE(files.resolve(name).path.empty()) << name;
+    }
+    EXPECT_TRUE(files.resolve(std::string_view("a\0b", 3)).path.empty());
+    EXPECT_TRUE(files.resolve(std::string(100'000, 'x')).path.empty());
+    EXPECT_TRUE(files.resolve("/dev/zero").path.empty());
+}
+
+TEST(Resolve, RelativeToTheWorkingDirectory) {
+    const Files files("");
+    EXPECT_EQ(files.resolve("tests/unit/plan_files.cpp").path, "tests/unit/plan_files.cpp");
+    EXPECT_EQ(files.resolve("Tests/Unit/PLAN_files.cpp").path, "tests/unit/plan_files.cpp");
+}
+
+TEST(Read, WholeFileCounted) {
+    const Scratch folder;
+    const std::string content = std::string("a\0b\r\n", 5) + std::string(200'000, 'z');
+    folder.write("a.bin", content);
+    folder.write("empty", "");
+    Files files(folder.path());
+    std::string error;
+    EXPECT_EQ(files.read(folder.at("a.bin"), error), content);
+    EXPECT_EQ(files.read(folder.at("empty"), error), "");
+    EXPECT_EQ(files.read(folder.at("a.bin"), error), content);
+    EXPECT_EQ(files.counters().opened, 3U);
+    EXPECT_EQ(files.counters().bytes, 2 * content.size());
+    EXPECT_EQ(files.read_paths(), (std::vector<std::string>{folder.at("a.bin"), folder.at("empty")}));
+}
+
+TEST(Read, RefusesWhatIsNoFileWithoutWaiting) {
+    const Scratch folder;
+    ASSERT_EQ(mkfifo(folder.at("pipe").c_str(), 0600), 0);
+    Files files(folder.path());
+    const auto start = std::chrono::steady_clock::now();
+    for (const std::string& path : {folder.at("pipe"), folder.path(), std::string("/dev/zero"), folder.at("none")}) {
+        std::string error;
+        EXPECT_FALSE(files.read(path, error)) << path;
+        EXPECT_FALSE(error.empty()) << path;
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+    EXPECT_EQ(files.counters().opened, 0U);
+    EXPECT_TRUE(files.read_paths().empty());
+}
+
+TEST(Read, RefusesWhatIsTooLarge) {
+    const Scratch folder;
+    folder.write("huge", "");
+    std::filesystem::resize_file(folder.at("huge"), Files::size_limit + 1);  // sparse
+    Files files(folder.path());
+    std::string error;
+    EXPECT_FALSE(files.read(folder.at("huge"), error));
+    EXPECT_NE(error.find("2 GiB"), std::string::npos) << error;
+}
+
+TEST(Read, CreatesNothing) {
+    const Scratch folder;
+    folder.write("only", "x");
+    Files files(folder.path());
+    std::string error;
+    (void)files.resolve("missing/name.bmp", {"bmp"});
+    (void)files.read(folder.at("missing"), error);
+    EXPECT_EQ(folder.entries(), 1U);
+}
+
+TEST(Read, FromSeveralThreads) {
+    const Scratch folder;
+    folder.write("a", "12345");
+    Files files(folder.path());
+    {
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < 4; ++t) {
+            threads.emplace_back([&] {
+                for (int i = 0; i < 200; ++i) {
+                    std::string error;
+                    ASSERT_TRUE(files.read(files.resolve("A").path, error));
+                }
+            });
+        }
+    }
+    EXPECT_EQ(files.counters().opened, 800U);
+    EXPECT_EQ(files.counters().bytes, 4000U);
+    EXPECT_EQ(files.read_paths().size(), 1U);
+}
+
+}  // namespace
+}  // namespace snell

@@ -1,0 +1,314 @@
+// Matrices: facts of geometry, and hard inputs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "src/plan/plan.h"
+#include "src/plan/view.h"
+
+namespace snell {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+template <class Matrix>
+bool all_finite(const Matrix& m) {
+    for (int c = 0; c < Matrix::length(); ++c) {
+        for (int r = 0; r < Matrix::col_type::length(); ++r) {
+            if (!std::isfinite(m[c][r])) return false;
+        }
+    }
+    return true;
+}
+
+glm::dvec3 ndc(const glm::dmat4& m, glm::dvec3 p) {
+    const glm::dvec4 clip = m * glm::dvec4(p, 1);
+    return glm::dvec3(clip) / clip.w;
+}
+
+// Largest entry of MᵀM - I.
+double rigidity(const glm::dmat4& view) {
+    const glm::dmat3 r(view);
+    const glm::dmat3 d = glm::transpose(r) * r - glm::dmat3(1);
+    double worst = 0;
+    for (int c = 0; c < 3; ++c) {
+        for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(d[c][k]));
+    }
+    return worst;
+}
+
+Camera looking(Vec3 eye, Vec3 center, Vec3 up) {
+    Camera camera;
+    camera.look_at = {eye, center, up};
+    return camera;
+}
+
+glm::dmat4 diagonal(double x, double y, double z) {
+    glm::dmat4 m(1);
+    m[0][0] = x;
+    m[1][1] = y;
+    m[2][2] = z;
+    return m;
+}
+
+TEST(Projection, PerspectiveAngleIsVertical) {
+    Camera camera;
+    camera.fov = 90;
+    const glm::dmat4 m = projection_matrix(camera, 1);
+    EXPECT_NEAR(ndc(m, {0, 5, -5}).y, 1, 1e-12);
+    EXPECT_NEAR(ndc(m, {-5, 0, -5}).x, -1, 1e-12);
+    EXPECT_NEAR(ndc(m, {0, 0, -.1}).z, -1, 1e-9);
+    EXPECT_NEAR(ndc(m, {0, 0, -1000}).z, 1, 1e-9);
+}
+
+// The square of the shorter side shows the same in every window.
+TEST(Projection, LongerSideShowsMore) {
+    Camera perspective, ortho;
+    perspective.fov = 60;
+    ortho.perspective = false;
+    ortho.ortho = {-1, 3, 2, 4};
+    for (const Camera& camera : {perspective, ortho}) {
+        const glm::dvec3 point(.3, .8, -7);
+        const glm::dvec3 square = ndc(projection_matrix(camera, 1), point);
+        const glm::dvec3 wide = ndc(projection_matrix(camera, 2), point);
+        const glm::dvec3 tall = ndc(projection_matrix(camera, .25), point);
+        EXPECT_NEAR(wide.x, square.x / 2, 1e-12);
+        EXPECT_NEAR(wide.y, square.y, 1e-12);
+        EXPECT_NEAR(tall.x, square.x, 1e-12);
+        EXPECT_NEAR(tall.y, square.y / 4, 1e-12);
+    }
+}
+
+TEST(Projection, OrthoPutsItsCornersOnTheCorners) {
+    Camera camera;
+    camera.perspective = false;
+    camera.ortho = {-2, 6, 1, 9};
+    const glm::dmat4 m = projection_matrix(camera, 1);
+    EXPECT_NEAR(ndc(m, {-2, 1, 0}).x, -1, 1e-12);
+    EXPECT_NEAR(ndc(m, {-2, 1, 0}).y, -1, 1e-12);
+    EXPECT_NEAR(ndc(m, {6, 9, 0}).x, 1, 1e-12);
+    EXPECT_LT(std::abs(ndc(m, {0, 0, 0}).z), 1) << "the eye's own plane is drawn";
+    EXPECT_LT(ndc(m, {0, 0, 1}).z, ndc(m, {0, 0, 0}).z) << "nearer is nearer";
+    camera.ortho = {6, -2, 1, 9};
+    EXPECT_NEAR(ndc(projection_matrix(camera, 1), {6, 1, 0}).x, -1, 1e-12) << "swapped sides mirror";
+}
+
+TEST(Projection, NeverNaN) {
+    const Camera usual;
+    const glm::dmat4 expected = projection_matrix(usual, 1);
+    for (const double fov : {0., -50., 180., 181., 360., nan_value, infinity, -infinity, 5e-324}) {
+        Camera camera;
+        camera.fov = fov;
+        EXPECT_EQ(projection_matrix(camera, 1), expected) << fov;
+    }
+    Camera narrow;
+    narrow.fov = .0001;
+    EXPECT_NEAR(ndc(projection_matrix(narrow, 1), {0, 100 * std::tan(.00005 * M_PI / 180), -100}).y, 1, 1e-9);
+    for (const double aspect : {0., -1., nan_value, infinity}) {
+        EXPECT_EQ(projection_matrix(usual, aspect), expected) << aspect;
+    }
+    for (const double aspect : {1e-300, 1e300}) EXPECT_TRUE(all_finite(projection_matrix(usual, aspect)));
+    for (const DepthRange depth : {DepthRange{1, 1}, {0, 10}, {-1, 10}, {10, 1}, {nan_value, 1}, {1, infinity}}) {
+        EXPECT_EQ(projection_matrix(usual, 1, depth), expected);
+    }
+    Camera ortho;
+    ortho.perspective = false;
+    const glm::dmat4 box = projection_matrix(ortho, 1);
+    for (const std::array<double, 4>& sides : std::vector<std::array<double, 4>>{{0, 0, 0, 0},
+                                                                                 {1, 1, -1, 1},
+                                                                                 {-1, 1, 2, 2},
+                                                                                 {nan_value, 1, 0, 1},
+                                                                                 {-1e308, 1e308, 0, 1},
+                                                                                 {0, 5e-324, 0, 1}}) {
+        ortho.ortho = sides;
+        EXPECT_EQ(projection_matrix(ortho, 1), box);
+    }
+}
+
+TEST(Projection, DepthRangeIsTheCallers) {
+    const glm::dmat4 m = projection_matrix(Camera{}, 1, DepthRange{2, 5});
+    EXPECT_NEAR(ndc(m, {0, 0, -2}).z, -1, 1e-12);
+    EXPECT_NEAR(ndc(m, {0, 0, -5}).z, 1, 1e-12);
+}
+
+TEST(LookAt, MapsEyeCenterAndUp) {
+    const glm::dmat4 m = view_matrix(looking({1, 2, 3}, {4, 2, -1}, {0, 3, 0}));
+    EXPECT_LT(rigidity(m), 1e-15);
+    EXPECT_NEAR(glm::length(glm::dvec3(m * glm::dvec4(1, 2, 3, 1))), 0, 1e-14);
+    const glm::dvec4 center = m * glm::dvec4(4, 2, -1, 1);
+    EXPECT_NEAR(center.x, 0, 1e-14);
+    EXPECT_NEAR(center.y, 0, 1e-14);
+    EXPECT_NEAR(center.z, -5, 1e-14);
+    EXPECT_NEAR((m * glm::dvec4(0, 1, 0, 0)).y, 1, 1e-15);
+    EXPECT_EQ(view_matrix(Camera{}), glm::dmat4(1));
+}
+
+// However near up is to the viewing direction: rigid, and still turned the way up says.
+TEST(LookAt, NearlyParallelUpStaysRigid) {
+    const glm::dvec3 forward = glm::normalize(glm::dvec3(.3, -.8, .52));
+    const glm::dvec3 side = glm::normalize(glm::cross(forward, glm::dvec3(.1, .2, .9)));
+    for (double angle = 1e-2; angle > 1e-11; angle /= 10) {
+        const glm::dvec3 up = forward + angle * side;
+        const glm::dmat4 m = view_matrix(looking({0, 0, 0}, {forward.x, forward.y, forward.z}, {up.x, up.y, up.z}));
+        EXPECT_LT(rigidity(m), 1e-12) << angle;
+        const glm::dvec3 eye_up(m[0][1], m[1][1], m[2][1]);
+        EXPECT_NEAR(glm::dot(eye_up, side), 1, 1e-6) << angle;
+    }
+}
+
+// A common way round a vertical view is a tiny offset; it means what it says.
+TEST(LookAt, TinyOffsetFromVerticalKeepsItsUp) {
+    const glm::dmat4 m = view_matrix(looking({0, 5, 1e-6}, {0, 0, 0}, {0, 1, 0}));
+    EXPECT_NEAR(m[0][0], 1, 1e-12);
+    EXPECT_LT(rigidity(m), 1e-12);
+}
+
+TEST(LookAt, DegenerateInputsAreDefined) {
+    for (const Camera& camera :
+         {looking({1, 1, 1}, {1, 1, 1}, {0, 1, 0}), looking({0, 5, 0}, {0, 0, 0}, {0, 1, 0}),
+          looking({0, -5, 0}, {0, 0, 0}, {0, 1, 0}), looking({0, 0, 5}, {0, 0, 0}, {0, 0, 0}),
+          looking({5, 0, 0}, {0, 0, 0}, {-1, 0, 0}), looking({0, 0, 0}, {nan_value, 0, 0}, {0, 1, 0}),
+          looking({nan_value, 0, 0}, {0, 0, 0}, {0, 1, 0}), looking({0, 0, 5}, {0, 0, 0}, {0, infinity, 0}),
+          looking({1e308, 1e308, 1e308}, {-1e308, 0, 0}, {0, 1, 0}), looking({0, 0, 1e-300}, {0, 0, 0}, {0, 1e-300, 0}),
+          looking({0, 0, 1e300}, {0, 0, 0}, {0, 1e300, 0})}) {
+        const glm::dmat4 m = view_matrix(camera);
+        EXPECT_TRUE(all_finite(m));
+        EXPECT_LT(rigidity(m), 1e-12);
+        EXPECT_NEAR(glm::determinant(glm::dmat3(m)), 1, 1e-12) << "no mirror image";
+    }
+}
+
+// Straight down is the limit of tilting a level camera down, straight up of tilting it up.
+TEST(LookAt, VerticalViewsKeepTheHorizon) {
+    for (const double y : {5., -5.}) {
+        const glm::dmat4 vertical = view_matrix(looking({0, y, 0}, {0, 0, 0}, {0, 1, 0}));
+        const glm::dmat4 nearly = view_matrix(looking({0, y, 1e-5}, {0, 0, 0}, {0, 1, 0}));
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(glm::length(glm::dvec3(vertical[c]) - glm::dvec3(nearly[c])), 0, 1e-5);
+        }
+    }
+}
+
+using Wide = glm::mat<3, 3, long double>;
+
+// inverse(transpose) in extended precision.
+glm::dmat3 oracle(const glm::dmat4& m) { return glm::dmat3(glm::transpose(glm::inverse(Wide(glm::dmat3(m))))); }
+
+double angle_between(glm::dvec3 a, glm::dvec3 b) {
+    a /= std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+    b /= std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z)});
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+TEST(NormalMatrix, IsTheInverseTranspose) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> number(-2, 2);
+    for (int round = 0; round < 200; ++round) {
+        glm::dmat4 m(1);
+        for (int c = 0; c < 4; ++c) {
+            for (int r = 0; r < 3; ++r) m[c][r] = number(random);
+        }
+        if (std::abs(glm::determinant(glm::dmat3(m))) < .05) continue;
+        const glm::dmat3 expected = oracle(m), got = normal_matrix(m);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(glm::length(got[c] - expected[c]), 0, 1e-10);
+    }
+}
+
+TEST(NormalMatrix, DirectionsHoldForEveryScale) {
+    Transformation turn;
+    turn.rotate_x = 33;
+    turn.rotate_y = -71;
+    const glm::dmat4 rotation = turn.matrix();
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, -3));
+    for (const double scale : {1e-30, 1e-20, 1e-13, 1e-7, .04, 1., 25., 1e7, 1e13, 1e20, 1e30}) {
+        for (const glm::dvec3 axes : {glm::dvec3(1, 1, 1), {1, 2, 5}, {-1, 1, 1}, {-1, -2, -3}, {1, 1, -.5}}) {
+            const glm::dmat4 m = rotation * diagonal(scale * axes.x, scale * axes.y, scale * axes.z);
+            const glm::dmat3 n = normal_matrix(m);
+            ASSERT_TRUE(all_finite(n)) << scale;
+            EXPECT_LT(angle_between(n * normal, oracle(m) * normal), 1e-12) << scale;
+            // A shader normalises in float.
+            const glm::vec3 in_float = glm::mat3(n) * glm::vec3(normal);
+            const float length = glm::dot(in_float, in_float);
+            EXPECT_TRUE(std::isnormal(length)) << scale;
+        }
+    }
+}
+
+TEST(NormalMatrix, UnequalScalesFarApart) {
+    const glm::dmat3 n = normal_matrix(diagonal(1, 1, 1e-20));
+    EXPECT_TRUE(all_finite(glm::mat3(n)));
+    EXPECT_LT(angle_between(n * glm::dvec3(0, 0, 1), {0, 0, 1}), 1e-15);
+    EXPECT_LT(angle_between(n * glm::dvec3(1, 0, 0), {1, 0, 0}), 1e-15);
+    EXPECT_LT(angle_between(n * glm::dvec3(1, 0, 1), {0, 0, 1}), 1e-15);
+    EXPECT_TRUE(all_finite(glm::mat3(normal_matrix(diagonal(1e-30, 1, 1e30)))));
+}
+
+// A mirror keeps outward normals outward: the normal of a surface that faces +X faces -X after Scale -1 1 1.
+TEST(NormalMatrix, MirrorKeepsNormalsOutward) {
+    const glm::dmat3 n = normal_matrix(diagonal(-1, 1, 1));
+    EXPECT_EQ(n * glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0));
+    EXPECT_EQ(n * glm::dvec3(0, 1, 0), glm::dvec3(0, 1, 0));
+}
+
+TEST(NormalMatrix, FlatAndZeroMatrices) {
+    Transformation turn;
+    turn.rotate_x = 20;
+    turn.rotate_y = 30;
+    const glm::dmat4 rotation = turn.matrix();
+    const glm::dvec3 plane = glm::dvec3(rotation * glm::dvec4(0, 0, 1, 0));
+    const glm::dmat3 flat = normal_matrix(rotation * diagonal(1, 1, 0));
+    EXPECT_LT(angle_between(flat * glm::dvec3(0, 0, 1), plane), 1e-12);
+    EXPECT_EQ(normal_matrix(diagonal(0, 0, 0)), glm::dmat3(1));
+    EXPECT_EQ(normal_matrix(diagonal(1, 0, 0)), glm::dmat3(1));
+    EXPECT_EQ(normal_matrix(diagonal(nan_value, 1, 1)), glm::dmat3(1));
+    EXPECT_EQ(normal_matrix(diagonal(infinity, 1, 1)), glm::dmat3(1));
+}
+
+TEST(Transformation, TurnsAboutTheScreensAxes) {
+    Transformation t;
+    t.rotate_x = 90;
+    t.rotate_y = 90;
+    // About X first: Y goes to Z; then about the screen's Y: Z goes to X. Exactly.
+    EXPECT_EQ(t.matrix() * glm::dvec4(0, 1, 0, 0), glm::dvec4(1, 0, 0, 0));
+    EXPECT_EQ(t.matrix() * glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0));
+    t.scale = 2;
+    t.x = 1;
+    t.y = 2;
+    t.z = 3;
+    EXPECT_EQ(t.matrix() * glm::dvec4(0, 1, 0, 1), glm::dvec4(3, 2, 3, 1));
+}
+
+TEST(Transformation, ExactAtQuartersHoweverFar) {
+    for (int quarter = -9; quarter <= 9; ++quarter) {
+        Transformation near, far;
+        near.rotate_y = 90. * quarter;
+        far.rotate_y = near.rotate_y + 360e6;
+        const glm::dmat4 m = near.matrix();
+        for (int c = 0; c < 3; ++c) {
+            for (int r = 0; r < 3; ++r) EXPECT_EQ(m[c][r], std::round(m[c][r]));
+        }
+        EXPECT_EQ(m, far.matrix());
+    }
+    Transformation big;
+    big.rotate_x = 1e9;  // 280 degrees
+    EXPECT_NEAR(big.matrix()[1][1], std::cos(280 * M_PI / 180), 1e-15);
+}
+
+TEST(Transformation, RotationStaysRigidAfterManySteps) {
+    Transformation t;
+    for (int i = 0; i < 1'000'000; ++i) {
+        t.rotate_x += .1;
+        t.rotate_y -= .37;
+    }
+    EXPECT_LT(rigidity(t.matrix()), 1e-15);
+    t.rotate_x = nan_value;
+    t.scale = infinity;
+    t.x = nan_value;
+    EXPECT_TRUE(all_finite(t.matrix()));
+}
+
+}  // namespace
+}  // namespace snell
