@@ -1,0 +1,172 @@
+// Pictures out. The file appears whole or not at all: it is written beside its place and then renamed.
+#include <fcntl.h>
+#include <png.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <csetjmp>
+#include <cstring>
+#include <filesystem>
+
+#include "src/content/compare.h"
+#include "src/content/formats.h"
+#include "src/content/module.h"
+
+namespace snell::content {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Removes the temporary file unless it has become the picture.
+class Temporary {
+public:
+    explicit Temporary(const fs::path& target)
+        : path_(target.parent_path() / ("." + target.filename().string() + "." + std::to_string(getpid()) + ".part")) {}
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+    ~Temporary() {
+        std::error_code error;
+        if (!kept_) fs::remove(path_, error);
+    }
+    const fs::path& path() const { return path_; }
+    std::string become(const fs::path& target) {
+        std::error_code error;
+        fs::rename(path_, target, error);
+        kept_ = !error;
+        return error ? target.string() + ": " + error.message() : "";
+    }
+
+private:
+    fs::path path_;
+    bool kept_ = false;
+};
+
+// Clamped to 0..1 and rounded; what is not a number becomes 0.
+Image to_bytes(const Image& image) {
+    if (image.type == PixelType::u8) return image;
+    Image result = image;
+    result.type = PixelType::u8;
+    result.pixels.resize(result.bytes());
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const float value = value_at(image, i);
+        const float clamped = value > 0 ? std::min(value, 1.0f) : 0.0f;
+        result.pixels[i] = static_cast<std::byte>(std::lround(clamped * 255.0f));
+    }
+    return result;
+}
+
+struct PngOut {
+    std::string bytes, error;
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::vector<png_bytep> rows;
+
+    ~PngOut() { png_destroy_write_struct(&png, &info); }
+};
+
+void on_error(png_structp png, png_const_charp message) {
+    static_cast<PngOut*>(png_get_error_ptr(png))->error = message;
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void on_write(png_structp png, png_bytep data, png_size_t count) {
+    static_cast<PngOut*>(png_get_io_ptr(png))->bytes.append(reinterpret_cast<const char*>(data), count);
+}
+
+void on_flush(png_structp) {}
+
+bool encode(PngOut& out, const Image& image) {
+    constexpr std::array<int, 4> colors{PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                                        PNG_COLOR_TYPE_RGB_ALPHA};
+    out.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &out, on_error, on_warning);
+    out.info = out.png ? png_create_info_struct(out.png) : nullptr;
+    if (!out.info) return false;
+    if (setjmp(png_jmpbuf(out.png))) return false;
+    png_set_write_fn(out.png, &out, on_write, on_flush);
+    // The picture's own limit is the file format's.
+    png_set_user_limits(out.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_IHDR(out.png, out.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 colors[static_cast<std::size_t>(image.channels - 1)], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(out.png, out.info);
+    png_write_image(out.png, out.rows.data());
+    png_write_end(out.png, out.info);
+    return true;
+}
+
+std::string write_file(const fs::path& path, std::string_view bytes) {
+    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0) return std::strerror(errno);
+    while (!bytes.empty()) {
+        const ssize_t count = write(file, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) {
+            const std::string why = std::strerror(errno);
+            close(file);
+            return why;
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return close(file) == 0 ? "" : std::strerror(errno);
+}
+
+std::string write_png(const fs::path& path, const Image& picture) {
+    Image image = to_bytes(picture);
+    PngOut out;
+    const std::size_t row = image.row_bytes();
+    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+        out.rows.push_back(reinterpret_cast<png_bytep>(image.pixels.data() + y * row));
+    }
+    if (!encode(out, image)) return out.error.empty() ? "out of memory" : out.error;
+    return write_file(path, out.bytes);
+}
+
+std::string write_by_module(const fs::path& path, const std::string& extension, const Image& image) {
+    const OiioModule& module = oiio_module();
+    if (!module.error.empty()) return module.error + "; only PNG can be written without it";
+    const SnellOiioShape shape = module_shape(image);
+    std::array<char, 1024> message{};
+    if (module.write(path.c_str(), extension.c_str(), &shape, image.pixels.data(), message.data(), message.size()) == 0)
+        return {};
+    return message[0] ? message.data() : "the picture can't be written in this format";
+}
+
+// What is wrong with the place itself, asked before any work.
+std::string check_place(const fs::path& target) {
+    std::error_code error;
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
+    if (!fs::exists(target, error))
+        return access(folder.c_str(), W_OK) == 0 ? "" : folder.string() + ": " + std::strerror(errno);
+    if (!fs::is_regular_file(target, error)) return target.string() + " is not a regular file";
+    return access(target.c_str(), W_OK) == 0 ? "" : target.string() + ": " + std::strerror(errno);
+}
+
+}  // namespace
+
+bool writes_without_module(std::string_view path) { return extension_of(path) == "png"; }
+
+std::string write_image(const std::string& path, const Image& image) {
+    const std::string extension = extension_of(path);
+    if (extension.empty()) return path + " has no extension that says in which format to write, such as .png or .exr";
+    if (image.width <= 0 || image.height <= 0 || image.channels < 1 || image.channels > 4 ||
+        image.pixels.size() != image.bytes()) {
+        return "there are no pixels to write";
+    }
+    if (image.depth > 1) return "a volume can't be written as a picture";
+    std::error_code error;
+    // A link stays one: what it leads to is replaced.
+    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
+    if (std::string wrong = check_place(target); !wrong.empty()) return wrong;
+
+    const Image& top_first = image.bottom_first ? flipped(image) : image;
+    Temporary temporary(target);
+    const std::string wrong = writes_without_module(path) ? write_png(temporary.path(), top_first)
+                                                          : write_by_module(temporary.path(), extension, top_first);
+    return wrong.empty() ? temporary.become(target) : path + ": " + wrong;
+}
+
+}  // namespace snell::content
