@@ -198,7 +198,8 @@ private:
 
     // min <= current <= max, finite, of the uniform's type.
     Range mend_range(const Control& control, const UniformValue& written, const ActiveUniform& uniform) {
-        const std::vector<double>& v = written.values;
+        std::vector<double> v = written.values;
+        for (double& number : v) number = std::isnan(number) ? 0 : number;
         Range range{v[0], v[1], v.size() > 2 ? v[2] : v[1]};
         if (control.type == ValueType::bool_) return {0, range.current, 1};
         if (range.min > range.max) {
