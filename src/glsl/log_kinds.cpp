@@ -17,15 +17,18 @@ struct Pattern {
 
 // In order: the first that fits decides. Quotes of all kinds are written '.
 constexpr auto patterns = std::to_array<Pattern>({
-    {"'*' undeclared", Kind::undeclared},                          // Mesa
-    {"undefined variable '*'*", Kind::undeclared, "a"},            // NVIDIA
-    {"'*' : undeclared identifier*", Kind::undeclared, "a"},       // ANGLE, Intel, AMD, glslang
-    {"Undeclared identifier: *", Kind::undeclared},                // older AMD
+    {"'*' undeclared", Kind::undeclared},                     // Mesa
+    {"undefined variable '*'*", Kind::undeclared, "a"},       // NVIDIA
+    {"'*' : undeclared identifier*", Kind::undeclared, "a"},  // ANGLE, Intel, AMD, glslang
+    {"Undeclared identifier: *", Kind::undeclared},           // older AMD
+    {"Undeclared identifier *", Kind::undeclared},
+    {"Use of undeclared type '*'*", Kind::undeclared, "a"},
     {"Use of undeclared identifier '*'*", Kind::undeclared, "a"},  // Apple
     {"Invalid call of undeclared identifier '*'*", Kind::no_function, "a"},
     {"no function with name '*'", Kind::no_function},
     {"'*' : no matching overloaded function found*", Kind::no_overload, "a"},
     {"No matching overloaded function found: *", Kind::no_overload},
+    {"No matching overloaded function found *", Kind::no_overload},
     {"No matching function for call to *(*)", Kind::no_overload},
     {"no matching function for call to '*(*)'*", Kind::no_overload, "ab"},
     {"unable to find compatible overloaded function '*(*)'*", Kind::no_overload, "ab"},
@@ -47,6 +50,8 @@ constexpr auto patterns = std::to_array<Pattern>({
     {"implicit narrowing of type from '*' to '*'*", Kind::convert},
     {"cannot implicitly convert from '*' to '*'*", Kind::convert},
     {"Cannot convert from: '*' to: '*'*", Kind::convert},
+    {"Cannot convert from '*' to '*'*", Kind::convert},
+    {"'*' : non-matching types for const initializer*", Kind::convert, "-"},
     {"'*' : cannot convert from '*' to '*'*", Kind::convert, "-ab"},
     {"Incompatible types (* and *) in *", Kind::convert, "ba"},
     {"Implicit truncation of vector from size: * to size: *", Kind::convert},
@@ -60,6 +65,8 @@ constexpr auto patterns = std::to_array<Pattern>({
     {"Wrong operand types:*left-hand operand of type '*' and a right operand of type '*'*", Kind::operands, "-ab"},
     {"'*' : wrong operand types*", Kind::operands, "-"},
     {"'*' does not operate on '*' and '*'*", Kind::operands, "-ab"},
+    {"could not implicitly convert operands to *", Kind::operands, "-"},
+    {"Types '*' and '*' in conditional operator do not match*", Kind::operands},
     {"vector size mismatch for arithmetic operator*", Kind::operands, "-"},
     {"invalid operands to '*'*", Kind::operands, "-"},
     {"operands to '*' must be *", Kind::operands, "--"},
@@ -147,12 +154,15 @@ constexpr auto patterns = std::to_array<Pattern>({
     {"*varying * not written by *", Kind::not_written, "-a-"},
     {"* shader input '*' has no matching output in the previous stage*", Kind::not_written, "-a"},
     {"Input of * shader '*' not written by *", Kind::not_written, "-a-"},
+    {"The *shader uses varying *, but previous shader does not write to it*", Kind::not_written, "-a"},
+    {"Varying '*' not found in * shader*", Kind::not_written, "a-"},
     {"'*' not declared as an output from the previous stage*", Kind::not_written, "a"},
     {"* shader varying '*' is not declared by *", Kind::not_written, "-a-"},
     {"* shader output '*' declared as type '*', but * shader input declared as type '*'", Kind::types_differ, "-a"},
     {"uniform '*' declared as type '*' and type '*'", Kind::types_differ, "a"},
     {"*'*' declared as type '*' and type '*'", Kind::types_differ, "-a"},
     {"*ype mismatch*varying '*'*", Kind::types_differ, "--a"},
+    {"Type mismatch: Type of * different between shaders*", Kind::types_differ, "a"},
     {"Symbol '*' usage doesn't match between two stages*", Kind::types_differ, "a"},
     {"Types of * '*' differ between *", Kind::types_differ, "-a-"},
     {"Type of '*' doesn't match*", Kind::types_differ, "a"},
@@ -168,6 +178,10 @@ constexpr auto patterns = std::to_array<Pattern>({
     {"*hader was successfully compiled*", Kind::noise, "--"},
     {"*shader(s) linked*", Kind::noise, "--"},
     {"*shader failed to compile with the following errors*", Kind::noise, "--"},
+    {"Out of resource error*", Kind::noise, "-"},
+    {"... or #extension*", Kind::noise, "-"},
+    {"exception during compilation*", Kind::noise, "-"},
+    {"incompatible options for link*", Kind::noise, "-"},
     {"No errors*", Kind::noise, "-"},
     {"*extension * unsupported in * shader*", Kind::noise, "----"},
 });
@@ -193,17 +207,20 @@ bool fits(std::string_view pattern, std::string_view text, std::vector<std::stri
     return false;
 }
 
-std::string plain_quotes(std::string_view text) {
-    std::string plain(text);
-    for (char& c : plain)
-        if (c == '`' || c == '"') c = '\'';
-    return plain;
+// All quotes as ', runs of blanks as one.
+std::string plain(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == ' ' && result.ends_with(' ')) continue;
+        result += c == '`' || c == '"' ? '\'' : c;
+    }
+    return result;
 }
 
 }  // namespace
 
 void classify(Entry& entry) {
-    entry.text = plain_quotes(entry.text);
+    entry.text = plain(entry.text);
     std::vector<std::string_view> taken;
     for (const Pattern& pattern : patterns) {
         taken.clear();
@@ -213,15 +230,24 @@ void classify(Entry& entry) {
             if (pattern.captures[i] == 'a') entry.a = type_name(taken[i]);
             if (pattern.captures[i] == 'b') entry.b = type_name(taken[i]);
         }
+        // Intel's link logs write `_I;block;name`.
+        if (entry.a.starts_with("_")) entry.a.erase(0, entry.a.rfind(';') + 1);
         return;
     }
 }
 
 std::string type_name(std::string_view words) {
     std::string_view kept = words;
-    for (const std::string_view prefix :
-         {"const ", "temp ", "in ", "uniform ", "smooth ", "highp ", "mediump ", "lowp "})
-        if (kept.starts_with(prefix)) kept.remove_prefix(prefix.size());
+    for (bool more = true; more;) {
+        more = false;
+        for (const std::string_view prefix : {" ", "const ", "temp ", "global ", "default ", "in ", "out ", "uniform ",
+                                              "flat ", "smooth ", "highp ", "mediump ", "lowp "})
+            if (kept.starts_with(prefix)) {
+                kept.remove_prefix(prefix.size());
+                more = true;
+            }
+    }
+    if (kept == "unsigned int") return "uint";
     const auto digit = [&](std::size_t i) { return i < kept.size() && kept[i] >= '2' && kept[i] <= '4'; };
     const std::size_t of = kept.rfind(' ');
     if (digit(0) && kept.substr(1).starts_with("-component vector of ")) {

@@ -177,7 +177,8 @@ std::vector<Entry> read(std::string_view log) {
         if (is_candidate(*entry)) continue;
         entry->text = trimmed(entry->text);
         classify(*entry);
-        entry->stage = headline ? headline : stage_in(entry->text);
+        entry->stage = stage_in(entry->text);
+        if (!entry->stage) entry->stage = headline;
         const bool repeated =
             std::any_of(entries.begin(), entries.end(), [&](const Entry& e) { return same(e, *entry); });
         if (!repeated && entry->kind != Kind::noise) entries.push_back(std::move(*entry));
