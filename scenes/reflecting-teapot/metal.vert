@@ -1,0 +1,19 @@
+#version 330
+
+// World space throughout: the cube map is a picture of the world.
+uniform mat4 PVM;           // clip from the teapot's own coordinates
+uniform mat4 M;             // world from the teapot's own coordinates
+uniform vec3 camWorldPos;   // the eye
+
+in vec4 position;
+in vec4 normal;
+
+out vec3 vNormal;
+out vec3 vFromEye;
+
+void main()
+{
+    vNormal = vec3( M * normal );          // right for turns and moves; a stretched object needs the normal matrix
+    vFromEye = vec3( M * position ) - camWorldPos;
+    gl_Position = PVM * position;
+}
