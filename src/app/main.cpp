@@ -15,7 +15,7 @@ namespace {
 using namespace snell;
 
 constexpr const char* examples = R"(Examples:
-  snell scenes/refraction-room/room.glib                   open a scene in a window
+  snell scenes/refraction-room/refraction-room.glib                   open a scene in a window
   snell render room.glib -o room.png                       draw it to a picture, without a display
   snell render room.glib -o room.png --set uEta=1.5        … with a slider moved
   snell render room.glib -o room.exr --size 1920x1080 --time 2.5 --samples 4

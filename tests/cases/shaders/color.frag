@@ -1,0 +1,4 @@
+#version 330 compatibility
+in vec4 vColor;
+
+void main() { gl_FragColor = vColor; }
