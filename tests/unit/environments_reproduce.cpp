@@ -1,0 +1,93 @@
+// The pictures in scenes/environments are what make_environments makes.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "src/content/image.h"
+#include "src/optics/cube.h"
+#include "tools/environments/faces.h"
+#include "tools/environments/room.h"
+#include "tools/environments/sky.h"
+
+namespace snell::environments {
+namespace {
+
+const std::string folder = SNELL_ROOT "/scenes/environments/";
+
+std::string file(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Environments, RoomIsReproducedByteForByte) {
+    const Faces faces = render_faces(Room(), 256, 4);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const std::string name = folder + "room/" + std::string(face_names[i]) + ".bmp";
+        EXPECT_TRUE(file(name) == encode_bmp(faces[i])) << name;
+    }
+}
+
+// PNG's bytes depend on zlib's version; its pixels don't.
+TEST(Environments, SkyIsReproducedPixelForPixel) {
+    const Faces faces = render_faces(sky_radiance, 256, 4);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const std::string name = folder + "sky/" + std::string(face_names[i]) + ".png";
+        const auto read = content::decode_image(name, file(name));
+        ASSERT_TRUE(read.image) << name;
+        const content::Image rgba = content::to_rgba(*read.image);
+        ASSERT_EQ(rgba.pixels.size(), faces[i].rgb.size() / 3 * 4);
+        std::size_t different = 0;
+        for (std::size_t p = 0; p < faces[i].rgb.size(); ++p)
+            different += std::to_integer<std::uint8_t>(rgba.pixels[p / 3 * 4 + p % 3]) != faces[i].rgb[p];
+        EXPECT_EQ(different, 0U) << name;
+    }
+}
+
+// A face that is turned or mirrored would not go on where its neighbour ends.
+TEST(Environments, FacesMeetAlongAllTwelveEdges) {
+    for (const std::string environment : {"room/", "sky/"}) {
+        std::array<content::Image, 6> images;
+        optics::CubeTexels texels;
+        for (std::size_t i = 0; i < 6; ++i) {
+            const std::string name =
+                folder + environment + std::string(face_names[i]) + (environment == "room/" ? ".bmp" : ".png");
+            auto read = content::decode_image(name, file(name));
+            ASSERT_TRUE(read.image) << name;
+            images[i] = content::to_rgba(*read.image);
+            texels[i] = {images[i].width,
+                         images[i].height,
+                         4,
+                         {reinterpret_cast<const std::uint8_t*>(images[i].pixels.data()), images[i].pixels.size()}};
+        }
+        double across = 0, mirrored = 0;
+        int count = 0;
+        for (int face = 0; face < 6; ++face)
+            for (int side = 0; side < 4; ++side)
+                for (int k = 0; k < 256; ++k) {
+                    const double along = (k + 0.5) / 256, edge = 0.5 / 256;
+                    const auto point = [&](double offset, double a) {
+                        const double s = side == 0   ? offset
+                                         : side == 1 ? 1 - offset
+                                                     : a,
+                                     t = side < 2    ? a
+                                         : side == 2 ? offset
+                                                     : 1 - offset;
+                        return optics::cube_direction({face, s, t});
+                    };
+                    const glm::dvec3 here = optics::sample_cube(texels, point(edge, along), optics::Edges::clamped);
+                    across +=
+                        glm::length(here - optics::sample_cube(texels, point(-edge, along), optics::Edges::clamped));
+                    mirrored += glm::length(
+                        here - optics::sample_cube(texels, point(-edge, 1 - along), optics::Edges::clamped));
+                    ++count;
+                }
+        EXPECT_LT(across / count, 0.06) << environment;
+        EXPECT_GT(mirrored, 2 * across) << environment;
+    }
+}
+
+}  // namespace
+}  // namespace snell::environments
