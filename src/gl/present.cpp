@@ -46,4 +46,6 @@ void clear_window(int width, int height, float red, float green, float blue) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
+void finish() { glFinish(); }
+
 }  // namespace snell::gl

@@ -5,12 +5,6 @@
 
 namespace snell::gl {
 
-// In pixels, from the bottom left.
-struct Box {
-    int x = 0, y = 0, width = 0, height = 0;
-    bool operator==(const Box&) const = default;
-};
-
 // Drawn at its own size, multisampled, resolved once, and kept: what lies over it may change without drawing
 // it again.
 class Canvas {
@@ -22,7 +16,7 @@ public:
     int samples() const { return drawn_.samples; }
     // After drawing.
     void resolve();
-    // Copies the resolved picture into the default framebuffer, its bottom left at (x, y).
+    // Copies the resolved picture into the default framebuffer, its bottom left at pixel (x, y).
     void show(int x, int y) const;
 
 private:
@@ -32,5 +26,8 @@ private:
 
 // Fills the default framebuffer with one colour and leaves it bound, for the overlays.
 void clear_window(int width, int height, float red, float green, float blue);
+
+// Returns when all that was asked for has been drawn: to tell what it cost.
+void finish();
 
 }  // namespace snell::gl

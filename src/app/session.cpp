@@ -1,0 +1,80 @@
+#include "src/app/session.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace snell {
+
+namespace {
+
+bool same_error(const Diagnostic& a, const Diagnostic& b) { return a.code == b.code && a.message == b.message; }
+
+// Whether `now` breaks nothing that `before` had whole. A scene that always had an unknown command still follows
+// the edits of its shaders.
+bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
+    return std::all_of(now.items().begin(), now.items().end(), [&](const Diagnostic& error) {
+        return error.severity != Severity::error ||
+               std::any_of(before.items().begin(), before.items().end(), [&](const Diagnostic& old) {
+                   return old.severity == Severity::error && same_error(old, error);
+               });
+    });
+}
+
+std::string folder_of(const std::string& file) {
+    const std::string folder = std::filesystem::path(file).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+}  // namespace
+
+Session::Session(std::string path, gl::Caps caps) : path_(std::move(path)), caps_(std::move(caps)) { reload(); }
+
+void Session::reload() {
+    ++revision_;
+    take(open_document(path_, caps_));
+}
+
+bool Session::reload_if_saved() {
+    if (!watch_.changed()) return false;
+    reload();
+    return true;
+}
+
+void Session::take(std::unique_ptr<Document> read) {
+    problems_.clear();
+    for (const Diagnostic& diagnostic : read->diagnostics.items())
+        problems_.push_back({diagnostic.severity, render(diagnostic, read->sources)});
+    errors_ = read->diagnostics.errors();
+    watch(*read);
+    const bool shows = shown_ != nullptr;
+    stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
+    if (stale_ || !read->runtime) return;
+    if (shows) carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
+    shown_ = std::move(read);
+}
+
+void Session::watch(const Document& read) {
+    std::vector<std::string> paths = read.files->read_paths();
+    // What is shown may use files that a broken edit no longer names: repairing it must be seen all the same.
+    if (shown_) {
+        const std::vector<std::string> more = shown_->files->read_paths();
+        paths.insert(paths.end(), more.begin(), more.end());
+    }
+    paths.push_back(path_);
+    // A file that was missing may appear: that changes its folder.
+    if (!read.diagnostics.empty()) {
+        std::vector<std::string> folders;
+        std::transform(paths.begin(), paths.end(), std::back_inserter(folders), folder_of);
+        paths.insert(paths.end(), folders.begin(), folders.end());
+    }
+    watch_.set_paths(std::move(paths));
+}
+
+std::string Session::problems_text() const {
+    std::string text;
+    for (const ui::Problem& problem : problems_) text += problem.text;
+    return text;
+}
+
+}  // namespace snell

@@ -1,0 +1,50 @@
+// A scene while it is being worked on: read again whenever a file of it is saved, and never without a picture
+// once it had one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/app/document.h"
+#include "src/app/watch.h"
+#include "src/ui/state.h"
+
+namespace snell {
+
+class Session {
+public:
+    // Needs the GL context of `caps` to be current, for all of its life.
+    Session(std::string path, gl::Caps caps);
+
+    // Reads the files again. A state with errors that the shown one does not have is not shown: its problems
+    // are, over the last good picture. Values of controls carry over.
+    void reload();
+    // Reloads when a file in use was saved. True: it did.
+    bool reload_if_saved();
+
+    // What is shown; none until the scene's file could be read.
+    Document* document() { return shown_.get(); }
+    // Of the files as they are now.
+    const std::vector<ui::Problem>& problems() const { return problems_; }
+    std::size_t errors() const { return errors_; }
+    bool stale() const { return stale_; }
+    std::uint64_t revision() const { return revision_; }  // readings so far
+    std::string problems_text() const;
+
+private:
+    void take(std::unique_ptr<Document> read);
+    void watch(const Document& read);
+
+    std::string path_;
+    gl::Caps caps_;
+    std::unique_ptr<Document> shown_;
+    std::vector<ui::Problem> problems_;
+    std::size_t errors_ = 0;
+    bool stale_ = false;
+    std::uint64_t revision_ = 0;
+    Watch watch_;
+};
+
+}  // namespace snell

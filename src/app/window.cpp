@@ -1,0 +1,266 @@
+#include "src/app/window.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "src/app/commands.h"
+#include "src/app/session.h"
+#include "src/app/window_state.h"
+#include "src/gl/present.h"
+#include "src/ui/gui.h"
+#include "src/ui/input.h"
+#include "src/ui/shell.h"
+
+namespace snell {
+
+namespace {
+
+constexpr double look_at_files = .1;    // seconds between looks
+constexpr double frame_time = 1. / 60;  // of an animated scene, where the screen sets no pace
+constexpr int samples = 4;
+
+// All that the last picture of the scene was drawn from: while it stays, so does the picture.
+struct Drawn {
+    std::uint64_t revision = 0;
+    int width = 0, height = 0;
+    double time = 0;
+    View view;
+    std::vector<double> values;
+
+    bool operator==(const Drawn&) const = default;
+};
+
+void gather(const Controls& controls, std::vector<double>& values) {
+    values.clear();
+    for (const Control& control : controls.items)
+        values.insert(values.end(), control.value.begin(), control.value.end());
+}
+
+class App {
+public:
+    App(const WindowOptions& options, std::unique_ptr<Window> window)
+        : options_(options),
+          window_(std::move(window)),
+          gui_(window_.get()),
+          session_(options.scene, gl::query_caps()),
+          layout_(!options.state_file.empty()) {
+        view_.axes = true;
+    }
+
+    void run() {
+        report();
+        window_->show(first_size());
+        began_ = window_->now();
+        last_input_ = began_;
+        while (!window_->closing()) {
+            window_->wait(pause());
+            if (options_.exit_after > 0 && window_->now() - began_ > options_.exit_after) break;
+            step();
+        }
+    }
+
+    bool readable() { return session_.document() != nullptr; }
+
+private:
+    // The drawing area is the scene's WindowSize; who asked for none gets a comfortable one.
+    PixelSize first_size() {
+        if (options_.size) return {options_.size->first, options_.size->second};
+        const double scale = window_->content_scale();
+        PixelSize size{1280, 800};
+        if (Document* document = session_.document();
+            document && document->scene().window_size != Scene{}.window_size) {
+            const auto [width, height] = document->scene().window_size;
+            size = {width + 330, height + 23};  // the panel's and the last line's
+        }
+        return {static_cast<int>(std::clamp(size.width * scale, 320.0, 16384.0)),
+                static_cast<int>(std::clamp(size.height * scale, 240.0, 16384.0))};
+    }
+
+    bool animated() { return session_.document() && session_.document()->runtime->animated(); }
+
+    // How long nothing will happen without input.
+    double pause() {
+        if (unsettled_ > 0) return 0;
+        const double now = window_->now();
+        double until = next_look_;
+        if (animated() && visible()) until = std::min(until, last_picture_ + frame_time);
+        if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
+        return std::max(0.0, until - now);
+    }
+
+    bool visible() {
+        const PixelSize pixels = window_->framebuffer();
+        return pixels.width > 0 && pixels.height > 0;
+    }
+
+    void step() {
+        const double now = window_->now();
+        bool woken = false, repaint = false;
+        if (now >= next_look_) {
+            next_look_ = now + look_at_files;
+            if (session_.reload_if_saved()) {
+                report();
+                woken = true;
+            }
+        }
+        std::vector<Event> events = window_->take_events();
+        for (const Event& event : events)
+            repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
+        woken |= !events.empty() || unsettled_ > 0 || (animated() && now >= last_picture_ + frame_time);
+        if (!woken || !visible()) return;
+        // Dear ImGui answers some input one frame late: go on until two frames are equal.
+        if (!events.empty()) unsettled_ = 3;
+        std::span<const Event> rest(events);
+        do {
+            const std::size_t count = ui::batch(rest);
+            interface_frame(rest.first(count));
+            rest = rest.subspan(count);
+        } while (!rest.empty());
+        unsettled_ = std::max(0, unsettled_ - 1);
+        show(repaint);
+    }
+
+    // The panels see the input and change controls and view; nothing is drawn yet.
+    void interface_frame(std::span<const Event> events) {
+        const double now = window_->now();
+        const PixelSize size = window_->size(), pixels = window_->framebuffer();
+        const float density = size.width > 0 ? static_cast<float>(pixels.width) / static_cast<float>(size.width) : 1.0F;
+        const ui::Screen screen{static_cast<float>(size.width), static_cast<float>(size.height), density,
+                                window_->content_scale() / density};
+        if (gui_.input(screen, now - last_input_, events)) painter_.upload_fonts();
+        last_input_ = now;
+        gui_.begin();
+        Controls no_controls;
+        Document* document = session_.document();
+        const ui::Requests requests =
+            ui::shell(facts(), document ? document->controls : no_controls, view_, memory_, gui_.fonts(), layout_);
+        interface_ = gui_.end();
+        window_->set_cursor(gui_.cursor());
+        if (requests.reload) {
+            session_.reload();
+            report();
+            unsettled_ = 3;
+        }
+    }
+
+    ui::Facts facts() {
+        ui::Facts facts;
+        file_ = std::filesystem::path(options_.scene).filename().string();
+        facts.file = file_;
+        if (Document* document = session_.document()) {
+            facts.scene = &document->scene();
+            facts.animated = document->runtime->animated();
+            facts.mouse = document->runtime->uses_mouse();
+            linked_.clear();
+            // A program without any uniform looks like one that failed; only then would there be an error.
+            const bool whole = !document->diagnostics.has_errors();
+            for (const auto& uniforms : document->runtime->active_uniforms())
+                linked_.push_back(whole || !uniforms.empty());
+            facts.linked = linked_;
+        }
+        facts.problems = session_.problems();
+        facts.stale = session_.stale();
+        facts.revision = session_.revision();
+        facts.time = counters_.time;
+        facts.frame_ms = counters_.frame_ms;
+        facts.samples = canvas_.samples();
+        return facts;
+    }
+
+    // Draws the scene if its picture would be another, and presents if anything is.
+    void show(bool repaint) {
+        const PixelSize pixels = window_->framebuffer();
+        const bool drew = draw_scene(pixels);
+        if (drew || repaint || interface_ != presented_) {
+            present(pixels);
+            presented_ = interface_;
+            ++counters_.presents;
+        }
+        if (!options_.state_file.empty())
+            write_window_state(options_.state_file, counters_, session_, view_, layout_, memory_.scene, pixels);
+    }
+
+    bool draw_scene(PixelSize pixels) {
+        Document* document = session_.document();
+        if (!document) return false;
+        const float density = static_cast<float>(pixels.width) / static_cast<float>(std::max(1, window_->size().width));
+        next_.revision = session_.stale() ? drawn_.revision : session_.revision();
+        next_.width = std::max(1, static_cast<int>(std::lround(memory_.scene.width * density)));
+        next_.height = std::max(1, static_cast<int>(std::lround(memory_.scene.height * density)));
+        next_.time = document->runtime->animated() ? window_->now() - began_ : 0;
+        next_.view = view_;
+        gather(document->controls, next_.values);
+        if (next_ == drawn_) return false;
+        if (!canvas_.resize(next_.width, next_.height, samples)) return false;
+        const double start = window_->now();
+        document->runtime->draw({next_.time, view_, document->controls},
+                                {canvas_.framebuffer(), next_.width, next_.height});
+        canvas_.resolve();
+        gl::finish();
+        last_picture_ = start;
+        counters_.frame_ms = (window_->now() - start) * 1e3;
+        counters_.time = next_.time;
+        ++counters_.frames;
+        std::swap(drawn_, next_);
+        unsettled_ = std::max(unsettled_, 1);  // the panels show what it cost
+        return true;
+    }
+
+    void present(PixelSize pixels) {
+        const ImVec4 around = ui::palette().surround;
+        gl::clear_window(pixels.width, pixels.height, around.x, around.y, around.z);
+        if (session_.document()) canvas_.show(0, pixels.height - drawn_.height);
+        painter_.paint();
+        window_->present();
+    }
+
+    void report() {
+        const std::string text = session_.problems_text();
+        if (!text.empty()) fmt::print(stderr, "{}", text);
+    }
+
+    WindowOptions options_;
+    std::unique_ptr<Window> window_;
+    ui::Gui gui_;
+    ui::Painter painter_;
+    Session session_;
+    gl::Canvas canvas_;
+    View view_;
+    ui::Memory memory_;
+    ui::Layout layout_;
+    std::string file_;
+    std::vector<char> linked_;
+    WindowCounters counters_;
+    Drawn drawn_, next_;
+    std::uint64_t interface_ = 0, presented_ = 0;
+    int unsettled_ = 3;
+    double began_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;
+};
+
+}  // namespace
+
+int run_window(const WindowOptions& options) {
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(options.scene, none)) {
+        fmt::print(stderr, "snell: error: can't read '{}'\n", options.scene);
+        return app::exit_input;
+    }
+    std::string error;
+    std::unique_ptr<Window> window = Window::make({.title = "snell \u2014 " + options.scene}, error);
+    if (!window) {
+        fmt::print(stderr, "snell: error: no window: {}\n  help: 'snell render' draws without a display\n", error);
+        return app::exit_graphics;
+    }
+    App app(options, std::move(window));
+    app.run();
+    return app.readable() ? app::exit_fine : app::exit_input;
+}
+
+}  // namespace snell

@@ -1,0 +1,215 @@
+#include "src/platform/window.h"
+
+#include <epoxy/gl.h>
+// After epoxy: GLFW must not include the system's GL headers.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace snell {
+
+namespace {
+
+Key key_of(int code) {
+    static constexpr std::array<std::pair<int, Key>, 26> table{{
+        {GLFW_KEY_TAB, Key::tab},
+        {GLFW_KEY_LEFT, Key::left},
+        {GLFW_KEY_RIGHT, Key::right},
+        {GLFW_KEY_UP, Key::up},
+        {GLFW_KEY_DOWN, Key::down},
+        {GLFW_KEY_PAGE_UP, Key::page_up},
+        {GLFW_KEY_PAGE_DOWN, Key::page_down},
+        {GLFW_KEY_HOME, Key::home},
+        {GLFW_KEY_END, Key::end},
+        {GLFW_KEY_INSERT, Key::insert},
+        {GLFW_KEY_DELETE, Key::delete_},
+        {GLFW_KEY_BACKSPACE, Key::backspace},
+        {GLFW_KEY_SPACE, Key::space},
+        {GLFW_KEY_ENTER, Key::enter},
+        {GLFW_KEY_KP_ENTER, Key::keypad_enter},
+        {GLFW_KEY_ESCAPE, Key::escape},
+        {GLFW_KEY_A, Key::a},
+        {GLFW_KEY_C, Key::c},
+        {GLFW_KEY_H, Key::h},
+        {GLFW_KEY_R, Key::r},
+        {GLFW_KEY_V, Key::v},
+        {GLFW_KEY_X, Key::x},
+        {GLFW_KEY_Y, Key::y},
+        {GLFW_KEY_Z, Key::z},
+        {GLFW_KEY_F1, Key::f1},
+        {GLFW_KEY_F5, Key::f5},
+    }};
+    for (const auto& [glfw, key] : table)
+        if (glfw == code) return key;
+    return Key::other;
+}
+
+Modifiers modifiers_of(int bits) {
+    return {(bits & GLFW_MOD_SHIFT) != 0, (bits & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0,
+            (bits & GLFW_MOD_ALT) != 0};
+}
+
+std::string last_error(std::string_view otherwise) {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : std::string(otherwise);
+}
+
+GLFWwindow* make_window(const WindowRequest& request) {
+    constexpr std::array<std::pair<int, int>, 3> versions{{{4, 5}, {4, 1}, {3, 3}}};
+    for (const auto& [major, minor] : versions) {
+        glfwDefaultWindowHints();
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        if (GLFWwindow* handle = glfwCreateWindow(1280, 800, request.title.c_str(), nullptr, nullptr)) return handle;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<Window> Window::make(const WindowRequest& request, std::string& error) {
+    if (!glfwInit()) {
+        error = last_error("no display");
+        return nullptr;
+    }
+    GLFWwindow* handle = make_window(request);
+    if (!handle) {
+        error = last_error("no OpenGL 3.3 core context");
+        glfwTerminate();
+        return nullptr;
+    }
+    return std::unique_ptr<Window>(new Window(handle));
+}
+
+Window::Window(GLFWwindow* handle) : handle_(handle) {
+    glfwSetWindowUserPointer(handle_, this);
+    glfwMakeContextCurrent(handle_);
+    glfwSwapInterval(1);
+    cursors_[static_cast<std::size_t>(Cursor::text)] = glfwCreateStandardCursor(GLFW_IBEAM_CURSOR);
+    cursors_[static_cast<std::size_t>(Cursor::hand)] = glfwCreateStandardCursor(GLFW_HAND_CURSOR);
+    cursors_[static_cast<std::size_t>(Cursor::resize_horizontal)] = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
+    listen();
+}
+
+Window::~Window() {
+    for (GLFWcursor* cursor : cursors_)
+        if (cursor) glfwDestroyCursor(cursor);
+    glfwDestroyWindow(handle_);
+    glfwTerminate();
+}
+
+Window& Window::of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
+
+void Window::push(Event event) {
+    // Only the last of several moves matters, and a slow frame can gather hundreds.
+    if (event.kind == Event::Kind::move && !events_.empty() && events_.back().kind == Event::Kind::move)
+        events_.back() = event;
+    else
+        events_.push_back(event);
+}
+
+void Window::listen() {
+    using Kind = Event::Kind;
+    glfwSetCursorPosCallback(
+        handle_, [](GLFWwindow* w, double x, double y) { of(w).push({.kind = Kind::move, .x = x, .y = y}); });
+    glfwSetCursorEnterCallback(handle_, [](GLFWwindow* w, int entered) {
+        if (!entered) of(w).push({.kind = Kind::leave});
+    });
+    glfwSetMouseButtonCallback(handle_, [](GLFWwindow* w, int button, int action, int bits) {
+        if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+        of(w).push({.kind = Kind::button,
+                    .button = static_cast<MouseButton>(button),
+                    .down = action == GLFW_PRESS,
+                    .modifiers = modifiers_of(bits)});
+    });
+    glfwSetScrollCallback(handle_,
+                          [](GLFWwindow* w, double x, double y) { of(w).push({.kind = Kind::wheel, .x = x, .y = y}); });
+    glfwSetKeyCallback(handle_, [](GLFWwindow* w, int code, int, int action, int bits) {
+        // X11 tells the modifiers as they were before the key: add the key itself.
+        const bool down = action != GLFW_RELEASE;
+        Modifiers modifiers = modifiers_of(bits);
+        if (code == GLFW_KEY_LEFT_SHIFT || code == GLFW_KEY_RIGHT_SHIFT) modifiers.shift = down;
+        if (code == GLFW_KEY_LEFT_CONTROL || code == GLFW_KEY_RIGHT_CONTROL) modifiers.ctrl = down;
+        if (code == GLFW_KEY_LEFT_ALT || code == GLFW_KEY_RIGHT_ALT) modifiers.alt = down;
+        of(w).push({.kind = Kind::key, .key = key_of(code), .down = down, .modifiers = modifiers});
+    });
+    glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned code) {
+        of(w).push({.kind = Kind::text, .text = static_cast<char32_t>(code)});
+    });
+    glfwSetWindowFocusCallback(
+        handle_, [](GLFWwindow* w, int focused) { of(w).push({.kind = Kind::focus, .down = focused == GLFW_TRUE}); });
+    glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* w, int, int) { of(w).push({.kind = Kind::resize}); });
+    glfwSetWindowContentScaleCallback(handle_, [](GLFWwindow* w, float, float) { of(w).push({.kind = Kind::resize}); });
+    glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* w) { of(w).push({.kind = Kind::refresh}); });
+}
+
+void Window::show(PixelSize size) {
+    int x = 0, y = 0, width = 0, height = 0;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    if (width > 0 && height > 0) {
+        size.width = std::min(size.width, width);
+        size.height = std::min(size.height, height);
+    }
+    glfwSetWindowSize(handle_, size.width, size.height);
+    glfwShowWindow(handle_);
+}
+
+void Window::wait(double seconds) {
+    if (seconds > 0)
+        glfwWaitEventsTimeout(seconds);
+    else
+        glfwPollEvents();
+}
+
+std::vector<Event> Window::take_events() { return std::exchange(events_, {}); }
+
+void Window::present() { glfwSwapBuffers(handle_); }
+
+bool Window::closing() const { return glfwWindowShouldClose(handle_); }
+void Window::close() { glfwSetWindowShouldClose(handle_, GLFW_TRUE); }
+
+PixelSize Window::size() const {
+    PixelSize size;
+    glfwGetWindowSize(handle_, &size.width, &size.height);
+    return size;
+}
+
+PixelSize Window::framebuffer() const {
+    PixelSize size;
+    if (glfwGetWindowAttrib(handle_, GLFW_ICONIFIED)) return size;
+    glfwGetFramebufferSize(handle_, &size.width, &size.height);
+    return size;
+}
+
+float Window::content_scale() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(handle_, &x, &y);
+    return x > 0 ? x : 1;
+}
+
+double Window::now() const { return glfwGetTime(); }
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
+
+void Window::set_cursor(Cursor cursor) {
+    if (cursor == cursor_) return;
+    cursor_ = cursor;
+    glfwSetCursor(handle_, cursors_[static_cast<std::size_t>(cursor)]);
+}
+
+std::string Window::clipboard() const {
+    const char* text = glfwGetClipboardString(handle_);
+    return text ? text : "";
+}
+
+void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(handle_, text.c_str()); }
+
+}  // namespace snell

@@ -1,0 +1,18 @@
+// Numbers as sliders show and read them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace snell::ui {
+
+// As many decimals as a step of a thousandth of the range needs, four at least for what glman shows with four.
+std::string shown(double value, double min, double max, bool integral);
+// The shortest text that reads back as the same double.
+std::string exact(double value);
+// A number as a user types it: "+" and blanks around allowed. None where it is no number, not finite, or no
+// float (integral: no 32-bit integer; fractions are rounded).
+std::optional<double> typed(std::string_view text, bool integral);
+
+}  // namespace snell::ui

@@ -1,0 +1,20 @@
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include "src/ui/gui.h"
+
+namespace snell::ui {
+
+Painter::Painter() { ImGui_ImplOpenGL3_Init("#version 330 core"); }
+
+Painter::~Painter() { ImGui_ImplOpenGL3_Shutdown(); }
+
+void Painter::upload_fonts() {
+    ImGui_ImplOpenGL3_NewFrame();  // makes the shaders on its first call, and the fonts' texture with them
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void Painter::paint() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
+
+}  // namespace snell::ui

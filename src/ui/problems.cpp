@@ -1,0 +1,159 @@
+#include "src/ui/problems.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace snell::ui {
+
+namespace {
+
+constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                     ImGuiWindowFlags_NoNav;
+
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::size_t count(std::span<const Problem> problems, Severity severity) {
+    return static_cast<std::size_t>(
+        std::count_if(problems.begin(), problems.end(), [&](const Problem& p) { return p.severity == severity; }));
+}
+
+// The first line says what, in its colour; the rest shows where.
+void show(const Problem& problem) {
+    const Palette& colors = palette();
+    const std::string_view text = problem.text;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    ImGui::PushStyleColor(ImGuiCol_Text, problem.severity == Severity::error ? colors.error : colors.warning);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.data(), text.data() + end);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    std::string_view rest = text.substr(std::min(end + 1, text.size()));
+    while (rest.ends_with('\n')) rest.remove_suffix(1);
+    if (!rest.empty()) ImGui::TextUnformatted(rest.data(), rest.data() + rest.size());
+    ImGui::Spacing();
+}
+
+void list(std::span<const Problem> problems, Severity severity, const Fonts& fonts) {
+    ImGui::PushFont(fonts.mono);
+    for (const Problem& problem : problems)
+        if (problem.severity == severity) show(problem);
+    ImGui::PopFont();
+}
+
+void push_dark() {
+    const Palette& colors = palette();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.problem_background);
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.problem_text);
+    ImGui::PushStyleColor(ImGuiCol_Button, {1, 1, 1, .12F});
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, {1, 1, 1, .22F});
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, {1, 1, 1, .3F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
+}
+
+void pop_dark() {
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(5);
+}
+
+bool right_button(const char* label) {
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
+    return ImGui::Button(label);
+}
+
+// The size that last frame's contents asked for, within the picture.
+bool begin_overlay(const char* name, ImVec2 at, float width, float most_height) {
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(most_height, 1.0F)});
+    return ImGui::Begin(name, nullptr, (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Layout& layout) {
+    const std::size_t errors = count(facts.problems, Severity::error);
+    const std::size_t warnings = count(facts.problems, Severity::warning);
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    if (begin_overlay("##problems", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
+                      scene.height * .7F)) {
+        ImGui::AlignTextToFramePadding();
+        const std::string title = facts.stale ? counted(errors, "error") + " \u2014 the last good picture is shown"
+                                              : counted(errors, "error");
+        ImGui::TextUnformatted(title.c_str());
+        if (right_button("Hide")) memory.problems_hidden = true;
+        layout.note("problems.hide");
+        list(facts.problems, Severity::error, fonts);
+        if (warnings > 0) {
+            if (ImGui::SmallButton(
+                    (counted(warnings, "warning") + (memory.warnings_open ? " \u25B4" : " \u25BE")).c_str()))
+                memory.warnings_open = !memory.warnings_open;
+            layout.note("problems.warnings");
+            if (memory.warnings_open) list(facts.problems, Severity::warning, fonts);
+        }
+    }
+    ImGui::End();
+}
+
+void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Layout& layout) {
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    if (begin_overlay("##warnings", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
+                      scene.height * .6F)) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(counted(count(facts.problems, Severity::warning), "warning").c_str());
+        if (right_button("Hide")) memory.warnings_open = false;
+        layout.note("problems.hide");
+        list(facts.problems, Severity::warning, fonts);
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Layout& layout) {
+    // What was hidden comes back when the files were read again.
+    if (memory.revision != facts.revision) {
+        memory.revision = facts.revision;
+        memory.problems_hidden = false;
+    }
+    const bool errors = count(facts.problems, Severity::error) > 0;
+    const bool warnings = count(facts.problems, Severity::warning) > 0;
+    push_dark();
+    if (errors && !memory.problems_hidden)
+        errors_window(facts, scene, fonts, memory, layout);
+    else if (!errors && warnings && memory.warnings_open)
+        warnings_window(facts, scene, fonts, memory, layout);
+    pop_dark();
+}
+
+void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layout) {
+    if (!facts.scene) return;
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    float bottom = scene.y + scene.height - margin;
+    int index = 0;
+    for (const Message& message : facts.scene->messages) {
+        if (memory.dismissed.contains(message.text)) continue;
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+        ImGui::SetNextWindowPos({scene.x + margin, bottom}, ImGuiCond_Always, {0, 1});
+        const float width = std::min(scene.width - 2 * margin, 30 * ImGui::GetFontSize());
+        ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
+        if (ImGui::Begin(fmt::format("##message{}", index++).c_str(), nullptr,
+                         overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
+            const float button = ImGui::CalcTextSize("OK").x + 2 * ImGui::GetStyle().FramePadding.x;
+            ImGui::AlignTextToFramePadding();
+            ImGui::PushTextWrapPos(width - button - 2 * margin);
+            ImGui::TextUnformatted(message.text.data(), message.text.data() + message.text.size());
+            ImGui::PopTextWrapPos();
+            if (right_button("OK")) memory.dismissed.insert(message.text);
+            layout.note("message.ok");
+        }
+        bottom -= ImGui::GetWindowHeight() + margin * .5F;
+        ImGui::End();
+        ImGui::PopStyleVar(2);
+    }
+}
+
+}  // namespace snell::ui

@@ -1,0 +1,186 @@
+#include "src/ui/programs.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "src/plan/fit.h"
+#include "src/ui/numbers.h"
+#include "src/ui/style.h"
+
+namespace snell::ui {
+
+namespace {
+
+struct Section {
+    const Facts& facts;
+    const Program& program;
+    bool linked;
+    Memory& memory;
+    Layout& layout;
+};
+
+bool is_integral(ValueType type) {
+    return type == ValueType::int_ || type == ValueType::uint_ || type == ValueType::sampler;
+}
+
+// The name at the left, `remark` at the right, dimmed, if both have room.
+void caption(const std::string& name, const std::string& remark) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float left = ImGui::CalcTextSize(name.c_str()).x, right = ImGui::CalcTextSize(remark.c_str()).x;
+    const float start = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(name.c_str());
+    if (left + right + ImGui::GetStyle().ItemSpacing.x > width) {
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s  %s", name.c_str(), remark.c_str());
+        return;
+    }
+    ImGui::SameLine(start + width - right);
+    ImGui::TextDisabled("%s", remark.c_str());
+}
+
+void sliders(Control& control, const Section& section) {
+    SliderRange range{control.min, control.max, is_integral(control.type)};
+    for (std::size_t i = 0; i < control.value.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (slider("##value", control.value[i], range, control.initial[i], section.memory.slider))
+            control.value[i] = fit_to_type(control.value[i], control.type);
+        section.layout.note(section.program.name,
+                            control.value.size() == 1 ? control.name : fmt::format("{}[{}]", control.name, i));
+        ImGui::PopID();
+    }
+    control.min = range.min;
+    control.max = range.max;
+}
+
+// A row of number fields for each element of an array, or each column of a matrix.
+void numbers(Control& control, const Section& section) {
+    const auto columns = static_cast<std::size_t>(control.type == ValueType::matrix && control.components > 4
+                                                      ? (control.components == 9 ? 3 : 4)
+                                                      : std::clamp(control.components, 1, 4));
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width =
+        (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    for (std::size_t i = 0; i < control.value.size(); ++i) {
+        if (i % columns != 0) ImGui::SameLine(0, gap);
+        ImGui::PushID(static_cast<int>(i));
+        if (number("##value", control.value[i], is_integral(control.type), control.initial[i], width))
+            control.value[i] = fit_to_type(control.value[i], control.type);
+        section.layout.note(section.program.name,
+                            control.value.size() == 1 ? control.name : fmt::format("{}[{}]", control.name, i));
+        ImGui::PopID();
+    }
+}
+
+void check_box(Control& control, const Section& section) {
+    bool on = control.value[0] != 0;
+    if (ImGui::Checkbox(control.name.c_str(), &on)) control.value[0] = on ? 1 : 0;
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) control.value[0] = control.initial[0];
+    section.layout.note(section.program.name, control.name);
+}
+
+// Why a uniform has no effect; empty when it has.
+std::string idle_reason(const Control& control, const Section& section) {
+    if (control.active) return {};
+    return section.linked ? "not used by the program" : "the program failed";
+}
+
+void explain(const Control& control, const Section& section) {
+    if (control.active || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (section.linked)
+        ImGui::SetTooltip("No shader of '%s' uses '%s', or nothing that it\ncomputes from it reaches the picture.",
+                          section.program.name.c_str(), control.name.c_str());
+    else
+        ImGui::SetTooltip("'%s' did not compile or link.", section.program.name.c_str());
+}
+
+void row(Control& control, const Section& section) {
+    if (control.value.empty() || control.initial.size() != control.value.size()) return;
+    const std::string reason = idle_reason(control, section);
+    ImGui::PushID(control.name.c_str());
+    ImGui::BeginDisabled(!control.active);
+    ImGui::BeginGroup();
+    switch (control.widget) {
+        case Widget::check_box:
+            check_box(control, section);
+            if (!reason.empty()) {
+                ImGui::SameLine();
+                ImGui::TextUnformatted(reason.c_str());
+            }
+            break;
+        case Widget::color:
+            caption(control.name, reason);
+            color_row("##value", control.value.data(), control.components, control.initial.data());
+            section.layout.note(section.program.name, control.name);
+            break;
+        case Widget::slider:
+            caption(control.name, reason.empty() ? fmt::format("{:g} \u2026 {:g}", control.min, control.max) : reason);
+            sliders(control, section);
+            break;
+        case Widget::none:
+            caption(control.name, reason);
+            numbers(control, section);
+            break;
+    }
+    ImGui::EndGroup();
+    ImGui::EndDisabled();
+    explain(control, section);
+    ImGui::PopID();
+    ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y * .25F});
+}
+
+// Large arrays and texture units are no business of a slider panel.
+bool is_shown(const Control& control) { return control.type != ValueType::sampler && control.value.size() <= 64; }
+
+template <typename Chosen>
+void rows(Controls& controls, Index program, const Section& section, Chosen chosen) {
+    for (Control& control : controls.items)
+        if (control.program == program && is_shown(control) && chosen(control)) row(control, section);
+}
+
+template <typename Chosen>
+bool any(const Controls& controls, Index program, Chosen chosen) {
+    return std::any_of(controls.items.begin(), controls.items.end(), [&](const Control& control) {
+        return control.program == program && is_shown(control) && chosen(control);
+    });
+}
+
+void section_of(Controls& controls, Index index, const Section& section) {
+    const auto sliding = [](const Control& c) { return c.listed && c.widget != Widget::none; };
+    const auto constant = [](const Control& c) { return c.listed && c.widget == Widget::none; };
+    const auto unlisted = [](const Control& c) { return !c.listed; };
+    ImGui::PushID(static_cast<int>(index));
+    ImGui::SetNextItemOpen(index == 0, ImGuiCond_Once);
+    const bool open = ImGui::CollapsingHeader(section.program.name.empty() ? "Program" : section.program.name.c_str());
+    section.layout.note(section.program.name);
+    if (open) {
+        ImGui::Indent(ImGui::GetStyle().FramePadding.x * .5F);
+        if (!section.linked) ImGui::TextColored({.75F, .12F, .1F, 1}, "did not compile: see the messages");
+        rows(controls, index, section, sliding);
+        if (!any(controls, index, sliding) && section.linked) ImGui::TextDisabled("no sliders");
+        if (any(controls, index, constant) && ImGui::TreeNodeEx("constants", ImGuiTreeNodeFlags_SpanAvailWidth)) {
+            rows(controls, index, section, constant);
+            ImGui::TreePop();
+        }
+        if (any(controls, index, unlisted)) {
+            ImGui::Separator();
+            ImGui::TextDisabled("not on the Program line");
+            rows(controls, index, section, unlisted);
+        }
+        ImGui::Unindent(ImGui::GetStyle().FramePadding.x * .5F);
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
+    const std::vector<Program>& programs = facts.scene->programs;
+    for (Index i = 0; i < programs.size(); ++i) {
+        const bool linked = i < facts.linked.size() && facts.linked[i];
+        section_of(controls, i, {facts, programs[i], linked, memory, layout});
+    }
+    if (programs.empty()) ImGui::TextDisabled("This scene has no Program.");
+}
+
+}  // namespace snell::ui

@@ -1,0 +1,198 @@
+#include "src/ui/shell.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+
+#include "src/platform/window.h"
+#include "src/ui/problems.h"
+#include "src/ui/programs.h"
+#include "src/ui/scene_mouse.h"
+
+namespace snell::ui {
+
+namespace {
+
+constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                   ImGuiWindowFlags_NoNav;
+
+struct Areas {
+    Rect scene, panel, status;
+};
+
+// In whole pixels, so that the picture is copied, not resampled.
+Areas areas(Memory& memory) {
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    if (memory.panel_width <= 0) memory.panel_width = 22 * em;
+    const float width =
+        memory.panel
+            ? std::round(std::clamp(memory.panel_width, std::min(12 * em, all.x * .6F), std::max(12 * em, all.x * .6F)))
+            : 0;
+    const float line = std::round(ImGui::GetFrameHeight());
+    Areas result;
+    result.scene = {0, 0, std::max(1.0F, all.x - width), std::max(1.0F, all.y - line)};
+    result.status = {0, all.y - line, std::max(1.0F, all.x - width), line};
+    result.panel = {all.x - width, 0, width, all.y};
+    return result;
+}
+
+void place(const Rect& rect) {
+    ImGui::SetNextWindowPos({rect.x, rect.y});
+    ImGui::SetNextWindowSize({rect.width, rect.height});
+}
+
+void view_section(View& view, Layout& layout) {
+    if (!ImGui::CollapsingHeader("View")) return layout.note("view");
+    layout.note("view");
+    Transformation& t = view.scene;
+    struct Field {
+        const char* name;
+        double* value;
+        double initial;
+    };
+    const std::array<Field, 6> fields{{{"turn about x", &t.rotate_x, 0},
+                                       {"turn about y", &t.rotate_y, 0},
+                                       {"scale", &t.scale, 1},
+                                       {"move x", &t.x, 0},
+                                       {"move y", &t.y, 0},
+                                       {"move z", &t.z, 0}}};
+    const float width = ImGui::GetContentRegionAvail().x * .5F;
+    for (const Field& field : fields) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(field.name);
+        ImGui::SameLine(width);
+        ImGui::PushID(field.name);
+        number("##value", *field.value, false, field.initial, -FLT_MIN);
+        layout.note("view", field.name);
+        ImGui::PopID();
+    }
+    t.scale = std::clamp(t.scale, 1e-3, 1e3);
+}
+
+Requests tools(View& view, Layout& layout) {
+    Requests requests;
+    ImGui::Checkbox("Axes", &view.axes);
+    layout.note("axes");
+    ImGui::SameLine(0, ImGui::GetFontSize());
+    if (ImGui::Button("Reset view")) view.scene = {};
+    layout.note("reset view");
+    ImGui::SameLine();
+    requests.reload = ImGui::Button("Reload");
+    layout.note("reload");
+    return requests;
+}
+
+// A strip over the panel's left edge that drags it wider.
+void splitter(const Rect& panel, Memory& memory) {
+    const float grip = ImGui::GetFontSize() * .35F;
+    ImGui::SetCursorScreenPos({panel.x, panel.y});
+    ImGui::InvisibleButton("##width", {grip, panel.height});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        ImGui::GetWindowDrawList()->AddRectFilled({panel.x, panel.y}, {panel.x + grip * .5F, panel.y + panel.height},
+                                                  ImGui::GetColorU32(palette().filled));
+    }
+    if (ImGui::IsItemActive()) memory.panel_width = panel.width - ImGui::GetIO().MouseDelta.x;
+}
+
+Requests panel_window(const Facts& facts, const Rect& panel, Controls& controls, View& view, Memory& memory,
+                      Layout& layout) {
+    Requests requests;
+    place(panel);
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    if (ImGui::Begin("##panel", nullptr, fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+        requests = tools(view, layout);
+        ImGui::Separator();
+        ImGui::BeginChild("##programs", {0, 0});
+        if (facts.scene) {
+            programs_panel(facts, controls, memory, layout);
+            view_section(view, layout);
+        } else {
+            ImGui::TextDisabled("no scene");
+        }
+        ImGui::EndChild();
+        splitter(panel, memory);
+        ImGui::GetWindowDrawList()->AddLine({panel.x, panel.y}, {panel.x, panel.y + panel.height},
+                                            ImGui::GetColorU32(palette().rule), std::max(1.0F, padding.x / 14));
+    }
+    ImGui::End();
+    return requests;
+}
+
+void problem_chip(const Facts& facts, Memory& memory, Layout& layout) {
+    const auto errors = std::count_if(facts.problems.begin(), facts.problems.end(),
+                                      [](const Problem& p) { return p.severity == Severity::error; });
+    const auto warnings = static_cast<std::ptrdiff_t>(facts.problems.size()) - errors;
+    if (errors + warnings == 0) return;
+    std::string text = errors > 0 ? fmt::format("{} error{}", errors, errors == 1 ? "" : "s")
+                                  : fmt::format("{} warning{}", warnings, warnings == 1 ? "" : "s");
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, errors > 0 ? ImVec4(.72F, .1F, .08F, 1) : ImVec4(.52F, .36F, 0, 1));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+    if (ImGui::Button(text.c_str())) {
+        if (errors > 0)
+            memory.problems_hidden = !memory.problems_hidden;
+        else
+            memory.warnings_open = !memory.warnings_open;
+    }
+    layout.note("problems");
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+void status_window(const Facts& facts, const Rect& status, Memory& memory, Layout& layout) {
+    place(status);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        {style.WindowPadding.x, (status.height - ImGui::GetFontSize()) * .5F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    if (ImGui::Begin("##status", nullptr, fixed | ImGuiWindowFlags_NoScrollbar)) {
+        ImGui::TextUnformatted(facts.file.data(), facts.file.data() + facts.file.size());
+        problem_chip(facts, memory, layout);
+        ImGui::SameLine();
+        const float left = ImGui::GetCursorPosX();
+        const std::string cost = fmt::format(
+            "{}{:.1f} ms", facts.animated ? fmt::format("t = {:.2f} s   ", facts.time) : "", facts.frame_ms);
+        const std::string help = "drag: turn   wheel: scale   right drag: move   R: reset   H: panel";
+        const float right = ImGui::GetWindowContentRegionMax().x;
+        const float cost_width = ImGui::CalcTextSize("t = 1000.00 s   100.0 ms").x;
+        const float help_width = ImGui::CalcTextSize(help.c_str()).x;
+        if (left + help_width + cost_width + ImGui::GetFontSize() < right) {
+            ImGui::SameLine(left + ImGui::GetFontSize());
+            ImGui::TextDisabled("%s", help.c_str());
+        }
+        if (left + cost_width < right) {
+            ImGui::SameLine(right - ImGui::CalcTextSize(cost.c_str()).x);
+            ImGui::TextDisabled("%s", cost.c_str());
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace
+
+Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout) {
+    layout.clear();
+    Requests requests;
+    if (!ImGui::GetIO().WantTextInput) {
+        if (ImGui::IsKeyPressed(static_cast<int>(Key::h), false)) memory.panel = !memory.panel;
+        requests.reload = ImGui::IsKeyPressed(static_cast<int>(Key::f5), false);
+    }
+    const Areas parts = areas(memory);
+    if (memory.panel) requests.reload |= panel_window(facts, parts.panel, controls, view, memory, layout).reload;
+    status_window(facts, parts.status, memory, layout);
+    problems_panel(facts, parts.scene, fonts, memory, layout);
+    notices(facts, parts.scene, memory, layout);
+    hold_scene(facts, parts.scene, view);
+    memory.scene = parts.scene;
+    return requests;
+}
+
+}  // namespace snell::ui

@@ -1,0 +1,169 @@
+#include "src/ui/widgets.h"
+
+// Dear ImGui's own sliders abort the process on infinite ranges and round to the text they show; what a slider of
+// our own needs of it is declared here.
+#define IMGUI_DEFINE_MATH_OPERATORS
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "src/ui/numbers.h"
+#include "src/ui/style.h"
+
+namespace snell::ui {
+
+namespace {
+
+ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
+
+// Computed so that neither end overflows, whatever the range.
+double fraction_of(double value, const SliderRange& range) {
+    const double half = range.max / 2 - range.min / 2;
+    if (!(half > 0) || !std::isfinite(value)) return 0;
+    return std::clamp((value / 2 - range.min / 2) / half, 0.0, 1.0);
+}
+
+double value_at(double fraction, const SliderRange& range) {
+    const double value = range.min * (1 - fraction) + range.max * fraction;
+    return range.integral ? std::round(value) : std::clamp(value, range.min, range.max);
+}
+
+// The text is edited by Dear ImGui in the place of the widget; each state that reads as a number applies.
+bool type_value(const ImRect& box, ImGuiID id, const char* label, double& value, bool integral) {
+    std::array<char, 64> text{};
+    const std::string now = exact(value);
+    std::copy_n(now.begin(), std::min(now.size(), text.size() - 1), text.begin());
+    const bool edited = ImGui::TempInputText(box, id, label, text.data(), static_cast<int>(text.size()),
+                                             ImGuiInputTextFlags_AutoSelectAll);
+    if (!edited) return false;
+    const std::optional<double> entered = typed(text.data(), integral);
+    if (!entered || *entered == value) return false;
+    value = *entered;
+    return true;
+}
+
+void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction, const std::string& text) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const Palette& colors = palette();
+    const bool held = ImGui::GetActiveID() == id;
+    const float grab = style.GrabMinSize * .5F, rounding = style.FrameRounding;
+    const float knob = box.Min.x + grab + static_cast<float>(fraction) * (box.GetWidth() - 2 * grab);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImGuiCol track = held ? ImGuiCol_FrameBgActive : hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg;
+    list.AddRectFilled(box.Min, box.Max, ImGui::GetColorU32(track), rounding);
+    list.PushClipRect(box.Min, {knob, box.Max.y}, true);
+    list.AddRectFilled(box.Min, box.Max, pack(colors.filled), rounding);
+    list.PopClipRect();
+    list.AddRectFilled({knob - grab * .5F, box.Min.y}, {knob + grab * .5F, box.Max.y},
+                       pack(held ? colors.accent_pressed : colors.accent), grab * .5F);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    list.AddText({box.GetCenter().x - size.x / 2, box.GetCenter().y - size.y / 2}, pack(colors.text), text.c_str());
+}
+
+}  // namespace
+
+bool slider(const char* label, double& value, SliderRange& range, double initial, SliderMemory& memory) {
+    ImGuiWindow* window = ImGui::GetCurrentWindow();
+    if (window->SkipItems) return false;
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImGuiID id = window->GetID(label);
+    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 4 * ImGui::GetStyle().GrabMinSize),
+                      ImGui::GetFrameHeight());
+    const ImRect box(window->DC.CursorPos, window->DC.CursorPos + size);
+    ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
+    if (!ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable)) return false;
+
+    const bool hovered = ImGui::ItemHoverable(box, id);
+    bool typing = ImGui::TempInputIsActive(id);
+    bool changed = false;
+    if (hovered && !typing && io.MouseClicked[0]) {
+        const bool twice = io.MouseDoubleClicked[0] && memory.id == id;
+        if (twice) changed = std::exchange(value, memory.before) != memory.before;
+        memory = {id, value};
+        typing = twice || io.KeyCtrl;
+        ImGui::SetActiveID(id, window);
+        ImGui::SetFocusID(id, window);
+        ImGui::FocusWindow(window);
+    }
+    if (typing) {
+        if (type_value(box, id, label, value, range.integral)) {
+            range.min = std::min(range.min, value);
+            range.max = std::max(range.max, value);
+            changed = true;
+        }
+        return changed;
+    }
+
+    if (hovered && io.MouseClicked[1] && value != initial) {
+        value = initial;
+        changed = true;
+    }
+    if (ImGui::GetActiveID() == id) {
+        const float grab = ImGui::GetStyle().GrabMinSize * .5F;
+        const double at = (io.MousePos.x - box.Min.x - grab) / std::max(1.0F, size.x - 2 * grab);
+        if (!io.MouseDown[0]) {
+            ImGui::ClearActiveID();
+        } else if (range.min < range.max && std::isfinite(at)) {
+            const double dragged = value_at(std::clamp(at, 0.0, 1.0), range);
+            changed |= dragged != value;
+            value = dragged;
+        }
+    }
+    ImGui::RenderNavHighlight(box, id);
+    draw_slider(box, id, hovered, fraction_of(value, range), shown(value, range.min, range.max, range.integral));
+    return changed;
+}
+
+bool number(const char* id, double& value, bool integral, double initial, float width) {
+    // Dear ImGui sees only ranges and speeds that it can bear; the value is finite or shown as what it is.
+    const double speed = integral ? .1 : std::clamp(std::abs(value) * .01, 1e-3, 1e30);
+    double edited = value;
+    ImGui::SetNextItemWidth(width);
+    bool changed = ImGui::DragScalar(id, ImGuiDataType_Double, &edited, static_cast<float>(speed), nullptr, nullptr,
+                                     integral ? "%.0f" : "%.5g", ImGuiSliderFlags_NoRoundToFormat);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        edited = initial;
+        changed = true;
+    }
+    if (!changed) return false;
+    const std::optional<double> valid = typed(exact(edited), integral);
+    if (!valid || *valid == value) return false;
+    value = *valid;
+    return true;
+}
+
+bool color_row(const char* id, double* value, int components, const double* initial) {
+    const auto count = static_cast<std::size_t>(components);
+    std::array<float, 4> edited{0, 0, 0, 1};
+    std::transform(value, value + count, edited.begin(), [](double v) { return static_cast<float>(v); });
+    const std::array<float, 4> before = edited;
+    constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoOptions |
+                                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                          ImGuiColorEditFlags_AlphaBar | ImGuiColorEditFlags_AlphaPreviewHalf;
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (components == 4)
+        ImGui::ColorEdit4(id, edited.data(), flags);
+    else
+        ImGui::ColorEdit3(id, edited.data(), flags);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        const bool changed = !std::equal(value, value + count, initial);
+        std::copy_n(initial, count, value);
+        return changed;
+    }
+    // Only what was edited: the others keep the bits that a float lacks.
+    bool changed = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (edited[i] == before[i] || !std::isfinite(edited[i])) continue;
+        value[i] = edited[i];
+        changed = true;
+    }
+    return changed;
+}
+
+}  // namespace snell::ui

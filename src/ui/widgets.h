@@ -1,0 +1,28 @@
+// The widgets that Dear ImGui lacks. All are as wide as there is room.
+#pragma once
+
+namespace snell::ui {
+
+struct SliderRange {
+    double min = 0, max = 1;
+    bool integral = false;
+};
+
+// The slider that was pressed last, with the value it had: a double click first moves the knob, then types.
+struct SliderMemory {
+    unsigned id = 0;
+    double before = 0;
+};
+
+// Drag: moves. Double click or Ctrl-click: type; a number beyond the range widens it. Right click: `initial`. Works in
+// fractions of the range, in double: any finite range will do, equal ends and 1e300 included.
+// True when the value changed.
+bool slider(const char* id, double& value, SliderRange& range, double initial, SliderMemory& memory);
+
+// A field to type a number into, or to drag for numbers without a range.
+bool number(const char* id, double& value, bool integral, double initial, float width);
+
+// `components` 3 or 4: red, green, blue, alpha. Outside 0..1 allowed.
+bool color_row(const char* id, double* value, int components, const double* initial);
+
+}  // namespace snell::ui
