@@ -1,5 +1,5 @@
 // Drivers' logs as diagnostics at the user's own lines.
-#include "glsl/log.h"
+#include "src/glsl/log.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The functions and variables that GLSL offers, for hints.
 #include <array>
 
-#include "glsl/log.h"
+#include "src/glsl/log.h"
 
 namespace snell::glsl::log {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "glsl/log.h"
+#include "src/glsl/log.h"
 
 namespace snell::glsl::log {
 namespace {

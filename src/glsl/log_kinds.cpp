@@ -2,7 +2,7 @@
 #include <array>
 #include <cctype>
 
-#include "glsl/log.h"
+#include "src/glsl/log.h"
 
 namespace snell::glsl::log {
 namespace {

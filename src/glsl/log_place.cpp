@@ -3,7 +3,7 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "glsl/log.h"
+#include "src/glsl/log.h"
 
 namespace snell::glsl::log {
 namespace {

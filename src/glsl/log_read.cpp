@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "glsl/log.h"
+#include "src/glsl/log.h"
 
 namespace snell::glsl::log {
 namespace {

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <unordered_map>
 
-#include "glsl/log.h"
+#include "src/glsl/log.h"
 
 namespace snell::glsl::log {
 namespace {

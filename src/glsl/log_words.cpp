@@ -6,7 +6,7 @@
 #include <cctype>
 #include <utility>
 
-#include "glsl/log.h"
+#include "src/glsl/log.h"
 
 namespace snell::glsl::log {
 namespace {

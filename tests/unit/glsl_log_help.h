@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "glsl/glsl.h"
+#include "src/glsl/glsl.h"
 
 namespace snell::glsl::test {
 
