@@ -155,6 +155,14 @@ Resolved Files::resolve(std::string_view written, const std::vector<std::string_
     return {{}, false, most_similar(folder_, name)};
 }
 
+Resolved Files::resolve_beside(std::string_view from, std::string_view name,
+                               const std::vector<std::string_view>& extensions) const {
+    const std::size_t slash = from.rfind('/');
+    const std::string folder(slash == std::string_view::npos ? "" : from.substr(0, slash + 1));
+    Resolved beside = Files(folder).resolve(name, extensions);
+    return beside.path.empty() ? resolve(name, extensions) : beside;
+}
+
 namespace {
 
 class Descriptor {

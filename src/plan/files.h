@@ -37,6 +37,10 @@ public:
     // the folder itself. '\' is '/', quotes around the name are dropped. Only regular files count, links to them
     // included.
     Resolved resolve(std::string_view name, const std::vector<std::string_view>& extensions = {}) const;
+    // The same from the folder of a file that was read (`from` is its path on disk), then from the own folder:
+    // what an included scene or shader names.
+    Resolved resolve_beside(std::string_view from, std::string_view name,
+                            const std::vector<std::string_view>& extensions = {}) const;
     // nullopt: can't be read (`error` says why). Regular files only: a pipe or a device is refused before
     // it is opened, so that reading never waits.
     std::optional<std::string> read(const std::string& path, std::string& error);

@@ -176,23 +176,6 @@ Index find_texture(const Scene& scene, const Draw& draw, int unit, TextureTarget
     return none;
 }
 
-Sampled find_sampled(const Scene& scene, const Draw& draw, std::string_view name, std::optional<int> unit,
-                     TextureTarget target) {
-    // The units that the noise stands on, and the dimensions of the targets that it has.
-    constexpr int noise2_unit = 2, noise3_unit = 3;
-    const bool noise2 = target == TextureTarget::d2, noise3 = target == TextureTarget::d3;
-    const bool named = (noise2 && name == "Noise2") || (noise3 && name == "Noise3");
-    const int noise_unit = noise2 ? noise2_unit : noise3_unit;
-    const int at = unit.value_or(named ? noise_unit : 0);
-    if (const Index texture = find_texture(scene, draw, at, target); texture != none) {
-        return {Sampled::Kind::texture, texture, 0};
-    }
-    if (named || (unit && (noise2 || noise3) && at == noise_unit)) {
-        return {Sampled::Kind::noise, none, noise2 ? 2 : 3};
-    }
-    return {};
-}
-
 std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index draw, Index texture) {
     if (pass >= scene.passes.size() || draw >= scene.draws.size() || texture >= scene.textures.size()) {
         return std::nullopt;

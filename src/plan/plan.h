@@ -90,18 +90,6 @@ content::Image load_noise(int dimensions, int size, Files& files, Diagnostics& d
 // the text binds nothing there.
 Index find_texture(const Scene& scene, const Draw& draw, int unit, TextureTarget target);
 
-struct Sampled {
-    enum class Kind : std::uint8_t { nothing, texture, noise };
-    Kind kind = Kind::nothing;
-    Index texture = none;      // Kind::texture
-    int noise_dimensions = 0;  // Kind::noise: 2 or 3
-};
-// What the sampler `name` reads at a draw: `unit` is the scene's value for it, or what the shader initialises it
-// with; nullopt where neither says anything (units 2 and 3 for Noise2 and Noise3 then, else 0). A texture of
-// the scene wins over the noise on its unit.
-Sampled find_sampled(const Scene& scene, const Draw& draw, std::string_view name, std::optional<int> unit,
-                     TextureTarget target);
-
 // An error (feedback-loop) when `draw`, in `pass`, samples `texture` while that pass renders to it.
 std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index draw, Index texture);
 

@@ -112,6 +112,19 @@ TEST(Resolve, RelativeToTheWorkingDirectory) {
     EXPECT_EQ(files.resolve("Tests/Unit/PLAN_files.cpp").path, "tests/unit/plan_files.cpp");
 }
 
+TEST(Resolve, BesideAnIncludingFile) {
+    const Scratch folder;
+    folder.write("lib/optics.glsl", "x");
+    folder.write("lib/deep/fresnel.glsl", "x");
+    folder.write("common.glsl", "x");
+    const Files files(folder.path());
+    const std::string from = folder.at("lib/optics.glsl");
+    EXPECT_EQ(files.resolve_beside(from, "deep/fresnel.glsl").path, folder.at("lib/deep/fresnel.glsl"));
+    EXPECT_EQ(files.resolve_beside(from, "../common.glsl").path, folder.at("lib/../common.glsl"));
+    EXPECT_EQ(files.resolve_beside(from, "common.glsl").path, folder.at("common.glsl")) << "or the scene's folder";
+    EXPECT_TRUE(files.resolve_beside(from, "none.glsl").path.empty());
+}
+
 TEST(Read, WholeFileCounted) {
     const Scratch folder;
     const std::string content = std::string("a\0b\r\n", 5) + std::string(200'000, 'z');

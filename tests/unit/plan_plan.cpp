@@ -1,0 +1,238 @@
+// What a scene and its files come to before anything is drawn.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "src/plan/plan.h"
+#include "tests/unit/plan_scratch.h"
+
+namespace snell {
+namespace {
+
+using Codes = std::vector<std::string>;
+
+Codes codes_of(const Diagnostics& diagnostics) {
+    Codes codes;
+    for (const Diagnostic& diagnostic : diagnostics.items()) codes.push_back(diagnostic.code);
+    return codes;
+}
+
+Span span_at(std::uint32_t begin) { return {0, begin, begin + 5}; }
+
+// A scene in a folder of its own, made by hand.
+class Planning : public testing::Test {
+protected:
+    Index draw(Shape shape, bool wire = false) {
+        Draw made;
+        made.shape = shape;
+        made.wire = wire;
+        made.span = span_at(static_cast<std::uint32_t>(100 + scene.draws.size()));
+        scene.draws.push_back(made);
+        return static_cast<Index>(scene.draws.size() - 1);
+    }
+    Shape obj(const std::string& name, ObjAs as = ObjAs::triangles) {
+        scene.files.push_back({name, span_at(static_cast<std::uint32_t>(1000 + scene.files.size()))});
+        return ObjFile{static_cast<Index>(scene.files.size() - 1), as};
+    }
+    Index texture(int unit, TextureTarget target, const std::vector<std::string>& names) {
+        Texture made;
+        made.unit = unit;
+        made.target = target;
+        made.span = span_at(static_cast<std::uint32_t>(2000 + 100 * scene.textures.size()));
+        for (const std::string& name : names) {
+            made.files.push_back({name, span_at(made.span.begin + 10 * static_cast<std::uint32_t>(made.files.size()))});
+        }
+        scene.textures.push_back(made);
+        return static_cast<Index>(scene.textures.size() - 1);
+    }
+    void program(const std::string& name, const std::string& vertex, const std::string& fragment) {
+        Program made;
+        made.name = name;
+        made.span = span_at(static_cast<std::uint32_t>(5000 + 100 * scene.programs.size()));
+        const auto set = [&](Stage stage, const std::string& file, std::uint32_t at) {
+            if (!file.empty()) made.stages[static_cast<std::size_t>(stage)] = FileName{file, span_at(at)};
+        };
+        set(Stage::vertex, vertex, made.span.begin + 10);
+        set(Stage::fragment, fragment, made.span.begin + 20);
+        scene.programs.push_back(made);
+    }
+    Plan plan() {
+        if (sources.size() == 0) sources.add("scene.glib", std::string(8000, ' '));
+        return make_plan(scene, files, sources, diagnostics);
+    }
+
+    Scratch folder;
+    Files files{folder.path()};
+    Sources sources;
+    Diagnostics diagnostics;
+    Scene scene;
+};
+
+TEST_F(Planning, EqualMeshesAreOne) {
+    folder.write("cow.obj", "x");
+    for (int i = 0; i < 400; ++i) draw(obj("cow.obj"));
+    draw(Sphere{1, 60, 60});
+    draw(Sphere{2, 60, 60});
+    draw(Sphere{1, 60, 60});
+    draw(Sphere{1, 60, 60}, true);
+    draw(obj("cow.obj", ObjAs::adjacency));
+    draw(Cone{1, 1, 60, 1});
+    draw(Cylinder{1, 1, 60, 1});
+    draw(VertexList{0});
+    draw(VertexList{1});
+    const Plan made = plan();
+    EXPECT_EQ(made.meshes.size(), 9U);
+    ASSERT_EQ(made.draw_mesh.size(), scene.draws.size());
+    EXPECT_EQ(made.draw_mesh[0], made.draw_mesh[399]);
+    EXPECT_EQ(made.draw_mesh[400], made.draw_mesh[402]);
+    EXPECT_NE(made.draw_mesh[400], made.draw_mesh[401]);
+    EXPECT_NE(made.draw_mesh[400], made.draw_mesh[403]);
+    EXPECT_EQ(made.meshes[made.draw_mesh[400]].span, scene.draws[400].span);
+    EXPECT_TRUE(diagnostics.empty());
+    EXPECT_EQ(files.counters().opened, 0U) << "meshes are read when drawn";
+}
+
+TEST_F(Planning, SharedShaderIsReadOnce) {
+    folder.write("a.vert", "void main() {}");
+    folder.write("a.frag", "one");
+    folder.write("b.frag", "two");
+    program("A", "a.vert", "a.frag");
+    program("B", "a.vert", "b.frag");
+    program("C", "A.vert", "b.frag");
+    const Plan made = plan();
+    ASSERT_EQ(made.programs.size(), 3U);
+    EXPECT_EQ(files.counters().opened, 3U);
+    EXPECT_EQ(sources.size(), 4U);
+    EXPECT_EQ(made.programs[0].stages.at(0).file, made.programs[2].stages.at(0).file);
+    EXPECT_EQ(sources.text(made.programs[0].stages.at(1).file), "one");
+    EXPECT_EQ(sources.name(made.programs[0].stages.at(0).file), folder.at("a.vert"));
+    EXPECT_EQ(made.programs[0].stages.at(1).stage, Stage::fragment);
+    EXPECT_EQ(made.programs[1].stages.at(1).reference, scene.programs[1].stages[4]->span);
+    for (const PlannedProgram& planned : made.programs) EXPECT_TRUE(planned.readable);
+    ASSERT_EQ(codes_of(diagnostics), Codes{"file-inexact"});
+    EXPECT_EQ(diagnostics.items()[0].severity, Severity::warning);
+    EXPECT_EQ(diagnostics.items()[0].span, scene.programs[2].stages[0]->span);
+}
+
+TEST_F(Planning, UsualExtensionsOfTheStage) {
+    folder.write("light.vert", "v");
+    folder.write("light.frag", "f");
+    program("A", "light", "light");
+    const Plan made = plan();
+    EXPECT_EQ(sources.text(made.programs[0].stages.at(0).file), "v");
+    EXPECT_EQ(sources.text(made.programs[0].stages.at(1).file), "f");
+    EXPECT_EQ(codes_of(diagnostics), (Codes{"file-inexact", "file-inexact"}));
+}
+
+TEST_F(Planning, MissingShaderIsSaidOnceAtItsPlace) {
+    folder.write("reflect.vert", "v");
+    program("A", "reflct.vert", "no.frag");
+    scene.programs.push_back(scene.programs[0]);  // the stages stay current for later programs
+    const Plan made = plan();
+    EXPECT_FALSE(made.programs[0].readable);
+    EXPECT_FALSE(made.programs[1].readable);
+    ASSERT_EQ(codes_of(diagnostics), (Codes{"file-not-found", "file-not-found"}));
+    EXPECT_TRUE(diagnostics.has_errors());
+    EXPECT_EQ(diagnostics.items()[0].span, scene.programs[0].stages[0]->span);
+    EXPECT_NE(diagnostics.items()[0].help.find("'reflect.vert'"), std::string::npos);
+}
+
+TEST_F(Planning, ProgramWithoutShaders) {
+    program("A", "", "");
+    const Plan made = plan();
+    EXPECT_TRUE(made.programs[0].readable);
+    EXPECT_TRUE(made.programs[0].stages.empty());
+    EXPECT_EQ(codes_of(diagnostics), Codes{"program-without-shaders"});
+    EXPECT_EQ(diagnostics.items()[0].span, scene.programs[0].span);
+}
+
+TEST_F(Planning, TexturesAreOnlyLookedFor) {
+    folder.write("wall.bmp", "not read");
+    for (const char* end : {"posx", "negx", "posy", "negy", "posz", "negz"}) {
+        folder.write(std::string("room_") + end + ".bmp", "not read");
+    }
+    texture(6, TextureTarget::d2, {"wall.bmp"});
+    texture(7, TextureTarget::d2, {"Wall.bmp"});
+    texture(6, TextureTarget::cube, {"room.bmp"});
+    texture(8, TextureTarget::d2, {});
+    texture(9, TextureTarget::d2, {"wal.bmp"});
+    texture(5, TextureTarget::d1, {"wall.bmp"});
+    const Plan made = plan();
+    EXPECT_EQ(files.counters().opened, 0U);
+    EXPECT_EQ(codes_of(diagnostics), (Codes{"file-inexact", "file-not-found"}));
+    EXPECT_EQ(diagnostics.items()[1].span, scene.textures[4].files[0].span);
+    EXPECT_EQ(diagnostics.items()[1].severity, Severity::error);
+    EXPECT_EQ(made.same_pixels, (std::vector<Index>{0, 0, 2, 3, 4, 5})) << "1D and 2D are not the same texture";
+}
+
+TEST_F(Planning, MissingFaceIsNamed) {
+    for (const char* end : {"posx", "negx", "posy", "posz", "negz"}) {
+        folder.write(std::string("room_") + end + ".bmp", "x");
+    }
+    texture(6, TextureTarget::cube, {"room.bmp"});
+    plan();
+    ASSERT_EQ(codes_of(diagnostics), Codes{"file-not-found"});
+    EXPECT_NE(diagnostics.items()[0].message.find("room_negy.bmp"), std::string::npos);
+}
+
+TEST_F(Planning, MissingMeshFileIsSaidOnce) {
+    for (int i = 0; i < 20; ++i) draw(obj("cow.obj"));
+    const Plan made = plan();
+    EXPECT_EQ(codes_of(diagnostics), Codes{"file-not-found"});
+    EXPECT_TRUE(load_mesh(made, 0, files, diagnostics).positions.empty());
+    EXPECT_EQ(diagnostics.errors(), 1U) << "loading does not repeat it";
+}
+
+TEST_F(Planning, DisplayListFindsTextureOfLaterStatements) {
+    const Index first = texture(6, TextureTarget::d2, {"a"}), second = texture(6, TextureTarget::d2, {"b"});
+    const Index cube = texture(6, TextureTarget::cube, {"c"});
+    scene.bindings = {{}, {{{6, TextureTarget::d2, first}}}};
+    Draw bare, bound;
+    bare.bindings = 0;
+    bound.bindings = 1;
+    EXPECT_EQ(find_texture(scene, bare, 6, TextureTarget::d2), second) << "the last one, as when drawn again";
+    EXPECT_EQ(find_texture(scene, bound, 6, TextureTarget::d2), first);
+    EXPECT_EQ(find_texture(scene, bound, 6, TextureTarget::cube), cube) << "both stand on one unit";
+    EXPECT_EQ(find_texture(scene, bound, 5, TextureTarget::d2), none);
+    EXPECT_EQ(find_texture(scene, Draw{}, 6, TextureTarget::d3), none);
+}
+
+TEST_F(Planning, FeedbackNamesBothStatements) {
+    const Index target = texture(6, TextureTarget::d2, {}), other = texture(7, TextureTarget::d2, {});
+    const Index index = draw(Sphere{});
+    scene.passes.resize(2);
+    scene.passes[1].kind = Pass::Kind::textures;
+    scene.passes[1].textures = {target};
+    scene.passes[1].span = span_at(700);
+    EXPECT_FALSE(feedback_error(scene, 1, index, other));
+    EXPECT_FALSE(feedback_error(scene, 0, index, target));
+    EXPECT_FALSE(feedback_error(scene, 9, index, target));
+    const auto error = feedback_error(scene, 1, index, target);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->severity, Severity::error);
+    EXPECT_EQ(error->span, scene.draws[index].span);
+    ASSERT_FALSE(error->notes.empty());
+    EXPECT_EQ(error->notes[0].span, scene.passes[1].span);
+}
+
+TEST_F(Planning, DumpNamesEverything) {
+    folder.write("a.vert", "v");
+    folder.write("a.frag", "f");
+    program("Glass Ball", "a.vert", "a.frag");
+    draw(Sphere{1.5, 20, 10});
+    draw(Torus{}, true);
+    draw(Quad{Plane::xz, -5, 5, 2, 3});
+    scene.draws[0].program = 0;
+    texture(6, TextureTarget::cube, {"room.bmp"});
+    scene.passes.resize(1);
+    for (Index i = 0; i < 3; ++i) scene.passes[0].items.push_back({Item::Kind::draw, i});
+    scene.passes[0].items.push_back({Item::Kind::clear, 0});
+    const std::string text = dump_plan(plan(), sources);
+    for (const char* part : {"Glass Ball", "a.frag", "Sphere 1.5 20 10", "wire Torus", "QuadXZ -5 5 2 3", "room.bmp",
+                             "pass 0 to window", "draw 1 mesh 1 program built-in", "clear"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    }
+}
+
+}  // namespace
+}  // namespace snell
