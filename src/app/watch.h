@@ -9,9 +9,10 @@ namespace snell {
 
 // Looks at the files themselves, not at the system's notifications: these are silent on network folders, and an
 // editor that saves by renaming makes them lose the file. One look at fifty files costs less than 0.1 ms.
+// Of a folder only the names in it count: a file that a scene lacks may appear there.
 class Watch {
 public:
-    // The files whose present state is known; further ones are compared from now on.
+    // The files and folders whose present state is known; further ones are compared from now on.
     void set_paths(std::vector<std::string> paths);
     // Looks. True once a change has come to rest: two looks in a row saw the same new state, so that a file
     // still being written is not read by half.
@@ -24,12 +25,13 @@ private:
         bool exists = false;
         bool operator==(const Stamp&) const = default;
     };
-    static Stamp look(const std::string& path);
-
     struct Entry {
         std::string path;
         Stamp known, last;
+        Stamp folder;  // when its names were last read
     };
+    static Stamp look(Entry& entry);
+
     std::vector<Entry> entries_;
 };
 

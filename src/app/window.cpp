@@ -77,7 +77,7 @@ private:
         if (Document* document = session_.document();
             document && document->scene().window_size != Scene{}.window_size) {
             const auto [width, height] = document->scene().window_size;
-            size = {width + 330, height + 23};  // the panel's and the last line's
+            size = {width + 352, height + 24};  // the panel's and the last line's
         }
         return {static_cast<int>(std::clamp(size.width * scale, 320.0, 16384.0)),
                 static_cast<int>(std::clamp(size.height * scale, 240.0, 16384.0))};
@@ -222,8 +222,9 @@ private:
     }
 
     void report() {
-        const std::string text = session_.problems_text();
-        if (!text.empty()) fmt::print(stderr, "{}", text);
+        std::string text = session_.problems_text();
+        if (text != reported_) fmt::print(stderr, "{}", text);
+        reported_ = std::move(text);
     }
 
     WindowOptions options_;
@@ -235,7 +236,7 @@ private:
     View view_;
     ui::Memory memory_;
     ui::Layout layout_;
-    std::string file_;
+    std::string file_, reported_;
     std::vector<char> linked_;
     WindowCounters counters_;
     Drawn drawn_, next_;

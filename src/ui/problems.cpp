@@ -52,12 +52,14 @@ void push_dark() {
     ImGui::PushStyleColor(ImGuiCol_Button, {1, 1, 1, .12F});
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, {1, 1, 1, .22F});
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, {1, 1, 1, .3F});
+    ImGui::PushStyleColor(ImGuiCol_Border, {1, 1, 1, .18F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
 }
 
 void pop_dark() {
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor(5);
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor(6);
 }
 
 bool right_button(const char* label) {

@@ -29,14 +29,24 @@ bool is_integral(ValueType type) {
 void caption(const std::string& name, const std::string& remark) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float left = ImGui::CalcTextSize(name.c_str()).x, right = ImGui::CalcTextSize(remark.c_str()).x;
-    const float start = ImGui::GetCursorPosX();
+    const float end = ImGui::GetCursorPosX() + width;
     ImGui::TextUnformatted(name.c_str());
     if (left + right + ImGui::GetStyle().ItemSpacing.x > width) {
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s  %s", name.c_str(), remark.c_str());
         return;
     }
-    ImGui::SameLine(start + width - right);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(end - right);
     ImGui::TextDisabled("%s", remark.c_str());
+}
+
+// As glman's: "uEta = 1.1000".
+std::string with_value(const Control& control) {
+    std::string text = control.name;
+    for (std::size_t i = 0; i < control.value.size(); ++i)
+        text.append(i == 0 ? " = " : ", ")
+            .append(shown(control.value[i], control.min, control.max, is_integral(control.type)));
+    return text;
 }
 
 void sliders(Control& control, const Section& section) {
@@ -114,7 +124,8 @@ void row(Control& control, const Section& section) {
             section.layout.note(section.program.name, control.name);
             break;
         case Widget::slider:
-            caption(control.name, reason.empty() ? fmt::format("{:g} \u2026 {:g}", control.min, control.max) : reason);
+            caption(with_value(control),
+                    reason.empty() ? fmt::format("{:g} \u2026 {:g}", control.min, control.max) : reason);
             sliders(control, section);
             break;
         case Widget::none:
@@ -126,7 +137,6 @@ void row(Control& control, const Section& section) {
     ImGui::EndDisabled();
     explain(control, section);
     ImGui::PopID();
-    ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y * .25F});
 }
 
 // Large arrays and texture units are no business of a slider panel.

@@ -98,7 +98,7 @@ Fonts apply_style(float scale, float density) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
     Fonts fonts;
-    fonts.text = load(sans, std::round(15 * scale * density));
+    fonts.text = load(sans, std::round(16 * scale * density));
     fonts.mono = load(mono, std::round(14 * scale * density));
     io.FontDefault = fonts.text;
     io.FontGlobalScale = 1 / density;
@@ -106,7 +106,7 @@ Fonts apply_style(float scale, float density) {
     ImGuiStyle style;
     style.WindowPadding = {14, 12};
     style.FramePadding = {8, 4};
-    style.ItemSpacing = {8, 7};
+    style.ItemSpacing = {8, 5};
     style.ItemInnerSpacing = {8, 5};
     style.ScrollbarSize = 11;
     style.WindowRounding = 0;

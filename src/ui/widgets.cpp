@@ -48,22 +48,20 @@ bool type_value(const ImRect& box, ImGuiID id, const char* label, double& value,
     return true;
 }
 
-void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction, const std::string& text) {
-    const ImGuiStyle& style = ImGui::GetStyle();
+// A thin track, filled up to the knob; the number stands above it, where no knob can cover it.
+void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction) {
     const Palette& colors = palette();
     const bool held = ImGui::GetActiveID() == id;
-    const float grab = style.GrabMinSize * .5F, rounding = style.FrameRounding;
+    const float grab = ImGui::GetStyle().GrabMinSize * .5F, middle = box.GetCenter().y;
+    const float half = std::round(box.GetHeight() * .16F);
     const float knob = box.Min.x + grab + static_cast<float>(fraction) * (box.GetWidth() - 2 * grab);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImGuiCol track = held ? ImGuiCol_FrameBgActive : hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg;
-    list.AddRectFilled(box.Min, box.Max, ImGui::GetColorU32(track), rounding);
-    list.PushClipRect(box.Min, {knob, box.Max.y}, true);
-    list.AddRectFilled(box.Min, box.Max, pack(colors.filled), rounding);
-    list.PopClipRect();
-    list.AddRectFilled({knob - grab * .5F, box.Min.y}, {knob + grab * .5F, box.Max.y},
-                       pack(held ? colors.accent_pressed : colors.accent), grab * .5F);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    list.AddText({box.GetCenter().x - size.x / 2, box.GetCenter().y - size.y / 2}, pack(colors.text), text.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({box.Min.x, middle - half}, {box.Max.x, middle + half}, ImGui::GetColorU32(track), half);
+    list.AddRectFilled({box.Min.x, middle - half}, {knob, middle + half}, pack(colors.filled), half);
+    const float reach = std::round(box.GetHeight() * .38F);
+    list.AddRectFilled({knob - grab, middle - reach}, {knob + grab, middle + reach},
+                       pack(held || hovered ? colors.accent_pressed : colors.accent), grab);
 }
 
 }  // namespace
@@ -116,7 +114,7 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
         }
     }
     ImGui::RenderNavHighlight(box, id);
-    draw_slider(box, id, hovered, fraction_of(value, range), shown(value, range.min, range.max, range.integral));
+    draw_slider(box, id, hovered, fraction_of(value, range));
     return changed;
 }
 
