@@ -1,0 +1,8 @@
+#version 120
+// FourTargets
+varying vec3 vN;
+void main() {
+    gl_FragData[0] = vec4(abs(vN), 1.);
+    gl_FragData[1] = vec4(abs(vN.zyx), 1.);
+    gl_FragData[3] = vec4(.25, .5, .75, 1.);
+}

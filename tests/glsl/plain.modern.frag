@@ -1,0 +1,4 @@
+#version 330 core
+in vec4 vColor;
+out vec4 fColor;
+void main() { fColor = vColor; }

@@ -1,0 +1,4 @@
+#version 150
+in vec4 color;
+out vec4 fragColor;
+void main() { fragColor = color; }
