@@ -1,0 +1,4 @@
+#version 330 core
+in vec4 gColor;
+out vec4 c;
+void main() { c = gColor; }

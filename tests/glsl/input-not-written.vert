@@ -1,0 +1,6 @@
+#version 330 compatibility
+out vec3 vN;
+void main() {
+    vN = gl_NormalMatrix * gl_Normal;
+    gl_Position = ftransform();
+}

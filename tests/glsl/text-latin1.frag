@@ -1,0 +1,4 @@
+#version 330 compatibility
+// Müller, 30°
+in vec3 vN;
+void main() { gl_FragColor = vec4(abs(vN), 1.); }

@@ -1,0 +1,3 @@
+#version 330 compatibility
+in vec3 vN;
+void main() { gl_FragColor = vec4(abs(vN), 1.); }
