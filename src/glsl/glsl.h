@@ -63,10 +63,17 @@ struct UniformDefault {
     std::vector<double> values;
 };
 
+// A uniform whose name can't stand in the translated shader (`uniform sampler2D sample`, or a variable that hides
+// a built-in function it calls): what the scene calls `name` is the active uniform `shader_name`.
+struct RenamedUniform {
+    std::string name, shader_name;
+};
+
 struct Translation {
     bool ok = false;  // false: diagnostics hold at least one error
     std::vector<StageOutput> stages;
     std::vector<UniformDefault> defaults;
+    std::vector<RenamedUniform> renamed;
     bool uses_alpha = true;  // false: every colour output is known to have alpha 1
 };
 

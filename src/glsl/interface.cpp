@@ -1,0 +1,143 @@
+// What one stage gives and the next takes: made to match by name.
+#include <algorithm>
+
+#include "src/glsl/program.h"
+#include "src/glsl/words.h"
+
+namespace snell::glsl {
+
+namespace {
+
+bool builtin(const Global& g) { return g.name.starts_with("gl_"); }
+
+// The type of one vertex's value: inputs of these stages, and outputs of tessellation control, are arrays.
+Type per_vertex(const Unit& u, const Global& g) {
+    Type t = g.type;
+    const bool input = g.qualifiers.storage == Storage::in;
+    const bool arrayed =
+        input ? u.stage == Stage::tess_control || u.stage == Stage::tess_evaluation || u.stage == Stage::geometry
+              : u.stage == Stage::tess_control;
+    if (arrayed && g.qualifiers.auxiliary != "patch" && t.dims > 0) --t.dims;
+    return t;
+}
+
+Global* find_output(Unit& u, std::string_view name) {
+    for (Global& g : u.globals)
+        if (g.qualifiers.storage == Storage::out && g.name == name && !g.removed) return &g;
+    return nullptr;
+}
+
+bool in_block(const Unit& u, Storage storage, std::string_view name) {
+    for (const Block& b : u.blocks)
+        if (b.qualifiers.storage == storage && b.instance.empty() &&
+            std::any_of(b.members.begin(), b.members.end(), [&](const Member& m) { return m.name == name; }))
+            return true;
+    return false;
+}
+
+std::string_view location(const Qualifiers& q) {
+    for (const LayoutItem& i : q.layout)
+        if (i.name == "location") return i.value;
+    return {};
+}
+
+void drop_location(Global& g) {
+    if (std::erase_if(g.qualifiers.layout, [](const LayoutItem& i) { return i.name == "location"; }) > 0)
+        g.dirty = true;
+}
+
+std::string element_dims(const Unit& u, const Global& g) {
+    if (g.dims != "[]") return g.dims;
+    for (const StageLayout& l : u.layouts)
+        for (const LayoutItem& i : l.qualifiers.layout) {
+            if (i.name == "points") return "[1]";
+            if (i.name == "lines") return "[2]";
+            if (i.name == "lines_adjacency") return "[4]";
+            if (i.name == "triangles_adjacency") return "[6]";
+        }
+    return u.stage == Stage::geometry ? "[3]" : "[32]";
+}
+
+void read_as_zero(Program& program, Unit& u, Global& g, const Unit& from) {
+    static constexpr std::string_view stage_names[] = {"vertex", "tessellation control", "tessellation evaluation",
+                                                       "geometry", "fragment"};
+    if (!g.uses.empty())
+        program.warn(u, g.name_token, "input-without-output",
+                     "'" + std::string(g.name) + "' is no output of the " +
+                         std::string(stage_names[static_cast<std::size_t>(from.stage)]) +
+                         " shader: it is read as zero");
+    if (g.type.base < Base::boolean || g.type.base > Base::dreal) return;
+    Qualifiers plain;
+    plain.first = g.qualifiers.first;
+    plain.last = g.qualifiers.last;
+    g.qualifiers = plain;
+    g.dirty = true;
+    g.dims = element_dims(u, g);
+    if (g.type.dims == 0) at_main_start(u, std::string(u.now(g.name_token)) + " = " + zero(g.type) + ";");
+}
+
+// Varyings declared with two types: the input is declared as the output is, its uses converted.
+void adapt_type(Program& program, Unit& u, Global& in, const Type& output) {
+    const Type own = per_vertex(u, in);
+    if (own.same(output) || own.dims || output.dims || in.type.dims) return;
+    const std::string name(u.now(in.name_token));
+    const std::string use = converted(name, output, own);
+    if (use.empty()) return;
+    program.warn(
+        u, in.name_token, "varying-types",
+        "'" + name + "' is " + std::string(own.name) + " here, but the stage before gives " + std::string(output.name));
+    in.new_type = output.name;
+    in.dirty = true;
+    in.type = output;
+    for (const int token : in.uses) u.replace(token, use);
+}
+
+void adapt_interpolation(const Target& target, Unit& from, Global& out, Unit& to, Global& in) {
+    if (to.stage != Stage::fragment) return;
+    if ((in.type.integral() || in.type.base == Base::dreal || in.type.base == Base::boolean) &&
+        in.qualifiers.interpolation != "flat") {
+        in.qualifiers.interpolation = "flat";
+        in.dirty = true;
+    }
+    const std::string_view a = in.qualifiers.interpolation == "smooth" ? "" : in.qualifiers.interpolation;
+    const std::string_view b = out.qualifiers.interpolation == "smooth" ? "" : out.qualifiers.interpolation;
+    if (a != b && (target.es || target.version < 440 || from.stage != Stage::vertex)) {
+        out.qualifiers.interpolation = in.qualifiers.interpolation;
+        out.dirty = true;
+    }
+    if (in.qualifiers.auxiliary != out.qualifiers.auxiliary && (target.es || target.version < 430)) {
+        out.qualifiers.auxiliary = in.qualifiers.auxiliary;
+        out.dirty = true;
+    }
+}
+
+}  // namespace
+
+void match_interfaces(Program& program) {
+    for (Unit& u : program.units) {
+        Unit* from = program.before(u);
+        if (!from) continue;
+        for (Global& g : u.globals) {
+            if (g.qualifiers.storage != Storage::in || builtin(g) || g.removed) continue;
+            Global* out = find_output(*from, g.name);
+            if (!out) {
+                if (in_block(*from, Storage::out, g.name)) continue;
+                const std::string_view at = location(g.qualifiers);
+                const bool by_location =
+                    !at.empty() && std::any_of(from->globals.begin(), from->globals.end(), [&](const Global& o) {
+                        return o.qualifiers.storage == Storage::out && location(o.qualifiers) == at;
+                    });
+                if (!by_location) read_as_zero(program, u, g, *from);
+                continue;
+            }
+            if (location(out->qualifiers) != location(g.qualifiers)) {
+                drop_location(*out);
+                drop_location(g);
+            }
+            adapt_type(program, u, g, per_vertex(*from, *out));
+            adapt_interpolation(program.target(), *from, *out, u, g);
+        }
+    }
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,32 @@
+// The built-in variables of every GLSL: which stand in a core profile, and what stands for the others.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "src/glsl/token.h"
+
+namespace snell::glsl {
+
+enum class LegacyKind : std::uint8_t {
+    core,           // stays
+    uniform,        // becomes `uniform TYPE snell_…`
+    attribute,      // becomes `in TYPE snell_…` of the vertex shader
+    varying,        // written by gl_Front…, read by the stage after
+    color,          // gl_FragColor, gl_FragData
+    limit,          // gl_Max…: a number
+    per_vertex_in,  // gl_PositionIn and friends
+    ignored,        // gl_ClipVertex: a variable that nothing reads
+};
+
+struct LegacyName {
+    std::string_view name;
+    LegacyKind kind;
+    std::string_view type;           // of an element
+    int size = 0;                    // of an array; 0: no array
+    std::string_view struct_text{};  // declaration of the type, where it is a structure
+};
+
+const LegacyName* legacy_name(std::string_view name);
+
+}  // namespace snell::glsl

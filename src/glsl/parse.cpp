@@ -1,0 +1,455 @@
+// Declarations outside functions.
+#include "src/glsl/parse.h"
+
+#include "src/glsl/legacy.h"
+#include "src/glsl/words.h"
+
+namespace snell::glsl {
+
+void Parser::run() {
+    open_scope();
+    while (!at_end()) {
+        const int before = p_;
+        external();
+        if (p_ == before) ++p_;
+    }
+}
+
+void Parser::declare(std::string_view name, Symbol symbol) {
+    const auto it = symbols_.find(name);
+    undo_.back().emplace_back(name, it == symbols_.end() ? std::nullopt : std::optional<Symbol>(it->second));
+    symbols_[name] = std::move(symbol);
+}
+
+void Parser::close_scope() {
+    for (auto it = undo_.back().rbegin(); it != undo_.back().rend(); ++it) {
+        if (it->second) {
+            symbols_[it->first] = std::move(*it->second);
+        } else {
+            symbols_.erase(it->first);
+        }
+    }
+    undo_.pop_back();
+}
+
+const Parser::Symbol* Parser::find(std::string_view name) const {
+    const auto it = symbols_.find(name);
+    return it == symbols_.end() ? nullptr : &it->second;
+}
+
+void Parser::skip_balanced() {
+    int open = 0;
+    while (!at_end()) {
+        const std::string_view t = text();
+        if (t == "(" || t == "[" || t == "{") ++open;
+        if (t == ")" || t == "]" || t == "}") --open;
+        ++p_;
+        if (open <= 0) return;
+    }
+}
+
+void Parser::skip_to_semicolon() {
+    while (!at_end() && !is(";") && !is("}")) {
+        if (is("(") || is("[") || is("{")) {
+            skip_balanced();
+        } else {
+            ++p_;
+        }
+    }
+    accept(";");
+}
+
+void Parser::skip_declaration() {
+    while (!at_end() && !is(";")) {
+        if (is("{")) {
+            skip_balanced();
+            return;
+        }
+        if (is("(") || is("[")) {
+            skip_balanced();
+        } else {
+            ++p_;
+        }
+    }
+    accept(";");
+}
+
+bool Parser::layout(Qualifiers& q) {
+    ++p_;
+    if (!accept("(")) return false;
+    while (!at_end() && !is(")")) {
+        LayoutItem item;
+        item.name = token().text;
+        ++p_;
+        if (accept("=")) {
+            while (!at_end() && !is(",") && !is(")")) {
+                if (is("(")) {
+                    const int from = p_;
+                    skip_balanced();
+                    for (int k = from; k < p_; ++k) item.value += u_.at(k).text;
+                } else {
+                    item.value += token().text;
+                    ++p_;
+                }
+            }
+        }
+        q.layout.push_back(std::move(item));
+        accept(",");
+    }
+    return accept(")");
+}
+
+Qualifiers Parser::qualifiers() {
+    Qualifiers q;
+    q.first = p_;
+    for (;;) {
+        const std::string_view t = text();
+        if (token().kind != Kind::identifier || !is_qualifier(t)) break;
+        if (t == "layout") {
+            if (!layout(q)) break;
+            continue;
+        }
+        ++p_;
+        if (t == "const") q.constant = true;
+        if (t == "in") q.storage = q.storage == Storage::out ? Storage::inout : Storage::in;
+        if (t == "out") q.storage = q.storage == Storage::in ? Storage::inout : Storage::out;
+        if (t == "inout") q.storage = Storage::inout;
+        if (t == "uniform") q.storage = Storage::uniform;
+        if (t == "buffer") q.storage = Storage::buffer;
+        if (t == "shared") q.storage = Storage::shared;
+        if (t == "attribute") q.attribute = true;
+        if (t == "varying") q.varying = true;
+        if (t == "flat" || t == "smooth" || t == "noperspective") q.interpolation = t;
+        if (t == "centroid" || t == "sample" || t == "patch") q.auxiliary = t;
+        if (t == "highp" || t == "mediump" || t == "lowp") q.precision = t;
+        if (t == "invariant") q.invariant = true;
+        if (t == "precise") q.precise = true;
+        if (t == "coherent" || t == "volatile" || t == "restrict" || t == "readonly" || t == "writeonly")
+            q.memory += std::string(t) + " ";
+    }
+    q.last = p_ - 1;
+    if (q.attribute) q.storage = Storage::in;
+    if (q.varying && q.storage == Storage::plain) q.storage = u_.stage == Stage::fragment ? Storage::in : Storage::out;
+    if (q.constant && q.storage == Storage::plain) q.storage = Storage::constant;
+    return q;
+}
+
+std::optional<Type> Parser::type_specifier(bool& defines) {
+    defines = false;
+    if (is("struct")) {
+        defines = true;
+        return structure();
+    }
+    if (token().kind != Kind::identifier) return std::nullopt;
+    if (const auto type = builtin_type(text())) {
+        ++p_;
+        return type;
+    }
+    for (std::size_t n = 0; n < u_.structs.size(); ++n)
+        if (u_.structs[n].name == text()) {
+            const Symbol* hidden = find(text());
+            if (hidden && !hidden->function) return std::nullopt;  // a variable of the same name
+            Type type;
+            type.base = Base::structure;
+            type.structure = static_cast<std::int32_t>(n);
+            type.name = text();
+            ++p_;
+            return type;
+        }
+    if (token(1).kind == Kind::identifier && !is_statement_word(text()) && !is_qualifier(text())) {
+        Type type;
+        type.name = text();
+        ++p_;
+        return type;
+    }
+    return std::nullopt;
+}
+
+std::optional<Type> Parser::structure() {
+    ++p_;
+    Type type;
+    type.base = Base::structure;
+    Struct s;
+    if (token().kind == Kind::identifier) {
+        s.name = text();
+        ++p_;
+    }
+    type.name = s.name;
+    type.structure = static_cast<std::int32_t>(u_.structs.size());
+    u_.structs.push_back(std::move(s));
+    if (is("{")) members(type.structure, nullptr);
+    return type;
+}
+
+// Members between braces, from `{` to behind `}`.
+void Parser::members(int structure, std::vector<std::pair<int, int>>* tokens) {
+    ++p_;
+    while (!at_end() && !is("}")) {
+        const int first = p_;
+        qualifiers();
+        bool defines = false;
+        const std::optional<Type> type = type_specifier(defines);
+        if (!type) {
+            skip_to_semicolon();
+            if (p_ == first) ++p_;
+            continue;
+        }
+        Type base = *type;
+        dimensions(base, nullptr);
+        while (token().kind == Kind::identifier) {
+            Member m{text(), base};
+            ++p_;
+            dimensions(m.type, nullptr);
+            u_.structs[static_cast<std::size_t>(structure)].members.push_back(m);
+            if (!accept(",")) break;
+        }
+        if (!is(";"))
+            skip_to_semicolon();
+        else
+            accept(";");
+        if (tokens) tokens->emplace_back(first, p_ - 1);
+        if (p_ == first) ++p_;
+    }
+    accept("}");
+}
+
+// Array dimensions; added to the type, and to `written` as they stand.
+int Parser::dimensions(Type& type, std::string* written) {
+    int count = 0;
+    while (is("[")) {
+        const int open = p_;
+        ++p_;
+        std::int32_t size = -1;
+        if (!is("]")) {
+            const Expression e = expression();
+            if (e.value.size() == 1 && e.value[0] >= 0 && e.value[0] < 1e6)
+                size = static_cast<std::int32_t>(e.value[0]);
+        }
+        if (!is("]")) {
+            p_ = open;
+            skip_balanced();
+        } else {
+            ++p_;
+        }
+        if (written)
+            for (int k = open; k < p_; ++k) *written += u_.now(k);
+        if (count++ == 0) type.size = size;
+        if (type.dims < 8) ++type.dims;
+    }
+    return count;
+}
+
+void Parser::block(const Qualifiers& q, int first) {
+    Block b;
+    b.qualifiers = q;
+    b.first = first;
+    b.name = text();
+    ++p_;
+    b.open = p_;
+    Struct s;
+    s.name = u_.keep("{" + std::string(b.name) + "}");  // never found as a type
+    const auto structure = static_cast<std::int32_t>(u_.structs.size());
+    u_.structs.push_back(s);
+    members(structure, &b.member_tokens);
+    b.close = p_ - 1;
+    b.members = u_.structs[static_cast<std::size_t>(structure)].members;
+    Type type;
+    type.base = Base::structure;
+    type.structure = structure;
+    if (token().kind == Kind::identifier) {
+        b.instance = text();
+        ++p_;
+        b.arrayed = dimensions(type, nullptr) > 0;
+        declare(b.instance, {type, -1, false, false, {}});
+    } else {
+        for (const Member& m : b.members) declare(m.name, {m.type, -1, false, false, {}});
+    }
+    if (!is(";"))
+        skip_to_semicolon();
+    else
+        accept(";");
+    b.last = p_ - 1;
+    u_.blocks.push_back(std::move(b));
+}
+
+void Parser::external() {
+    const int first = p_;
+    if (accept(";")) return;
+    if (is("precision")) return skip_to_semicolon();
+    const Qualifiers q = qualifiers();
+    if (is(";")) {  // layout(…) in;
+        ++p_;
+        u_.layouts.push_back({q, p_ - 1});
+        return;
+    }
+    const bool interface = q.storage == Storage::in || q.storage == Storage::out || q.storage == Storage::uniform ||
+                           q.storage == Storage::buffer;
+    if (interface && token().kind == Kind::identifier && is("{", 1) && !is("struct")) return block(q, first);
+    if (p_ > first && (q.invariant || q.precise) && token().kind == Kind::identifier && (is(";", 1) || is(",", 1)))
+        return skip_to_semicolon();  // invariant gl_Position;
+    Group group;
+    group.first = first;
+    group.type_first = p_;
+    bool defines = false;
+    std::optional<Type> type = type_specifier(defines);
+    if (!type) return skip_declaration();
+    group.defines_struct = defines;
+    group.type_last = p_ - 1;
+    Type base = *type;
+    if (is("[")) {
+        dimensions(base, nullptr);
+        group.type_last = p_ - 1;
+    }
+    if (accept(";")) return;  // struct X { … };
+    if (token().kind == Kind::identifier && is("(", 1)) return function(base, p_);
+    declarators(q, base, group, true);
+}
+
+void Parser::declarators(const Qualifiers& q, Type type, Group group, bool global) {
+    const auto index = static_cast<int>(u_.groups.size());
+    if (global) u_.groups.push_back(std::move(group));
+    while (token().kind == Kind::identifier) {
+        declarator(q, type, index, global);
+        if (!accept(",")) break;
+    }
+    if (!is(";")) {
+        if (!global) return skip_to_semicolon();
+        u_.groups.back().last = -1;  // not understood: left as it is
+        return skip_declaration();
+    }
+    ++p_;
+    if (global) u_.groups[static_cast<std::size_t>(index)].last = p_ - 1;
+}
+
+void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) {
+    Global g;
+    g.name = text();
+    g.name_token = p_;
+    g.qualifiers = q;
+    g.group = group;
+    ++p_;
+    dimensions(type, &g.dims);
+    g.type = type;
+    std::vector<double> value;
+    if (accept("=")) {
+        g.init_first = p_;
+        const Expression e = initialiser(type);
+        g.init_last = p_ - 1;
+        g.init_constant = e.constant;
+        if (e.constant) value = e.value;
+        if (type.size < 0 && type.dims == 1) g.type.size = e.type.size;
+        if (!global && q.storage == Storage::constant && !e.constant && (target_.es || target_.version < 420))
+            for (int k = q.first; k <= q.last; ++k)
+                if (u_.at(k).text == "const") u_.replace(k, "");
+    }
+    Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
+    if (symbol.constant) symbol.value = value;
+    if (global) {
+        symbol.global = static_cast<int>(u_.globals.size());
+        g.value = std::move(value);
+        u_.groups[static_cast<std::size_t>(group)].globals.push_back(symbol.global);
+        u_.globals.push_back(std::move(g));
+    }
+    declare(global ? u_.globals.back().name : g.name, std::move(symbol));
+}
+
+// An initialiser: an expression, or a list in braces.
+Expression Parser::initialiser(const Type& due) {
+    if (!is("{")) {
+        const Expression e = assignment();
+        convert(e, due, Due::initialiser);
+        return e;
+    }
+    const int open = p_;
+    ++p_;
+    Type element = due;
+    if (element.dims > 0)
+        --element.dims;
+    else if (element.cols > 1)
+        element.cols = 1;
+    else
+        element.rows = 1;
+    if (due.dims == 0) element = make_type(due.base, element.rows, element.cols);
+    Expression list;
+    list.first = open;
+    list.type = due;
+    int count = 0;
+    bool known = true;
+    if (++depth_ > 200) {
+        p_ = open;
+        skip_balanced();
+        --depth_;
+        return list;
+    }
+    while (!at_end() && !is("}")) {
+        const int before = p_;
+        const Expression e = initialiser(element);
+        list.constant = list.constant && e.constant;
+        known = known && !e.value.empty();
+        list.value.insert(list.value.end(), e.value.begin(), e.value.end());
+        ++count;
+        if (!accept(",")) break;
+        if (p_ == before) ++p_;
+    }
+    --depth_;
+    const int close = p_;
+    if (!accept("}")) {
+        p_ = open;
+        skip_balanced();
+        return list;
+    }
+    if (!known) list.value.clear();
+    list.last = close;
+    if (due.dims > 0) list.type.size = count;
+    if ((target_.es || target_.version < 420) && due.structure < 0 && !due.name.empty() && element.dims == 0) {
+        u_.replace(open, std::string(due.name) + (due.dims > 0 ? "[" + std::to_string(count) + "]" : "") + "(");
+        u_.replace(close, ")");
+        if (u_.at(close - 1).text == ",") u_.replace(close - 1, "");
+    }
+    return list;
+}
+
+void Parser::function(const Type& result, int name) {
+    Function f;
+    f.name = text();
+    f.result = result;
+    f.name_token = name;
+    p_ = name + 2;
+    open_scope();
+    while (!at_end() && !is(")")) {
+        const int before = p_;
+        const Qualifiers q = qualifiers();
+        bool defines = false;
+        const std::optional<Type> type = type_specifier(defines);
+        if (!type) break;
+        Parameter parameter{*type, q.storage == Storage::out || q.storage == Storage::inout ? q.storage : Storage::in};
+        dimensions(parameter.type, nullptr);
+        if (token().kind == Kind::identifier) {
+            const std::string_view parameter_name = text();
+            ++p_;
+            dimensions(parameter.type, nullptr);
+            declare(parameter_name, {parameter.type, -1, false, false, {}});
+        }
+        if (parameter.type.base != Base::none) f.parameters.push_back(parameter);
+        if (!accept(",") || p_ == before) break;
+    }
+    if (!accept(")")) {
+        close_scope();
+        return skip_declaration();
+    }
+    const auto index = u_.functions.size();
+    const std::string_view function_name = f.name;
+    u_.functions.push_back(std::move(f));
+    if (is("{")) {
+        u_.functions[index].open = p_;
+        result_ = result;
+        compound();
+        u_.functions[index].close = p_ - 1;
+    } else {
+        accept(";");
+    }
+    close_scope();
+    declare(function_name, {result, -1, false, true, {}});
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,79 @@
+// The steps from parsed stages to translated ones; translate.cpp runs them in the order of this file.
+#pragma once
+
+#include <map>
+
+#include "src/glsl/token.h"
+
+namespace snell::glsl {
+
+// All stages of one program while they are translated.
+struct Program {
+    const Options& options;
+    Sources& sources;
+    Diagnostics& diagnostics;
+    std::vector<Unit> units;  // in the order of the pipeline
+    std::vector<UniformDefault> defaults;
+    std::vector<RenamedUniform> renamed;
+
+    const Target& target() const { return options.target; }
+    Unit* find(Stage stage) {
+        for (Unit& u : units)
+            if (u.stage == stage) return &u;
+        return nullptr;
+    }
+    Unit* before(const Unit& unit) {
+        Unit* found = nullptr;
+        for (Unit& u : units)
+            if (u.stage < unit.stage) found = &u;
+        return found;
+    }
+    // One warning for each kind of forgiveness and place.
+    void warn(const Unit& u, int token, std::string_view code, std::string message, std::string help = {}) {
+        diagnostics.warning(code, u.span(token), std::move(message), std::move(help));
+    }
+};
+
+// Before the parse: words that became reserved, words that mean nothing here, odd numbers.
+void mend_words(Program& program, Unit& unit);
+
+// A stage that the pipeline needs and the program lacks, as source text; empty if none is missing.
+std::string default_vertex_shader(Program& program);
+std::string default_fragment_shader(Program& program);
+
+// Uniforms of one name agree in type and initialiser; values of initialisers are recorded.
+void unify_uniforms(Program& program);
+// Inputs of each stage meet outputs of the stage before.
+void match_interfaces(Program& program);
+// Vertex inputs get the attribute that their name or location means.
+void assign_attributes(Program& program, Unit& vertex);
+// Colour outputs of the fragment shader.
+void assign_outputs(Program& program, Unit& fragment);
+// Layouts that an old geometry shader leaves to the application.
+void complete_geometry(Program& program, Unit& geometry);
+// gl_… to snell_….
+void replace_legacy(Program& program);
+// Initialisers that are no constants move to the start of main.
+void move_initialisers(Program& program, Unit& unit);
+// Qualifiers and types as the target wants them; rewrites the declarations marked dirty.
+void write_declarations(Program& program, Unit& unit);
+
+// The text of a stage.
+std::string emit(const Program& program, Unit& unit);
+// Tokens first … last as they will be written, without what leads the first.
+std::string render(const Unit& unit, int first, int last);
+
+// Declares `in`, `out` or the like in the header unless the text does so itself.
+void declare_once(Unit& unit, std::string_view name, std::string_view declaration);
+// The unit's main has code to run before the user's; false if there is no main.
+bool at_main_start(Unit& unit, std::string_view statement);
+// Runs a statement when main has returned.
+void at_main_end(Unit& unit, std::string_view statement);
+const Function* find_main(const Unit& unit);
+bool user_function(const Unit& unit, std::string_view name);
+// "vec3(x)" and the like: the value `text` of one type as another; empty if there is no way.
+std::string converted(std::string_view text, const Type& from, const Type& to);
+// Zero of a type that is no structure.
+std::string zero(const Type& type);
+
+}  // namespace snell::glsl

@@ -1,0 +1,213 @@
+// Tokens of one stage after preprocessing, with everything needed to write the text back as it was.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/glsl/glsl.h"
+
+namespace snell::glsl {
+
+enum class Kind : std::uint8_t { identifier, integer, real, punct, other, end };
+
+struct Token {
+    Kind kind = Kind::end;
+    std::uint16_t file = 0;    // source string: index into Unit::files
+    std::uint32_t offset = 0;  // in that file; of the macro's use for what a macro gave
+    std::int32_t macro = -1;   // Unit::invocations
+    std::int32_t edit = -1;    // Unit::edits
+    std::string_view text;
+    std::string_view lead;  // what stands before it: blanks, comments, directives
+};
+
+// Changes to a token's text; `before` and `after` go around it. Never holds a line end.
+struct Edit {
+    std::string before, text, after;
+    bool replaced = false;
+};
+
+struct Invocation {
+    std::string_view source;  // as written: name and arguments
+};
+
+struct Extension {
+    std::string name, behaviour;
+};
+
+// Structure types: members in order. The names are views of the unit's text or of literals.
+enum class Base : std::uint8_t { unknown, none, boolean, integer, uinteger, real, dreal, sampler, structure };
+
+struct Type {
+    Base base = Base::unknown;
+    std::uint8_t rows = 1, cols = 1;  // vec3: rows 3; mat4: rows 4, cols 4
+    std::uint8_t dims = 0;            // of arrays
+    std::int32_t structure = -1;      // Unit::structs
+    std::int32_t size = -1;           // outermost array size, if known
+    std::string_view name;            // of the element, as GLSL calls it
+
+    bool scalar() const { return rows == 1 && cols == 1 && dims == 0; }
+    bool same(const Type& o) const {
+        return base == o.base && rows == o.rows && cols == o.cols && dims == o.dims && structure == o.structure &&
+               (base != Base::sampler || name == o.name);
+    }
+    bool integral() const { return base == Base::integer || base == Base::uinteger; }
+    bool floating() const { return base == Base::real || base == Base::dreal; }
+    bool numeric() const { return integral() || floating(); }
+};
+
+struct Member {
+    std::string_view name;
+    Type type;
+};
+struct Struct {
+    std::string_view name;
+    std::vector<Member> members;
+};
+
+enum class Storage : std::uint8_t { plain, constant, in, out, inout, uniform, buffer, shared };
+
+struct LayoutItem {
+    std::string name, value;
+};
+
+struct Qualifiers {
+    std::vector<LayoutItem> layout;
+    Storage storage = Storage::plain;
+    bool constant = false;  // `const` was written, also beside in, out or uniform
+    bool varying = false;   // the word varying was used
+    bool attribute = false;
+    bool invariant = false, precise = false;
+    std::string_view interpolation;  // flat, smooth, noperspective
+    std::string_view auxiliary;      // centroid, sample, patch
+    std::string_view precision;
+    std::string memory;         // coherent, readonly …
+    int first = -1, last = -1;  // tokens; none: first > last or -1
+};
+
+// One declared global variable.
+struct Global {
+    std::string_view name;
+    Type type;  // dims counts all array dimensions
+    Qualifiers qualifiers;
+    int group = -1;
+    int name_token = -1;
+    int init_first = -1, init_last = -1;  // tokens of the initialiser
+    std::string dims;                     // "[3]" as it will be written
+    bool init_constant = true;
+    bool dirty = false;      // to be written anew
+    bool removed = false;    // its declaration disappears
+    bool drop_init = false;  // the initialiser is not written here
+    bool read = false, written = false;
+    std::string new_type;  // instead of the type's name
+    std::string new_name;
+    std::vector<double> value;  // of a constant initialiser, where known
+    std::vector<int> uses;      // tokens
+};
+
+// One declaration with one or several declarators, ended by a semicolon.
+struct Group {
+    int first = -1, last = -1;  // tokens, `;` included
+    int type_first = -1, type_last = -1;
+    std::vector<int> globals;
+    bool defines_struct = false;
+};
+
+struct Block {
+    Qualifiers qualifiers;
+    std::string_view name, instance;
+    bool arrayed = false;
+    int first = -1, last = -1, open = -1, close = -1;
+    std::vector<Member> members;
+    std::vector<std::pair<int, int>> member_tokens;  // each member's tokens, `;` included
+};
+
+struct Parameter {
+    Type type;
+    Storage storage = Storage::in;
+};
+
+struct Function {
+    std::string_view name;
+    Type result;
+    std::vector<Parameter> parameters;
+    int name_token = -1;
+    int open = -1, close = -1;  // tokens of the body's braces; -1: a prototype
+};
+
+// `layout(…) in;` and `layout(…) out;`
+struct StageLayout {
+    Qualifiers qualifiers;
+    int last = -1;
+};
+
+// One stage of a program.
+struct Unit {
+    Stage stage = Stage::vertex;
+    Span reference;
+    std::vector<FileId> files;
+    std::deque<std::string> arena;  // texts that no source holds
+
+    std::vector<Token> tokens;  // the last one is Kind::end
+    std::vector<Edit> edits;
+    std::vector<Invocation> invocations;
+    std::string_view head;  // what stands before a #version directive
+    bool has_version = false;
+    int version = 110;
+    std::string_view profile;
+    int version_line = 1;
+    bool verbatim = true;  // macros and conditionals stay in the text
+    std::vector<Extension> extensions;
+    std::vector<std::string> defined;  // names given by #define anywhere
+    bool has_conditionals = false;
+
+    std::vector<Struct> structs;
+    std::vector<Global> globals;
+    std::vector<Group> groups;
+    std::vector<Block> blocks;
+    std::vector<Function> functions;
+    std::vector<StageLayout> layouts;
+
+    std::set<std::string_view> legacy_written;  // built-in variables that are assigned
+    bool alpha_known = false;                   // some write of a colour output gave it alpha 1
+    bool alpha_unknown = false;                 // some write may have given it another
+
+    std::string header;      // declarations before the user's text, whole lines
+    std::string main_start;  // statements at the start of main
+    std::string trailer;     // whole lines after the user's text
+    std::vector<std::string> wanted_extensions;
+
+    Edit& edit(int token) {
+        Token& t = tokens[static_cast<std::size_t>(token)];
+        if (t.edit < 0) {
+            t.edit = static_cast<std::int32_t>(edits.size());
+            edits.emplace_back();
+        }
+        return edits[static_cast<std::size_t>(t.edit)];
+    }
+    void replace(int token, std::string_view text) {
+        Edit& e = edit(token);
+        e.text = text;
+        e.replaced = true;
+    }
+    // The text of the token as it will be written.
+    std::string_view now(int token) const {
+        const Token& t = tokens[static_cast<std::size_t>(token)];
+        if (t.edit >= 0 && edits[static_cast<std::size_t>(t.edit)].replaced)
+            return edits[static_cast<std::size_t>(t.edit)].text;
+        return t.text;
+    }
+    const Token& at(int token) const { return tokens[static_cast<std::size_t>(token)]; }
+    Span span(int token) const {
+        const Token& t = at(token);
+        const FileId file = t.file < files.size() ? files[t.file] : files.front();
+        const auto length = static_cast<std::uint32_t>(t.macro < 0 ? t.text.size() : 1);
+        return {file, t.offset, t.offset + length};
+    }
+    std::string_view keep(std::string text) { return arena.emplace_back(std::move(text)); }
+};
+
+}  // namespace snell::glsl
