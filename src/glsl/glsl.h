@@ -45,6 +45,10 @@ struct Options {
     Target target;
     std::vector<Define> defines;
     std::string geometry_input, geometry_output;  // "gl_triangles" …, from GeometryInput/GeometryOutput
+    bool flat_color = false;  // the legacy colour varyings are not interpolated
+    // Lines become quads of `snell_LineWidth` pixels in `snell_Viewport`, by a geometry stage that passes every
+    // varying on. For programs of a vertex and a fragment shader only.
+    bool wide_lines = false;
     IncludeReader include;
 };
 
@@ -151,6 +155,8 @@ enum class System : std::uint8_t {
     depth_range_far,
     depth_range_diff,
     point_size,
+    line_width,
+    viewport,  // pixels
 };
 struct SystemName {
     std::string_view name;
