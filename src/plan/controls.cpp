@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "src/plan/fit.h"
@@ -31,6 +32,31 @@ std::string type_name(const ActiveUniform& uniform) {
     return uniform.array_size > 1 ? fmt::format("{}[{}]", uniform.glsl_type, uniform.array_size) : uniform.glsl_type;
 }
 
+struct Element {
+    const ActiveUniform* array = nullptr;
+    std::size_t index = 0;
+};
+
+// Of an array that the program has: "weights[2]".
+Element find_element(const std::vector<ActiveUniform>& active, std::string_view name) {
+    const std::size_t bracket = name.rfind('[');
+    if (bracket == std::string_view::npos || name.back() != ']') return {};
+    const std::string_view digits = name.substr(bracket + 1, name.size() - bracket - 2);
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (error != std::errc() || end != digits.data() + digits.size()) return {};
+    const ActiveUniform* array = find_active(active, name.substr(0, bracket));
+    if (array == nullptr || index >= static_cast<std::size_t>(std::max(array->array_size, 1))) return {};
+    return {array, index};
+}
+
+// <true> rather than <1>, which is a constant unless the uniform is a bool: the only whole numbers that long.
+bool is_word(const UniformValue& boolean) {
+    if (!boolean.integral || boolean.value_spans.empty()) return false;
+    const Span& span = boolean.value_spans[0];
+    return span.end - span.begin >= std::string_view("true").size();
+}
+
 class Maker {
 public:
     Maker(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
@@ -50,25 +76,49 @@ private:
         const auto& values = scene_.programs[program].uniforms;
         for (Index index = 0; index < values.size(); ++index) {
             const UniformValue& written = values[index];
+            if (const Element element = find_element(active, written.name); element.array != nullptr) {
+                add_element(program, written, element);
+                continue;
+            }
             const ActiveUniform* uniform = find_active(active, written.name);
-            Control control;
-            control.program = program;
-            control.name = written.name;
+            Control control = control_of(program, written.name, written.span);
             control.uniform = index;
-            control.span = written.span;
             control.active = uniform != nullptr;
             if (uniform == nullptr && !active.empty()) report_unknown(program, written, active);
             fit(control, written, uniform != nullptr ? *uniform : guess(written));
             control.initial = control.value;
-            // The last one of a name that is given twice is what the program would get last.
-            if (Control* earlier = controls_.find(program, written.name)) {
-                diagnostics_.warning("duplicate-uniform", written.name_span,
-                                     fmt::format("'{}' is given twice; this value is used", written.name));
-                *earlier = std::move(control);
-            } else {
-                controls_.items.push_back(std::move(control));
-            }
+            controls_.items.push_back(std::move(control));
         }
+    }
+
+    static Control control_of(Index program, std::string_view name, const Span& span) {
+        Control control;
+        control.program = program;
+        control.name = name;
+        control.span = span;
+        return control;
+    }
+
+    // "weights[2] 5.": the elements of one array are one control.
+    void add_element(Index program, const UniformValue& written, const Element& element) {
+        const ActiveUniform& array = *element.array;
+        Control* control = controls_.find(program, base_name(array.name));
+        if (control == nullptr) {
+            controls_.items.push_back(control_of(program, base_name(array.name), written.span));
+            control = &controls_.items.back();
+            take_type(*control, array);
+        }
+        const bool range = written.kind == Kind::range && written.values.size() > 2;
+        const std::vector<double> values = range ? std::vector{written.values[1]} : written.values;
+        const auto each = static_cast<std::size_t>(control->components);
+        const std::size_t first = each * element.index, room = control->value.size() - first;
+        if (values.empty() || values.size() > room || values.size() % each != 0) {
+            report_count(written, array, each, values.size());
+        }
+        for (std::size_t i = 0; i < std::min(values.size(), room); ++i) {
+            control->value[first + i] = typed(*control, values[i], written, array);
+        }
+        control->initial = control->value;
     }
 
     void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
@@ -102,13 +152,19 @@ private:
         return uniform;
     }
 
-    void fit(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+    // Type, and the value that linking gave.
+    static void take_type(Control& control, const ActiveUniform& uniform) {
         control.type = uniform.type;
         control.components = std::max(uniform.components, 1);
         control.array_size = std::max(uniform.array_size, 1);
         const auto total = static_cast<std::size_t>(control.components) * static_cast<std::size_t>(control.array_size);
         control.value = uniform.initial;
         control.value.resize(total, 0.);
+        for (double& value : control.value) value = fit_to_type(value, control.type);
+    }
+
+    void fit(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        take_type(control, uniform);
         switch (written.kind) {
             case Kind::range:
                 fit_range(control, written, uniform);
@@ -130,15 +186,18 @@ private:
     void fit_values(Control& control, const std::vector<double>& values, const UniformValue& written,
                     const ActiveUniform& uniform) {
         if (values.size() != control.value.size()) {
-            diagnostics_.warning(
-                "uniform-value-count", written.span,
-                fmt::format("'{}' is a {} and takes {} {}, not {}", written.name, type_name(uniform),
-                            control.value.size(), control.value.size() == 1 ? "number" : "numbers", values.size()),
-                "the numbers that are there are used");
+            report_count(written, uniform, control.value.size(), values.size());
         }
         for (std::size_t i = 0; i < std::min(values.size(), control.value.size()); ++i) {
             control.value[i] = typed(control, values[i], written, uniform);
         }
+    }
+
+    void report_count(const UniformValue& written, const ActiveUniform& uniform, std::size_t takes, std::size_t given) {
+        diagnostics_.warning("uniform-value-count", written.span,
+                             fmt::format("'{}' is a {} and takes {} {}, not {}", written.name, type_name(uniform),
+                                         takes, takes == 1 ? "number" : "numbers", given),
+                             "the numbers that are there are used");
     }
 
     double typed(const Control& control, double value, const UniformValue& written, const ActiveUniform& uniform) {
@@ -154,7 +213,8 @@ private:
     void fit_boolean(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
         const std::vector<double> values{written.values.empty() || written.values[0] == 0 ? 0. : 1.};
         fit_values(control, values, written, uniform);
-        if (control.value.size() == 1 && control.type != ValueType::sampler) control.widget = Widget::check_box;
+        const bool flag = control.type == ValueType::bool_ || (control.type != ValueType::sampler && is_word(written));
+        if (flag && control.value.size() == 1) control.widget = Widget::check_box;
     }
 
     void fit_color(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
@@ -168,16 +228,10 @@ private:
     }
 
     void fit_range(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
-        const std::vector<double>& values = written.values;
-        if (values.size() < 2) {
-            fit_values(control, values, written, uniform);
+        if (written.values.size() < 3) {
+            fit_values(control, written.values, written, uniform);
             if (control.type == ValueType::bool_ && control.value.size() == 1) control.widget = Widget::check_box;
             return;
-        }
-        if (values.size() > 3) {
-            diagnostics_.warning("uniform-value-count", written.span,
-                                 fmt::format("the range of '{}' has {} numbers", written.name, values.size()),
-                                 "a range is <minimum current maximum>; the first three are used");
         }
         const Range range = mend_range(control, written, uniform);
         // A range is for one number; one for a vector moves all of its components.
@@ -200,20 +254,16 @@ private:
     Range mend_range(const Control& control, const UniformValue& written, const ActiveUniform& uniform) {
         std::vector<double> v = written.values;
         for (double& number : v) number = std::isnan(number) ? 0 : number;
-        Range range{v[0], v[1], v.size() > 2 ? v[2] : v[1]};
+        Range range{v[0], v[1], v[2]};
         if (control.type == ValueType::bool_) return {0, range.current, 1};
         if (range.min > range.max) {
             std::swap(range.min, range.max);
-            if (v.size() > 2) {
-                warn_range("range-reversed", written, "its minimum is above its maximum: they are exchanged");
-            }
+            warn_range("range-reversed", written, "its minimum is above its maximum: they are exchanged");
         }
         if (range.current < range.min || range.current > range.max) {
             range.min = std::min(range.min, range.current);
             range.max = std::max(range.max, range.current);
-            if (v.size() > 2) {
-                warn_range("range-widened", written, fmt::format("{} lies outside it: it is widened", range.current));
-            }
+            warn_range("range-widened", written, fmt::format("{} lies outside it: it is widened", range.current));
         }
         const Range limited = limit_range(range, control.type);
         if (limited.min != range.min || limited.max != range.max) {
@@ -234,18 +284,9 @@ private:
         for (const ActiveUniform& uniform : active) {
             const std::string_view name = base_name(uniform.name);
             if (uniform.system || is_internal(name) || controls_.find(program, name) != nullptr) continue;
-            Control control;
-            control.program = program;
-            control.name = name;
-            control.type = uniform.type;
-            control.components = std::max(uniform.components, 1);
-            control.array_size = std::max(uniform.array_size, 1);
+            Control control = control_of(program, name, scene_.programs[program].span);
             control.listed = false;
-            control.span = scene_.programs[program].span;
-            control.value = uniform.initial;
-            control.value.resize(
-                static_cast<std::size_t>(control.components) * static_cast<std::size_t>(control.array_size), 0.);
-            for (double& value : control.value) value = fit_to_type(value, control.type);
+            take_type(control, uniform);
             control.initial = control.value;
             suggest_widget(control);
             unlisted_.push_back(std::move(control));

@@ -61,25 +61,55 @@ TEST(Controls, RangeForIntegerIsRoundedOnce) {
     EXPECT_FALSE(made.diagnostics.empty());
 }
 
+UniformValue boolean_of(double value, std::uint32_t written_length) {
+    UniformValue made = value_of("u", Kind::boolean, {value});
+    made.integral = true;
+    made.value_spans = {{0, 14, 14 + written_length}};
+    return made;
+}
+
 TEST(Controls, RangeOfOneNumberIsBooleanOrConstant) {
     for (const double value : {0., 1.}) {
-        const Case flag = make(value_of("u", Kind::range, {value}), active("bool"));
+        const Case flag = make(boolean_of(value, 1), active("bool"));
         EXPECT_EQ(flag.control().widget, Widget::check_box);
         EXPECT_EQ(flag.control().value, Values{value});
-        const Case constant = make(value_of("u", Kind::range, {value}), active("float"));
-        EXPECT_EQ(constant.control().widget, Widget::none);
-        EXPECT_EQ(constant.control().value, Values{value});
+        for (const char* type : {"float", "int", "uint"}) {
+            const Case constant = make(boolean_of(value, 1), active(type));
+            EXPECT_EQ(constant.control().widget, Widget::none) << type;
+            EXPECT_EQ(constant.control().value, Values{value});
+            EXPECT_TRUE(constant.diagnostics.empty());
+        }
         EXPECT_TRUE(flag.diagnostics.empty());
-        EXPECT_TRUE(constant.diagnostics.empty());
+    }
+    EXPECT_EQ(make(boolean_of(1, 1), active("sampler2D")).control().value, Values{1}) << "texture unit <1>";
+}
+
+TEST(Controls, TrueAndFalseAreCheckBoxes) {
+    for (const char* type : {"bool", "int", "float", "uint"}) {
+        const Case made = make(boolean_of(1, 4), active(type));
+        EXPECT_EQ(made.control().widget, Widget::check_box) << type;
+        EXPECT_EQ(made.control().value, Values{1}) << type;
+        EXPECT_TRUE(made.diagnostics.empty());
     }
 }
 
-TEST(Controls, BooleansAreCheckBoxes) {
-    for (const char* type : {"bool", "int", "float", "uint"}) {
-        const Case made = make(value_of("u", Kind::boolean, {1}), active(type));
-        EXPECT_EQ(made.control().widget, Widget::check_box) << type;
-        EXPECT_EQ(made.control().value, Values{1}) << type;
-    }
+TEST(Controls, ElementsOfAnArrayAreOneControl) {
+    ActiveUniform weights = active("float", 4);
+    weights.name = "weights";
+    weights.initial = {.1, .2, .3, .4};
+    ActiveUniform lights = active("vec3", 2);
+    lights.name = "lights";
+    const Scene scene =
+        scene_with({{"Glass",
+                     {value_of("weights[2]", Kind::scalar, {7}), value_of("weights[0]", Kind::range, {0, 5, 9}),
+                      value_of("lights[1]", Kind::array, {1, 2, 3}), value_of("weights[4]", Kind::scalar, {1})}}});
+    Diagnostics diagnostics;
+    const Controls controls = make_controls(scene, {{weights, lights}}, diagnostics);
+    ASSERT_NE(controls.find(0, "weights"), nullptr);
+    EXPECT_EQ(controls.find(0, "weights")->value, (Values{5, .2, 7, .4}));
+    EXPECT_EQ(controls.find(0, "weights")->initial, controls.find(0, "weights")->value);
+    EXPECT_EQ(controls.find(0, "lights")->value, (Values{0, 0, 0, 1, 2, 3}));
+    EXPECT_EQ(codes_of(diagnostics), Codes{"unknown-uniform"}) << "there is no fifth element";
 }
 
 TEST(Controls, ColorsGainAndLoseAlpha) {
@@ -185,12 +215,6 @@ TEST(Controls, RangesAreMended) {
     EXPECT_EQ(empty.control().widget, Widget::none);
     EXPECT_EQ(empty.control().value, Values{2});
     EXPECT_EQ(empty.codes(), Codes{"range-empty"});
-
-    const Case two = make(value_of("u", Kind::range, {0, 1}), active("float"));
-    EXPECT_EQ(two.control().min, 0);
-    EXPECT_EQ(two.control().max, 1);
-    EXPECT_EQ(two.control().value, Values{1});
-    EXPECT_EQ(two.control().widget, Widget::slider);
 }
 
 // What a user interface can take without overflow: half of the type's range, in its own arithmetic.
@@ -305,18 +329,6 @@ TEST(Controls, TimerOnTheProgramLineWins) {
     const Case made = make(value_of("Timer", Kind::range, {0, .25, 1}), timer);
     EXPECT_EQ(made.control().value, Values{.25});
     EXPECT_TRUE(made.control().active);
-}
-
-TEST(Controls, LastOfTheSameNameIsUsed) {
-    const Scene scene =
-        scene_with({{"Glass", {value_of("u", Kind::scalar, {1}), value_of("u", Kind::range, {0, 5, 9})}}});
-    ActiveUniform uniform = active("float");
-    uniform.name = "u";
-    Diagnostics diagnostics;
-    const Controls controls = make_controls(scene, {{uniform}}, diagnostics);
-    ASSERT_EQ(controls.items.size(), 1U);
-    EXPECT_EQ(controls.items[0].value, Values{5});
-    EXPECT_EQ(codes_of(diagnostics), Codes{"duplicate-uniform"});
 }
 
 TEST(Controls, ArrayNamesWithAndWithoutIndex) {
