@@ -47,10 +47,16 @@ void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
     runtime::DrawContext context;
     context.view = frame.view.eye.matrix() * view_matrix(camera);
     context.scene = runtime::about_origin(frame.view.scene, context.view);
+    context.width = surface.width;
+    context.height = surface.height;
     context.projection = projection_matrix(camera, static_cast<double>(surface.width) / surface.height) * context.scene;
     state.forget();
     RasterState raster;
-    raster.line_width = 3;
+    raster.line_width = context.line_width = 3;
+    const runtime::Variant variant{false, caps.max_line_width < 3};
+    auto& slot = programs[{none, variant}];
+    if (!slot) slot = runtime::link_builtin(variant, caps);
+    runtime::LinkedProgram& builtin = *slot;
     state.raster(raster, true);
     state.program(builtin.program.get());
     counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_system(builtin, context));

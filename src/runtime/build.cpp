@@ -82,9 +82,9 @@ constexpr std::array<std::string_view, 4> target_names{"Texture1D", "Texture2D",
 
 Runtime::Impl::Impl(Plan p, Files& files, Sources& sources, const gl::Caps& c, Diagnostics& diagnostics)
     : plan(std::move(p)), caps(c), textures(plan.scene, files, caps, diagnostics), state(caps) {
-    builtin = runtime::link_builtin("color", caps);
-    link_programs(files, sources, diagnostics);
-    ready_passes(files, diagnostics);
+    Loading loading{files, sources, diagnostics};
+    link_programs(loading);
+    ready_passes(loading);
     drop_unread_passes(diagnostics);
     textures.finish();
     const runtime::TextureCounters& t = textures.counters();
@@ -98,31 +98,47 @@ Runtime::Impl::Impl(Plan p, Files& files, Sources& sources, const gl::Caps& c, D
     counters.bytes_read = files.counters().bytes;
 }
 
-void Runtime::Impl::link_programs(Files& files, Sources& sources, Diagnostics& diagnostics) {
-    std::vector<bool> used(plan.scene.programs.size(), false);
-    for (const Draw& draw : plan.scene.draws)
-        if (draw.program != none) used[draw.program] = true;
-    for (Index i = 0; i < plan.programs.size(); ++i) {
-        // A program that nothing draws with is compiled all the same: its sliders and its errors are the user's.
-        programs.push_back(runtime::link_program(plan.scene, plan.programs[i], caps, files, sources, diagnostics));
-        active.emplace_back(programs.back() ? programs.back()->active : std::vector<ActiveUniform>{});
-        if (!programs.back()) continue;
-        counters.programs_compiled += 1;
-        const LinkedProgram& linked = *programs.back();
-        if (!used[i]) continue;
-        animated = animated || linked.reads(glsl::System::timer) || linked.reads(glsl::System::time);
-        mouse = mouse || linked.reads(glsl::System::mouse);
+LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& variant, Loading& loading) {
+    const auto [slot, fresh] = programs.try_emplace({program, variant});
+    if (fresh) {
+        if (program == none) {
+            slot->second = runtime::link_builtin(variant, caps);
+        } else if (plan.programs[program].readable) {
+            slot->second = runtime::link_program(plan.scene.programs[program], plan.programs[program].stages, variant,
+                                                 caps, loading.files, loading.sources, loading.diagnostics);
+        }
+        counters.programs_compiled += slot->second ? 1 : 0;
+    }
+    return slot->second ? &*slot->second : nullptr;
+}
+
+// A program that nothing draws with is compiled all the same: its sliders and its errors are the user's.
+void Runtime::Impl::link_programs(Loading& loading) {
+    const Scene& scene = plan.scene;
+    std::vector<runtime::Variant> first(scene.programs.size());
+    std::vector<bool> used(scene.programs.size(), false);
+    for (const Draw& draw : scene.draws) {
+        if (draw.program == none || used[draw.program]) continue;
+        used[draw.program] = true;
+        first[draw.program].flat = scene.rasters[draw.raster].flat;
+    }
+    for (Index i = 0; i < scene.programs.size(); ++i) {
+        const LinkedProgram* linked = link(i, first[i], loading);
+        active.emplace_back(linked ? linked->active : std::vector<ActiveUniform>{});
+        if (!linked || !used[i]) continue;
+        animated = animated || linked->reads(glsl::System::timer) || linked->reads(glsl::System::time);
+        mouse = mouse || linked->reads(glsl::System::mouse);
     }
 }
 
-void Runtime::Impl::ready_passes(Files& files, Diagnostics& diagnostics) {
+void Runtime::Impl::ready_passes(Loading& loading) {
     meshes.resize(plan.meshes.size());
     passes.resize(plan.scene.passes.size());
     for (Index pass = 0; pass < plan.scene.passes.size(); ++pass) {
-        ready_target(pass, diagnostics);
+        ready_target(pass, loading.diagnostics);
         for (const Item& item : plan.scene.passes[pass].items)
-            passes[pass].items.push_back(
-                item.kind == Item::Kind::draw ? ready_draw(pass, item.index, files, diagnostics) : std::nullopt);
+            passes[pass].items.push_back(item.kind == Item::Kind::draw ? ready_draw(pass, item.index, loading)
+                                                                       : std::nullopt);
     }
 }
 
@@ -159,29 +175,34 @@ void Runtime::Impl::ready_target(Index pass, Diagnostics& diagnostics) {
         std::size_t{4} * static_cast<std::size_t>(ready.width) * static_cast<std::size_t>(ready.height) * made.size();
 }
 
-std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Files& files, Diagnostics& diagnostics) {
+std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Loading& loading) {
     const Draw& draw = plan.scene.draws[index];
+    const RasterState& raster = plan.scene.rasters[draw.raster];
     ReadyDraw ready;
     ready.draw = index;
-    ready.program = draw.program;
-    if (draw.program != none && !programs[draw.program]) return std::nullopt;
     ready.mesh = plan.draw_mesh[index];
-    if (ready.mesh == none) return std::nullopt;
+    runtime::Variant variant{raster.flat, false};
+    ready.program = link(draw.program, variant, loading);
+    if (!ready.program || ready.mesh == none) return std::nullopt;
     auto& mesh = meshes[ready.mesh];
     if (!mesh) {
-        mesh = runtime::upload(load_mesh(plan, ready.mesh, files, diagnostics));
+        mesh = runtime::upload(load_mesh(plan, ready.mesh, loading.files, loading.diagnostics));
         counters.bytes_uploaded += mesh->bytes;
         counters.gpu_bytes += mesh->bytes;
         counters.buffers += mesh->bytes ? 2 : 0;
     }
-    if (mesh->count == 0 || !match_topology(ready, *mesh, diagnostics)) return std::nullopt;
-    if (!bind_textures(ready, pass, diagnostics)) return std::nullopt;
+    variant.wide = raster.line_width > static_cast<double>(caps.max_line_width) &&
+                   input_of(mesh->topology) == GL_LINES && !ready.program->geometry_input &&
+                   !ready.program->tessellates;
+    if (variant.wide) ready.program = link(draw.program, variant, loading);
+    if (!ready.program || mesh->count == 0 || !match_topology(ready, *mesh, loading.diagnostics)) return std::nullopt;
+    bind_textures(ready, pass, loading.diagnostics);
     return ready;
 }
 
 // GL refuses a draw whose primitives are not what the program takes.
 bool Runtime::Impl::match_topology(ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics) {
-    const LinkedProgram& program = ready.program == none ? builtin : *programs[ready.program];
+    const LinkedProgram& program = *ready.program;
     const GLenum input = input_of(mesh.topology);
     const Span span = plan.scene.draws[ready.draw].span;
     ready.mode = runtime::gl_mode(mesh.topology);
@@ -212,13 +233,13 @@ bool Runtime::Impl::match_topology(ReadyDraw& ready, const runtime::GpuMesh& mes
     return false;
 }
 
-bool Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
-    if (ready.program == none) return true;
+void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
     const Scene& scene = plan.scene;
     const Draw& draw = scene.draws[ready.draw];
-    const Program& program = scene.programs[ready.program];
+    if (draw.program == none) return;
+    const Program& program = scene.programs[draw.program];
     const bool clamp = scene.rasters[draw.raster].clamp;
-    for (const SamplerUniform& sampler : programs[ready.program]->samplers) {
+    for (const SamplerUniform& sampler : ready.program->samplers) {
         if (!sampler.target) continue;
         const bool cube = sampler.target == TextureTarget::cube;
         for (int element = 0; element < sampler.size; ++element) {
@@ -249,7 +270,6 @@ bool Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
                                           textures.sampler(filter, clamp, cube)});
         }
     }
-    return true;
 }
 
 // A pass that nothing reads is not drawn. What reads it may itself be unread, so this repeats until nothing

@@ -72,6 +72,7 @@ DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const P
     result.mouse_x = frame.view.mouse_x;
     result.mouse_y = frame.view.mouse_y;
     result.point_size = scene.rasters[draw.raster].point_size;
+    result.line_width = scene.rasters[draw.raster].line_width;
     return result;
 }
 
@@ -142,11 +143,11 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
             const Transformation& t = object->second;
             seen.insert(seen.end(), {t.rotate_x, t.rotate_y, t.scale, t.x, t.y, t.z});
         }
-        if (item->program == none) continue;
-        const LinkedProgram& program = *programs[item->program];
+        const LinkedProgram& program = *item->program;
         moves = moves || program.reads(glsl::System::timer) || program.reads(glsl::System::time);
         for (const Control& control : frame.controls.items)
-            if (control.program == item->program) seen.insert(seen.end(), control.value.begin(), control.value.end());
+            if (control.program == plan.scene.draws[item->draw].program)
+                seen.insert(seen.end(), control.value.begin(), control.value.end());
         if (program.reads(glsl::System::texture_matrix)) {
             const Transformation& t = frame.view.texture;
             seen.insert(seen.end(), {t.rotate_x, t.rotate_y, t.scale, t.x, t.y, t.z});
@@ -207,22 +208,23 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, const PassView& v
 
 void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, const PassView& view) {
     const Draw& draw = plan.scene.draws[ready.draw];
-    LinkedProgram& program = ready.program == none ? builtin : *programs[ready.program];
+    LinkedProgram& program = *ready.program;
     state.program(program.program.get());
     const int uploads = runtime::set_system(program, context(draw, frame, view)) +
-                        (ready.program == none ? 0 : runtime::set_user(program, ready.program, frame.controls));
+                        (draw.program == none ? 0 : runtime::set_user(program, draw.program, frame.controls));
     counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
     for (const runtime::BoundTexture& texture : ready.textures)
         state.texture(texture.unit, texture.target, texture.texture, texture.sampler);
     const Vec4& color = draw.color == none ? Vec4{1, 1, 1, 1} : plan.scene.colors[draw.color];
-    const bool opaque = program.opaque || (ready.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color);
+    const bool opaque = program.opaque || (draw.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color);
     state.raster(plan.scene.rasters[draw.raster], opaque);
     state.vertex_array(meshes[ready.mesh]->array.get());
     state.color(color);
-    draw_mesh(ready, program);
+    draw_mesh(ready);
 }
 
-void Runtime::Impl::draw_mesh(const ReadyDraw& ready, LinkedProgram& program) {
+void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
+    LinkedProgram& program = *ready.program;
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];
     if (ready.mode == GL_PATCHES) glPatchParameteri(GL_PATCH_VERTICES, ready.patch_vertices);
     const auto elements = [&](std::uint32_t first, std::uint32_t count) {

@@ -28,7 +28,7 @@ struct BoundTexture {
 struct ReadyDraw {
     Index draw = none;
     Index mesh = none;
-    Index program = none;  // Scene::programs; none: the built-in one
+    LinkedProgram* program = nullptr;
     GLenum mode = GL_TRIANGLES;
     int patch_vertices = 0;  // of GL_PATCHES
     std::vector<BoundTexture> textures;
@@ -49,11 +49,17 @@ struct Runtime::Impl {
     Impl(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics);
 
     // build.cpp
-    void link_programs(Files& files, Sources& sources, Diagnostics& diagnostics);
-    void ready_passes(Files& files, Diagnostics& diagnostics);
+    struct Loading {  // what only the building needs
+        Files& files;
+        Sources& sources;
+        Diagnostics& diagnostics;
+    };
+    void link_programs(Loading& loading);
+    runtime::LinkedProgram* link(Index program, const runtime::Variant& variant, Loading& loading);
+    void ready_passes(Loading& loading);
     void drop_unread_passes(Diagnostics& diagnostics);
-    std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Files& files, Diagnostics& diagnostics);
-    bool bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
+    std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Loading& loading);
+    void bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
     bool match_topology(runtime::ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics);
     void ready_target(Index pass, Diagnostics& diagnostics);
 
@@ -65,16 +71,16 @@ struct Runtime::Impl {
     void draw_cube(Index pass, const Frame& frame);
     void draw_items(Index pass, const Frame& frame, const PassView& view);
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, const PassView& view);
-    void draw_mesh(const runtime::ReadyDraw& ready, runtime::LinkedProgram& program);
+    void draw_mesh(const runtime::ReadyDraw& ready);
     void draw_axes(const Frame& frame, const Surface& surface);
     std::vector<double> seen_by(Index pass, const Frame& frame) const;
     runtime::DrawContext context(const Draw& draw, const Frame& frame, const PassView& view) const;
 
     Plan plan;
     gl::Caps caps;
-    runtime::LinkedProgram builtin;
-    std::vector<std::optional<runtime::LinkedProgram>> programs;
-    std::vector<std::vector<ActiveUniform>> active;
+    // By Scene::programs (none: the built-in one) and variant; empty where it failed. Nodes stay where they are.
+    std::map<std::pair<Index, runtime::Variant>, std::optional<runtime::LinkedProgram>> programs;
+    std::vector<std::vector<ActiveUniform>> active;  // by Scene::programs
     std::vector<std::optional<runtime::GpuMesh>> meshes;
     std::optional<runtime::GpuMesh> axes;
     runtime::Textures textures;

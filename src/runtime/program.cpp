@@ -91,12 +91,12 @@ std::vector<double> read_values(GLuint program, const gl::Uniform& uniform, cons
     return values;
 }
 
-bool scene_sets(const Program* program, std::string_view name) {
-    return program && std::ranges::any_of(program->uniforms, [&](const UniformValue& u) { return u.name == name; });
+bool scene_sets(const Program& program, std::string_view name) {
+    return std::ranges::any_of(program.uniforms, [&](const UniformValue& u) { return u.name == name; });
 }
 
 const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, std::string_view name,
-                                    std::string_view type, const Program* program) {
+                                    std::string_view type, const Program& program) {
     for (const glsl::SystemName& candidate : names)
         if (candidate.name == name && candidate.type == type && (candidate.legacy || !scene_sets(program, name)))
             return &candidate;
@@ -104,7 +104,7 @@ const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, 
 }
 
 // Sorts the active uniforms into what the runtime sets, what the scene sets and samplers.
-void introspect(LinkedProgram& linked, const Program* program, const gl::Caps& caps) {
+void introspect(LinkedProgram& linked, const Program& program, const gl::Caps& caps) {
     const GLuint id = linked.program.get();
     const auto names = glsl::system_names();
     int next_unit = 0;
@@ -177,10 +177,10 @@ void set_fixed_function_defaults(LinkedProgram& linked) {
     }
 }
 
-bool stages_supported(const PlannedProgram& planned, const Program& program, const gl::Caps& caps,
+bool stages_supported(const std::vector<glsl::StageInput>& stages, const Program& program, const gl::Caps& caps,
                       Diagnostics& diagnostics) {
     bool ok = true;
-    for (const glsl::StageInput& stage : planned.stages) {
+    for (const glsl::StageInput& stage : stages) {
         const bool tessellation = stage.stage == Stage::tess_control || stage.stage == Stage::tess_evaluation;
         const bool missing = (tessellation && !caps.tessellation) || (stage.stage == Stage::geometry && !caps.geometry);
         if (!missing) continue;
@@ -190,11 +190,6 @@ bool stages_supported(const PlannedProgram& planned, const Program& program, con
                                       program.name, tessellation ? "tessellation" : "geometry", caps.version));
     }
     return ok;
-}
-
-std::string header(const gl::Caps& caps) {
-    return caps.es ? fmt::format("#version {} es\nprecision highp float;\n", caps.glsl)
-                   : fmt::format("#version {} core\n", caps.glsl);
 }
 
 std::vector<gl::AttributeLocation> attribute_locations(const std::vector<glsl::AttributeName>& names) {
@@ -240,16 +235,18 @@ bool LinkedProgram::reads(glsl::System which) const {
     return std::ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
 }
 
-std::optional<LinkedProgram> link_program(const Scene& scene, const PlannedProgram& planned, const gl::Caps& caps,
-                                          Files& files, Sources& sources, Diagnostics& diagnostics) {
-    const Program& program = scene.programs[planned.program];
-    if (!planned.readable || !stages_supported(planned, program, caps, diagnostics)) return std::nullopt;
+std::optional<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
+                                          const Variant& variant, const gl::Caps& caps, Files& files, Sources& sources,
+                                          Diagnostics& diagnostics) {
+    if (!stages_supported(stages, program, caps, diagnostics)) return std::nullopt;
     glsl::Options options;
     options.target = {caps.glsl, caps.es, caps.fp64};
     options.geometry_input = program.geometry_input;
     options.geometry_output = program.geometry_output;
     options.include = include_reader(files);
-    const glsl::Translation translation = glsl::translate(planned.stages, sources, options, diagnostics);
+    options.flat_color = variant.flat;
+    options.wide_lines = variant.wide;
+    const glsl::Translation translation = glsl::translate(stages, sources, options, diagnostics);
     if (!translation.ok) return std::nullopt;
 
     std::vector<gl::Shader> shaders;
@@ -276,7 +273,7 @@ std::optional<LinkedProgram> link_program(const Scene& scene, const PlannedProgr
     linked.program = std::move(result.program);
     linked.opaque = !translation.uses_alpha;
     note_geometry(linked, translation);
-    introspect(linked, &program, caps);
+    introspect(linked, program, caps);
     assign_units(linked);
     set_fixed_function_defaults(linked);
     // Where the target takes no initialisers, the values they would have given become the uniforms' own.
@@ -287,20 +284,19 @@ std::optional<LinkedProgram> link_program(const Scene& scene, const PlannedProgr
     return linked;
 }
 
-LinkedProgram link_builtin(std::string_view name, const gl::Caps& caps) {
-    const std::string base = "builtin/" + std::string(name);
-    const gl::Compiled vertex =
-        gl::compile(GL_VERTEX_SHADER, header(caps) + std::string(embedded_shader(base + ".vert")));
-    const gl::Compiled fragment =
-        gl::compile(GL_FRAGMENT_SHADER, header(caps) + std::string(embedded_shader(base + ".frag")));
-    const auto names = glsl::attribute_names();
-    LinkedProgram linked;
-    if (vertex.shader && fragment.shader)
-        linked.program = gl::link({&vertex.shader, &fragment.shader}, attribute_locations(names)).program;
-    // Our own text on a context that passed the version check: nothing sensible can go on without it.
-    if (!linked.program) throw std::runtime_error("built-in program '" + base + "': " + vertex.log + fragment.log);
-    introspect(linked, nullptr, caps);
-    return linked;
+LinkedProgram link_builtin(const Variant& variant, const gl::Caps& caps) {
+    Sources sources;
+    Diagnostics diagnostics;
+    Files files("");
+    Program program;
+    program.name = "built-in";
+    std::vector<glsl::StageInput> stages;
+    for (const auto& [stage, name] :
+         {std::pair(Stage::vertex, "builtin/color.vert"), std::pair(Stage::fragment, "builtin/color.frag")})
+        stages.push_back({stage, sources.add(name, std::string(embedded_shader(name))), {}});
+    auto linked = link_program(program, stages, variant, caps, files, sources, diagnostics);
+    if (!linked) throw std::runtime_error("the built-in program failed:\n" + render(diagnostics, sources));
+    return std::move(*linked);
 }
 
 }  // namespace snell::runtime

@@ -53,10 +53,19 @@ struct LinkedProgram {
     bool reads(glsl::System system) const;
 };
 
-// Nothing when it failed; why is in `diagnostics`. `compiled` counts shader stages.
-std::optional<LinkedProgram> link_program(const Scene& scene, const PlannedProgram& planned, const gl::Caps& caps,
-                                          Files& files, Sources& sources, Diagnostics& diagnostics);
-// From the embedded shaders/builtin/NAME.vert and .frag.
-LinkedProgram link_builtin(std::string_view name, const gl::Caps& caps);
+// One program may be compiled in several ways.
+struct Variant {
+    bool flat = false;  // the legacy colours are not interpolated
+    bool wide = false;  // lines are widened by a geometry stage of ours
+    auto operator<=>(const Variant&) const = default;
+};
+
+// Nothing when it failed; why is in `diagnostics`, at the program's statement or in its shaders.
+std::optional<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
+                                          const Variant& variant, const gl::Caps& caps, Files& files, Sources& sources,
+                                          Diagnostics& diagnostics);
+
+// Draws the current colour, unlit. Throws when it fails: nothing can be drawn in a context where that is so.
+LinkedProgram link_builtin(const Variant& variant, const gl::Caps& caps);
 
 }  // namespace snell::runtime

@@ -18,7 +18,7 @@ struct DrawContext {
     glm::dmat4 texture{1};
     double time = 0, timer_period = 10;
     double width = 1, height = 1, mouse_x = 0, mouse_y = 0;
-    double point_size = 1;
+    double point_size = 1, line_width = 1;
     int face_index = 0;
 };
 
