@@ -1,7 +1,5 @@
 #include "src/platform/window.h"
 
-#include <epoxy/gl.h>
-// After epoxy: GLFW must not include the system's GL headers.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 

@@ -9,14 +9,21 @@
 
 namespace snell::ui {
 
+namespace {
+
+bool is_press(const Event& event) { return event.kind == Event::Kind::button || event.kind == Event::Kind::key; }
+
+}  // namespace
+
 std::size_t batch(std::span<const Event> events) {
-    std::size_t count = 0;
-    while (count < events.size()) {
-        const Event::Kind kind = events[count++].kind;
-        if (kind == Event::Kind::button || kind == Event::Kind::key) break;
+    if (events.empty()) return 0;
+    std::size_t count = 1;
+    if (is_press(events[0])) {
+        // The text of a key comes right behind it.
+        while (count < events.size() && events[count].kind == Event::Kind::text) ++count;
+    } else {
+        while (count < events.size() && !is_press(events[count])) ++count;
     }
-    // The text of a key comes right behind it.
-    while (count < events.size() && events[count].kind == Event::Kind::text) ++count;
     return count;
 }
 
@@ -81,7 +88,7 @@ void feed(std::span<const Event> events) {
             case Event::Kind::refresh:
                 break;
         }
-        if (event.kind == Event::Kind::button || event.kind == Event::Kind::key) {
+        if (is_press(event)) {
             io.KeyShift = event.modifiers.shift;
             io.KeyCtrl = event.modifiers.ctrl;
             io.KeyAlt = event.modifiers.alt;

@@ -7,8 +7,8 @@
 
 namespace snell::ui {
 
-// How many of the first events one frame may take: up to the first press or release, so that none is missed and
-// each is seen where the mouse was.
+// How many of the first events one frame may take: one press or release, or what lies between two. So none is
+// missed, each is seen where the mouse was, and a drag ends where the button was released.
 std::size_t batch(std::span<const Event> events);
 
 // Into the current Dear ImGui context.

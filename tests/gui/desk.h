@@ -1,0 +1,68 @@
+// A display of its own, a window on it, and a user with a mouse and an editor.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/types.h>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace snell::test {
+
+struct Pixel {
+    int red = 0, green = 0, blue = 0;
+    bool operator==(const Pixel&) const = default;
+};
+
+// Rows from the top.
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<unsigned char> rgb;
+    Pixel at(double x, double y) const;
+};
+
+// Skips the test, with a message, where Xvfb, xdotool or ImageMagick is missing.
+class Desk : public ::testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    // Writes a file into the test's own folder, as an editor would: a new file renamed over the old one, or in
+    // place.
+    void save(const std::string& name, const std::string& text, bool in_place = false);
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+    // Opens a window on `scene` and waits for its first picture.
+    void open(const std::string& scene, std::vector<std::string> more = {});
+    // The exit status of the program with these arguments.
+    int run(const std::vector<std::string>& arguments, const std::string& display);
+    // Ends it by its window's close button or by force; the exit status.
+    bool alive() const;
+
+    nlohmann::json state() const;
+    // False: not within that time.
+    bool wait(const std::function<bool(const nlohmann::json&)>& holds, double seconds = 5) const;
+    // Until nothing has been drawn for a moment.
+    void settle() const;
+
+    // xdotool's words.
+    void user(const std::string& words) const;
+    // The middle of a widget, or a fraction of its width.
+    std::array<int, 2> on(const std::string& widget, double fraction = .5) const;
+    void drag(std::array<int, 2> from, std::array<int, 2> to, int button = 1) const;
+    Picture look() const;
+    // In the middle of the scene's area, moved by so many pixels.
+    Pixel scene_pixel(int right = 0, int down = 0) const;
+
+    std::string display_;
+
+private:
+    std::filesystem::path folder_;
+    pid_t server_ = 0, window_ = 0;
+};
+
+}  // namespace snell::test

@@ -1,0 +1,217 @@
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+#include "tests/gui/desk.h"
+
+namespace snell::test {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+bool installed(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::string folders = path ? path : "/usr/bin:/bin";
+    for (std::size_t begin = 0; begin <= folders.size();) {
+        const std::size_t end = std::min(folders.find(':', begin), folders.size());
+        if (access((folders.substr(begin, end - begin) + "/" + program).c_str(), X_OK) == 0) return true;
+        begin = end + 1;
+    }
+    return false;
+}
+
+// The child's standard output is `output` if that is not -1.
+pid_t start(std::vector<std::string> words, const std::string& display, int output = -1) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    if (display.empty())
+        unsetenv("DISPLAY");
+    else
+        setenv("DISPLAY", display.c_str(), 1);
+    unsetenv("WAYLAND_DISPLAY");
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    dup2(output >= 0 ? output : nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    execvp(arguments[0], arguments.data());
+    _exit(127);
+}
+
+int finish(pid_t child) {
+    int status = 0;
+    if (waitpid(child, &status, 0) != child) return -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void end(pid_t& child) {
+    if (child <= 0) return;
+    kill(child, SIGTERM);
+    finish(child);
+    child = 0;
+}
+
+std::string read_all(int from) {
+    std::string text;
+    std::array<char, 65536> part{};
+    for (ssize_t size = 0; (size = read(from, part.data(), part.size())) > 0;)
+        text.append(part.data(), static_cast<std::size_t>(size));
+    return text;
+}
+
+std::string output_of(const std::vector<std::string>& words, const std::string& display) {
+    int ends[2];
+    if (pipe(ends) != 0) return {};
+    const pid_t child = start(words, display, ends[1]);
+    close(ends[1]);
+    std::string text = read_all(ends[0]);
+    close(ends[0]);
+    finish(child);
+    return text;
+}
+
+}  // namespace
+
+Pixel Picture::at(double x, double y) const {
+    const auto index =
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    if (x < 0 || y < 0 || x >= width || index + 2 >= rgb.size()) return {-1, -1, -1};
+    return {rgb[index], rgb[index + 1], rgb[index + 2]};
+}
+
+void Desk::SetUp() {
+    for (const char* program : {"Xvfb", "xdotool", "import"})
+        if (!installed(program)) GTEST_SKIP() << program << " is not installed";
+    std::string name = (std::filesystem::temp_directory_path() / "snell-gui-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"}, "", ends[1]);
+    close(ends[1]);
+    std::string number;
+    for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
+    close(ends[0]);
+    ASSERT_FALSE(number.empty()) << "Xvfb does not start";
+    display_ = ":" + number;
+}
+
+void Desk::TearDown() {
+    if (HasFailure() && window_ > 0) {
+        std::ifstream in(file("state.json"));
+        std::cerr << std::string(std::istreambuf_iterator<char>(in), {}) << '\n';
+    }
+    end(window_);
+    end(server_);
+    std::error_code none;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, none);
+}
+
+void Desk::save(const std::string& name, const std::string& text, bool in_place) {
+    const std::string target = file(name), fresh = in_place ? target : target + "~";
+    std::ofstream(fresh) << text;
+    if (!in_place) std::filesystem::rename(fresh, target);
+}
+
+void Desk::open(const std::string& scene, std::vector<std::string> more) {
+    std::vector<std::string> words{SNELL_BIN "/snell", file(scene),        "--size",       "800x600",
+                                   "--state",          file("state.json"), "--exit-after", "60"};
+    words.insert(words.end(), more.begin(), more.end());
+    window_ = start(words, display_);
+    ASSERT_TRUE(wait([](const auto& s) { return s["frames"] >= 1; }, 20)) << "no first picture";
+    settle();
+}
+
+int Desk::run(const std::vector<std::string>& arguments, const std::string& display) {
+    std::vector<std::string> words{SNELL_BIN "/snell"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return finish(start(words, display));
+}
+
+bool Desk::alive() const { return window_ > 0 && waitpid(window_, nullptr, WNOHANG) == 0; }
+
+nlohmann::json Desk::state() const {
+    std::ifstream in(file("state.json"));
+    return nlohmann::json::parse(in, nullptr, false);
+}
+
+bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double seconds) const {
+    const auto until = Clock::now() + std::chrono::duration<double>(seconds);
+    do {
+        const nlohmann::json now = state();
+        if (!now.is_discarded() && holds(now)) return true;
+        sleep(.01);
+    } while (Clock::now() < until);
+    return false;
+}
+
+void Desk::settle() const {
+    nlohmann::json last = state();
+    for (int quiet = 0, looks = 0; quiet < 4 && looks < 100; ++looks) {
+        sleep(.05);
+        nlohmann::json now = state();
+        quiet = now == last ? quiet + 1 : 0;
+        last = std::move(now);
+    }
+}
+
+void Desk::user(const std::string& words) const {
+    std::vector<std::string> list{"xdotool"};
+    for (std::size_t begin = 0; begin < words.size();) {
+        const std::size_t stop = std::min(words.find(' ', begin), words.size());
+        list.push_back(words.substr(begin, stop - begin));
+        begin = stop + 1;
+    }
+    ASSERT_EQ(finish(start(list, display_)), 0) << words;
+}
+
+std::array<int, 2> Desk::on(const std::string& widget, double fraction) const {
+    const nlohmann::json now = state();
+    if (!now["widgets"].contains(widget)) {
+        ADD_FAILURE() << "no widget " << widget;
+        return {0, 0};
+    }
+    const std::array<double, 4> rect = now["widgets"][widget];
+    return {static_cast<int>(rect[0] + rect[2] * fraction), static_cast<int>(rect[1] + rect[3] / 2)};
+}
+
+void Desk::drag(std::array<int, 2> from, std::array<int, 2> to, int button) const {
+    const auto move = [](double x, double y) {
+        return "mousemove " + std::to_string(static_cast<int>(x)) + " " + std::to_string(static_cast<int>(y));
+    };
+    std::string words = move(from[0], from[1]) + " mousedown " + std::to_string(button);
+    for (double part : {.25, .5, .75, 1.})
+        words += " sleep .02 " + move(from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1]));
+    user(words + " mouseup " + std::to_string(button));
+    settle();
+}
+
+Picture Desk::look() const {
+    const std::string ppm = output_of({"import", "-window", "root", "-depth", "8", "ppm:-"}, display_);
+    Picture picture;
+    int most = 0, begin = 0;
+    if (std::sscanf(ppm.c_str(), "P6 %d %d %d%n", &picture.width, &picture.height, &most, &begin) != 3 || most != 255) {
+        ADD_FAILURE() << "no picture of the screen";
+        return {};
+    }
+    picture.rgb.assign(ppm.begin() + begin + 1, ppm.end());
+    return picture;
+}
+
+Pixel Desk::scene_pixel(int right, int down) const {
+    const std::array<double, 4> scene = state()["scene"];
+    return look().at(scene[0] + scene[2] / 2 + right, scene[1] + scene[3] / 2 + down);
+}
+
+}  // namespace snell::test

@@ -1,0 +1,258 @@
+// The window as a user meets it: real events, real pixels.
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "tests/gui/desk.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* scene = R"(##OpenGL GLIB
+Perspective 50
+LookAt 0 0 4  0 0 0  0 1 0
+Background 0 0 0
+Vertex paint.vert
+Fragment paint.frag
+Program Paint uRed <0. .2 1.> uUnused <0. 1. 2.>
+QuadXY 0. 1.
+)";
+
+constexpr const char* vertex = "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
+
+// Green tells which text is shown; red is the slider.
+std::string fragment(const std::string& green) {
+    return "#version 330 compatibility\nuniform float uRed;\nvoid main() { gl_FragColor = vec4(uRed, " + green +
+           ", .2, 1.); }\n";
+}
+
+int byte(double value) { return static_cast<int>(std::lround(255 * value)); }
+
+class Window : public Desk {
+protected:
+    void SetUp() override {
+        Desk::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        save("scene.glib", scene);
+        save("paint.vert", vertex);
+        save("paint.frag", fragment(".4"));
+    }
+
+    double red() const { return state()["controls"]["Paint.uRed"][0]; }
+    void expect_pixel(double r, double g) const {
+        const Pixel pixel = scene_pixel(20, 20);
+        EXPECT_NEAR(pixel.red, byte(r), 1);
+        EXPECT_NEAR(pixel.green, byte(g), 1);
+        EXPECT_NEAR(pixel.blue, byte(.2), 1);
+    }
+};
+
+TEST_F(Window, ADraggedSliderChangesTheUniformAndThePicture) {
+    open("scene.glib");
+    EXPECT_EQ(red(), .2);
+    expect_pixel(.2, .4);
+    const json before = state();
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    EXPECT_NEAR(red(), .75, .02);
+    expect_pixel(red(), .4);
+    const json after = state();
+    EXPECT_GT(after["frames"], before["frames"]);
+    EXPECT_EQ(after["programs_compiled"], before["programs_compiled"]) << "a slider compiles nothing";
+    EXPECT_EQ(after["bytes_uploaded"], before["bytes_uploaded"]) << "and uploads nothing but its uniform";
+    const auto [x, y] = on("Paint.uRed");
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 3");
+    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; })) << "right click resets";
+    settle();
+    expect_pixel(.2, .4);
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+TEST_F(Window, AValueIsTypedAfterADoubleClick) {
+    open("scene.glib");
+    const auto [x, y] = on("Paint.uRed", .6);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click --repeat 2 --delay 60 1");
+    settle();
+    user("type --delay 30 0.6");
+    user("key Return");
+    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .6; }));
+    settle();
+    expect_pixel(.6, .4);
+}
+
+TEST_F(Window, AnIdleWindowDrawsNothing) {
+    open("scene.glib");
+    user("mousemove 200 200");
+    settle();
+    const json before = state();
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    EXPECT_EQ(state(), before) << "no frame, nothing presented";
+    ASSERT_TRUE(alive());
+    // A mouse that only passes over the panel draws the panel, not the scene.
+    const auto [x, y] = on("Paint.uRed");
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y));
+    EXPECT_TRUE(wait([&](const json& s) { return s["presents"] > before["presents"]; }));
+    settle();
+    EXPECT_EQ(state()["frames"], before["frames"]);
+}
+
+TEST_F(Window, ASavedShaderIsShownWithinHalfASecond) {
+    open("scene.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .5));
+    const double slid = red();
+    for (bool in_place : {false, true}) {
+        const json before = state();
+        save("paint.frag", fragment(in_place ? ".8" : ".6"), in_place);
+        EXPECT_TRUE(wait([&](const json& s) { return s["frames"] > before["frames"]; }, .5));
+        settle();
+        EXPECT_EQ(red(), slid) << "the slider keeps its value";
+        expect_pixel(slid, in_place ? .8 : .6);
+    }
+}
+
+TEST_F(Window, ASavedSceneKeepsSlidersAndFollowsTheText) {
+    open("scene.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .5));
+    const double slid = red();
+    std::string text = scene;
+    text.replace(text.find("QuadXY 0. 1."), 12, "QuadXY 0. .1");
+    save("scene.glib", text);
+    EXPECT_TRUE(wait([](const json& s) { return s["revision"] == 2; }, .5));
+    settle();
+    EXPECT_EQ(red(), slid);
+    EXPECT_EQ(scene_pixel(100, 100), (Pixel{0, 0, 0}));
+}
+
+TEST_F(Window, ABrokenEditKeepsTheLastGoodPictureAndSaysWhatIsWrong) {
+    open("scene.glib");
+    const auto frames = state()["frames"];
+    save("paint.frag", fragment(".6 + nonsense"));
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] > 0; }, .5));
+    settle();
+    const json broken = state();
+    EXPECT_TRUE(broken["stale"]);
+    EXPECT_TRUE(broken["widgets"].contains("problems.hide")) << "the messages lie over the picture";
+    const std::string problems = broken["problems"];
+    EXPECT_NE(problems.find("paint.frag:3:"), std::string::npos) << problems;
+    EXPECT_NE(problems.find("nonsense"), std::string::npos) << problems;
+    expect_pixel(.2, .4);
+    // What is shown can still be worked with.
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .5));
+    const double slid = red();
+    expect_pixel(slid, .4);
+    EXPECT_GT(state()["frames"], frames);
+
+    save("scene.glib", "Sphere what\nSphare 1\n");  // the scene as well
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 3; }, .5));
+    settle();
+    EXPECT_TRUE(state()["stale"]);
+    expect_pixel(slid, .4);
+
+    save("scene.glib", scene);
+    save("paint.frag", fragment(".6"));
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }, .8));
+    settle();
+    EXPECT_FALSE(state()["stale"]);
+    EXPECT_FALSE(state()["widgets"].contains("problems.hide"));
+    EXPECT_EQ(red(), slid);
+    expect_pixel(slid, .6);
+}
+
+TEST_F(Window, AMissingFileIsFoundWhenItAppears) {
+    std::filesystem::remove(file("paint.frag"));
+    open("scene.glib");
+    EXPECT_GT(state()["errors"], 0);
+    save("paint.frag", fragment(".6"));
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }, .5));
+    settle();
+    expect_pixel(.2, .6);
+}
+
+TEST_F(Window, DraggingInTheSceneTurnsItAndTheWheelScalesIt) {
+    open("scene.glib");
+    const auto paint = [](const Pixel& p) { return p.green > 50; };
+    const std::array<double, 4> area = state()["scene"];
+    const std::array<int, 2> middle{static_cast<int>(area[2] / 2), static_cast<int>(area[3] / 2)};
+    // The quad reaches a third of the height from the middle.
+    const int inside = static_cast<int>(area[3] * .22), outside = static_cast<int>(area[3] * .32);
+    ASSERT_TRUE(paint(scene_pixel(inside, 20)));
+    ASSERT_FALSE(paint(scene_pixel(outside, 20)));
+
+    drag(middle, {middle[0] + 150, middle[1]});
+    EXPECT_NEAR(state()["view"]["rotate_y"].get<double>(), 75, 1);
+    EXPECT_FALSE(paint(scene_pixel(inside, 20))) << "turned by 75 degrees the quad is narrow";
+    EXPECT_TRUE(paint(scene_pixel(3, 20)));
+    const auto [x, y] = on("reset view");
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+    settle();
+    EXPECT_TRUE(paint(scene_pixel(inside, 20)));
+
+    user("mousemove " + std::to_string(middle[0]) + " " + std::to_string(middle[1]) + " click --repeat 6 --delay 20 4");
+    settle();
+    EXPECT_NEAR(state()["view"]["scale"].get<double>(), std::pow(1.1, 6), 1e-9);
+    EXPECT_TRUE(paint(scene_pixel(outside, 20))) << "larger";
+    user("key r");
+    settle();
+    EXPECT_EQ(state()["view"]["scale"], 1);
+
+    drag(middle, {middle[0] + outside, middle[1]}, 3);
+    EXPECT_TRUE(paint(scene_pixel(outside, 20))) << "the quad follows a right drag";
+    EXPECT_TRUE(paint(scene_pixel(static_cast<int>(outside + area[3] * .2), 20)));
+    EXPECT_FALSE(paint(scene_pixel(-10, 20)));
+}
+
+TEST_F(Window, TheAxesAreACheckBoxAndOnAtFirst) {
+    open("scene.glib");
+    EXPECT_TRUE(state()["view"]["axes"]);
+    const auto count_white = [&] {
+        const Picture picture = look();
+        const std::array<double, 4> area = state()["scene"];
+        int count = 0;
+        for (int py = 0; py < static_cast<int>(area[3]); ++py)
+            for (int px = 0; px < static_cast<int>(area[2]); ++px) {
+                const Pixel p = picture.at(px, py);
+                count += p.red > 200 && p.green > 200 && p.blue > 200;
+            }
+        return count;
+    };
+    EXPECT_GT(count_white(), 200);
+    const auto [x, y] = on("axes", .1);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+    ASSERT_TRUE(wait([](const json& s) { return s["view"]["axes"] == false; }));
+    settle();
+    EXPECT_EQ(count_white(), 0);
+}
+
+TEST_F(Window, ASceneWithTimerGoesOnByItself) {
+    save("paint.frag",
+         "#version 330 compatibility\nuniform float Timer, uRed;\n"
+         "void main() { gl_FragColor = vec4(uRed, .4, Timer, 1.); }\n");
+    open("scene.glib");
+    const json before = state();
+    EXPECT_TRUE(wait([&](const json& s) { return s["frames"].get<int>() > before["frames"].get<int>() + 5; }, 2));
+    EXPECT_GT(state()["time"], before["time"]);
+}
+
+TEST_F(Window, APictureFollowsTheWindowsSize) {
+    open("scene.glib");
+    user("search --sync --name snell windowsize 1000 500");
+    ASSERT_TRUE(wait([](const json& s) { return s["size"] == json::array({1000, 500}); }));
+    settle();
+    const json now = state();
+    EXPECT_LT(now["scene"][2], 1000);
+    EXPECT_LT(now["scene"][3], 500);
+    expect_pixel(.2, .4);
+    EXPECT_EQ(now["gl_errors"], json::array());
+}
+
+TEST_F(Window, WhatCanNotBeOpenedHasAnExitStatus) {
+    EXPECT_EQ(run({file("none.glib")}, display_), 1);
+    EXPECT_FALSE(std::filesystem::exists(file("none.glib")));
+    EXPECT_EQ(run({file("scene.glib")}, ""), 3) << "no display";
+    EXPECT_EQ(run({file("scene.glib"), "--size", "big"}, display_), 2);
+    EXPECT_EQ(run({file("scene.glib"), "--exit-after", ".5"}, display_), 0);
+}
+
+}  // namespace
+}  // namespace snell::test
