@@ -13,7 +13,7 @@
 namespace snell::content {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view blanks = " \t\r\n";
 
 std::string_view next_word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
@@ -147,9 +147,20 @@ struct Reader {
         return resolve(written.vertex_index, data.positions.size(), c.position) && c.position >= 0;
     }
 
+    // tinyobjloader wraps indices that do not fit in 32 bits: 4294967297 would be 1.
+    static bool wraps(std::string_view line) {
+        int digits = 0;
+        for (const char c : line) {
+            digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+            if (digits > 9) return true;
+        }
+        return false;
+    }
+
     void face(std::span<const tinyobj::index_t> written) {
         if (too_many) return;
         if (written.size() < 3) return too_small.at(lines.number());
+        if (wraps(lines.line())) return out_of_range.at(lines.number());
         const std::size_t begin = data.corners.size();
         bool drop = false, attributes_exist = true;
         for (const tinyobj::index_t& w : written) {

@@ -1,8 +1,9 @@
 // The Utah teapot: Martin Newell's 32 bicubic Bezier patches of 1975 (rim 4, body 8, lid 8, bottom 4,
 // handle 4, spout 4), with the size and place of glutSolidTeapot(1), turned to +Y up, spout to +X.
+#include "src/content/teapot.h"
+
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "src/content/surface.h"
 
@@ -81,16 +82,6 @@ Patch tube_patch(const Tube& tube, bool far_half) {
     return patch;
 }
 
-std::vector<Patch> patches() {
-    std::vector<Patch> all;
-    for (const Profile& profile : downward)
-        for (int quarter = 0; quarter < 4; ++quarter) all.push_back(turned_patch(profile, quarter, false));
-    for (int quarter = 0; quarter < 4; ++quarter) all.push_back(turned_patch(bottom, quarter, true));
-    for (const Tube& tube : tubes)
-        for (const bool far_half : {false, true}) all.push_back(tube_patch(tube, far_half));
-    return all;
-}
-
 using Weights = std::array<double, 4>;
 Weights bernstein(double t) {
     const double u = 1 - t;
@@ -118,7 +109,6 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 }
 double length(const Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
 
-// Largest derivative that the control net allows along s and along t.
 Vec2 largest_slopes(const Patch& patch) {
     const auto distance = [](const Vec3& a, const Vec3& b) {
         return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -132,30 +122,59 @@ Vec2 largest_slopes(const Patch& patch) {
     return largest;
 }
 
+// A patch and the largest derivatives that its control net allows along s and along t.
+struct Net {
+    Patch points;
+    Vec2 largest;
+};
+
+std::vector<Net> make_nets() {
+    std::vector<Patch> patches;
+    for (const Profile& profile : downward)
+        for (int quarter = 0; quarter < 4; ++quarter) patches.push_back(turned_patch(profile, quarter, false));
+    for (int quarter = 0; quarter < 4; ++quarter) patches.push_back(turned_patch(bottom, quarter, true));
+    for (const Tube& tube : tubes)
+        for (const bool far_half : {false, true}) patches.push_back(tube_patch(tube, far_half));
+
+    std::vector<Net> nets;
+    for (const Patch& patch : patches) nets.push_back({patch, largest_slopes(patch)});
+    return nets;
+}
+
+const std::vector<Net>& nets() {
+    static const std::vector<Net> table = make_nets();
+    return table;
+}
+
 // Ss x St. Where the row t = 0 is one point (tip of the lid, middle of the bottom) Ss vanishes like t Sst, and
 // the limit of the direction is Sst x St. In floating point the product there is small garbage rather than 0,
 // hence a relative threshold.
-Vec3 normal(const Patch& patch, const Vec2& largest, double s, double t) {
+Vec3 normal(const Net& net, double s, double t) {
+    const Patch& patch = net.points;
     const Vec3 along_s = evaluate(patch, bernstein_slope(s), bernstein(t));
     const Vec3 along_t = evaluate(patch, bernstein(s), bernstein_slope(t));
     const Vec3 product = cross(along_s, along_t);
-    if (length(product) >= 1e-4 * largest[0] * largest[1]) return product;
+    if (length(product) >= 1e-4 * net.largest[0] * net.largest[1]) return product;
     return cross(evaluate(patch, bernstein_slope(s), bernstein_slope(t)), along_t);
 }
 
 }  // namespace
 
+SurfacePoint teapot_point(int patch, double s, double t) {
+    const Net& net = nets()[static_cast<std::size_t>(patch)];
+    return {evaluate(net.points, bernstein(s), bernstein(t)), normal(net, s, t)};
+}
+
 Mesh make_teapot(bool wire) {
     const int n = wire ? 10 : 16;  // steps along each side of a patch; glutWireTeapot has 10
     Surface surface(wire);
-    surface.reserve(32 * 17 * 17, 32 * 16 * 16);
-    for (const Patch& patch : patches()) {
-        const Vec2 largest = largest_slopes(patch);
+    surface.reserve(teapot_patches * 17 * 17, teapot_patches * 16 * 16);
+    for (int patch = 0; patch < teapot_patches; ++patch)
         surface.grid(n, n, [&](int i, int j) {
             const double s = static_cast<double>(i) / n, t = static_cast<double>(j) / n;
-            surface.vertex(evaluate(patch, bernstein(s), bernstein(t)), normal(patch, largest, s, t), {s, t, 0});
+            const SurfacePoint point = teapot_point(patch, s, t);
+            surface.vertex(point.position, point.normal, {s, t, 0});
         });
-    }
     return std::move(surface).finish();
 }
 
