@@ -114,7 +114,7 @@ void Light::fill(std::vector<Map>& maps, bool lamps) const {
                 const double u = (static_cast<double>(i % static_cast<std::size_t>(map.columns)) + 0.5) / map.columns;
                 const double v = (static_cast<double>(i / static_cast<std::size_t>(map.columns)) + 0.5) / map.rows;
                 const glm::dvec3 point = map.patch.origin + u * map.patch.u + v * map.patch.v + lift * map.patch.normal;
-                map.irradiance[i] = gathered(point, map.patch.normal, 160, lamps);
+                map.irradiance[i] = gathered(point, map.patch.normal, 112, lamps);
             }
         }
     };

@@ -39,7 +39,7 @@ bool write_png(const std::filesystem::path& path, const Face& face) {
 }
 
 int make(const std::filesystem::path& folder) {
-    constexpr int size = 256, samples = 4;
+    constexpr int size = 256, samples = 3;
     std::error_code ignored;  // a folder that can't be made shows when its files can't be written
     std::filesystem::create_directories(folder / "room", ignored);
     std::filesystem::create_directories(folder / "sky", ignored);

@@ -48,23 +48,34 @@ Hit wall_of(const Box& box, const optics::Ray& ray, double distance, int first_s
     return {{p, -outward(face), face / 2}, &box.paint, first_surface + face, distance};
 }
 
-// From inside the shell or a niche to what encloses it, through the opening when that is in the way.
-Hit enclosing(const Model& model, const optics::Ray& ray) {
-    const int first_niche = 6 + 6 * static_cast<int>(model.boxes.size());
-    const auto shell = optics::cross_box(ray, model.shell.low, model.shell.high);
-    for (std::size_t i = 0; i < model.niches.size(); ++i) {
-        const Niche& niche = model.niches[i];
-        const auto crossing = optics::cross_box(ray, niche.box.low, niche.box.high);
-        if (!crossing || crossing->leave <= skin) continue;
-        const bool starts_here = contains(niche.box, ray.origin) && !contains(model.shell, ray.origin);
-        const bool goes_in = shell && crossing->enter >= shell->leave - skin && crossing->leave > shell->leave + skin;
-        if (!starts_here && !goes_in) continue;
-        const int opening = 2 * niche.axis + (niche.high ? 0 : 1);
-        const Hit wall = wall_of(niche.box, ray, crossing->leave, first_niche + 6 * static_cast<int>(i));
-        const bool goes_out = starts_here && wall.surface == first_niche + 6 * static_cast<int>(i) + opening;
-        if (!goes_out) return wall;
+// Where a ray that starts inside a box leaves it.
+double exit_of(const Box& box, const optics::Ray& ray, const glm::dvec3& inverse) {
+    const glm::dvec3 farther = glm::max((box.low - ray.origin) * inverse, (box.high - ray.origin) * inverse);
+    return std::min({farther.x, farther.y, farther.z});
+}
+
+std::optional<std::size_t> niche_at(const Model& model, const glm::dvec3& p) {
+    for (std::size_t i = 0; i < model.niches.size(); ++i)
+        if (contains(model.niches[i].box, p)) return i;
+    return std::nullopt;
+}
+
+// From inside the shell or a niche to what encloses it, through openings that are in the way.
+Hit enclosing(const Model& model, const optics::Ray& ray, const glm::dvec3& inverse) {
+    const auto inside_niche = [&](std::size_t i) {
+        const Box& box = model.niches[i].box;
+        return wall_of(box, ray, exit_of(box, ray, inverse), 6 * static_cast<int>(1 + model.boxes.size() + i));
+    };
+    const auto start = contains(model.shell, ray.origin) ? std::nullopt : niche_at(model, ray.origin);
+    if (start) {
+        const Hit wall = inside_niche(*start);
+        const Niche& niche = model.niches[*start];
+        if ((wall.surface - 2 * niche.axis) % 6 != (niche.high ? 0 : 1)) return wall;  // not the opening
     }
-    return wall_of(model.shell, ray, shell ? shell->leave : 0.0, 0);
+    const double leave = exit_of(model.shell, ray, inverse);
+    // A point of the shell that touches a niche is its opening.
+    const auto end = niche_at(model, ray.at(leave));
+    return end ? inside_niche(*end) : wall_of(model.shell, ray, leave, 0);
 }
 
 }  // namespace
@@ -78,8 +89,8 @@ Paint glowing(const Colour& emission) {
 }
 
 Hit trace(const Model& model, const optics::Ray& ray) {
-    Hit hit = enclosing(model, ray);
     const glm::dvec3 inverse(reciprocal(ray.direction.x), reciprocal(ray.direction.y), reciprocal(ray.direction.z));
+    Hit hit = enclosing(model, ray, inverse);
     std::size_t nearest = model.boxes.size();
     for (std::size_t i = 0; i < model.boxes.size(); ++i) {
         const double distance = entry(model.boxes[i], ray.origin, inverse, hit.distance);

@@ -12,10 +12,9 @@ std::uint32_t hash(std::uint32_t x) {
 }
 
 double random(int x, int y, int z, int seed) {
-    const auto mixed = hash(static_cast<std::uint32_t>(x) +
-                            hash(static_cast<std::uint32_t>(y) +
-                                 hash(static_cast<std::uint32_t>(z) + hash(static_cast<std::uint32_t>(seed)))));
-    return mixed / 4294967296.0;
+    const auto u = [](int i) { return static_cast<std::uint32_t>(i); };
+    return hash((u(x) * 0x8da6b343U) ^ (u(y) * 0xd8163841U) ^ (u(z) * 0xcb1ab31fU) ^ (u(seed) * 0x9e3779b1U)) /
+           4294967296.0;
 }
 
 double noise(const glm::dvec3& p, int seed) {

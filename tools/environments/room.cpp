@@ -108,7 +108,7 @@ void lamps_and_plants(Model& m) {
     for (double x : {-2.2, 0.0, 2.2}) {
         add(m, V(x - 0.02, 3.7, -0.02), V(x + 0.02, 4.62, 0.02), plain(brass, 0.1));
         m.balls.push_back({V(x, 3.4, 0), 0.34, glowing(Colour(3.2, 2.6, 1.8))});
-        m.lamps.push_back({V(x, 3.4, 0), 0.34, Colour(15.0, 12.2, 8.6)});
+        m.lamps.push_back({V(x, 3.4, 0), 0.34, Colour(19.0, 15.5, 10.9)});
     }
     add(m, V(3.5, -5, -4.7), V(4.5, -4.1, -3.7), plain(Colour(0.50, 0.22, 0.12), 0.02));
     const double heights[] = {-3.6, -3.1, -2.5, -3.3, -2.9};

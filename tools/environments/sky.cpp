@@ -17,8 +17,8 @@ Colour air(const glm::dvec3& d) {
 }
 
 double cloud_density(const glm::dvec2& p) {
-    const double shape = fbm({p.x, 0.0, p.y}, 6, 11), patches = noise({p.x * 0.35, 5.0, p.y * 0.35}, 31);
-    return smooth(0.50, 0.74, shape + 0.22 * (patches - 0.5));
+    const double shape = fbm({p.x, 0.0, p.y}, 6, 14), patches = noise({p.x * 0.35, 5.0, p.y * 0.35}, 34);
+    return smooth(0.47, 0.71, shape + 0.22 * (patches - 0.5));
 }
 
 // Clouds on a sheet far above: thin where the sheet is seen edge on.
@@ -55,19 +55,20 @@ Colour with_ranges(Colour c, const glm::dvec3& d) {
     const double flat = std::hypot(d.x, d.z);
     if (flat < 0.3) return c;
     const double elevation = d.y / flat;
-    static const Range ranges[] = {{-0.10, 0.60, 2.1, 0.30, {0.22, 0.26, 0.34}, 61, true},
-                                   {-0.08, 0.31, 3.3, 0.16, {0.13, 0.19, 0.17}, 83, false},
-                                   {-0.05, 0.15, 9.0, 0.05, {0.07, 0.13, 0.06}, 97, false}};
+    static const Range ranges[] = {{-0.10, 0.60, 2.1, 0.26, {0.13, 0.155, 0.21}, 61, true},
+                                   {-0.08, 0.31, 3.3, 0.15, {0.075, 0.115, 0.10}, 83, false},
+                                   {-0.05, 0.15, 9.0, 0.05, {0.035, 0.07, 0.03}, 97, false}};
     for (const Range& r : ranges) {
+        if (elevation >= r.base + r.relief) continue;
         const double crest = r.base + r.relief * range_height(d.x, d.z, r.roughness, r.seed);
         if (elevation >= crest) continue;
         const glm::dvec3 around = glm::dvec3(d.x, 0, d.z) / flat;
         const double rock = fbm(around * 26.0 + glm::dvec3(0, 42.0 * elevation, 0), 5, r.seed + 9);
         Colour slope = r.colour * (0.55 + 0.9 * rock);
         if (r.snow)
-            slope = glm::mix(slope, Colour(0.95, 0.97, 1.02), smooth(0.20, 0.28, elevation + 0.16 * (rock - 0.5)));
+            slope = glm::mix(slope, Colour(0.62, 0.66, 0.74), smooth(0.20, 0.28, elevation + 0.16 * (rock - 0.5)));
         if (!r.snow) slope *= 0.75 + 0.5 * noise(glm::dvec3(around.x * 160, elevation * 220, around.z * 160), 7);
-        c = glm::mix(slope, Colour(0.42, 0.54, 0.72), r.haze * (1.0 - 0.6 * smooth(0.0, 0.25, elevation)));
+        c = glm::mix(slope, Colour(0.34, 0.47, 0.66), r.haze * (1.0 - 0.6 * smooth(0.0, 0.25, elevation)));
     }
     return c;
 }
