@@ -1,0 +1,87 @@
+// Saved files are noticed: once, at rest, however they were written.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "src/app/watch.h"
+
+namespace snell {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WatchTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "snell-watch-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
+    // Looks until all is at rest: how often a change was told.
+    int told() {
+        int count = 0;
+        for (int look = 0; look < 5; ++look) count += watch_.changed();
+        return count;
+    }
+
+    fs::path folder_;
+    Watch watch_;
+};
+
+TEST_F(WatchTest, NothingHappenedNothingIsTold) {
+    write("a", "1");
+    watch_.set_paths({file("a"), file("missing"), folder_.string()});
+    EXPECT_EQ(told(), 0);
+}
+
+TEST_F(WatchTest, AChangeIsToldOnceAndOnlyAtRest) {
+    write("a", "1");
+    watch_.set_paths({file("a")});
+    write("a", "12");
+    EXPECT_FALSE(watch_.changed()) << "it may still be being written";
+    write("a", "123");
+    EXPECT_FALSE(watch_.changed());
+    EXPECT_TRUE(watch_.changed());
+    EXPECT_EQ(told(), 0);
+}
+
+TEST_F(WatchTest, RenamingOverDeletingAndAppearingAreChanges) {
+    write("a", "1");
+    watch_.set_paths({file("a"), file("b")});
+    write("fresh", "2");
+    fs::rename(file("fresh"), file("a"));
+    EXPECT_EQ(told(), 1);
+    fs::remove(file("a"));
+    EXPECT_EQ(told(), 1);
+    write("b", "");
+    EXPECT_EQ(told(), 1);
+}
+
+TEST_F(WatchTest, OfAFolderOnlyItsNamesCount) {
+    write("a", "1");
+    watch_.set_paths({folder_.string()});
+    write("a", "2");
+    write("fresh", "3");
+    fs::rename(file("fresh"), file("a"));  // the folder changed, its names did not
+    EXPECT_EQ(told(), 0);
+    write("b", "");
+    EXPECT_EQ(told(), 1);
+}
+
+TEST_F(WatchTest, PathsThatStayKeepWhatIsKnownOfThem) {
+    write("a", "1");
+    write("b", "1");
+    watch_.set_paths({file("a")});
+    write("a", "12");
+    watch_.set_paths({file("a"), file("b"), file("a")});
+    EXPECT_EQ(told(), 1) << "saved while others were read";
+}
+
+}  // namespace
+}  // namespace snell
