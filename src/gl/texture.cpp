@@ -84,7 +84,6 @@ std::size_t texel_bytes(Pixels type) {
 
 Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling) {
     Texture texture(make(glGenTextures));
-    if (target == GL_TEXTURE_1D && !epoxy_is_desktop_gl()) target = GL_TEXTURE_2D;
     glBindTexture(target, texture.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     upload(target, texels);

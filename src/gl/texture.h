@@ -26,7 +26,7 @@ struct Sampling {
 
 std::size_t texel_bytes(Pixels type);
 
-// `target` is GL_TEXTURE_1D, 2D, 3D or CUBE_MAP. 1D textures are 2D ones of one row in OpenGL ES.
+// `target` is GL_TEXTURE_1D, 2D, 3D or CUBE_MAP.
 Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling);
 Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling);
 void generate_mipmaps(GLenum target, GLuint texture);

@@ -196,6 +196,9 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
                    !ready.program->tessellates;
     if (variant.wide) ready.program = link(draw.program, variant, loading);
     if (!ready.program || mesh->count == 0 || !match_topology(ready, *mesh, loading.diagnostics)) return std::nullopt;
+    if (raster.wireframe && caps.es)
+        loading.diagnostics.warning("wireframe-unsupported", draw.span,
+                                    "OpenGL ES draws no wireframes: faces are filled");
     bind_textures(ready, pass, loading.diagnostics);
     return ready;
 }
@@ -246,7 +249,10 @@ void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
             const int unit = scene_unit(program, sampler, static_cast<size_t>(element));
             const int noise = noise_dimensions(program, sampler, unit);
             const bool by_name = noise && !names_unit(program, sampler);
-            const Index found = find_texture(scene, draw, by_name ? noise : unit, *sampler.target);
+            Index found = find_texture(scene, draw, by_name ? noise : unit, *sampler.target);
+            // OpenGL ES has no 1D textures: they are 2D ones of one row.
+            if (found == none && caps.es && sampler.target == TextureTarget::d2)
+                found = find_texture(scene, draw, unit, TextureTarget::d1);
             const runtime::GpuTexture* gpu = nullptr;
             Filter filter;
             if (found != none) {

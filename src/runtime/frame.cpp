@@ -79,7 +79,7 @@ DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const P
 void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     if (surface.width <= 0 || surface.height <= 0) return;
     state.forget();
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    if (!caps.es) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // OpenGL ES 3 is always so
     const std::uint64_t before = state.changes();
     std::set<std::vector<Index>> cleared;
     bool first_window = true;

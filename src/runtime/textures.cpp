@@ -52,7 +52,7 @@ gl::Texels texels(const content::Image& rgba) {
     return {pixels(rgba.type), rgba.width, rgba.height, rgba.depth, rgba.pixels.data()};
 }
 
-GLenum gl_target(TextureTarget target) {
+GLenum gl_target(TextureTarget target, const gl::Caps& caps) {
     switch (target) {
         case TextureTarget::d1:
             return GL_TEXTURE_1D;
@@ -144,7 +144,7 @@ GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     if (!image.bottom_first) image = content::flipped(image);
     gpu.size = {image.width, image.height, image.depth};
     if (!fits(declared, gpu.size)) return gpu;
-    gpu.target = gl_target(declared.target);
+    gpu.target = gl_target(declared.target, *caps_);
     gpu.mipmapped = mipmapped(declared.filter);
     gpu.texture = gl::make_texture(gpu.target, texels(image), sampling(declared.filter, false));
     gpu.bytes = with_levels(image.bytes(), gpu.mipmapped);
@@ -184,7 +184,7 @@ GpuTexture Textures::make_empty(const Texture& declared) {
     if (declared.target == TextureTarget::d1) gpu.size[1] = 1;
     if (declared.target != TextureTarget::d3) gpu.size[2] = 1;
     if (!fits(declared, gpu.size)) return gpu;
-    gpu.target = gl_target(declared.target);
+    gpu.target = gl_target(declared.target, *caps_);
     gpu.mipmapped = mipmapped(declared.filter);
     // Zeros rather than nothing: reading what was never written must not show old memory.
     const std::size_t bytes = 4 * static_cast<std::size_t>(gpu.size[0]) * static_cast<std::size_t>(gpu.size[1]) *
