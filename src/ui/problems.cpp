@@ -22,6 +22,12 @@ std::size_t count(std::span<const Problem> problems, Severity severity) {
         std::count_if(problems.begin(), problems.end(), [&](const Problem& p) { return p.severity == severity; }));
 }
 
+// "   10 |     uSc <0. .5 1.>": carets stand under it, so it must not be wrapped.
+bool is_source(std::string_view line) {
+    const std::size_t bar = line.find_first_not_of(" 0123456789");
+    return bar != std::string_view::npos && line[bar] == '|';
+}
+
 // The first line says what, in its colour; the rest shows where.
 void show(const Problem& problem) {
     const Palette& colors = palette();
@@ -32,9 +38,16 @@ void show(const Problem& problem) {
     ImGui::TextUnformatted(text.data(), text.data() + end);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
     std::string_view rest = text.substr(std::min(end + 1, text.size()));
-    while (rest.ends_with('\n')) rest.remove_suffix(1);
-    if (!rest.empty()) ImGui::TextUnformatted(rest.data(), rest.data() + rest.size());
+    while (!rest.empty()) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        ImGui::PushTextWrapPos(is_source(line) ? -1.0F : 0.0F);
+        ImGui::TextUnformatted(line.data(), line.data() + line.size());
+        ImGui::PopTextWrapPos();
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    }
+    ImGui::PopStyleVar();
     ImGui::Spacing();
 }
 

@@ -32,7 +32,7 @@ Areas areas(Memory& memory) {
     if (memory.panel_width <= 0) memory.panel_width = 22 * em;
     const float width =
         memory.panel
-            ? std::round(std::clamp(memory.panel_width, std::min(12 * em, all.x * .6F), std::max(12 * em, all.x * .6F)))
+            ? std::round(std::clamp(memory.panel_width, std::min(12 * em, all.x * .5F), std::max(12 * em, all.x * .5F)))
             : 0;
     const float line = std::round(ImGui::GetFrameHeight());
     Areas result;
