@@ -124,6 +124,12 @@ Expression Parser::call(int name_token) {
         u_.edit(e.last).after += ")";
     }
     call_builtin(e, modern.empty() ? name : modern, given);
+    // OpenGL ES has no textures of one dimension: the runtime makes them one texel high.
+    if (target_.es && given.size() > 1 && given.front().type.name == "sampler1D" && given[1].first >= 0) {
+        Edit& before = u_.edit(given[1].first);
+        before.before = "vec2(" + before.before;
+        u_.edit(given[1].last).after += ", 0.5)";
+    }
     if (wraps) e.type = make_type(Base::real, 4);
     return e;
 }
@@ -150,8 +156,10 @@ bool Parser::call_user(Expression& result, std::string_view name, std::vector<Ex
             best = &f;
         }
     }
-    if (!any) return false;
+    if (!any || (!best && !builtin_signatures(name).empty())) return false;
     result.constant = false;
+    if (best && target_.es && !builtin_signatures(name).empty())
+        u_.replace(result.first, "snell_user_" + std::string(name));
     if (!best) {
         // No overload fits: take the only one of that many parameters, so that at least its type is known.
         for (const Function& f : u_.functions)

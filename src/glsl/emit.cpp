@@ -72,12 +72,16 @@ std::string extension_lines(const Program& program, const Unit& u) {
     std::string lines;
     for (const Extension& e : u.extensions)
         if (const std::string line = extension_line(program, e); !line.empty()) lines += line + "\n";
-    for (const std::string& name : u.wanted_extensions) {
-        const bool there =
-            std::any_of(u.extensions.begin(), u.extensions.end(), [&](const Extension& e) { return e.name == name; });
-        if (!there) lines += "#extension " + name + " : enable\n";
-    }
+    for (const std::string& name : u.wanted_extensions) lines += "#extension " + name + " : enable\n";
     return lines;
+}
+
+// Extensions that the text enables itself need no line of ours.
+void drop_known_extensions(Unit& u) {
+    std::erase_if(u.wanted_extensions, [&](const std::string& name) {
+        return std::any_of(u.extensions.begin(), u.extensions.end(),
+                           [&](const Extension& e) { return e.name == name; });
+    });
 }
 
 std::string define_lines(const Program& program, const Unit& u) {
@@ -116,6 +120,7 @@ std::string render(const Unit& u, int first, int last) {
 
 std::string emit(const Program& program, Unit& u) {
     if (const Function* main = find_main(u); main && !u.main_start.empty()) u.edit(main->open).after += u.main_start;
+    drop_known_extensions(u);
     const std::string defines = define_lines(program, u);
     const bool insertion = !u.header.empty() || !defines.empty() || !u.wanted_extensions.empty();
     std::string out;

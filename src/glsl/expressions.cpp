@@ -257,6 +257,15 @@ void Parser::select(Expression& e, std::string_view member) {
         return;
     }
     e.selection = member;
+    const bool scalar_selected = e.type.scalar() && e.type.numeric() && member.find_first_not_of("xrs") == member.npos;
+    if (scalar_selected && (target_.es || target_.version < 420) && e.first >= 0) {
+        Edit& before = u_.edit(e.first);
+        before.before =
+            std::string(type_name(e.type.base, static_cast<int>(std::min<std::size_t>(member.size(), 4)), 1)) + "(" +
+            before.before;
+        u_.replace(p_ - 2, "");
+        u_.replace(p_ - 1, ")");
+    }
     if (e.type.dims || e.type.cols > 1 || e.type.base < Base::boolean || e.type.base > Base::dreal ||
         member.size() > 4) {
         e.type = {};
@@ -420,6 +429,7 @@ Expression Parser::name() {
     if (const LegacyName* legacy = legacy_name(t)) {
         e.legacy = t;
         if (const auto type = builtin_type(legacy->type)) e.type = *type;
+        if (!legacy->struct_text.empty()) e.type = *legacy_structure(legacy->struct_text);
         if (legacy->size != 0) e.type.dims = legacy->size == -2 ? 2 : 1;
         e.constant = t.starts_with("gl_Max");
     }

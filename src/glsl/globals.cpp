@@ -80,11 +80,11 @@ void adjust_interface(const Target& target, const Unit& u, Global& g) {
         if (!may && erase_layout(q, "location")) g.dirty = true;
         if (!may && erase_layout(q, "component")) g.dirty = true;
     }
+    if (q.invariant && (target.version < 420 || (u.stage == Stage::fragment && q.storage == Storage::in))) {
+        q.invariant = false;
+        g.dirty = true;
+    }
     if (u.stage == Stage::fragment && q.storage == Storage::in) {
-        if (q.invariant) {
-            q.invariant = false;
-            g.dirty = true;
-        }
         if ((g.type.integral() || g.type.base == Base::dreal) && q.interpolation != "flat") {
             q.interpolation = "flat";
             g.dirty = true;

@@ -45,7 +45,7 @@ struct Options {
     Target target;
     std::vector<Define> defines;
     std::string geometry_input, geometry_output;  // "gl_triangles" …, from GeometryInput/GeometryOutput
-    bool flat_color = false;  // the legacy colour varyings are not interpolated
+    bool flat_color = false;                      // the legacy colour varyings are not interpolated
     // Lines become quads of `snell_LineWidth` pixels in `snell_Viewport`, by a geometry stage that passes every
     // varying on. For programs of a vertex and a fragment shader only.
     bool wide_lines = false;

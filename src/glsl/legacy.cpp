@@ -140,6 +140,15 @@ constexpr LegacyName names[] = {
 
 }  // namespace
 
+std::string_view legacy_struct_text(std::string_view gl_type) {
+    if (!gl_type.starts_with("gl_")) return {};
+    const std::string_view name = gl_type.substr(3);
+    for (const std::string_view text :
+         {light_source, material, light_model, light_model_product, light_product, fog, point})
+        if (text.substr(13, name.size()) == name && text.substr(13 + name.size()).starts_with(" {")) return text;
+    return {};
+}
+
 const LegacyName* legacy_name(std::string_view name) {
     if (!name.starts_with("gl_")) return nullptr;
     static const std::unordered_map<std::string_view, const LegacyName*> table = [] {

@@ -27,6 +27,9 @@ struct LegacyName {
     std::string_view struct_text{};  // declaration of the type, where it is a structure
 };
 
+// The structure types of the language's own variables: gl_LightSourceParameters and the like. Empty for others.
+std::string_view legacy_struct_text(std::string_view gl_type);
+
 const LegacyName* legacy_name(std::string_view name);
 
 }  // namespace snell::glsl

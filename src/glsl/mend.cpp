@@ -1,5 +1,5 @@
 // Repairs of single words, before the parse.
-#include <algorithm>
+#include <map>
 #include <set>
 
 #include "src/glsl/program.h"
@@ -8,6 +8,11 @@
 namespace snell::glsl {
 
 namespace {
+
+struct Place {
+    const Unit* unit = nullptr;
+    int token = 0;
+};
 
 // Words of other languages that some compilers read past.
 bool meaningless(std::string_view word) {
@@ -21,6 +26,8 @@ bool stands_as_name(const Unit& u, std::size_t i) {
     if (word == "layout" || word == "precision" || word == "highp" || word == "mediump" || word == "lowp") return false;
     if (word == "subroutine") return next.text != "(" && next.kind == Kind::punct;
     if (next.kind != Kind::punct || next.text == "{") return false;
+    // A newer type's name, as a variable: it is used as one.
+    if (builtin_type(word)) return std::string_view("=;*+-/.").find(next.text[0]) != std::string_view::npos;
     const bool type_like =
         word.starts_with("hvec") || word.starts_with("fvec") || word == "atomic_uint" || word == "sampler3DRect";
     return !(type_like && next.text == "(");
@@ -71,33 +78,97 @@ void no_doubles(Program& program, Unit& u) {
     }
 }
 
+// A name of `set` stands for a variable here: it neither is called nor selected, nor in a layout.
+void rename_all(Unit& u, std::string_view word, bool calls_too) {
+    const std::string_view name = u.keep("snell_" + std::string(word));
+    bool in_layout = false;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const std::string_view t = u.tokens[i].text;
+        if (t == "layout") in_layout = true;
+        if (in_layout && t == ")") in_layout = false;
+        if (t != word || in_layout || u.tokens[i].kind != Kind::identifier) continue;
+        if (builtin_type(word) && calls_too) {
+            const Token& next = u.tokens[i + 1];
+            if (next.kind != Kind::punct || next.text == "(" || next.text == "[") continue;
+        } else if (calls_too ? !stands_as_name(u, i)
+                             : u.tokens[i + 1].text == "(" || (i > 0 && u.tokens[i - 1].text == "."))
+            continue;
+        u.replace(static_cast<int>(i), name);
+        u.tokens[i].text = name;
+    }
+}
+
+// Words that are names here though the language reserves them; with the first place of each.
+void collect_reserved(const Unit& u, std::map<std::string, Place>& found) {
+    bool in_layout = false;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const Token& t = u.tokens[i];
+        if (t.text == "layout") in_layout = true;
+        if (in_layout && t.text == ")") in_layout = false;
+        if (t.kind != Kind::identifier || in_layout || !is_reserved_word(t.text) || !stands_as_name(u, i)) continue;
+        found.try_emplace(std::string(t.text), Place{&u, static_cast<int>(i)});
+    }
+}
+
+// Built-in functions that are called, and variables of the same names, which would hide them.
+void collect_hiding(const Unit& u, std::set<std::string_view>& called, std::map<std::string, Place>& named) {
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const Token& t = u.tokens[i];
+        if (t.kind != Kind::identifier || (i > 0 && u.tokens[i - 1].text == ".")) continue;
+        bool wraps = false;
+        if (u.tokens[i + 1].text == "(") {
+            const std::string_view modern = modern_texture_function(t.text, wraps);
+            const std::string_view name = modern.empty() ? t.text : modern;
+            // A type before it: the user's own function of that name, which calls are meant for.
+            const bool defined =
+                i > 0 && u.tokens[i - 1].kind == Kind::identifier && !is_statement_word(u.tokens[i - 1].text);
+            if (!defined && !builtin_signatures(name).empty()) called.insert(name);
+        } else if (!builtin_signatures(t.text).empty()) {
+            named.try_emplace(std::string(t.text), Place{&u, static_cast<int>(i)});
+        }
+    }
+}
+
+void mend_for_es(Unit& u) {
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const std::string_view t = u.tokens[i].text;
+        // The token's own text stays sampler1D, so that calls can be told apart.
+        if (t == "sampler1D") u.replace(static_cast<int>(i), "sampler2D");
+        // One precision everywhere: uniforms must agree in it across stages.
+        if (t == "mediump" || t == "lowp") u.replace(static_cast<int>(i), "highp");
+    }
+}
+
 }  // namespace
 
 void mend_words(Program& program, Unit& u) {
     drop_meaningless(program, u);
     const Target& target = program.target();
     if (target.es || !target.fp64) no_doubles(program, u);
-    std::set<std::string_view> renamed;
-    int in_layout = 0;
-    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
-        const Token& t = u.tokens[i];
-        if (t.kind == Kind::real) mend_number(program, u, static_cast<int>(i));
-        if (t.kind == Kind::identifier && t.text == "layout") in_layout = 1;
-        if (in_layout && t.text == ")") in_layout = 0;
-        if (t.kind != Kind::identifier || in_layout || !is_reserved_word(t.text) || !stands_as_name(u, i)) continue;
-        if (renamed.insert(t.text).second)
-            program.warn(u, static_cast<int>(i), "reserved-word",
-                         "'" + std::string(t.text) + "' is a word of the language: renamed");
-        const std::string_view name = u.keep("snell_" + std::string(t.text));
-        u.replace(static_cast<int>(i), name);
-        u.tokens[i].text = name;
+    if (target.es) mend_for_es(u);
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i)
+        if (u.tokens[i].kind == Kind::real) mend_number(program, u, static_cast<int>(i));
+}
+
+// Across all stages, so that what passes between them keeps one name.
+void rename_words(Program& program) {
+    std::map<std::string, Place> reserved, hiding, named;
+    for (const Unit& u : program.units) {
+        collect_reserved(u, reserved);
+        std::set<std::string_view> called;
+        std::map<std::string, Place> here;
+        collect_hiding(u, called, here);
+        named.insert(here.begin(), here.end());
+        for (const auto& [name, place] : here)
+            if (called.contains(name)) hiding.try_emplace(name, place);
     }
-    for (const std::string_view name : renamed) {
-        const std::string shader_name = "snell_" + std::string(name);
-        const bool known = std::any_of(program.renamed.begin(), program.renamed.end(),
-                                       [&](const RenamedUniform& r) { return r.name == name; });
-        if (!known) program.renamed.push_back({std::string(name), shader_name});
-    }
+    const auto rename = [&](const std::string& word, const Place& place, bool calls_too, std::string_view why) {
+        program.warn(*place.unit, place.token, "reserved-word", "'" + word + "' " + std::string(why) + ": renamed");
+        for (Unit& u : program.units) rename_all(u, word, calls_too);
+        program.renamed.push_back({word, "snell_" + word});
+    };
+    for (const auto& [word, place] : reserved) rename(word, place, true, "is a word of the language");
+    for (const auto& [word, place] : hiding) rename(word, place, false, "hides the built-in function of that name");
 }
 
 }  // namespace snell::glsl

@@ -2,6 +2,7 @@
 #include "src/glsl/parse.h"
 
 #include "src/glsl/legacy.h"
+#include "src/glsl/macro.h"
 #include "src/glsl/words.h"
 
 namespace snell::glsl {
@@ -156,6 +157,10 @@ std::optional<Type> Parser::type_specifier(bool& defines) {
             ++p_;
             return type;
         }
+    if (const std::string_view legacy = legacy_struct_text(text()); !legacy.empty()) {
+        ++p_;
+        return legacy_structure(legacy);
+    }
     if (token(1).kind == Kind::identifier && !is_statement_word(text()) && !is_qualifier(text())) {
         Type type;
         type.name = text();
@@ -163,6 +168,26 @@ std::optional<Type> Parser::type_specifier(bool& defines) {
         return type;
     }
     return std::nullopt;
+}
+
+// `struct NAME { TYPE MEMBER; … };` of the language's own.
+std::optional<Type> Parser::legacy_structure(std::string_view declaration) {
+    const std::vector<MacroToken> t = macro_tokens(declaration);
+    Type type;
+    type.base = Base::structure;
+    type.name = t[1].text;
+    for (std::size_t n = 0; n < u_.structs.size(); ++n)
+        if (u_.structs[n].name == type.name) {
+            type.structure = static_cast<std::int32_t>(n);
+            return type;
+        }
+    Struct s;
+    s.name = type.name;
+    for (std::size_t k = 3; k + 2 < t.size(); k += 3)
+        if (const auto member = builtin_type(t[k].text)) s.members.push_back({t[k + 1].text, *member});
+    type.structure = static_cast<std::int32_t>(u_.structs.size());
+    u_.structs.push_back(std::move(s));
+    return type;
 }
 
 std::optional<Type> Parser::structure() {
@@ -414,6 +439,8 @@ void Parser::function(const Type& result, int name) {
     f.name = text();
     f.result = result;
     f.name_token = name;
+    // OpenGL ES lets nobody redefine a built-in function.
+    if (target_.es && !builtin_signatures(f.name).empty()) u_.replace(name, "snell_user_" + std::string(f.name));
     p_ = name + 2;
     open_scope();
     while (!at_end() && !is(")")) {

@@ -44,6 +44,7 @@ private:
     bool layout(Qualifiers& q);
     std::optional<Type> type_specifier(bool& defines);
     std::optional<Type> structure();
+    std::optional<Type> legacy_structure(std::string_view text);
     void members(int structure, std::vector<std::pair<int, int>>* tokens);
     int dimensions(Type& type, std::string* text);
     void block(const Qualifiers& q, int first);

@@ -36,6 +36,7 @@ struct Program {
 
 // Before the parse: words that became reserved, words that mean nothing here, odd numbers.
 void mend_words(Program& program, Unit& unit);
+void rename_words(Program& program);
 
 // A stage that the pipeline needs and the program lacks, as source text; empty if none is missing.
 std::string default_vertex_shader(Program& program);
@@ -51,6 +52,8 @@ void assign_attributes(Program& program, Unit& vertex);
 void assign_outputs(Program& program, Unit& fragment);
 // Layouts that an old geometry shader leaves to the application.
 void complete_geometry(Program& program, Unit& geometry);
+// noise1 … noise4, where they are called.
+void provide_helpers(Unit& unit);
 // gl_… to snell_….
 void replace_legacy(Program& program);
 // Initialisers that are no constants move to the start of main.

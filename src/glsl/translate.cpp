@@ -3,6 +3,7 @@
 #include "src/glsl/parse.h"
 #include "src/glsl/preprocess.h"
 #include "src/glsl/program.h"
+#include "src/glsl/words.h"
 
 namespace snell::glsl {
 
@@ -11,7 +12,10 @@ namespace {
 void read_unit(Program& program, Unit& u, FileId file) {
     preprocess(u, file, program.sources, program.options, program.diagnostics);
     mend_words(program, u);
-    Parser(u, program.target(), program.diagnostics).run();
+}
+
+void parse(Program& program) {
+    for (Unit& u : program.units) Parser(u, program.target(), program.diagnostics).run();
 }
 
 void add_default(Program& program, Stage stage, std::string text, std::string name) {
@@ -30,24 +34,26 @@ void add_missing_stages(Program& program) {
                      [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
 }
 
+// Every type that has no precision of its own gets one. A text that begins with such statements itself needs
+// none, unless declarations of ours come before it.
 void add_precision(Unit& u) {
-    for (const std::string_view type :
-         {"float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DArray", "sampler2DShadow",
-          "samplerCubeShadow", "sampler2DArrayShadow", "isampler2D", "usampler2D", "isampler3D", "usampler3D"}) {
-        bool there = false, used = type == "float" || type == "int";
-        for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
-            used = used || u.tokens[i].text == type;
-            there =
-                there || (u.tokens[i].text == "precision" && i + 2 < u.tokens.size() && u.tokens[i + 2].text == type);
-        }
-        if (used && !there) u.header += "precision highp " + std::string(type) + ";\n";
-    }
+    std::set<std::string_view> there, used = {"float", "int"};
+    for (std::size_t i = 0; i + 3 < u.tokens.size() && u.tokens[i].text == "precision"; i += 4)
+        if (u.header.empty()) there.insert(u.tokens[i + 2].text);
+    for (const Token& t : u.tokens)
+        if (t.text.starts_with("sampler") || t.text.starts_with("isampler") || t.text.starts_with("usampler"))
+            if (builtin_type(t.text)) used.insert(t.text == "sampler1D" ? std::string_view("sampler2D") : t.text);
+    std::string lines;
+    for (const std::string_view type : used)
+        if (!there.contains(type)) lines += "precision highp " + std::string(type) + ";\n";
+    u.header.insert(0, lines);
 }
 
 void want_extensions(const Target& target, Unit& u) {
     if (target.es || target.version >= 400) return;
     if (u.stage == Stage::tess_control || u.stage == Stage::tess_evaluation)
         u.wanted_extensions.emplace_back("GL_ARB_tessellation_shader");
+    if (u.version >= 400 && u.profile != "es") u.wanted_extensions.emplace_back("GL_ARB_gpu_shader5");
     const bool doubles = std::any_of(u.tokens.begin(), u.tokens.end(), [](const Token& t) {
         return t.kind == Kind::identifier &&
                (t.text == "double" || t.text.starts_with("dvec") || t.text.starts_with("dmat"));
@@ -72,10 +78,12 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     std::stable_sort(program.units.begin(), program.units.end(),
                      [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
     add_missing_stages(program);
+    rename_words(program);
+    parse(program);
 
     for (Unit& u : program.units) {
-        if (options.target.es) add_precision(u);
         want_extensions(options.target, u);
+        provide_helpers(u);
         if (u.stage == Stage::geometry) complete_geometry(program, u);
     }
     unify_uniforms(program);
@@ -88,6 +96,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     for (Unit& u : program.units) {
         move_initialisers(program, u);
         write_declarations(program, u);
+        if (options.target.es) add_precision(u);
         out.stages.push_back({u.stage, emit(program, u), u.files});
     }
     const Unit* fragment = program.find(Stage::fragment);

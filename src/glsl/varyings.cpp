@@ -324,7 +324,10 @@ void replace_legacy(Program& program) {
             if (u.at(i).kind != Kind::identifier) continue;
             functions(u, i);
             const LegacyName* name = legacy_name(u.at(i).text);
-            if (u.at(i).text == "gl_in" || u.at(i).text == "gl_out") {
+            if (const std::string_view type = legacy_struct_text(u.at(i).text); !type.empty()) {
+                declare_once(u, type.substr(7, type.find(' ', 7) - 7), type);
+                u.replace(i, snell(u.at(i).text));
+            } else if (u.at(i).text == "gl_in" || u.at(i).text == "gl_out") {
                 if (block_member(u, i) >= 0) u.replace(i, u.at(i).text == "gl_in" ? "snell_in" : "snell_out");
             } else if (name) {
                 replace_one(c, u, i, *name);

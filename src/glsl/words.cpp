@@ -142,7 +142,15 @@ const Words& statement_words() {
 
 // Keywords come here too where an older version has them not, and students' names are among them.
 const Words& reserved_words() {
-    static const Words words = {"common",
+    static const Words words = {"uint",
+                                "uvec2",
+                                "uvec3",
+                                "uvec4",
+                                "double",
+                                "dvec2",
+                                "dvec3",
+                                "dvec4",
+                                "common",
                                 "partition",
                                 "active",
                                 "asm",
