@@ -75,7 +75,7 @@ std::string compare_by_module(const Image& a, const Image& b, double threshold, 
         0) {
         return message.data();
     }
-    difference = {found.mean, found.rms, found.psnr, found.max, found.over_threshold, found.perceptible};
+    difference = {found.mean, found.rms, found.psnr, found.max, found.over_threshold};
     return {};
 }
 

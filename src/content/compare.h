@@ -17,11 +17,11 @@ struct Difference {
 // nullopt: the pictures differ in size or number of channels. Types and row order may differ.
 std::optional<Difference> compare(const Image& a, const Image& b, double threshold = 0);
 
-// OpenImageIO's figures for pictures of one size and type, top row first. `perceptible` counts the pixels that
-// Yee's model of vision tells apart.
+// OpenImageIO's figures for pictures of one size, type and row order. Its model of vision (Yee's) is not among
+// them: version 2.4 finds no difference between black and white.
 struct ModuleDifference {
     double mean = 0, rms = 0, psnr = 0, max = 0;
-    std::size_t over = 0, perceptible = 0;
+    std::size_t over = 0;
 };
 
 // Empty string: done; else why not.

@@ -53,6 +53,8 @@ bool start(Reader& reader, const ImageLimits& limits) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     png_set_read_fn(reader.png, &reader, on_read);
     png_set_user_limits(reader.png, static_cast<png_uint_32>(limits.side), static_cast<png_uint_32>(limits.side));
+    // Small steps: of a file that ends too early, only the rows within the last step are lost.
+    png_set_compression_buffer_size(reader.png, 512);
     // A wrong checksum of a chunk that is only about the picture does no harm.
     png_set_crc_action(reader.png, PNG_CRC_DEFAULT, PNG_CRC_WARN_DISCARD);
     png_read_info(reader.png, reader.info);

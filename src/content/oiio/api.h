@@ -29,7 +29,6 @@ typedef void* (*SnellOiioAllocate)(void* context, const SnellOiioShape* shape);
 typedef struct SnellOiioDifference {
     double mean, rms, psnr, max;
     size_t over_threshold; /* pixels with a channel that differs by more */
-    size_t perceptible;    /* pixels that Yee's model of vision tells apart; u8 and float pictures in 0..1 */
 } SnellOiioDifference;
 
 /* All return 0 when done; else `message` (of `message_size` bytes) says what went wrong. */
