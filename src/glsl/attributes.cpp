@@ -165,9 +165,10 @@ void assign_outputs(Program& program, Unit& u) {
         std::count_if(outputs.begin(), outputs.end(), [](const Global* g) { return location_of(g->qualifiers) >= 0; });
     int next = legacy ? 1 : 0;
     for (Global* g : outputs) {
-        if (legacy && (!g->written || location_of(g->qualifiers) == 0)) {
-            program.warn(u, g->name_token, "two-outputs",
-                         "'" + std::string(g->name) + "' stands beside gl_FragColor, which is what is seen");
+        if ((!g->written && outputs.size() + (legacy ? 1 : 0) > 1) || (legacy && location_of(g->qualifiers) == 0)) {
+            if (legacy && g->written)
+                program.warn(u, g->name_token, "two-outputs",
+                             "'" + std::string(g->name) + "' stands beside gl_FragColor, which is what is seen");
             g->qualifiers = {};
             g->dirty = true;
             continue;

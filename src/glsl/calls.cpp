@@ -115,7 +115,7 @@ Expression Parser::call(int name_token) {
     ++p_;
     std::vector<Expression> given = arguments();
     e.last = p_ - 1;
-    if (call_user(e, name, given)) return e;
+    if (call_user(e, name, given) || foreign_function(name, given, e)) return e;
     bool wraps = false;
     std::string_view modern = modern_texture_function(name, wraps);
     if (wraps) {
@@ -123,6 +123,7 @@ Expression Parser::call(int name_token) {
         before.before = "vec4(" + before.before;
         u_.edit(e.last).after += ")";
     }
+    if (modern.empty() && builtin_signatures(name).empty()) u_.unknown_calls.try_emplace(name, name_token);
     call_builtin(e, modern.empty() ? name : modern, given);
     // OpenGL ES has no textures of one dimension: the runtime makes them one texel high.
     if (target_.es && given.size() > 1 && given.front().type.name == "sampler1D" && given[1].first >= 0) {
@@ -132,6 +133,51 @@ Expression Parser::call(int name_token) {
     }
     if (wraps) e.type = make_type(Base::real, 4);
     return e;
+}
+
+// Functions of Cg and HLSL, which some compilers let pass.
+bool Parser::foreign_function(std::string_view name, std::vector<Expression>& given, Expression& result) {
+    struct Foreign {
+        std::string_view name, ours;
+    };
+    constexpr Foreign table[] = {{"saturate", "clamp"},
+                                 {"lerp", "mix"},
+                                 {"frac", "fract"},
+                                 {"rsqrt", "inversesqrt"},
+                                 {"ddx", "dFdx"},
+                                 {"ddy", "dFdy"},
+                                 {"fmod", "mod"},
+                                 {"atan2", "atan"},
+                                 {"tex1D", "texture"},
+                                 {"tex2D", "texture"},
+                                 {"tex3D", "texture"},
+                                 {"texCUBE", "texture"},
+                                 {"mul", ""}};
+    const auto* found =
+        std::find_if(std::begin(table), std::end(table), [&](const Foreign& f) { return f.name == name; });
+    if (found == std::end(table) || given.empty() || given.back().last < 0) return false;
+    if (u_.at(result.last).text != ")") return false;
+    if (name == "mul") {
+        if (given.size() != 2 || u_.at(given[0].last + 1).text != ",") return false;
+        u_.replace(result.first, "(");
+        u_.replace(given[0].last + 1, ") * (");
+        u_.replace(result.last, "))");
+        const int first = result.first, last = result.last;
+        result = combine(given[0], given[1], "*");
+        result.first = first;
+        result.last = last;
+    } else {
+        u_.replace(result.first, found->ours);
+        if (name == "saturate") u_.replace(result.last, ", 0.0, 1.0)");
+        if (name == "saturate")
+            result.type = given[0].type;
+        else
+            call_builtin(result, found->ours, given);
+    }
+    diagnostics_.warning("foreign-function", u_.span(result.first),
+                         "'" + std::string(name) + "' is no function of GLSL: read as " +
+                             (name == "mul" ? "a product" : std::string(found->ours)));
+    return true;
 }
 
 bool Parser::call_user(Expression& result, std::string_view name, std::vector<Expression>& given) {
@@ -161,10 +207,18 @@ bool Parser::call_user(Expression& result, std::string_view name, std::vector<Ex
     if (best && target_.es && !builtin_signatures(name).empty())
         u_.replace(result.first, "snell_user_" + std::string(name));
     if (!best) {
-        // No overload fits: take the only one of that many parameters, so that at least its type is known.
+        // No overload fits: if only one has that many parameters, it is meant.
+        int candidates = 0;
         for (const Function& f : u_.functions)
-            if (f.name == name && f.parameters.size() == given.size()) result.type = f.result;
-        return true;
+            if (f.name == name && f.parameters.size() == given.size()) {
+                best = &f;
+                candidates += f.open >= 0 ? 1 : 0;
+            }
+        if (!best) return true;
+        if (candidates > 1) {
+            result.type = best->result;
+            return true;
+        }
     }
     result.type = best->result;
     for (std::size_t n = 0; n < given.size(); ++n) {

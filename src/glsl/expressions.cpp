@@ -60,10 +60,34 @@ Type arithmetic(const Type& a, const Type& b, std::string_view op) {
 
 }  // namespace
 
+void Parser::wrap(const Expression& e, std::string_view type) {
+    Edit& before = u_.edit(e.first);
+    before.before = std::string(type) + "(" + before.before;
+    u_.edit(e.last).after += ")";
+}
+
+// What no version allows and some compilers read nevertheless.
+void Parser::forgive(const Expression& e, const Type& due, std::string_view code, std::string_view what) {
+    diagnostics_.warning(code, u_.span(e.first), std::string(what));
+    wrap(e, type_name(due.base, due.rows, 1));
+}
+
 void Parser::convert(const Expression& e, const Type& due, Due why) {
-    if (e.first < 0 || e.type.dims || due.dims || e.type.rows != due.rows || e.type.cols != 1 || due.cols != 1) return;
-    const bool to_float = due.floating() && e.type.integral();
-    const bool to_unsigned = due.base == Base::uinteger && e.type.base == Base::integer;
+    if (e.first < 0 || e.last < e.first || e.type.dims || due.dims || e.type.rows != due.rows || e.type.cols != 1 ||
+        due.cols != 1)
+        return;
+    const Type& have = e.type;
+    if (have.base == due.base || have.base < Base::boolean || due.base < Base::boolean || have.base > Base::dreal ||
+        due.base > Base::dreal)
+        return;
+    if (due.base == Base::boolean)
+        return forgive(e, due, "number-as-bool", "a number stands where true or false is due: true unless it is zero");
+    if (have.base == Base::boolean)
+        return forgive(e, due, "bool-as-number", "true or false stands where a number is due: 1 or 0");
+    if (due.integral() && have.floating())
+        return forgive(e, due, "float-to-int", "a float stands where an int is due: its fraction is dropped");
+    const bool to_float = due.floating() && have.integral();
+    const bool to_unsigned = due.base == Base::uinteger && have.base == Base::integer;
     if (!to_float && !to_unsigned) return;
     if (!target_.es && !(why == Due::result && target_.version < 420) && !(to_unsigned && target_.version < 400))
         return;
@@ -73,10 +97,7 @@ void Parser::convert(const Expression& e, const Type& due, Due why) {
         const std::size_t digits = std::min(text.find_first_not_of('0'), text.size() - 1);
         return u_.replace(e.first, std::string(text.substr(digits)) + ".0");
     }
-    Edit& before = u_.edit(e.first);
-    before.before =
-        std::string(type_name(due.base == Base::dreal ? Base::real : due.base, due.rows, 1)) + "(" + before.before;
-    u_.edit(e.last).after += ")";
+    wrap(e, type_name(due.base == Base::dreal ? Base::real : due.base, due.rows, 1));
 }
 
 void Parser::note_write(const Expression& target, const Expression* value, std::string_view op) {
@@ -147,6 +168,7 @@ Expression Parser::assignment() {
 Expression Parser::ternary() {
     Expression condition = binary(1);
     if (!accept("?")) return condition;
+    convert(condition, make_type(Base::boolean), Due::condition);
     Expression a = expression();
     accept(":");
     Expression b = assignment();
@@ -174,6 +196,8 @@ Expression Parser::combine(Expression a, Expression b, std::string_view op) {
     const bool logical = op == "&&" || op == "||" || op == "^^";
     const bool relation = precedence(op) == 7 || precedence(op) == 8;
     if (logical) {
+        convert(a, make_type(Base::boolean), Due::condition);
+        convert(b, make_type(Base::boolean), Due::condition);
         out.type = make_type(Base::boolean);
         return out;
     }
@@ -181,7 +205,13 @@ Expression Parser::combine(Expression a, Expression b, std::string_view op) {
         out.type = a.type;
         return out;
     }
-    if (a.type.numeric() && b.type.numeric() && a.type.base != b.type.base) {
+    if (a.type.base == Base::boolean && b.type.numeric()) {
+        convert(a, make_type(b.type.base, a.type.rows), Due::operand);
+        a.type = make_type(b.type.base, a.type.rows);
+    } else if (b.type.base == Base::boolean && a.type.numeric()) {
+        convert(b, make_type(a.type.base, b.type.rows), Due::operand);
+        b.type = make_type(a.type.base, b.type.rows);
+    } else if (a.type.numeric() && b.type.numeric() && a.type.base != b.type.base) {
         const Base base = std::max(a.type.base, b.type.base);
         convert(a, make_type(base, a.type.rows), Due::operand);
         convert(b, make_type(base, b.type.rows), Due::operand);
@@ -228,7 +258,12 @@ Expression Parser::unary() {
     }
     if (op == "-")
         for (double& v : e.value) v = -v;
-    if (op == "!") e.type = make_type(Base::boolean);
+    if (op == "!") {
+        Expression operand = e;
+        operand.first = first + 1;
+        if (operand.type.scalar()) convert(operand, make_type(Base::boolean), Due::condition);
+        e.type = make_type(Base::boolean);
+    }
     if (op != "-" && op != "+") e.value.clear();
     e.alpha_one = false;
     e.global = -1;
@@ -289,6 +324,7 @@ Expression Parser::postfix() {
         if (is("[")) {
             ++p_;
             const Expression index = expression();
+            if (index.type.base == Base::real) convert(index, make_type(Base::integer), Due::operand);
             if (!accept("]")) break;
             if (e.type.dims > 0) {
                 --e.type.dims;
@@ -365,6 +401,8 @@ Expression Parser::primary() {
     if (t.kind == Kind::integer || t.kind == Kind::real) return number();
     if (t.text == "(") {
         const int first = p_;
+        if (is(")", 2) && builtin_type(text(1)) && !find(text(1)) && token(3).kind != Kind::end && !is(";", 3))
+            return cast();
         ++p_;
         e = expression();
         const bool alpha = e.alpha_one;
@@ -406,6 +444,28 @@ Expression Parser::primary() {
         return call(p_);
     }
     return name();
+}
+
+// (float) x, as C has it.
+Expression Parser::cast() {
+    const int first = p_;
+    const Type type = *builtin_type(text(1));
+    diagnostics_.warning("c-cast", u_.span(p_),
+                         "a cast in parentheses is C: read as " + std::string(type.name) + "(…)");
+    p_ += 3;
+    Expression e = unary();
+    if (e.last >= first + 3) {
+        u_.replace(first, "");
+        u_.replace(first + 2, "(");
+        u_.edit(e.last).after += ")";
+    }
+    e.first = first;
+    e.type = type;
+    e.alpha_one = false;
+    e.value.clear();
+    e.global = -1;
+    e.legacy = {};
+    return e;
 }
 
 Expression Parser::name() {

@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 
+#include "src/glsl/legacy.h"
 #include "src/glsl/program.h"
 #include "src/glsl/words.h"
 
@@ -110,6 +111,17 @@ void collect_reserved(const Unit& u, std::map<std::string, Place>& found) {
     }
 }
 
+// Names of the user's own that begin as only the language's may.
+void collect_own_gl(const Unit& u, std::map<std::string, Place>& found) {
+    for (std::size_t i = 1; i + 1 < u.tokens.size(); ++i) {
+        const Token& t = u.tokens[i];
+        if (t.kind != Kind::identifier || !t.text.starts_with("gl_") || legacy_name(t.text)) continue;
+        const std::string_view before = u.tokens[i - 1].text, after = u.tokens[i + 1].text;
+        if (builtin_type(before) && (after == ";" || after == "=" || after == ","))
+            found.try_emplace(std::string(t.text), Place{&u, static_cast<int>(i)});
+    }
+}
+
 // Built-in functions that are called, and variables of the same names, which would hide them.
 void collect_hiding(const Unit& u, std::set<std::string_view>& called, std::map<std::string, Place>& named) {
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
@@ -129,6 +141,67 @@ void collect_hiding(const Unit& u, std::set<std::string_view>& called, std::map<
     }
 }
 
+// float3, half4, float4x4 …: types of Cg and HLSL.
+std::string_view foreign_type(std::string_view t) {
+    struct Foreign {
+        std::string_view name;
+        Base base;
+    };
+    constexpr Foreign stems[] = {{"float", Base::real},
+                                 {"half", Base::real},
+                                 {"fixed", Base::real},
+                                 {"int", Base::integer},
+                                 {"bool", Base::boolean}};
+    for (const Foreign& f : stems) {
+        if (!t.starts_with(f.name)) continue;
+        const std::string_view size = t.substr(f.name.size());
+        const auto digit = [&](std::size_t k) { return size[k] >= '2' && size[k] <= '4' ? size[k] - '0' : 0; };
+        if (size.empty()) return f.name == "half" || f.name == "fixed" ? "float" : "";
+        if (size.size() == 1 && digit(0)) return type_name(f.base, digit(0), 1);
+        if (size.size() == 3 && digit(0) && size[1] == 'x' && digit(2) == digit(0) && f.base == Base::real)
+            return type_name(f.base, digit(0), digit(0));
+    }
+    return {};
+}
+
+void mend_foreign_types(Program& program, Unit& u) {
+    std::set<std::string_view> told;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const Token& next = u.tokens[i + 1];
+        if (u.tokens[i].kind != Kind::identifier || (next.kind != Kind::identifier && next.text != "(")) continue;
+        if (u.tokens[i].text == "unsigned" && (next.text == "int" || next.text == "uint")) {
+            u.tokens[i + 1].lead = u.keep(std::string(u.tokens[i].lead) + std::string(u.tokens[i + 1].lead));
+            u.tokens.erase(u.tokens.begin() + static_cast<std::ptrdiff_t>(i));
+            u.replace(static_cast<int>(i), "uint");
+            u.tokens[i].text = "uint";
+            continue;
+        }
+        const std::string_view type = foreign_type(u.tokens[i].text);
+        if (type.empty()) continue;
+        const bool function = next.text == "(" && i > 0 && u.tokens[i - 1].kind == Kind::identifier;
+        if (function) continue;
+        if (told.insert(u.tokens[i].text).second)
+            program.warn(u, static_cast<int>(i), "foreign-type",
+                         "'" + std::string(u.tokens[i].text) + "' is no type of GLSL: read as " + std::string(type));
+        u.replace(static_cast<int>(i), type);
+        u.tokens[i].text = type;
+    }
+}
+
+// Dashes from slides and text processors that mean a minus.
+void mend_dashes(Program& program, Unit& u) {
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        Token& t = u.tokens[i];
+        if (t.kind != Kind::other) continue;
+        const std::string_view s = t.text;
+        if (s != "\xE2\x80\x93" && s != "\xE2\x80\x94" && s != "\xE2\x88\x92" && s != "\x96" && s != "\x97") continue;
+        program.warn(u, static_cast<int>(i), "odd-minus", "this dash is no minus sign: read as one");
+        u.replace(static_cast<int>(i), "-");
+        t.text = "-";
+        t.kind = Kind::punct;
+    }
+}
+
 void mend_for_es(Unit& u) {
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
         const std::string_view t = u.tokens[i].text;
@@ -143,6 +216,8 @@ void mend_for_es(Unit& u) {
 
 void mend_words(Program& program, Unit& u) {
     drop_meaningless(program, u);
+    mend_dashes(program, u);
+    mend_foreign_types(program, u);
     const Target& target = program.target();
     if (target.es || !target.fp64) no_doubles(program, u);
     if (target.es) mend_for_es(u);
@@ -152,13 +227,13 @@ void mend_words(Program& program, Unit& u) {
 
 // Across all stages, so that what passes between them keeps one name.
 void rename_words(Program& program) {
-    std::map<std::string, Place> reserved, hiding, named;
+    std::map<std::string, Place> reserved, hiding, own_gl;
     for (const Unit& u : program.units) {
+        collect_own_gl(u, own_gl);
         collect_reserved(u, reserved);
         std::set<std::string_view> called;
         std::map<std::string, Place> here;
         collect_hiding(u, called, here);
-        named.insert(here.begin(), here.end());
         for (const auto& [name, place] : here)
             if (called.contains(name)) hiding.try_emplace(name, place);
     }
@@ -168,6 +243,7 @@ void rename_words(Program& program) {
         program.renamed.push_back({word, "snell_" + word});
     };
     for (const auto& [word, place] : reserved) rename(word, place, true, "is a word of the language");
+    for (const auto& [word, place] : own_gl) rename(word, place, false, "begins as only names of the language may");
     for (const auto& [word, place] : hiding) rename(word, place, false, "hides the built-in function of that name");
 }
 

@@ -317,6 +317,11 @@ void Parser::external() {
     group.type_first = p_;
     bool defines = false;
     std::optional<Type> type = type_specifier(defines);
+    if (!type && is("main") && is("(", 1)) {
+        diagnostics_.warning("untyped-main", u_.span(p_), "main wants 'void' before it");
+        u_.edit(p_).before = "void ";
+        return function(make_type(Base::none), p_, p_);
+    }
     if (!type) return skip_declaration();
     group.defines_struct = defines;
     group.type_last = p_ - 1;
@@ -326,7 +331,7 @@ void Parser::external() {
         group.type_last = p_ - 1;
     }
     if (accept(";")) return;  // struct X { … };
-    if (token().kind == Kind::identifier && is("(", 1)) return function(base, p_);
+    if (token().kind == Kind::identifier && is("(", 1)) return function(base, first, p_);
     declarators(q, base, group, true);
 }
 
@@ -369,6 +374,11 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     }
     Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
     if (symbol.constant) symbol.value = value;
+    if (global && g.type.base == Base::sampler && q.storage == Storage::plain) {
+        diagnostics_.warning("sampler-not-uniform", u_.span(g.name_token), "a sampler is a uniform: taken as one");
+        g.qualifiers.storage = Storage::uniform;
+        g.dirty = true;
+    }
     if (global) {
         symbol.global = static_cast<int>(u_.globals.size());
         g.value = std::move(value);
@@ -434,11 +444,12 @@ Expression Parser::initialiser(const Type& due) {
     return list;
 }
 
-void Parser::function(const Type& result, int name) {
+void Parser::function(const Type& result, int first, int name) {
     Function f;
     f.name = text();
     f.result = result;
     f.name_token = name;
+    f.first = first;
     // OpenGL ES lets nobody redefine a built-in function.
     if (target_.es && !builtin_signatures(f.name).empty()) u_.replace(name, "snell_user_" + std::string(f.name));
     p_ = name + 2;
@@ -464,6 +475,7 @@ void Parser::function(const Type& result, int name) {
         close_scope();
         return skip_declaration();
     }
+    f.parameters_end = p_ - 1;
     const auto index = u_.functions.size();
     const std::string_view function_name = f.name;
     u_.functions.push_back(std::move(f));

@@ -29,7 +29,7 @@ public:
     void run();
 
 private:
-    enum class Due : std::uint8_t { initialiser, argument, operand, result, assignment };
+    enum class Due : std::uint8_t { initialiser, argument, operand, result, assignment, condition };
     struct Symbol {
         Type type;
         int global = -1;
@@ -48,7 +48,7 @@ private:
     void members(int structure, std::vector<std::pair<int, int>>* tokens);
     int dimensions(Type& type, std::string* text);
     void block(const Qualifiers& q, int first);
-    void function(const Type& result, int name);
+    void function(const Type& result, int first, int name);
     void declarators(const Qualifiers& q, Type type, Group group, bool global);
     void declarator(const Qualifiers& q, Type type, int group, bool global);
     Expression initialiser(const Type& due);
@@ -78,6 +78,10 @@ private:
     void select(Expression& e, std::string_view member);
     void call_builtin(Expression& result, std::string_view name, std::vector<Expression>& given);
     bool call_user(Expression& result, std::string_view name, std::vector<Expression>& given);
+    void wrap(const Expression& e, std::string_view type);
+    void forgive(const Expression& e, const Type& due, std::string_view code, std::string_view what);
+    Expression cast();
+    bool foreign_function(std::string_view name, std::vector<Expression>& given, Expression& result);
     void convert(const Expression& e, const Type& due, Due why);
     void note_write(const Expression& target, const Expression* value, std::string_view op);
     void touch(const Expression& e, bool write);

@@ -22,6 +22,7 @@ public:
         for (const Define& d : options_.defines) macros_.define(d.name, {false, {}, macro_tokens(d.value)});
         file_name_.push_back(std::string(sources_.name(file)));
         read(file);
+        broken_ = broken_ || !conditionals_.empty();
         for (const Conditional& c : conditionals_)
             diagnostics_.warning("unterminated-conditional", c.span, "this conditional has no #endif");
         Token end;
@@ -31,7 +32,7 @@ public:
         unit_.tokens.push_back(end);
     }
     // Something only the expanded form says rightly.
-    bool must_expand() const { return macros_.asked_context() || macros_.pasted() || shadows_language_; }
+    bool must_expand() const { return macros_.asked_context() || macros_.pasted() || shadows_language_ || broken_; }
 
 private:
     struct Conditional {
@@ -84,6 +85,7 @@ private:
     std::vector<Conditional> conditionals_;
     std::vector<std::string> file_name_;  // of the files being read, for cycles and relative names
     bool shadows_language_ = false;
+    bool broken_ = false;  // conditionals that a driver would refuse
 
     // of the file being read
     std::string_view text_;
@@ -237,6 +239,7 @@ void Preprocessor::conditional(std::string_view name, std::string_view rest, std
             return !tokens.empty() && macros_.defined(tokens.front().text) == (name == "ifdef");
         }
         const std::optional<bool> value = macros_.condition(rest, line_of(start));
+        broken_ = broken_ || !value;
         if (!value)
             diagnostics_.warning("bad-condition", span(start, end),
                                  "this condition can't be understood: read as false");

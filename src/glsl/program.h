@@ -42,6 +42,10 @@ void rename_words(Program& program);
 std::string default_vertex_shader(Program& program);
 std::string default_fragment_shader(Program& program);
 
+// Prototypes of functions that are called above their definition.
+void declare_functions(Program& program, Unit& unit);
+// Copies of inputs and uniforms that are assigned.
+void copy_assigned(Program& program, Unit& unit);
 // Uniforms of one name agree in type and initialiser; values of initialisers are recorded.
 void unify_uniforms(Program& program);
 // Inputs of each stage meet outputs of the stage before.

@@ -57,6 +57,29 @@ int most_vertices(const Unit& u) {
     return std::clamp(1024 / components, 1, 256);
 }
 
+// Arrays of inputs have as many elements as the primitive has vertices, whatever was written.
+void fit_inputs(Program& program, Unit& u) {
+    int vertices = 3;
+    for (const StageLayout& l : u.layouts)
+        for (const LayoutItem& i : l.qualifiers.layout) {
+            if (l.qualifiers.storage != Storage::in) continue;
+            vertices = i.name == "points"                ? 1
+                       : i.name == "lines"               ? 2
+                       : i.name == "lines_adjacency"     ? 4
+                       : i.name == "triangles_adjacency" ? 6
+                                                         : vertices;
+        }
+    for (Global& g : u.globals) {
+        if (g.qualifiers.storage != Storage::in || g.type.dims != 1 || g.type.size < 0 || g.type.size == vertices)
+            continue;
+        program.warn(u, g.name_token, "input-array-size",
+                     "'" + std::string(g.name) + "' has " + std::to_string(vertices) +
+                         " elements: one for each vertex of the primitive");
+        g.dims = "[]";
+        g.dirty = true;
+    }
+}
+
 }  // namespace
 
 std::string default_vertex_shader(Program& program) {
@@ -87,6 +110,7 @@ void complete_geometry(Program& program, Unit& u) {
         made.qualifiers.layout.push_back({name, ""});
         u.layouts.push_back(made);
     }
+    fit_inputs(program, u);
     if (!has_output) u.header += "layout(" + output_primitive(program.options) + ") out;\n";
     if (!has_count) u.header += "layout(max_vertices = " + std::to_string(most_vertices(u)) + ") out;\n";
 }

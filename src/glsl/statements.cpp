@@ -54,7 +54,7 @@ void Parser::for_statement() {
         if (!is(";")) expression();
         accept(";");
     }
-    if (!is(";")) expression();
+    if (!is(";")) convert(expression(), make_type(Base::boolean), Due::condition);
     accept(";");
     if (!is(")")) expression();
     accept(")");
@@ -69,13 +69,16 @@ void Parser::statement() {
         compound();
     } else if (accept(";")) {
     } else if (is("if") || is("while") || is("switch")) {
+        const bool condition = !is("switch");
         ++p_;
         open_scope();
         if (accept("(")) {
-            if (starts_declaration())
+            if (starts_declaration()) {
                 local_declaration();
-            else
-                expression();
+            } else {
+                const Expression e = expression();
+                if (condition) convert(e, make_type(Base::boolean), Due::condition);
+            }
             accept(")");
         }
         statement();
@@ -86,7 +89,7 @@ void Parser::statement() {
     } else if (accept("do")) {
         statement();
         if (accept("while") && accept("(")) {
-            expression();
+            convert(expression(), make_type(Base::boolean), Due::condition);
             accept(")");
         }
         accept(";");

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -134,6 +135,7 @@ struct Function {
     std::string_view name;
     Type result;
     std::vector<Parameter> parameters;
+    int first = -1, parameters_end = -1;  // tokens: of the signature
     int name_token = -1;
     int open = -1, close = -1;  // tokens of the body's braces; -1: a prototype
 };
@@ -171,9 +173,10 @@ struct Unit {
     std::vector<Function> functions;
     std::vector<StageLayout> layouts;
 
-    std::set<std::string_view> legacy_written;  // built-in variables that are assigned
-    bool alpha_known = false;                   // some write of a colour output gave it alpha 1
-    bool alpha_unknown = false;                 // some write may have given it another
+    std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
+    std::set<std::string_view> legacy_written;      // built-in variables that are assigned
+    bool alpha_known = false;                       // some write of a colour output gave it alpha 1
+    bool alpha_unknown = false;                     // some write may have given it another
 
     std::string header;      // declarations before the user's text, whole lines
     std::string main_start;  // statements at the start of main

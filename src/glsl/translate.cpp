@@ -94,6 +94,8 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
 
     Translation out;
     for (Unit& u : program.units) {
+        declare_functions(program, u);
+        copy_assigned(program, u);
         move_initialisers(program, u);
         write_declarations(program, u);
         if (options.target.es) add_precision(u);
