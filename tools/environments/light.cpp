@@ -36,7 +36,7 @@ Light::Light(const Model& model, const glm::dvec3& to_sun, const Colour& sun, in
     }
     for (int bounce = 0; bounce < bounces; ++bounce) {
         std::vector<Map> next = maps_;
-        fill(next, true);
+        fill(next);
         maps_ = std::move(next);
     }
 }
@@ -80,7 +80,7 @@ Colour Light::sun_light(const glm::dvec3& point, const glm::dvec3& normal) const
 }
 
 // Over the hemisphere, by cosine: the window pane is a source like any other; lamps are left to lamp_light.
-Colour Light::gathered(const glm::dvec3& point, const glm::dvec3& normal, int rays, bool lamps) const {
+Colour Light::gathered(const glm::dvec3& point, const glm::dvec3& normal, int rays) const {
     const Basis basis = around(normal);
     Colour sum(0);
     for (int i = 0; i < rays; ++i) {
@@ -93,7 +93,7 @@ Colour Light::gathered(const glm::dvec3& point, const glm::dvec3& normal, int ra
         sum += m.albedo / pi * diffuse_light(hit);
         if (hit.surface == pane_) sum += m.emission;
     }
-    return pi / rays * sum + (lamps ? lamp_light(point, normal) : Colour(0));
+    return pi / rays * sum + lamp_light(point, normal);
 }
 
 Colour Light::diffuse_light(const Hit& hit) const {
@@ -106,7 +106,7 @@ Colour Light::diffuse_light(const Hit& hit) const {
     return stored + sun_light(lifted, hit.spot.normal);
 }
 
-void Light::fill(std::vector<Map>& maps, bool lamps) const {
+void Light::fill(std::vector<Map>& maps) const {
     const auto work = [&](std::size_t first) {
         for (std::size_t k = first; k < maps.size(); k += 2) {
             Map& map = maps[k];
@@ -114,7 +114,7 @@ void Light::fill(std::vector<Map>& maps, bool lamps) const {
                 const double u = (static_cast<double>(i % static_cast<std::size_t>(map.columns)) + 0.5) / map.columns;
                 const double v = (static_cast<double>(i / static_cast<std::size_t>(map.columns)) + 0.5) / map.rows;
                 const glm::dvec3 point = map.patch.origin + u * map.patch.u + v * map.patch.v + lift * map.patch.normal;
-                map.irradiance[i] = gathered(point, map.patch.normal, 112, lamps);
+                map.irradiance[i] = gathered(point, map.patch.normal, 112);
             }
         }
     };
@@ -126,9 +126,8 @@ void Light::fill(std::vector<Map>& maps, bool lamps) const {
 Colour Light::radiance(const Hit& hit, const glm::dvec3& direction) const {
     const Material m = (*hit.paint)(hit.spot);
     const glm::dvec3 lifted = hit.spot.point + lift * hit.spot.normal;
-    const Colour light = hit.surface < 0
-                             ? gathered(lifted, hit.spot.normal, 24, true) + sun_light(lifted, hit.spot.normal)
-                             : diffuse_light(hit);
+    const Colour light = hit.surface < 0 ? gathered(lifted, hit.spot.normal, 24) + sun_light(lifted, hit.spot.normal)
+                                         : diffuse_light(hit);
     Colour seen = m.emission + m.albedo / pi * light;
     if (m.gloss > 0.0) {
         const double cosine = std::max(-glm::dot(direction, hit.spot.normal), 0.0);

@@ -23,11 +23,11 @@ private:
         std::vector<Colour> irradiance;  // all but the sun's
         Colour at(double u, double v) const;
     };
-    Colour gathered(const glm::dvec3& point, const glm::dvec3& normal, int rays, bool lamps) const;
+    Colour gathered(const glm::dvec3& point, const glm::dvec3& normal, int rays) const;
     Colour lamp_light(const glm::dvec3& point, const glm::dvec3& normal) const;
     Colour sun_light(const glm::dvec3& point, const glm::dvec3& normal) const;
     Colour diffuse_light(const Hit& hit) const;
-    void fill(std::vector<Map>& maps, bool lamps) const;
+    void fill(std::vector<Map>& maps) const;
 
     const Model& model_;
     glm::dvec3 to_sun_;
