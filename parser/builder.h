@@ -1,0 +1,129 @@
+// Builds the display list: the current state, and draws that refer to what stood when they were read.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "parser/parse.h"
+#include "parser/report.h"
+
+namespace snell {
+
+// The current value of something that draws refer to by index. It enters its list when a draw first needs it.
+template <class T>
+struct Current {
+    T value{};
+    Index index = none;
+    void set(const T& to) {
+        if (to == value) return;
+        value = to;
+        index = none;
+    }
+};
+
+struct MatrixEntry {
+    Mat4 value{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    Index index = none;
+};
+
+struct OpenMatrix {
+    MatrixEntry entry;
+    Span span;  // of the PushMatrix
+};
+
+class Builder {
+public:
+    Builder(Scene& scene, Report& report, const ParseLimits& limits, std::size_t text_bytes);
+
+    Report& report() { return report_; }
+    Scene& scene() { return scene_; }
+    Pass& pass() { return scene_.passes.back(); }
+
+    // ---- state
+    Camera camera() const { return camera_.value; }
+    void set_camera(const Camera& camera) { camera_.set(camera); }
+    RasterState raster() const { return raster_.value; }
+    void set_raster(const RasterState& raster) { raster_.set(raster); }
+    Vec4 color() const { return color_.value; }
+    void set_color(const Vec4& color) { color_.set(color); }
+    void set_background(const Vec4& color);
+
+    // Multiplies the current matrix from the right. False, with nothing changed, when the product leaves the
+    // range of floats.
+    bool transform(const Mat4& matrix);
+    void push_matrix(Span span);
+    void pop_matrix(Span span);
+
+    // ---- textures
+    Filter filter;  // of textures named from now on
+    void bind(Texture texture);
+    std::optional<Index> bound(int unit, TextureTarget target) const;
+    void begin_pass(Pass pass);
+
+    // ---- programs
+    std::array<std::optional<FileName>, stage_count> stages;
+    std::string geometry_input, geometry_output;
+    void begin_program(Program program);
+    void no_program() { program_ = none; }
+    // The program that a uniform on a line of its own belongs to: the current one; nullptr when there is none.
+    Program* program();
+
+    // ---- geometry
+    void draw(Shape shape, Span span, bool wire = false);
+    void clear(Span span);
+    Index file(std::string_view name, Span span);
+    // The list between glBegin and glEnd; nullptr outside.
+    VertexListData* open_list();
+    bool in_list() const { return in_list_; }
+    Vec4 list_color() const { return list_color_; }  // what stood at the glBegin
+    Index add_list(VertexListData list);
+    void begin_list(std::optional<Topology> topology, Span span);
+    void end_list(Span span);
+    int patch_vertices = 3;
+    Vec3 normal{0, 0, 1}, texcoord{0, 0, 0};
+
+    // Reads another text at this place. Set by the parser.
+    std::function<void(std::string_view name, Span span)> include;
+
+    // How far the reading is, in bytes: lists grow to the size this foretells.
+    void progress(std::size_t bytes) { read_bytes_ = bytes; }
+    void finish();
+
+private:
+    template <class T>
+    Index index_of(Current<T>& current, std::vector<T>& list);
+    Index matrix_index();
+    Index bindings_index();
+    template <class T>
+    void append(std::vector<T>& list, T value);
+
+    Scene& scene_;
+    Report& report_;
+    ParseLimits limits_;
+    std::size_t text_bytes_, read_bytes_ = 0;
+
+    Current<Camera> camera_;
+    Current<RasterState> raster_;
+    Current<Vec4> color_{{1, 1, 1, 1}, none};
+    MatrixEntry matrix_;
+    std::vector<OpenMatrix> stack_;
+    std::size_t refused_pushes_ = 0;
+    Bindings bindings_;
+    Index bindings_index_ = none;
+    Index program_ = none;
+    Index open_list_ = none;
+    bool in_list_ = false;
+    Span list_span_;
+    Vec4 list_color_{1, 1, 1, 1};
+    std::unordered_map<std::string, Index> files_;
+};
+
+// '\' and '\\' are '/'.
+std::string file_name(std::string_view written);
+
+}  // namespace snell

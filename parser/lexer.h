@@ -1,0 +1,80 @@
+// Text to tokens, one line at a time. Tokens are pointers into the text; nothing is copied.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "parser/source.h"
+
+namespace snell {
+
+enum class TokenKind : std::uint8_t {
+    word,
+    text,   // "…"; the span includes the quotes
+    open,   // < [ { (
+    close,  // > ] } )
+    comma,  // and ; inside brackets
+};
+
+struct Token {
+    TokenKind kind = TokenKind::word;
+    bool glued = false;       // follows the token before it without a blank
+    bool line_start = false;  // the first token of its line
+    bool unclosed = false;    // text without its closing quote
+    std::uint32_t begin = 0, end = 0;
+};
+
+struct Line {
+    bool at_end = false;             // nothing follows: end of the text
+    bool continued = false;          // ended by a backslash
+    bool comment = false;            // has a comment
+    bool comment_continued = false;  // the backslash stands inside the comment
+};
+
+// Characters that look like something else: what they are read as is decided by the lexer, and said once for
+// each text.
+struct OddCharacter {
+    char32_t code = 0;
+    std::uint32_t count = 0;
+    Span first;
+};
+
+class Lexer {
+public:
+    // `text` outlives the lexer.
+    Lexer(std::string_view text, FileId file);
+
+    // Appends the tokens of the line that begins at position() and moves on to the next.
+    Line read_line(std::vector<Token>& tokens);
+    // Call before the first line of a statement: brackets left open in the one before are forgotten.
+    void begin_statement() { depth_ = 0; }
+
+    std::size_t position() const { return at_; }
+    void rewind(std::size_t position) { at_ = position; }
+    bool at_end() const { return at_ >= text_.size(); }
+
+    std::string_view text() const { return text_; }
+    std::string_view text(const Token& token) const { return text_.substr(token.begin, token.end - token.begin); }
+    FileId file() const { return file_; }
+    Span span(const Token& token) const { return {file_, token.begin, token.end}; }
+
+    const std::vector<OddCharacter>& odd_characters() const { return odd_; }
+    const std::vector<Span>& stray_backslashes() const { return stray_; }
+
+private:
+    void word(std::vector<Token>& tokens, Token token);
+    void quoted(std::vector<Token>& tokens, Token token, std::uint32_t quote_length);
+    void comment(Line& line);
+    bool ends_line_after_backslash(std::size_t at) const;
+    void note_odd(char32_t code, std::size_t at, std::uint32_t length);
+
+    std::string_view text_;
+    FileId file_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    std::vector<OddCharacter> odd_;
+    std::vector<Span> stray_;
+};
+
+}  // namespace snell

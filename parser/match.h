@@ -1,0 +1,60 @@
+// Statements to arguments, by the signature of their command.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/commands.h"
+#include "parser/syntax.h"
+
+namespace snell {
+
+struct Argument {
+    double number = 0;        // number, integer; the place of a choice
+    std::string_view text;    // path, name, choice, rest; without quotes
+    std::uint32_t first = 0;  // vec3: of Arguments::numbers
+    std::uint32_t count = 0;  // vec3: how many numbers were given, 3 or 4
+    bool given = false;
+    Span span;  // of the statement, when not given
+};
+
+// The arguments of one statement. Reused for the next.
+class Arguments {
+public:
+    std::size_t alternative() const { return alternative_; }
+    std::size_t size() const { return size_; }  // parameters of the alternative, then what repeats
+    const Argument& operator[](std::size_t i) const { return i < arguments_.size() ? arguments_[i] : nothing_; }
+    double number(std::size_t i) const { return (*this)[i].number; }
+    int integer(std::size_t i) const { return static_cast<int>((*this)[i].number); }
+    std::string_view text(std::size_t i) const { return (*this)[i].text; }
+    std::array<double, 3> vec3(std::size_t i) const;
+    std::span<const double> numbers(std::size_t i) const;
+    bool given(std::size_t i) const { return (*this)[i].given; }
+    Span span() const { return span_; }
+    Span span(std::size_t i) const { return (*this)[i].span; }
+    // The statement as it stands, for arguments that are read in another way (uniforms).
+    const Lexer& lexer() const { return *lexer_; }
+    std::span<const Token> tokens() const { return statement_.tokens; }
+
+private:
+    friend class Matcher;
+
+    std::vector<Argument> arguments_;
+    std::vector<double> numbers_;
+    std::string joined_;  // what `rest` is when it goes over several lines
+    Argument nothing_;
+    std::size_t alternative_ = 0, size_ = 0;
+    Span span_;
+    const Lexer* lexer_ = nullptr;
+    Statement statement_;
+};
+
+// False when the statement can't be used; why is in the report.
+bool match(const Command& command, const Statement& statement, const StatementReader& reader, Report& report,
+           Arguments& arguments);
+
+}  // namespace snell

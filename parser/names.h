@@ -1,0 +1,24 @@
+// How the language spells the values of enumerations. Shared by what reads them and what writes them.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "parser/scene.h"
+
+namespace snell {
+
+std::optional<Topology> topology_named(std::string_view name);  // without regard to case
+std::string_view topology_name(Topology topology);
+const std::vector<std::string_view>& topology_names();
+
+// In the order of BlendFactor, as the choices of a signature.
+#define SNELL_BLEND_FACTORS                                                                               \
+    "zero/one/src_color/one_minus_src_color/dst_color/one_minus_dst_color/src_alpha/one_minus_src_alpha/" \
+    "dst_alpha/one_minus_dst_alpha/src_alpha_saturate"
+std::string_view blend_factor_name(BlendFactor factor);
+std::string_view cull_face_name(CullFace face);
+std::string_view filter_name(Filter::Mode mode);
+
+}  // namespace snell

@@ -1,0 +1,170 @@
+#include "parser/parse.h"
+
+#include <algorithm>
+
+#include "parser/builder.h"
+#include "parser/match.h"
+#include "parser/uniforms.h"
+
+namespace snell {
+namespace {
+
+struct OpenText {
+    FileId file;
+    std::string name;
+    Span included_at;
+};
+
+class SceneParser {
+public:
+    SceneParser(Sources& sources, const IncludeReader& reader, const ParseLimits& limits, std::size_t text_bytes,
+                Scene& scene)
+        : sources_(sources),
+          reader_(reader),
+          limits_(limits),
+          report_(limits.diagnostics),
+          builder_(scene, report_, limits, text_bytes) {
+        builder_.include = [this](std::string_view name, Span span) { include(name, span); };
+    }
+
+    Diagnostics run(FileId file) {
+        read(file, std::string(sources_.name(file)), {});
+        builder_.finish();
+        return report_.take();
+    }
+
+private:
+    void read(FileId file, std::string name, Span included_at) {
+        const std::string_view text = sources_.text(file);
+        if (text.size() > limits_.text_bytes) {
+            report_.error("text-too-large", {file, 0, 0},
+                          "the text has " + std::to_string(text.size()) + " bytes, and at most " +
+                              std::to_string(limits_.text_bytes) + " are read");
+            return;
+        }
+        if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+            report_.error("utf-16", {file, 0, 2}, "the text is UTF-16", "save it as UTF-8");
+            return;
+        }
+        open_.push_back({file, std::move(name), included_at});
+        StatementReader reader(text, file, report_);
+        Statement statement;
+        Arguments arguments;
+        Span program;  // the Program that the statement before belongs to
+        while (reader.next(statement)) {
+            if (++statements_ > limits_.statements) {
+                if (statements_ == limits_.statements + 1)
+                    report_.error("too-many-statements", reader.span(statement),
+                                  "only the first " + std::to_string(limits_.statements) + " statements are read");
+                break;
+            }
+            if (open_.size() == 1) builder_.progress(reader.lexer().position());
+            read_statement(reader, statement, arguments, program);
+        }
+        reader.report_oddities();
+        open_.pop_back();
+    }
+
+    void read_statement(const StatementReader& reader, const Statement& statement, Arguments& arguments,
+                        Span& program) {
+        const Token& word = statement.command();
+        const Command* command = word.kind == TokenKind::word ? find_command(reader.lexer().text(word)) : nullptr;
+        if (command == nullptr) {
+            unknown(reader, statement, program);
+            return;
+        }
+        const bool good = match(*command, statement, reader, report_, arguments);
+        if (good) command->handler(builder_, arguments);
+        program = good && command->name == "Program" ? reader.span(statement) : Span{};
+    }
+
+    void unknown(const StatementReader& reader, const Statement& statement, Span program) {
+        const Lexer& lexer = reader.lexer();
+        const Span span = lexer.span(statement.command());
+        const std::string word(lexer.text(statement.command()).substr(0, 60));
+        const bool valued = looks_like_uniform(statement.tokens, lexer);
+        Program* const current = builder_.program();
+        const bool bracketed = valued && statement.tokens[1].kind == TokenKind::open;
+        std::string help;
+        if (valued && current != nullptr && (bracketed || program != Span{})) {
+            take_uniforms(reader, statement, *current, program);
+            return;
+        }
+        const std::string_view near = nearest(word, command_names());
+        if (!near.empty()) help = "did you mean '" + std::string(near) + "'?";
+        if (valued && bracketed && current == nullptr) help = "uniforms are given by a Program statement";
+        if (statement.command().kind != TokenKind::word) help = "a statement begins with a command";
+        report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
+    }
+
+    // A uniform on a line of its own: the Program before it lost its backslash.
+    void take_uniforms(const StatementReader& reader, const Statement& statement, Program& current, Span program) {
+        const Lexer& lexer = reader.lexer();
+        const std::string word(lexer.text(statement.command()).substr(0, 60));
+        const Span span = lexer.span(statement.command());
+        std::string help;
+        if (program != Span{}) {
+            const int begin = sources_.position(program.file, program.begin).line;
+            const int end = sources_.position(program.file, program.end).line;
+            help = "'Program' on line " + std::to_string(begin) + " is not continued: end line " + std::to_string(end) +
+                   " with '\\'";
+        } else {
+            help =
+                "it reads like a uniform and is taken for program '" + current.name + "'; write it on the Program line";
+        }
+        report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
+        UniformList list = read_uniforms(statement.tokens, lexer, report_, false);
+        for (UniformValue& u : list.uniforms) {
+            const auto same = std::find_if(current.uniforms.begin(), current.uniforms.end(),
+                                           [&](const UniformValue& other) { return other.name == u.name; });
+            if (same == current.uniforms.end()) {
+                current.uniforms.push_back(std::move(u));
+            } else {
+                *same = std::move(u);
+            }
+        }
+    }
+
+    void include(std::string_view name, Span span) {
+        if (!reader_) {
+            report_.error("include-unavailable", span, "other files can't be read here");
+            return;
+        }
+        if (static_cast<int>(open_.size()) > limits_.include_depth) {
+            report_.error("include-too-deep", span,
+                          "files include each other more than " + std::to_string(limits_.include_depth) + " deep");
+            return;
+        }
+        std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
+        if (!included) {
+            report_.error("include-not-found", span, "'" + std::string(name) + "' can't be read");
+            return;
+        }
+        const auto same =
+            std::find_if(open_.begin(), open_.end(), [&](const OpenText& text) { return text.name == included->name; });
+        if (same != open_.end()) {
+            report_.error("include-cycle", span, "'" + included->name + "' includes itself");
+            return;
+        }
+        const FileId file = sources_.add(included->name, std::move(included->text));
+        read(file, std::move(included->name), span);
+    }
+
+    Sources& sources_;
+    const IncludeReader& reader_;
+    const ParseLimits& limits_;
+    Report report_;
+    Builder builder_;
+    std::vector<OpenText> open_;
+    std::size_t statements_ = 0;
+};
+
+}  // namespace
+
+Parsed parse(FileId file, Sources& sources, const IncludeReader& include, const ParseLimits& limits) {
+    Parsed parsed;
+    parsed.diagnostics = SceneParser(sources, include, limits, sources.text(file).size(), parsed.scene).run(file);
+    return parsed;
+}
+
+}  // namespace snell

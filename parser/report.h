@@ -1,0 +1,36 @@
+// Where the stages of the parser leave what they have to say.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "parser/diagnostic.h"
+
+namespace snell {
+
+// Diagnostics with a limit: a text of nothing but mistakes must not fill the memory.
+class Report {
+public:
+    explicit Report(std::size_t limit) : limit_(limit) {}
+
+    // The reference is to a diagnostic that notes may be added to; past the limit it goes nowhere.
+    Diagnostic& error(std::string_view code, Span span, std::string message, std::string help = {}) {
+        return add(Severity::error, code, span, std::move(message), std::move(help));
+    }
+    Diagnostic& warning(std::string_view code, Span span, std::string message, std::string help = {}) {
+        return add(Severity::warning, code, span, std::move(message), std::move(help));
+    }
+    bool full() const { return diagnostics_.items().size() >= limit_; }
+    Diagnostics take();
+
+private:
+    Diagnostic& add(Severity severity, std::string_view code, Span span, std::string message, std::string help);
+
+    std::size_t limit_;
+    std::size_t left_out_ = 0;
+    Span first_left_out_;
+    Diagnostics diagnostics_;
+    Diagnostic nowhere_;
+};
+
+}  // namespace snell
