@@ -1,0 +1,152 @@
+// The translation draws what the untouched shaders draw: through Mesa's compatibility context where that accepts
+// them, else what an equivalent modern program draws.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <functional>
+#include <map>
+
+#include "src/platform/headless.h"
+#include "tests/gl/oracle_draw.h"
+
+namespace snell::oracle {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Pixels in a thousand that may differ; the difference must lie on a discontinuity, which the reason names.
+struct Exception {
+    int per_thousand;
+    std::string_view reason;
+};
+const std::map<std::string, Exception> exceptions = {};
+
+// The two contexts, made once.
+class Oracle {
+public:
+    static Oracle& get() {
+        static Oracle oracle;
+        return oracle;
+    }
+    bool ready() const { return core_ && compatibility_; }
+    const std::string& error() const { return error_; }
+
+    // In the compatibility context; null where it refuses the program.
+    std::optional<Picture> untouched(const Texts& texts, const Needs& needs, const glsl::Translation& translation) {
+        return drawn(*compatibility_, *compatibility_stand_, texts, needs, translation.defaults);
+    }
+    std::optional<Picture> core(const Texts& texts, const Needs& needs, const glsl::Translation& translation) {
+        return drawn(*core_, *core_stand_, texts, needs, translation.defaults);
+    }
+    const std::string& log() const { return log_; }
+
+private:
+    Oracle() {
+        core_ = HeadlessContext::make({.version = 45}, error_);
+        if (core_) core_stand_ = std::make_unique<Stand>(false);
+        compatibility_ = HeadlessContext::make({.version = 45, .compatibility = true}, error_);
+        if (compatibility_) compatibility_stand_ = std::make_unique<Stand>(true);
+    }
+
+    std::optional<Picture> drawn(HeadlessContext& context, Stand& stand, const Texts& texts, const Needs& needs,
+                                 const std::vector<glsl::UniformDefault>& own) {
+        context.make_current();
+        const Program program = build(texts);
+        log_ = program.log;
+        if (!program.id) return std::nullopt;
+        return stand.draw(program, needs, own);
+    }
+
+    std::string error_, log_;
+    std::unique_ptr<HeadlessContext> core_, compatibility_;
+    std::unique_ptr<Stand> core_stand_, compatibility_stand_;
+};
+
+void expect_same(const Case& c, const Picture& expected, const Picture& actual, const Texts& translated) {
+    const Difference d = difference(expected, actual);
+    EXPECT_GT(d.drawn, d.pixels / 200) << "next to nothing is drawn";
+    const auto exception = exceptions.find(c.name);
+    const int allowed = d.pixels * (exception == exceptions.end() ? 1 : exception->second.per_thousand) / 1000;
+    EXPECT_LE(d.differing, allowed) << "of " << d.pixels << " pixels, by " << d.largest
+                                    << " at most; the translation is in " << write_texts(c.name, translated);
+}
+
+enum class Verdict { same_as_untouched, same_as_modern, refused };
+
+// Draws one program every way there is and compares.
+Verdict check(const Case& c, bool must_have_reference) {
+    SCOPED_TRACE(c.name);
+    Oracle& oracle = Oracle::get();
+    const Texts original = texts(c.files);
+    const Needs needs = oracle::needs(original);
+    const Translated translated = oracle::translated(c, {.version = 450, .es = false, .fp64 = true});
+    EXPECT_TRUE(translated.ok) << translated.messages;
+    const auto untouched = oracle.untouched(original, needs, translated.translation);
+    const std::string refusal = oracle.log();
+    std::optional<Picture> modern;
+    if (!c.modern.empty()) {
+        const Texts twin = texts(c.modern);
+        Needs same = needs;
+        if (original.contains(Stage::geometry) && !twin.contains(Stage::geometry))
+            same.primitive = oracle::needs(twin).primitive;
+        modern = oracle.core(twin, same, translated.translation);
+        EXPECT_TRUE(modern) << "the modern program does not link:\n" << oracle.log();
+    }
+    if (!translated.ok) return Verdict::refused;
+    const auto picture = oracle.core(translated.texts, needs, translated.translation);
+    EXPECT_TRUE(picture) << "the translation does not link:\n"
+                         << oracle.log() << write_texts(c.name, translated.texts)
+                         << (untouched ? "" : "\nrefused too: " + refusal);
+    if (!picture) return Verdict::refused;
+    if (untouched) {
+        expect_same(c, *untouched, *picture, translated.texts);
+        return Verdict::same_as_untouched;
+    }
+    if (modern) {
+        expect_same(c, *modern, *picture, translated.texts);
+        return Verdict::same_as_modern;
+    }
+    EXPECT_FALSE(must_have_reference) << "refused by the compatibility context, and no modern twin:\n" << refusal;
+    return Verdict::refused;
+}
+
+class Pictures : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!Oracle::get().ready()) GTEST_SKIP() << "no compatibility context here: " << Oracle::get().error();
+    }
+
+    void check_all(const std::vector<Case>& cases, bool must_have_reference) {
+        std::map<Verdict, int> verdicts;
+        for (const Case& c : cases) ++verdicts[check(c, must_have_reference)];
+        std::printf("%zu programs: %d as untouched, %d as their modern twin, %d without a reference\n", cases.size(),
+                    verdicts[Verdict::same_as_untouched], verdicts[Verdict::same_as_modern], verdicts[Verdict::refused]);
+    }
+};
+
+TEST_F(Pictures, OfSmallProgramsAreTheSame) {
+    const std::vector<Case> cases = cases_of_folder("tests/glsl");
+    ASSERT_GE(cases.size(), 80u);
+    check_all(cases, true);
+}
+
+TEST_F(Pictures, OfScenesAreTheSame) {
+    std::vector<Case> cases;
+    for (const auto& entry : fs::recursive_directory_iterator("scenes"))
+        if (entry.path().extension() == ".glib")
+            for (Case& c : cases_of_scene(entry.path())) cases.push_back(std::move(c));
+    check_all(cases, false);
+}
+
+TEST_F(Pictures, OfTheCorpusAreTheSame) {
+    const fs::path corpus = "../shared/corpus";
+    if (!fs::exists(corpus)) GTEST_SKIP() << "no ../shared/corpus";
+    std::vector<Case> cases;
+    for (const auto& entry : fs::directory_iterator(corpus))
+        if (entry.is_directory())
+            for (Case& c : pairs_of_folder(entry.path())) cases.push_back(std::move(c));
+    check_all(cases, false);
+}
+
+}  // namespace
+}  // namespace snell::oracle

@@ -1,0 +1,256 @@
+#include "tests/gl/oracle_uniforms.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <optional>
+#include <string>
+
+namespace snell::oracle {
+namespace {
+
+// .2 to 1, the same for the same name everywhere.
+float value_of(std::string_view name, int index) {
+    std::uint32_t hash = 2166136261u;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    hash += static_cast<std::uint32_t>(index) * 2654435761u;
+    return .2f + .8f * static_cast<float>((hash >> 8) % 1000) / 1000.f;
+}
+
+std::optional<glm::dmat4> matrix_of(glsl::System system) {
+    const glm::dmat4 mv = model_view(), p = projection(), mvp = p * mv;
+    using enum glsl::System;
+    switch (system) {
+        case model_view:
+            return mv;
+        case projection:
+            return p;
+        case model_view_projection:
+            return mvp;
+        case normal_matrix:
+            return glm::dmat4(glm::inverseTranspose(glm::dmat3(mv)));
+        case model_view_inverse:
+            return inverse(mv);
+        case projection_inverse:
+            return inverse(p);
+        case model_view_projection_inverse:
+            return inverse(mvp);
+        case model_view_transpose:
+            return transpose(mv);
+        case projection_transpose:
+            return transpose(p);
+        case model_view_projection_transpose:
+            return transpose(mvp);
+        case model_view_inverse_transpose:
+            return transpose(inverse(mv));
+        case projection_inverse_transpose:
+            return transpose(inverse(p));
+        case model_view_projection_inverse_transpose:
+            return transpose(inverse(mvp));
+        case texture_matrix:
+            return oracle::texture_matrix();
+        case texture_matrix_inverse:
+            return inverse(oracle::texture_matrix());
+        case texture_matrix_transpose:
+            return transpose(oracle::texture_matrix());
+        case texture_matrix_inverse_transpose:
+            return transpose(inverse(oracle::texture_matrix()));
+        default:
+            return std::nullopt;
+    }
+}
+
+void set_matrix(GLint location, GLenum type, GLint size, const glm::dmat4& m) {
+    if (type == GL_FLOAT_MAT3) {
+        const glm::mat3 value(m);
+        glUniformMatrix3fv(location, 1, GL_FALSE, glm::value_ptr(value));
+        return;
+    }
+    std::vector<glm::mat4> values(static_cast<std::size_t>(size), glm::mat4(1));
+    values[0] = glm::mat4(m);
+    glUniformMatrix4fv(location, size, GL_FALSE, glm::value_ptr(values[0]));
+}
+
+bool set_system(const std::string& name, GLint location, GLenum type, GLint size) {
+    for (const glsl::SystemName& system : glsl::system_names()) {
+        if (system.name != name) continue;
+        if (const auto matrix = matrix_of(system.system)) {
+            set_matrix(location, type, size, *matrix);
+            return true;
+        }
+        using enum glsl::System;
+        switch (system.system) {
+            case normal_scale:
+            case point_size:
+            case depth_range_far:
+            case depth_range_diff:
+                glUniform1f(location, 1);
+                return true;
+            case depth_range_near:
+                glUniform1f(location, 0);
+                return true;
+            case noise2:
+                glUniform1i(location, 2);
+                return true;
+            case noise3:
+                glUniform1i(location, 3);
+                return true;
+            default:
+                return false;
+        }
+    }
+    return false;
+}
+
+int components(GLenum type) {
+    switch (type) {
+        case GL_FLOAT_VEC2:
+        case GL_INT_VEC2:
+        case GL_BOOL_VEC2:
+            return 2;
+        case GL_FLOAT_VEC3:
+        case GL_INT_VEC3:
+        case GL_BOOL_VEC3:
+            return 3;
+        case GL_FLOAT_VEC4:
+        case GL_INT_VEC4:
+        case GL_BOOL_VEC4:
+        case GL_FLOAT_MAT2:
+            return 4;
+        case GL_FLOAT_MAT3:
+            return 9;
+        case GL_FLOAT_MAT4:
+            return 16;
+        default:
+            return 1;
+    }
+}
+
+void set_floats(GLint location, GLenum type, GLint size, const float* v) {
+    switch (type) {
+        case GL_FLOAT:
+            return glUniform1fv(location, size, v);
+        case GL_FLOAT_VEC2:
+            return glUniform2fv(location, size, v);
+        case GL_FLOAT_VEC3:
+            return glUniform3fv(location, size, v);
+        case GL_FLOAT_VEC4:
+            return glUniform4fv(location, size, v);
+        case GL_FLOAT_MAT2:
+            return glUniformMatrix2fv(location, size, GL_FALSE, v);
+        case GL_FLOAT_MAT3:
+            return glUniformMatrix3fv(location, size, GL_FALSE, v);
+        case GL_FLOAT_MAT4:
+            return glUniformMatrix4fv(location, size, GL_FALSE, v);
+        default:
+            break;
+    }
+}
+
+void set_integers(GLint location, GLenum type, GLint size, const std::vector<float>& floats) {
+    std::vector<GLint> v;
+    for (const float f : floats) v.push_back(1 + static_cast<int>(f * 3));  // 1, 2, 3
+    std::vector<GLuint> u(v.begin(), v.end());
+    switch (type) {
+        case GL_UNSIGNED_INT:
+            return glUniform1uiv(location, size, u.data());
+        case GL_INT_VEC2:
+        case GL_BOOL_VEC2:
+            return glUniform2iv(location, size, v.data());
+        case GL_INT_VEC3:
+        case GL_BOOL_VEC3:
+            return glUniform3iv(location, size, v.data());
+        case GL_INT_VEC4:
+        case GL_BOOL_VEC4:
+            return glUniform4iv(location, size, v.data());
+        default:
+            return glUniform1iv(location, size, v.data());
+    }
+}
+
+bool set_sampler(GLuint program, const std::string& name, GLint location, GLenum type) {
+    switch (type) {
+        case GL_SAMPLER_2D_SHADOW:
+            glUniform1i(location, shadow_unit);
+            return true;
+        case GL_SAMPLER_1D:
+        case GL_SAMPLER_2D:
+        case GL_SAMPLER_3D:
+        case GL_SAMPLER_CUBE:
+            break;
+        default:
+            return false;
+    }
+    GLint unit = 0;
+    glGetUniformiv(program, location, &unit);
+    if (unit == 0) glUniform1i(location, value_of(name, 0) > .6f ? 5 : 1);  // else layout(binding) has set it
+    return true;
+}
+
+void set_user(GLuint program, const std::string& name, GLint location, GLenum type, GLint size) {
+    if (set_sampler(program, name, location, type)) return;
+    std::vector<float> floats;
+    for (int i = 0; i < components(type) * size; ++i) floats.push_back(value_of(name, i));
+    switch (type) {
+        case GL_FLOAT:
+        case GL_FLOAT_VEC2:
+        case GL_FLOAT_VEC3:
+        case GL_FLOAT_VEC4:
+        case GL_FLOAT_MAT2:
+        case GL_FLOAT_MAT3:
+        case GL_FLOAT_MAT4:
+            return set_floats(location, type, size, floats.data());
+        default:
+            return set_integers(location, type, size, floats);
+    }
+}
+
+bool set_fixed_function(GLuint program) {
+    for (const glsl::UniformDefault& d : glsl::fixed_function_defaults()) {
+        const GLint location = glGetUniformLocation(program, d.name.c_str());
+        if (location < 0) continue;
+        const std::vector<float> v(d.values.begin(), d.values.end());
+        constexpr GLenum types[] = {GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4};
+        set_floats(location, types[v.size() - 1], 1, v.data());
+    }
+    return true;
+}
+
+}  // namespace
+
+glm::dmat4 model_view() {
+    const glm::dmat4 view = glm::lookAt(glm::dvec3(.5, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0));
+    const glm::dmat4 turned = glm::rotate(view, .7, glm::normalize(glm::dvec3(1, 2, .5)));
+    // What the fixed-function pipeline is given has the precision of floats.
+    return glm::dmat4(glm::mat4(glm::scale(turned, glm::dvec3(1.2, .9, 1.1))));
+}
+
+glm::dmat4 projection() { return glm::dmat4(glm::mat4(glm::perspective(glm::radians(45.), 1., .5, 20.))); }
+
+glm::dmat4 texture_matrix() {
+    return glm::dmat4(glm::mat4(glm::rotate(glm::scale(glm::dmat4(1), glm::dvec3(2, .5, 1)), .4, glm::dvec3(0, 0, 1))));
+}
+
+void set_uniforms(unsigned program, const std::vector<glsl::UniformDefault>& own) {
+    GLint count = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        char text[256];
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program, static_cast<GLuint>(i), sizeof text, nullptr, &size, &type, text);
+        std::string name = text;
+        const GLint location = glGetUniformLocation(program, text);
+        if (name.ends_with("[0]")) name.resize(name.size() - 3);
+        const auto named = [&](const glsl::UniformDefault& d) { return d.name == name; };
+        if (location < 0 || std::any_of(own.begin(), own.end(), named)) continue;
+        if (set_system(name, location, type, size) || name.starts_with("snell_") || name.starts_with("gl_")) continue;
+        set_user(program, name, location, type, size);
+    }
+    set_fixed_function(program);
+}
+
+}  // namespace snell::oracle
