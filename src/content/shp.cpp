@@ -23,8 +23,8 @@ void append_big_endian(std::string& s, std::uint32_t v) {
     for (const int shift : {24, 16, 8, 0}) s.push_back(static_cast<char>(v >> shift & 0xff));
 }
 
-// The index file that belongs to a .shp, from its record headers. Sizes count 16-bit words. `cut`: the last
-// record goes beyond the end of the file and is left out.
+// The index file that belongs to a .shp, from its record headers. Sizes count 16-bit words. `cut`: the file is
+// shorter than it says; a last record that is not whole is left out.
 std::string make_index(std::string_view shp, bool& cut) {
     std::string records;
     std::size_t at = header_bytes;
@@ -40,7 +40,7 @@ std::string make_index(std::string_view shp, bool& cut) {
         append_big_endian(records, words);
         at = end;
     }
-    cut |= at < shp.size();
+    cut |= at < shp.size() || std::size_t{big_endian(shp.data() + 24)} * 2 > shp.size();
     std::string index(shp.substr(0, header_bytes));
     std::string size;
     append_big_endian(size, static_cast<std::uint32_t>((header_bytes + records.size()) / 2));
@@ -174,7 +174,7 @@ void report(const Leftovers& left, bool cut, std::vector<MeshIssue>& issues) {
     warn(left.unreadable, "shp-damaged", "records can't be read; they are left out");
     warn(left.not_finite, "shp-not-a-number", "lines have coordinates that are not numbers; they are left out");
     warn(left.without_lines, "shp-no-lines", "records are points, not lines; they are left out");
-    if (cut) issues.push_back({false, "shp-truncated", "the file ends in the middle of a record", ""});
+    if (cut) issues.push_back({false, "shp-truncated", "the file is shorter than it says", ""});
 }
 
 }  // namespace

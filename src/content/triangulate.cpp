@@ -8,8 +8,9 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-// Concave polygons above this size are cut as if convex: the work grows with the square of it.
-constexpr std::size_t most_concave_corners = 4096;
+// Ear clipping takes the square of the corners at best and the cube at worst. Above these bounds a polygon is
+// cut anyhow, which may cover some of it twice.
+constexpr std::size_t most_concave_corners = 20'000, most_point_tests = 50'000'000;
 
 // Newell's method: twice the area vector, good for concave and slightly bent polygons.
 std::array<double, 3> area_vector(std::span<const Float3> p) {
@@ -64,7 +65,7 @@ public:
         while (left_.size() > 3) {
             i %= left_.size();
             // A polygon that crosses itself may have no ear; then any corner will do.
-            if (!ear(i) && refused++ < left_.size()) {
+            if (tests_ < most_point_tests && !ear(i) && refused++ < left_.size()) {
                 ++i;
                 continue;
             }
@@ -79,9 +80,10 @@ private:
     std::uint32_t before(std::size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
     std::uint32_t after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
 
-    bool ear(std::size_t i) const {
+    bool ear(std::size_t i) {
         const Point &a = p_[before(i)], &b = p_[left_[i]], &c = p_[after(i)];
         if (turn(a, b, c) <= 0) return false;
+        tests_ += left_.size();
         return std::none_of(left_.begin(), left_.end(), [&](std::uint32_t k) {
             const Point& q = p_[k];
             if (q == a || q == b || q == c) return false;
@@ -91,6 +93,7 @@ private:
 
     const std::vector<Point>& p_;
     std::vector<std::uint32_t> left_;
+    std::size_t tests_ = 0;
 };
 
 }  // namespace
