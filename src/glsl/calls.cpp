@@ -125,6 +125,10 @@ Expression Parser::call(int name_token) {
     }
     if (modern.empty() && builtin_signatures(name).empty()) u_.unknown_calls.try_emplace(name, name_token);
     call_builtin(e, modern.empty() ? name : modern, given);
+    if (const auto later = foreseen_.find(name); later != foreseen_.end() && builtin_signatures(name).empty()) {
+        e.type = later->second;
+        e.constant = false;
+    }
     // OpenGL ES has no textures of one dimension: the runtime makes them one texel high.
     if (target_.es && given.size() > 1 && given.front().type.name == "sampler1D" && given[1].first >= 0) {
         Edit& before = u_.edit(given[1].first);

@@ -125,17 +125,19 @@ std::string emit(const Program& program, Unit& u) {
     const bool insertion = !u.header.empty() || !defines.empty() || !u.wanted_extensions.empty();
     std::string out;
     out.reserve(u.tokens.size() * 8 + u.header.size() + 256);
-    if (u.has_version) out += u.head;
+    // Comments may stand before #version, but OpenGL ES lets nothing stand there.
+    const bool in_place = u.has_version && u.head.empty();
     const Target& target = program.target();
     out += "#version " + std::to_string(target.version) + (target.es ? " es" : " core");
-    if (insertion || !u.has_version) {
+    if (insertion || !in_place) {
         out += '\n';
         if (insertion) out += extension_lines(program, u);
         out += defines + u.header;
-        out += "#line " + std::to_string(u.has_version ? u.version_line + 1 : 1) + " 0";
+        out += "#line " + std::to_string(in_place ? u.version_line + 1 : 1) + " 0";
         // Behind a #version line its own line end follows.
-        if (!u.has_version) out += '\n';
+        if (!in_place) out += '\n';
     }
+    if (!in_place) out += u.head;
     std::size_t next_extension = 0;
     for (std::size_t i = 0; i < u.tokens.size();) {
         const Token& t = u.tokens[i];

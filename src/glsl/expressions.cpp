@@ -66,9 +66,13 @@ void Parser::wrap(const Expression& e, std::string_view type) {
     u_.edit(e.last).after += ")";
 }
 
+void Parser::warn(std::string_view code, int token, std::string message) {
+    if (told_.insert(code).second) diagnostics_.warning(code, u_.span(token), std::move(message));
+}
+
 // What no version allows and some compilers read nevertheless.
 void Parser::forgive(const Expression& e, const Type& due, std::string_view code, std::string_view what) {
-    diagnostics_.warning(code, u_.span(e.first), std::string(what));
+    warn(code, e.first, std::string(what));
     wrap(e, type_name(due.base, due.rows, 1));
 }
 
@@ -450,8 +454,7 @@ Expression Parser::primary() {
 Expression Parser::cast() {
     const int first = p_;
     const Type type = *builtin_type(text(1));
-    diagnostics_.warning("c-cast", u_.span(p_),
-                         "a cast in parentheses is C: read as " + std::string(type.name) + "(…)");
+    warn("c-cast", p_, "a cast in parentheses is C: read as " + std::string(type.name) + "(…)");
     p_ += 3;
     Expression e = unary();
     if (e.last >= first + 3) {

@@ -7,7 +7,22 @@
 
 namespace snell::glsl {
 
+// Functions may be called above their definition: their results' types are known then too.
+void Parser::foresee() {
+    int depth = 0;
+    for (int i = 0; i + 2 < static_cast<int>(u_.tokens.size()); ++i) {
+        const std::string_view t = u_.at(i).text;
+        if (t == "{") ++depth;
+        if (t == "}") --depth;
+        if (depth || u_.at(i).kind != Kind::identifier || u_.at(i + 1).kind != Kind::identifier ||
+            u_.at(i + 2).text != "(")
+            continue;
+        if (const auto type = builtin_type(t)) foreseen_.try_emplace(u_.at(i + 1).text, *type);
+    }
+}
+
 void Parser::run() {
+    foresee();
     open_scope();
     while (!at_end()) {
         const int before = p_;
@@ -299,7 +314,10 @@ void Parser::block(const Qualifiers& q, int first) {
 
 void Parser::external() {
     const int first = p_;
-    if (accept(";")) return;
+    if (accept(";")) {  // belongs to nothing; not every version allows it
+        u_.replace(first, "");
+        return;
+    }
     if (is("precision")) return skip_to_semicolon();
     const Qualifiers q = qualifiers();
     if (is(";")) {  // layout(…) in;

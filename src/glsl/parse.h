@@ -79,6 +79,7 @@ private:
     void call_builtin(Expression& result, std::string_view name, std::vector<Expression>& given);
     bool call_user(Expression& result, std::string_view name, std::vector<Expression>& given);
     void wrap(const Expression& e, std::string_view type);
+    void warn(std::string_view code, int token, std::string message);
     void forgive(const Expression& e, const Type& due, std::string_view code, std::string_view what);
     Expression cast();
     bool foreign_function(std::string_view name, std::vector<Expression>& given, Expression& result);
@@ -107,12 +108,16 @@ private:
     void skip_balanced();  // from an opening bracket to behind the closing one
     void skip_to_semicolon();
 
+    void foresee();
+
     Unit& u_;
     const Target& target_;
     Diagnostics& diagnostics_;
     int p_ = 0;
     int depth_ = 0;
-    Type result_;  // of the function being read
+    std::set<std::string_view> told_;                      // kinds of forgiveness: one warning each
+    std::unordered_map<std::string_view, Type> foreseen_;  // results of functions defined further down
+    Type result_;                                          // of the function being read
     std::unordered_map<std::string_view, Symbol> symbols_;
     std::vector<std::vector<std::pair<std::string_view, std::optional<Symbol>>>> undo_;
 };

@@ -61,6 +61,15 @@ void want_extensions(const Target& target, Unit& u) {
     if (doubles && target.fp64) u.wanted_extensions.emplace_back("GL_ARB_gpu_shader_fp64");
 }
 
+// OpenGL ES before 3.2 has the vertex and the fragment stage only.
+void refuse_stages(const Program& program) {
+    if (!program.target().es || program.target().version >= 320) return;
+    for (const Unit& u : program.units)
+        if (u.stage != Stage::vertex && u.stage != Stage::fragment)
+            program.diagnostics.error("unsupported-stage", u.reference,
+                                      "OpenGL ES 3.0 has no geometry and tessellation shaders");
+}
+
 }  // namespace
 
 Translation translate(const std::vector<StageInput>& stages, Sources& sources, const Options& options,
@@ -77,6 +86,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     }
     std::stable_sort(program.units.begin(), program.units.end(),
                      [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
+    refuse_stages(program);
     add_missing_stages(program);
     rename_words(program);
     parse(program);

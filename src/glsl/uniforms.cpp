@@ -46,7 +46,7 @@ bool same_type(const Type& a, const Type& b) {
 
 // The same uniform twice in one stage.
 void drop_repeated(Program& program, Unit& u) {
-    std::map<std::string_view, const Global*> seen;
+    std::map<std::string_view, Global*> seen;
     for (Global& g : u.globals) {
         const Storage s = g.qualifiers.storage;
         if (s != Storage::uniform && s != Storage::in && s != Storage::out) continue;
@@ -56,6 +56,9 @@ void drop_repeated(Program& program, Unit& u) {
         program.warn(u, g.name_token, "declared-twice",
                      "'" + std::string(g.name) + "' is declared twice: once is enough");
         g.removed = true;
+        Global& kept = *it->second;
+        kept.uses.insert(kept.uses.end(), g.uses.begin(), g.uses.end());
+        kept.written = kept.written || g.written;
     }
 }
 

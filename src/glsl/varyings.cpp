@@ -233,6 +233,23 @@ void declare_fragment_color(Unit& u, int i, std::string_view name) {
                  "layout(location = 0) out vec4 snell_FragData[" + std::to_string(most + 1) + "];");
 }
 
+void replace_attribute(Context& c, Unit& u, int i, const LegacyName& name) {
+    const std::string own =
+        name.name.starts_with("gl_MultiTexCoord") ? std::string("snell_MultiTexCoord0") : snell(name.name);
+    declare_once(u, own, "in " + std::string(name.type) + " " + own + ";");
+    if (!u.legacy_written.contains(name.name)) return u.replace(i, own);
+    // Inputs can't be assigned: the assignments go to a copy.
+    const std::string copy = "snell_copy_" + std::string(name.name.substr(3));
+    const std::size_t size = u.header.size();
+    declare_once(u, copy, std::string(name.type) + " " + copy + ";");
+    if (u.header.size() > size) {
+        c.program.warn(u, i, "assigned-input",
+                       "'" + std::string(name.name) + "' comes from outside and can't be assigned: a copy is");
+        at_main_start(u, copy + " = " + own + ";");
+    }
+    u.replace(i, copy);
+}
+
 void replace_one(Context& c, Unit& u, int i, const LegacyName& name) {
     const bool fragment = u.stage == Stage::fragment;
     switch (name.kind) {
@@ -245,14 +262,7 @@ void replace_one(Context& c, Unit& u, int i, const LegacyName& name) {
         case LegacyKind::attribute:
             if (fragment && (name.name == "gl_Color" || name.name == "gl_SecondaryColor"))
                 return replace_color(c, u, i, name.name == "gl_SecondaryColor");
-            if (u.stage != Stage::vertex) return;
-            if (name.name.starts_with("gl_MultiTexCoord")) {
-                declare_once(u, "snell_MultiTexCoord0", "in vec4 snell_MultiTexCoord0;");
-                u.replace(i, "snell_MultiTexCoord0");
-            } else {
-                declare_once(u, snell(name.name), "in " + std::string(name.type) + " " + snell(name.name) + ";");
-                u.replace(i, snell(name.name));
-            }
+            if (u.stage == Stage::vertex) replace_attribute(c, u, i, name);
             return;
         case LegacyKind::varying:
             u.replace(i, snell(name.name));
