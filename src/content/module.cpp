@@ -52,6 +52,12 @@ struct Reading {
     std::optional<ImageIssue> refused;
     std::vector<std::byte> bytes;
     std::vector<float> floats;
+
+    // Something other than zero was read before the file broke off.
+    bool any() const {
+        return std::any_of(bytes.begin(), bytes.end(), [](std::byte b) { return b != std::byte{0}; }) ||
+               std::any_of(floats.begin(), floats.end(), [](float f) { return f != 0; });
+    }
 };
 
 void* allocate(void* context, const SnellOiioShape* shape) noexcept try {
@@ -173,7 +179,7 @@ ImageResult decode_other(const std::string& path, std::string_view format, const
     const std::string kind = format.empty() ? "picture of unknown format" : std::string(format) + " picture";
     std::string what = kind + ": " + (message[0] ? message.data() : "not enough memory");
     if (status == 0) return finish(reading);
-    if (status == 3 && reading.shape.width > 0) {
+    if (status == 3 && reading.any()) {
         ImageResult result = finish(reading);
         result.issues.push_back({false, "image-truncated", what + "; the rest is empty", "copy the file again"});
         return result;

@@ -22,7 +22,7 @@ struct Reader {
     png_structp png = nullptr;
     png_infop info = nullptr;
     int passes = 1;
-    png_uint_32 rows_done = 0;  // in the last pass
+    bool any_row = false;
     std::vector<png_bytep> rows;
 
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
@@ -71,10 +71,9 @@ bool start(Reader& reader, const ImageLimits& limits) {
 bool read_rows(Reader& reader) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     for (int pass = 0; pass < reader.passes; ++pass) {
-        reader.rows_done = 0;
         for (png_bytep row : reader.rows) {
             png_read_row(reader.png, row, nullptr);
-            ++reader.rows_done;
+            reader.any_row = true;
         }
     }
     return true;
@@ -132,7 +131,7 @@ ImageResult decode_png(std::string_view bytes, const ImageLimits& limits) {
         reader.rows.push_back(reinterpret_cast<png_bytep>(pixels.data() + static_cast<std::size_t>(y) * row_bytes));
     }
     const bool whole = read_rows(reader);
-    if (!whole && reader.rows_done == 0 && reader.passes == 1) return unreadable(reader);
+    if (!whole && !reader.any_row) return unreadable(reader);
 
     ImageResult result;
     if (wide) {

@@ -211,6 +211,21 @@ TEST_F(ImageFormats, ClaimsAreNotBelieved) {
     EXPECT_TRUE(has_issue(result, "image-too-large")) << describe(result);
 }
 
+// A header without pixels is an error, not a black picture.
+TEST_F(ImageFormats, HeadersAloneAreNoPictures) {
+    put("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 4\n");
+    EXPECT_TRUE(has_issue(read_file(file("a.hdr")), "image-unreadable"));
+    EXPECT_FALSE(read_file(file("a.hdr")).image);
+    for (const char* name : {"a.tif", "a.exr", "a.png"}) {
+        ASSERT_EQ(
+            write_image(file(name), paint(64, 64, 3, PixelType::u8, [](int x, int y, int) { return (x + y) / 128.0; })),
+            "");
+        const std::string whole = slurp(file(name));
+        put(name, whole.substr(0, 40));
+        EXPECT_FALSE(read_file(file(name)).image) << name;
+    }
+}
+
 TEST_F(ImageFormats, HeadersAreReadWithoutDecoding) {
     const Image image = paint(33, 21, 3, PixelType::u8, smooth);
     for (const auto& [extension, format] :
