@@ -63,7 +63,7 @@ void Session::watch(const Document& read) {
     }
     paths.push_back(path_);
     // A file that was missing may appear: that changes its folder.
-    if (!read.diagnostics.empty()) {
+    if (read.diagnostics.has_errors()) {
         std::vector<std::string> folders;
         std::transform(paths.begin(), paths.end(), std::back_inserter(folders), folder_of);
         paths.insert(paths.end(), folders.begin(), folders.end());

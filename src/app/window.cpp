@@ -114,7 +114,11 @@ private:
         for (const Event& event : events)
             repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
         woken |= !events.empty() || unsettled_ > 0 || (animated() && now >= last_picture_ + frame_time);
-        if (!woken || !visible()) return;
+        if (!visible()) {
+            unsettled_ = 0;  // all is drawn again when the window comes back: that is an event
+            return;
+        }
+        if (!woken) return;
         // Dear ImGui answers some input one frame late: go on until two frames are equal.
         if (!events.empty()) unsettled_ = 3;
         std::span<const Event> rest(events);

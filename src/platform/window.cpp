@@ -146,6 +146,7 @@ void Window::listen() {
         handle_, [](GLFWwindow* w, int focused) { of(w).push({.kind = Kind::focus, .down = focused == GLFW_TRUE}); });
     glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* w, int, int) { of(w).push({.kind = Kind::resize}); });
     glfwSetWindowContentScaleCallback(handle_, [](GLFWwindow* w, float, float) { of(w).push({.kind = Kind::resize}); });
+    glfwSetWindowIconifyCallback(handle_, [](GLFWwindow* w, int) { of(w).push({.kind = Kind::refresh}); });
     glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* w) { of(w).push({.kind = Kind::refresh}); });
 }
 

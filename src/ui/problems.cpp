@@ -52,9 +52,12 @@ void show(const Problem& problem) {
 }
 
 void list(std::span<const Problem> problems, Severity severity, const Fonts& fonts) {
+    constexpr std::size_t most = 30;  // nobody reads more at once, and every line costs every frame
+    std::size_t shown = 0;
     ImGui::PushFont(fonts.mono);
     for (const Problem& problem : problems)
-        if (problem.severity == severity) show(problem);
+        if (problem.severity == severity && shown++ < most) show(problem);
+    if (shown > most) ImGui::TextUnformatted(fmt::format("\u2026 and {} more", shown - most).c_str());
     ImGui::PopFont();
 }
 
@@ -95,8 +98,9 @@ void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Me
     if (begin_overlay("##problems", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
                       scene.height * .7F)) {
         ImGui::AlignTextToFramePadding();
-        const std::string title = facts.stale ? counted(errors, "error") + " \u2014 the last good picture is shown"
-                                              : counted(errors, "error");
+        const std::string title = facts.stale
+                                      ? counted(errors, "error") + " \u2014 the picture is from before this edit"
+                                      : counted(errors, "error");
         ImGui::TextUnformatted(title.c_str());
         if (right_button("Hide")) memory.problems_hidden = true;
         layout.note("problems.hide");

@@ -96,6 +96,7 @@ void Desk::SetUp() {
     std::string name = (std::filesystem::temp_directory_path() / "snell-gui-XXXXXX").string();
     ASSERT_NE(mkdtemp(name.data()), nullptr);
     folder_ = name;
+    std::filesystem::create_directory(folder_ / "out");
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);
     server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"}, "", ends[1]);
@@ -109,7 +110,7 @@ void Desk::SetUp() {
 
 void Desk::TearDown() {
     if (HasFailure() && window_ > 0) {
-        std::ifstream in(file("state.json"));
+        std::ifstream in(file("out/state.json"));
         std::cerr << std::string(std::istreambuf_iterator<char>(in), {}) << '\n';
     }
     end(window_);
@@ -125,8 +126,8 @@ void Desk::save(const std::string& name, const std::string& text, bool in_place)
 }
 
 void Desk::open(const std::string& scene, std::vector<std::string> more) {
-    std::vector<std::string> words{SNELL_BIN "/snell", file(scene),        "--size",       "800x600",
-                                   "--state",          file("state.json"), "--exit-after", "60"};
+    std::vector<std::string> words{SNELL_BIN "/snell",     file(scene),    "--size", "800x600", "--state",
+                                   file("out/state.json"), "--exit-after", "60"};
     words.insert(words.end(), more.begin(), more.end());
     window_ = start(words, display_);
     ASSERT_TRUE(wait([](const auto& s) { return s["frames"] >= 1; }, 20)) << "no first picture";
@@ -142,7 +143,7 @@ int Desk::run(const std::vector<std::string>& arguments, const std::string& disp
 bool Desk::alive() const { return window_ > 0 && waitpid(window_, nullptr, WNOHANG) == 0; }
 
 nlohmann::json Desk::state() const {
-    std::ifstream in(file("state.json"));
+    std::ifstream in(file("out/state.json"));
     return nlohmann::json::parse(in, nullptr, false);
 }
 
