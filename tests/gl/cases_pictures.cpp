@@ -30,7 +30,7 @@ protected:
 };
 
 TEST_F(Cases, EveryCommandHasOneThatShowsSomething) {
-    for (const CommandRow& row : command_table()) {
+    for (const Command& row : commands()) {
         SCOPED_TRACE(row.name);
         ASSERT_TRUE(std::filesystem::exists(file(row.name))) << "no case for " << row.name;
         const Picture picture = picture_of(row.name);
@@ -40,7 +40,7 @@ TEST_F(Cases, EveryCommandHasOneThatShowsSomething) {
 
 TEST_F(Cases, EveryCaseIsOfACommand) {
     std::set<std::string> names;
-    for (const CommandRow& row : command_table()) names.insert(std::string(row.name));
+    for (const Command& row : commands()) names.insert(std::string(row.name));
     for (const auto& entry : std::filesystem::directory_iterator(SNELL_ROOT "/tests/cases"))
         if (entry.path().extension() == ".glib")
             EXPECT_TRUE(names.contains(entry.path().stem().string())) << entry.path();
