@@ -124,7 +124,7 @@ int print_commands(bool json) {
         fmt::print("{}\n", commands_json());
         return exit_fine;
     }
-    for (const CommandRow& row : command_table()) fmt::print("{:<16} {:<48} {}\n", row.name, row.signature, row.doc);
+    for (const Command& row : commands()) fmt::print("{:<16} {:<48} {}\n", row.name, row.signature.text, row.doc);
     return exit_fine;
 }
 

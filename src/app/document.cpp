@@ -9,17 +9,9 @@ namespace snell {
 
 namespace {
 
-std::string folder_of(const std::string& path) {
-    const auto slash = path.find_last_of('/');
-    return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
-}
-
-// Included names are relative to the scene that includes them; the names given back are relative to the
-// document's own folder.
 IncludeReader include_reader(Files& files) {
     return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
-        const std::string beside = folder_of(std::string(from)) + std::string(name);
-        const Resolved resolved = files.resolve(beside, {"glib"});
+        const Resolved resolved = files.resolve_beside(from, name, {"glib"});
         if (resolved.path.empty()) return std::nullopt;
         std::string error;
         auto text = files.read(resolved.path, error);

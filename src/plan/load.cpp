@@ -209,6 +209,17 @@ std::shared_ptr<ImageCache::Entry> ImageCache::entry(const std::string& path) {
     return entry;
 }
 
+ImageCache::Stats ImageCache::stats() const {
+    const std::lock_guard lock(mutex_);
+    Stats stats;
+    for (const auto& [path, entry] : entries_)
+        if (entry->result.image) {
+            ++stats.images;
+            stats.bytes += entry->result.image->bytes();
+        }
+    return stats;
+}
+
 void ImageCache::clear() {
     const std::scoped_lock lock(mutex_);
     entries_.clear();

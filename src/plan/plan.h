@@ -65,9 +65,14 @@ public:
     };
     std::shared_ptr<Entry> entry(const std::string& path);
     void clear();
+    // Of what is in the cache now.
+    struct Stats {
+        std::size_t images = 0, bytes = 0;
+    };
+    Stats stats() const;
 
 private:
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::map<std::string, std::shared_ptr<Entry>> entries_;
 };
 

@@ -101,7 +101,7 @@ Runtime::Impl::Impl(Plan p, Files& files, Sources& sources, const gl::Caps& c, D
 LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& variant, Loading& loading) {
     const auto [slot, fresh] = programs.try_emplace({program, variant});
     if (fresh) {
-        if (program == none) {
+        if (program == none || (plan.programs[program].readable && plan.programs[program].stages.empty())) {
             slot->second = runtime::link_builtin(variant, caps);
         } else if (plan.programs[program].readable) {
             slot->second = runtime::link_program(plan.scene.programs[program], plan.programs[program].stages, variant,

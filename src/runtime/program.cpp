@@ -205,17 +205,11 @@ glsl::IncludeReader include_reader(Files& files) {
             if (text.empty()) return std::nullopt;
             return glsl::IncludeText{std::string(name), std::string(text)};
         }
-        const auto slash = from.find_last_of('/');
-        const std::string beside = slash == std::string_view::npos
-                                       ? std::string(name)
-                                       : std::string(from.substr(0, slash + 1)) + std::string(name);
-        for (const std::string& candidate : {beside, std::string(name)}) {
-            std::string error;
-            const Resolved resolved = files.resolve(candidate);
-            if (resolved.path.empty()) continue;
-            if (auto text = files.read(resolved.path, error)) return glsl::IncludeText{candidate, std::move(*text)};
-        }
-        return std::nullopt;
+        const Resolved resolved = files.resolve_beside(from, name, {"glsl"});
+        std::string error;
+        auto text = resolved.path.empty() ? std::nullopt : files.read(resolved.path, error);
+        if (!text) return std::nullopt;
+        return glsl::IncludeText{resolved.path, std::move(*text)};
     };
 }
 

@@ -94,6 +94,10 @@ Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Diagn
 }
 
 void Textures::finish() {
+    const ImageCache::Stats stats = images_.stats();
+    counters_.decoded = stats.images;
+    counters_.bytes_decoded = stats.bytes;
+    images_.clear();
     files_ = nullptr;
     diagnostics_ = nullptr;
 }
@@ -137,9 +141,7 @@ void Textures::count(const GpuTexture& texture, bool uploaded) {
 
 GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     GpuTexture gpu;
-    content::Image image = content::to_rgba(load_texture(*scene_, texture, *files_, *diagnostics_));
-    ++counters_.decoded;
-    counters_.bytes_decoded += image.bytes();
+    content::Image image = content::to_rgba(load_texture(*scene_, texture, *files_, *diagnostics_, &images_));
     if (declared.target == TextureTarget::d1) image.height = image.depth = 1;  // the first row given
     if (!image.bottom_first) image = content::flipped(image);
     gpu.size = {image.width, image.height, image.depth};
@@ -154,7 +156,7 @@ GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
 
 GpuTexture Textures::make_cube(const Texture& declared, Index texture) {
     GpuTexture gpu;
-    content::CubeFaces faces = load_cube(*scene_, texture, *files_, *diagnostics_);
+    content::CubeFaces faces = load_cube(*scene_, texture, *files_, *diagnostics_, &images_);
     std::array<gl::Texels, 6> uploads;
     std::size_t bytes = 0;
     for (size_t face = 0; face < 6; ++face) {
@@ -164,8 +166,6 @@ GpuTexture Textures::make_cube(const Texture& declared, Index texture) {
         uploads[face] = texels(faces[face]);
         bytes += faces[face].bytes();
     }
-    counters_.decoded += 6;
-    counters_.bytes_decoded += bytes;
     gpu.size = {faces[0].width, faces[0].height, 1};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = GL_TEXTURE_CUBE_MAP;

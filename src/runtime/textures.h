@@ -13,6 +13,7 @@
 #include "src/gl/caps.h"
 #include "src/gl/texture.h"
 #include "src/plan/files.h"
+#include "src/plan/plan.h"
 
 namespace snell::runtime {
 
@@ -39,7 +40,7 @@ public:
     // Null when it was not realised.
     const GpuTexture* find(Index texture) const;
     const TextureCounters& counters() const { return counters_; }
-    // The files are needed only while textures are realised.
+    // The files and their decoded pictures are needed only while textures are realised.
     void finish();
 
 private:
@@ -58,6 +59,7 @@ private:
     std::vector<Index> same_;  // the first texture that is declared just so; empty ones are all different
     std::map<int, GpuTexture> noise_;
     std::map<std::tuple<int, int, bool, bool>, gl::Sampler> samplers_;
+    ImageCache images_;
     TextureCounters counters_;
 };
 

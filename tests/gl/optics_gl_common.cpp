@@ -42,6 +42,13 @@ Look square(int size, std::vector<std::string> sets) {
     return look;
 }
 
+optics::Camera camera_of(const Document& document) {
+    const Camera& camera = document.scene().cameras.at(document.scene().draws.at(0).camera);
+    const auto vec3 = [](const Vec3& v) { return glm::dvec3(v[0], v[1], v[2]); };
+    const auto& look = camera.look_at.value();
+    return {vec3(look[0]), vec3(look[1]), vec3(look[2]), camera.fov};
+}
+
 std::string camera_statements(const optics::Camera& camera) {
     const auto number = [](double v) { return std::to_string(v) + " "; };
     const auto three = [&](const glm::dvec3& v) { return number(v.x) + number(v.y) + number(v.z); };

@@ -28,6 +28,9 @@ private:
 // A square picture.
 Look square(int size, std::vector<std::string> sets = {});
 
+// The camera of a scene's first draw. Precondition: it has a LookAt.
+optics::Camera camera_of(const Document& document);
+
 // Statements of a scene: the camera; six textured walls on unit 6 (shaders wall.vert, wall.frag must be there); the
 // same pictures as a cube map on unit 6.
 std::string camera_statements(const optics::Camera& camera);

@@ -144,14 +144,14 @@ Needs needs(const Texts& texts) {
     const auto says = [&](const char* word) { return all.find(word) != std::string::npos; };
     n.geometry_input = word_after(all, "GeometryInput");
     n.geometry_output = word_after(all, "GeometryOutput");
-    n.primitive = says("// Points") ? GL_POINTS : GL_TRIANGLES;
+    n.primitive = says("// draw: points") ? GL_POINTS : GL_TRIANGLES;
     if (texts.contains(Stage::geometry)) n.primitive = input_primitive(texts.at(Stage::geometry), n.geometry_input);
     if (texts.contains(Stage::tess_evaluation)) {
         n.primitive = GL_PATCHES;
         if (says("vertices = 4")) n.patch_vertices = 4;
     }
-    n.targets = says("// FourTargets") ? 4 : 1;
-    n.two_sided = says("// TwoSided");
+    n.targets = says("// draw: four targets") ? 4 : 1;
+    n.two_sided = says("// draw: two-sided");
     return n;
 }
 

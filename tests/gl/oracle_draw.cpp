@@ -17,8 +17,7 @@ namespace snell::oracle {
 namespace {
 
 struct Vertex {
-    glm::vec4 position;
-    glm::vec3 normal;
+    glm::vec4 position, normal;
     glm::vec4 color, texcoord;
     glm::vec3 tangent;
     glm::vec4 secondary;
@@ -31,7 +30,7 @@ Vertex sphere_vertex(float s, float t) {
     const glm::vec3 p(std::cos(lng) * std::cos(lat), std::sin(lat), -std::sin(lng) * std::cos(lat));
     const glm::vec3 tangent(-std::cos(lng) * std::sin(lat), std::cos(lat), std::sin(lng) * std::sin(lat));
     return {glm::vec4(p, 1),
-            p,
+            glm::vec4(p, 0),
             glm::vec4(.5f + .5f * p.x, .5f + .4f * p.y, .5f - .3f * p.z, 1),
             glm::vec4(s, t, .25f + .5f * s, 1),
             tangent,
@@ -231,7 +230,7 @@ void Stand::arrays() {
     };
     using enum glsl::Attribute;
     generic(vertex, 4, offsetof(Vertex, position));
-    generic(normal, 3, offsetof(Vertex, normal));
+    generic(normal, 4, offsetof(Vertex, normal));
     generic(color, 4, offsetof(Vertex, color));
     generic(texcoord, 4, offsetof(Vertex, texcoord));
     generic(tangent, 3, offsetof(Vertex, tangent));
@@ -272,7 +271,7 @@ void Stand::fixed_function(const Needs& needs) {
     (needs.two_sided ? glEnable : glDisable)(GL_VERTEX_PROGRAM_TWO_SIDE);
 }
 
-Picture Stand::draw(const Program& program, const Needs& needs, const std::vector<glsl::UniformDefault>& own) {
+Picture Stand::draw(const Program& program, const Needs& needs, const glsl::Translation& translation) {
     constexpr GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
                                   GL_COLOR_ATTACHMENT3};
     glDrawBuffers(needs.targets, buffers);
@@ -283,7 +282,7 @@ Picture Stand::draw(const Program& program, const Needs& needs, const std::vecto
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (compatibility_) fixed_function(needs);
     glUseProgram(program.id);
-    set_uniforms(program.id, own);
+    set_uniforms(program.id, translation);
     if (needs.primitive == GL_PATCHES) glPatchParameteri(GL_PATCH_VERTICES, needs.patch_vertices);
     glDrawArrays(needs.primitive, 0, vertices_);
     glUseProgram(0);

@@ -37,8 +37,8 @@ public:
     Stand(const Stand&) = delete;
     Stand& operator=(const Stand&) = delete;
 
-    // Uniforms named in `own` keep the values that they have.
-    Picture draw(const Program& program, const Needs& needs, const std::vector<glsl::UniformDefault>& own);
+    // `translation` tells which uniforms have values of their own, and which have got new names.
+    Picture draw(const Program& program, const Needs& needs, const glsl::Translation& translation);
 
 private:
     void arrays();

@@ -19,7 +19,10 @@ struct Exception {
     int per_thousand;
     std::string_view reason;
 };
-const std::map<std::string, Exception> exceptions = {};
+const std::map<std::string, Exception> exceptions = {
+    {"input-not-written", {1000, "what an input holds that nobody writes is undefined; the translation reads zero"}},
+    {"light-spot-cutoff", {1000, "Mesa has 0 where OpenGL has cos(180°) = -1"}},
+};
 
 // The two contexts, made once.
 class Oracle {
@@ -33,10 +36,10 @@ public:
 
     // In the compatibility context; null where it refuses the program.
     std::optional<Picture> untouched(const Texts& texts, const Needs& needs, const glsl::Translation& translation) {
-        return drawn(*compatibility_, *compatibility_stand_, texts, needs, translation.defaults);
+        return drawn(*compatibility_, *compatibility_stand_, texts, needs, translation);
     }
     std::optional<Picture> core(const Texts& texts, const Needs& needs, const glsl::Translation& translation) {
-        return drawn(*core_, *core_stand_, texts, needs, translation.defaults);
+        return drawn(*core_, *core_stand_, texts, needs, translation);
     }
     const std::string& log() const { return log_; }
 
@@ -49,12 +52,12 @@ private:
     }
 
     std::optional<Picture> drawn(HeadlessContext& context, Stand& stand, const Texts& texts, const Needs& needs,
-                                 const std::vector<glsl::UniformDefault>& own) {
+                                 const glsl::Translation& translation) {
         context.make_current();
         const Program program = build(texts);
         log_ = program.log;
         if (!program.id) return std::nullopt;
-        return stand.draw(program, needs, own);
+        return stand.draw(program, needs, translation);
     }
 
     std::string error_, log_;
@@ -62,13 +65,18 @@ private:
     std::unique_ptr<Stand> core_stand_, compatibility_stand_;
 };
 
-void expect_same(const Case& c, const Picture& expected, const Picture& actual, const Texts& translated) {
+int allowance(const std::string& name) {
+    const auto exception = exceptions.find(name);
+    return exception == exceptions.end() ? 1 : exception->second.per_thousand;
+}
+
+void expect_same(const Case& c, const Picture& expected, const Picture& actual, const Texts& translated,
+                 int per_thousand) {
     const Difference d = difference(expected, actual);
     EXPECT_GT(d.drawn, d.pixels / 200) << "next to nothing is drawn";
-    const auto exception = exceptions.find(c.name);
-    const int allowed = d.pixels * (exception == exceptions.end() ? 1 : exception->second.per_thousand) / 1000;
-    EXPECT_LE(d.differing, allowed) << "of " << d.pixels << " pixels, by " << d.largest
-                                    << " at most; the translation is in " << write_texts(c.name, translated);
+    EXPECT_LE(d.differing, d.pixels * per_thousand / 1000)
+        << "of " << d.pixels << " pixels, by " << d.largest << " at most; the translation is in "
+        << write_texts(c.name, translated);
 }
 
 enum class Verdict { same_as_untouched, same_as_modern, refused };
@@ -94,20 +102,13 @@ Verdict check(const Case& c, bool must_have_reference) {
     }
     if (!translated.ok) return Verdict::refused;
     const auto picture = oracle.core(translated.texts, needs, translated.translation);
-    EXPECT_TRUE(picture) << "the translation does not link:\n"
-                         << oracle.log() << write_texts(c.name, translated.texts)
-                         << (untouched ? "" : "\nrefused too: " + refusal);
+    if (!picture && !untouched && !must_have_reference) return Verdict::refused;  // a mistake, not a dialect
+    EXPECT_TRUE(picture) << "the translation does not link:\n" << oracle.log() << write_texts(c.name, translated.texts);
     if (!picture) return Verdict::refused;
-    if (untouched) {
-        expect_same(c, *untouched, *picture, translated.texts);
-        return Verdict::same_as_untouched;
-    }
-    if (modern) {
-        expect_same(c, *modern, *picture, translated.texts);
-        return Verdict::same_as_modern;
-    }
-    EXPECT_FALSE(must_have_reference) << "refused by the compatibility context, and no modern twin:\n" << refusal;
-    return Verdict::refused;
+    if (modern) expect_same(c, *modern, *picture, translated.texts, 1);
+    if (untouched) expect_same(c, *untouched, *picture, translated.texts, allowance(c.name));
+    EXPECT_TRUE(modern || untouched || !must_have_reference) << "refused, and there is no modern twin:\n" << refusal;
+    return untouched ? Verdict::same_as_untouched : modern ? Verdict::same_as_modern : Verdict::refused;
 }
 
 class Pictures : public testing::Test {
@@ -120,7 +121,8 @@ protected:
         std::map<Verdict, int> verdicts;
         for (const Case& c : cases) ++verdicts[check(c, must_have_reference)];
         std::printf("%zu programs: %d as untouched, %d as their modern twin, %d without a reference\n", cases.size(),
-                    verdicts[Verdict::same_as_untouched], verdicts[Verdict::same_as_modern], verdicts[Verdict::refused]);
+                    verdicts[Verdict::same_as_untouched], verdicts[Verdict::same_as_modern],
+                    verdicts[Verdict::refused]);
     }
 };
 

@@ -74,6 +74,12 @@ void set_matrix(GLint location, GLenum type, GLint size, const glm::dmat4& m) {
     glUniformMatrix4fv(location, size, GL_FALSE, glm::value_ptr(values[0]));
 }
 
+// OpenGL's factor for GL_RESCALE_NORMAL: one over the length of the third row of the inverse.
+float rescale_factor() {
+    const glm::dmat4 inv = inverse(oracle::model_view());
+    return static_cast<float>(1 / glm::length(glm::dvec3(inv[0][2], inv[1][2], inv[2][2])));
+}
+
 bool set_system(const std::string& name, GLint location, GLenum type, GLint size) {
     for (const glsl::SystemName& system : glsl::system_names()) {
         if (system.name != name) continue;
@@ -84,6 +90,8 @@ bool set_system(const std::string& name, GLint location, GLenum type, GLint size
         using enum glsl::System;
         switch (system.system) {
             case normal_scale:
+                glUniform1f(location, rescale_factor());
+                return true;
             case point_size:
             case depth_range_far:
             case depth_range_diff:
@@ -92,6 +100,11 @@ bool set_system(const std::string& name, GLint location, GLenum type, GLint size
             case depth_range_near:
                 glUniform1f(location, 0);
                 return true;
+            case camera_position: {
+                const glm::vec3 eye = glm::vec3(inverse(oracle::view())[3]);
+                glUniform3f(location, eye.x, eye.y, eye.z);
+                return true;
+            }
             case noise2:
                 glUniform1i(location, 2);
                 return true;
@@ -186,7 +199,10 @@ bool set_sampler(GLuint program, const std::string& name, GLint location, GLenum
     }
     GLint unit = 0;
     glGetUniformiv(program, location, &unit);
-    if (unit == 0) glUniform1i(location, value_of(name, 0) > .6f ? 5 : 1);  // else layout(binding) has set it
+    if (unit != 0) return true;  // layout(binding) has set it
+    // Samplers of different kinds must not share a unit.
+    const GLint first = type == GL_SAMPLER_2D ? 0 : type == GL_SAMPLER_CUBE ? 4 : type == GL_SAMPLER_3D ? 6 : 7;
+    glUniform1i(location, first + (first < 6 && value_of(name, 0) > .6f ? 1 : 0));
     return true;
 }
 
@@ -208,7 +224,7 @@ void set_user(GLuint program, const std::string& name, GLint location, GLenum ty
     }
 }
 
-bool set_fixed_function(GLuint program) {
+void set_fixed_function(GLuint program) {
     for (const glsl::UniformDefault& d : glsl::fixed_function_defaults()) {
         const GLint location = glGetUniformLocation(program, d.name.c_str());
         if (location < 0) continue;
@@ -216,16 +232,18 @@ bool set_fixed_function(GLuint program) {
         constexpr GLenum types[] = {GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4};
         set_floats(location, types[v.size() - 1], 1, v.data());
     }
-    return true;
 }
 
 }  // namespace
 
-glm::dmat4 model_view() {
-    const glm::dmat4 view = glm::lookAt(glm::dvec3(.5, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0));
-    const glm::dmat4 turned = glm::rotate(view, .7, glm::normalize(glm::dvec3(1, 2, .5)));
-    // What the fixed-function pipeline is given has the precision of floats.
-    return glm::dmat4(glm::mat4(glm::scale(turned, glm::dvec3(1.2, .9, 1.1))));
+// What the fixed-function pipeline is given has the precision of floats.
+glm::dmat4 model_view() { return glm::dmat4(glm::mat4(view() * model())); }
+
+glm::dmat4 view() { return glm::lookAt(glm::dvec3(.5, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)); }
+
+glm::dmat4 model() {
+    const glm::dmat4 turned = glm::rotate(glm::dmat4(1), .7, glm::normalize(glm::dvec3(1, 2, .5)));
+    return glm::scale(turned, glm::dvec3(1.2, .9, 1.1));
 }
 
 glm::dmat4 projection() { return glm::dmat4(glm::mat4(glm::perspective(glm::radians(45.), 1., .5, 20.))); }
@@ -234,7 +252,7 @@ glm::dmat4 texture_matrix() {
     return glm::dmat4(glm::mat4(glm::rotate(glm::scale(glm::dmat4(1), glm::dvec3(2, .5, 1)), .4, glm::dvec3(0, 0, 1))));
 }
 
-void set_uniforms(unsigned program, const std::vector<glsl::UniformDefault>& own) {
+void set_uniforms(unsigned program, const glsl::Translation& translation) {
     GLint count = 0;
     glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
     for (GLint i = 0; i < count; ++i) {
@@ -246,7 +264,9 @@ void set_uniforms(unsigned program, const std::vector<glsl::UniformDefault>& own
         const GLint location = glGetUniformLocation(program, text);
         if (name.ends_with("[0]")) name.resize(name.size() - 3);
         const auto named = [&](const glsl::UniformDefault& d) { return d.name == name; };
-        if (location < 0 || std::any_of(own.begin(), own.end(), named)) continue;
+        if (location < 0 || std::any_of(translation.defaults.begin(), translation.defaults.end(), named)) continue;
+        for (const glsl::RenamedUniform& r : translation.renamed)
+            if (r.shader_name == name) name = r.name;
         if (set_system(name, location, type, size) || name.starts_with("snell_") || name.starts_with("gl_")) continue;
         set_user(program, name, location, type, size);
     }

@@ -2,21 +2,22 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "src/glsl/glsl.h"
 
 namespace snell::oracle {
 
+glm::dmat4 model();
+glm::dmat4 view();
 glm::dmat4 model_view();
 glm::dmat4 projection();
 glm::dmat4 texture_matrix();
 
-// Units: 0, 1, 4 … 7 pictures of every kind, 2 and 3 noise, 8 a depth texture.
+// Units: 0 to 7 have a picture of every kind, 2 and 3 stand for noise, 8 is a depth texture.
 inline constexpr int shadow_unit = 8;
 inline constexpr int units = 9;
 
-// Of the program in use. Those named in `own` are left as they are.
-void set_uniforms(unsigned program, const std::vector<glsl::UniformDefault>& own);
+// Of the program in use, which may be the translation or what was translated. Initialised uniforms are left alone.
+void set_uniforms(unsigned program, const glsl::Translation& translation);
 
 }  // namespace snell::oracle

@@ -1,6 +1,6 @@
 #version 120
-// TwoSided
+// draw: two-sided
 void main() {
-    if (fract(gl_TexCoord[0].s + gl_FragCoord.x / 64.) < .5) discard;
+    if (fract(gl_FragCoord.x / 16.) < .5) discard;
     gl_FragColor = gl_Color;
 }

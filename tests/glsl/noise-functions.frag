@@ -1,5 +1,4 @@
 #version 120
-// Refused
 varying vec3 vMC;
 void main() {
     float a = noise1(vMC), b = noise1(vMC.xy), c = noise1(vMC.x);

@@ -1,5 +1,5 @@
 #version 120
-// FourTargets
+// draw: four targets
 varying vec3 vN;
 void main() {
     gl_FragData[0] = vec4(abs(vN), 1.);

@@ -1,4 +1,4 @@
 #version 330 compatibility
-// Points
+// draw: points
 in vec4 vColor;
 void main() { gl_FragColor = vec4(gl_PointCoord, vColor.b, 1.); }
