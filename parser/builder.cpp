@@ -23,9 +23,11 @@ std::string file_name(std::string_view written) {
     std::string name;
     name.reserve(written.size());
     for (std::size_t i = 0; i < written.size(); ++i) {
-        const bool pair = written[i] == '\\' && i + 1 < written.size() && written[i + 1] == '\\';
-        name += written[i] == '\\' ? '/' : written[i];
-        if (pair) ++i;
+        const bool backslash = written[i] == '\\';
+        const bool separator = backslash || written[i] == '/';
+        const bool again =
+            separator && i > 0 && !name.empty() && name.back() == '/' && (backslash || written[i - 1] == '\\');
+        if (!again) name += separator ? '/' : written[i];
     }
     return name;
 }

@@ -36,6 +36,8 @@ struct Command {
 
 std::span<const Command> commands();
 
+std::string_view group_name(CommandGroup group);
+
 // By name or alias, without regard to case; nullptr when there is none.
 const Command* find_command(std::string_view word);
 

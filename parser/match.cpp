@@ -301,8 +301,9 @@ private:
         const std::string_view text = take_chunk(out);
         if (dry_) return true;
         out->text = text;
-        if (text.empty()) report_.error("empty-name", out->span, quoted(p.name) + " is empty");
-        return !text.empty();
+        if (!text.empty() || (p.kind == ArgumentKind::name && p.optional)) return true;
+        report_.error("empty-name", out->span, quoted(p.name) + " is empty");
+        return false;
     }
 
     bool take_choice(const Parameter& p, Argument* out) {
