@@ -49,7 +49,8 @@ public:
         : options_(options),
           window_(std::move(window)),
           gui_(window_.get()),
-          session_(options.scene, gl::query_caps()),
+          caps_(gl::query_caps()),
+          session_(options.scene, caps_),
           layout_(!options.state_file.empty()) {
         view_.axes = true;
     }
@@ -175,6 +176,7 @@ private:
         facts.time = counters_.time;
         facts.frame_ms = counters_.frame_ms;
         facts.samples = canvas_.samples();
+        facts.renderer = caps_.renderer;
         return facts;
     }
 
@@ -235,6 +237,7 @@ private:
     std::unique_ptr<Window> window_;
     ui::Gui gui_;
     ui::Painter painter_;
+    gl::Caps caps_;
     Session session_;
     gl::Canvas canvas_;
     View view_;

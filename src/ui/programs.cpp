@@ -168,9 +168,13 @@ void section_of(Controls& controls, Index index, const Section& section) {
         if (!section.linked) ImGui::TextColored({.75F, .12F, .1F, 1}, "did not compile: see the messages");
         rows(controls, index, section, sliding);
         if (!any(controls, index, sliding) && section.linked) ImGui::TextDisabled("no sliders");
-        if (any(controls, index, constant) && ImGui::TreeNodeEx("constants", ImGuiTreeNodeFlags_SpanAvailWidth)) {
-            rows(controls, index, section, constant);
-            ImGui::TreePop();
+        if (any(controls, index, constant)) {
+            const bool unfolded = ImGui::TreeNodeEx("constants", ImGuiTreeNodeFlags_SpanAvailWidth);
+            section.layout.note(section.program.name, "constants");
+            if (unfolded) {
+                rows(controls, index, section, constant);
+                ImGui::TreePop();
+            }
         }
         if (any(controls, index, unlisted)) {
             ImGui::Separator();

@@ -170,6 +170,9 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
         if (left + cost_width < right) {
             ImGui::SameLine(right - ImGui::CalcTextSize(cost.c_str()).x);
             ImGui::TextDisabled("%s", cost.c_str());
+            if (ImGui::IsItemHovered())
+                ImGui::SetTooltip("to draw the last picture\n%d samples a pixel\n%.*s", facts.samples,
+                                  static_cast<int>(facts.renderer.size()), facts.renderer.data());
         }
     }
     ImGui::End();

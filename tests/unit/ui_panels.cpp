@@ -134,6 +134,31 @@ TEST_F(UiTest, AnInactiveUniformCanNotBeMoved) {
     EXPECT_EQ(controls_.items[0].value[0], .5);
 }
 
+TEST_F(UiTest, AnUnsignedSliderTakesNoNegativeNumber) {
+    add_slider("uCount", 0, 3, 10, ValueType::uint_);
+    click(place("Glass.uCount"), MouseButton::left, .5, {.ctrl = true});
+    type("-4");
+    EXPECT_EQ(controls_.items[0].value[0], 0);
+}
+
+TEST_F(UiTest, ConstantsAreBehindAFoldUnlistedUniformsBelowARule) {
+    add_slider("uEta", 0, .5, 1);
+    Control& constant = add_slider("uLight", 0, 0, 1);
+    constant.widget = Widget::none;
+    constant.components = 3;
+    constant.value = constant.initial = {5, 10, 0};
+    add_slider("uExtra", 0, .5, 1).listed = false;
+    EXPECT_FALSE(has("Glass.uLight[0]"));
+    EXPECT_GT(place("Glass.uExtra").y, place("Glass.uEta").y);
+    click(place("Glass.constants"));
+    const Rect x = place("Glass.uLight[0]");
+    click(x, MouseButton::left, .5, {.ctrl = true});
+    type("7");
+    EXPECT_EQ(controls_.items[1].value, (std::vector<double>{7, 10, 0}));
+    click(x, MouseButton::right);
+    EXPECT_EQ(controls_.items[1].value, controls_.items[1].initial);
+}
+
 TEST_F(UiTest, OnlyTheFirstProgramIsOpenAtFirst) {
     add_slider("uEta", 0, .5, 1);
     add_program("Walls");
