@@ -1,0 +1,114 @@
+// Every shipped scene: clean, the same at every draw, finite wherever its sliders are, and with no idle control.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <random>
+
+#include "tests/gl/harness.h"
+
+namespace snell::test {
+namespace {
+
+std::vector<std::string> shipped_scenes() {
+    std::vector<std::string> paths;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(SNELL_ROOT "/scenes"))
+        if (entry.path().extension() == ".glib") paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+class ShippedScene : public GlTest, public testing::WithParamInterface<std::string> {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        if (IsSkipped()) return;
+        document = open_file(GetParam());
+        ASSERT_TRUE(document->runtime);
+        target = gl::make_target(size, size, 1, gl::Pixels::rgba32f);
+    }
+    // Unclamped, as the shaders wrote it.
+    std::vector<float> values() {
+        const View view;
+        document->runtime->draw({0.0, view, document->controls}, {target.framebuffer.get(), size, size});
+        return gl::read_rgba32f(target.framebuffer.get(), size, size, 1);
+    }
+    void expect_finite(const std::string& where) {
+        const std::vector<float> all = values();
+        const auto bad = std::count_if(all.begin(), all.end(), [](float v) { return !std::isfinite(v); });
+        EXPECT_EQ(bad, 0) << where;
+    }
+    // Anywhere in its range.
+    void scatter(Control& control) {
+        std::uniform_real_distribution<double> place(0, 1);
+        for (double& v : control.value) {
+            const double p = place(random);
+            if (control.widget == Widget::slider) v = control.min + p * (control.max - control.min);
+            if (control.widget == Widget::slider && control.type == ValueType::int_) v = std::round(v);
+            if (control.widget == Widget::color) v = p;
+            if (control.widget == Widget::check_box) v = p < 0.5;
+        }
+    }
+    static void set(Control& control, bool high) {
+        for (double& v : control.value)
+            v = control.widget == Widget::slider ? (high ? control.max : control.min) : high;
+    }
+
+    static constexpr int size = 48;
+    std::unique_ptr<Document> document;
+    gl::Target target;
+    std::mt19937 random{1};
+};
+
+TEST_P(ShippedScene, HasNothingToReport) {
+    EXPECT_TRUE(document->diagnostics.items().empty()) << render(document->diagnostics, document->sources);
+}
+
+TEST_P(ShippedScene, IsTheSamePictureTwice) {
+    const std::vector<float> first = values(), second = values();
+    ASSERT_EQ(first.size(), second.size());
+    EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(float)), 0);
+}
+
+TEST_P(ShippedScene, IsFiniteWhereverTheSlidersAre) {
+    for (std::size_t i = 0; i < document->controls.items.size(); ++i) {
+        Control& control = document->controls.items[i];
+        if (control.widget == Widget::none) continue;
+        for (bool high : {false, true}) {
+            set(control, high);
+            expect_finite(control.name + (high ? " at its largest" : " at its smallest"));
+        }
+        control.value = control.initial;
+    }
+    for (int round = 0; round < 50; ++round) {
+        for (Control& control : document->controls.items) scatter(control);
+        expect_finite("a random combination");
+    }
+}
+
+TEST_P(ShippedScene, HasNoControlThatDoesNothing) {
+    for (std::size_t i = 0; i < document->controls.items.size(); ++i) {
+        if (document->controls.items[i].widget == Widget::none) continue;
+        bool matters = false;
+        for (int round = 0; round < 20 && !matters; ++round) {
+            for (Control& control : document->controls.items) scatter(control);
+            set(document->controls.items[i], false);
+            const std::vector<float> low = values();
+            set(document->controls.items[i], true);
+            matters = low != values();
+        }
+        EXPECT_TRUE(matters) << document->controls.items[i].name;
+    }
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info) {
+    std::string name = std::filesystem::path(info.param).stem().string();
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_scenes()), test_name);
+
+}  // namespace
+}  // namespace snell::test
