@@ -142,6 +142,8 @@ void row(Control& control, const Section& section) {
 // Large arrays and texture units are no business of a slider panel.
 bool is_shown(const Control& control) { return control.type != ValueType::sampler && control.value.size() <= 64; }
 
+bool sliding(const Control& control) { return control.listed && control.widget != Widget::none; }
+
 template <typename Chosen>
 void rows(Controls& controls, Index program, const Section& section, Chosen chosen) {
     for (Control& control : controls.items)
@@ -155,12 +157,11 @@ bool any(const Controls& controls, Index program, Chosen chosen) {
     });
 }
 
-void section_of(Controls& controls, Index index, const Section& section) {
-    const auto sliding = [](const Control& c) { return c.listed && c.widget != Widget::none; };
+void section_of(Controls& controls, Index index, const Section& section, bool open_at_first) {
     const auto constant = [](const Control& c) { return c.listed && c.widget == Widget::none; };
     const auto unlisted = [](const Control& c) { return !c.listed; };
     ImGui::PushID(static_cast<int>(index));
-    ImGui::SetNextItemOpen(index == 0, ImGuiCond_Once);
+    ImGui::SetNextItemOpen(open_at_first, ImGuiCond_Once);
     const bool open = ImGui::CollapsingHeader(section.program.name.empty() ? "Program" : section.program.name.c_str());
     section.layout.note(section.program.name);
     if (open) {
@@ -190,9 +191,13 @@ void section_of(Controls& controls, Index index, const Section& section) {
 
 void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
     const std::vector<Program>& programs = facts.scene->programs;
+    bool slides = false;  // some section so far
     for (Index i = 0; i < programs.size(); ++i) {
+        // The first, and if that has nothing to slide, the first that has.
+        const bool first_sliding = !slides && any(controls, i, sliding);
+        slides |= first_sliding;
         const bool linked = i < facts.linked.size() && facts.linked[i];
-        section_of(controls, i, {facts, programs[i], linked, memory, layout});
+        section_of(controls, i, {facts, programs[i], linked, memory, layout}, i == 0 || first_sliding);
     }
     if (programs.empty()) ImGui::TextDisabled("This scene has no Program.");
 }

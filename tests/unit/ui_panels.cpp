@@ -171,6 +171,15 @@ TEST_F(UiTest, OnlyTheFirstProgramIsOpenAtFirst) {
     EXPECT_FALSE(has("Glass.uEta"));
 }
 
+TEST_F(UiTest, TheFirstProgramWithSlidersIsOpenToo) {
+    add_program("Water");
+    add_slider("uEta", 0, .5, 1);
+    add_program("Air");
+    add_slider("uKa", 0, .5, 1);
+    EXPECT_TRUE(has("Water.uEta"));
+    EXPECT_FALSE(has("Air.uKa"));
+}
+
 TEST_F(UiTest, TheMouseTurnsScalesAndMovesTheScene) {
     const double x = 300, y = 300;
     frame();
