@@ -58,6 +58,18 @@ std::optional<glm::dmat4> matrix_of(glsl::System system) {
             return transpose(oracle::texture_matrix());
         case texture_matrix_inverse_transpose:
             return transpose(inverse(oracle::texture_matrix()));
+        case model:
+            return oracle::model();
+        case view:
+            return oracle::view();
+        case view_projection:
+            return p * oracle::view();
+        case model_inverse:
+            return inverse(oracle::model());
+        case view_inverse:
+            return inverse(oracle::view());
+        case model_normal_matrix:
+            return glm::dmat4(glm::inverseTranspose(glm::dmat3(oracle::model())));
         default:
             return std::nullopt;
     }
