@@ -71,9 +71,19 @@ protected:
         ASSERT_GE(samples.size(), 100U);
     }
     // The shipped scene, with values set from what the file says.
-    Picture refraction_room(std::vector<std::string> sets) {
+    Picture refraction_room(std::vector<std::string> sets, const View& view = {}) {
         for (Control& control : document->controls.items) control.value = control.initial;
-        return draw(*document, square(picture_size, std::move(sets)));
+        Look with = square(picture_size, std::move(sets));
+        with.view = view;
+        return draw(*document, with);
+    }
+    // Through both surfaces of the ball, n = 1.5, to where the walls are.
+    glm::dvec3 glass(const Sample& s) const {
+        const glm::dvec3 p = s.surface.position;
+        const auto m = *optics::meet(s.from_eye, s.surface.normal, 1.0, 1.5);
+        const glm::dvec3 exit = p - 2.0 * glm::dot(p, m.transmitted) * m.transmitted;
+        const glm::dvec3 out = optics::leave_sphere(*optics::unit(s.from_eye), m.transmitted);
+        return glm::mix(look_from(exit, out), look_from(p, m.reflected), optics::fresnel(m.cos_incident, 1.0, 1.5));
     }
     glm::dvec3 look(const glm::dvec3& d) const { return optics::sample_cube(room.faces(), d); }
     glm::dvec3 look_from(const glm::dvec3& p, const glm::dvec3& d) const {
@@ -98,13 +108,25 @@ TEST_F(Ball, RefractsAndReflectsAsOneSurfaceInAnInfinitelyLargeRoom) {
 }
 
 TEST_F(Ball, RefractsTwiceAndSeesTheWallsWhereTheyAre) {
-    const Agreement a = compare(refraction_room({}), samples, [&](const Sample& s) {
-        const glm::dvec3 p = s.surface.position;
-        const auto m = *optics::meet(s.from_eye, s.surface.normal, 1.0, 1.5);
-        const glm::dvec3 exit = p - 2.0 * glm::dot(p, m.transmitted) * m.transmitted;
-        const glm::dvec3 out = optics::leave_sphere(*optics::unit(s.from_eye), m.transmitted);
-        return glm::mix(look_from(exit, out), look_from(p, m.reflected), optics::fresnel(m.cos_incident, 1.0, 1.5));
-    });
+    const Agreement a = compare(refraction_room({}), samples, [&](const Sample& s) { return glass(s); });
+    EXPECT_EQ(a.within, a.compared) << "worst " << a.worst;
+}
+
+// Turning the scene goes into the projection; to the ball it is the eye that went around it.
+TEST_F(Ball, FollowsTheMouse) {
+    View view;
+    view.scene.rotate_x = 15;
+    view.scene.rotate_y = -40;
+    const Camera still = camera_of(*document);
+    const glm::dmat4 to_eye = glm::lookAt(still.eye, still.centre, still.up);
+    const glm::dvec3 origin(to_eye * glm::dvec4(0, 0, 0, 1));
+    const glm::dmat4 turn =
+        glm::translate(glm::dmat4(1), origin) * view.scene.matrix() * glm::translate(glm::dmat4(1), -origin);
+    const glm::dmat4 from_eye = glm::inverse(turn * to_eye);
+    const glm::dvec3 eye(from_eye[3]), forward(-from_eye[2]), up(from_eye[1]);
+    const auto turned = samples_on(sphere_mesh(1, 160, 160), {eye, eye + forward, up, still.fov_y}, 100);
+    ASSERT_GE(turned.size(), 100U);
+    const Agreement a = compare(refraction_room({}, view), turned, [&](const Sample& s) { return glass(s); });
     EXPECT_EQ(a.within, a.compared) << "worst " << a.worst;
 }
 
