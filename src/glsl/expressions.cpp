@@ -456,7 +456,9 @@ Expression Parser::cast() {
     const Type type = *builtin_type(text(1));
     warn("c-cast", p_, "a cast in parentheses is C: read as " + std::string(type.name) + "(…)");
     p_ += 3;
-    Expression e = unary();
+    ++depth_;
+    Expression e = depth_ > 200 ? Expression{} : unary();
+    --depth_;
     if (e.last >= first + 3) {
         u_.replace(first, "");
         u_.replace(first + 2, "(");

@@ -217,7 +217,14 @@ std::optional<Type> Parser::structure() {
     type.name = s.name;
     type.structure = static_cast<std::int32_t>(u_.structs.size());
     u_.structs.push_back(std::move(s));
-    if (is("{")) members(type.structure, nullptr);
+    if (!is("{")) return type;
+    if (depth_ > 100) {
+        skip_balanced();
+        return type;
+    }
+    ++depth_;
+    members(type.structure, nullptr);
+    --depth_;
     return type;
 }
 

@@ -268,6 +268,8 @@ void Preprocessor::perform(std::string_view name, std::string_view rest, std::si
     if (name == "extension") return extension(rest, start, end);
     if (name == "include") return include(rest, start, end);
     if (name == "define") {
+        // Versions before 4.20 have no line continuation.
+        broken_ = broken_ || (!options_.target.es && options_.target.version < 420 && rest.find('\\') != rest.npos);
         define(rest);
     } else if (name == "undef") {
         const std::vector<MacroToken> tokens = macro_tokens(rest);

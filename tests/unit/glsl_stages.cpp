@@ -1,0 +1,157 @@
+// Geometry and tessellation, what passes between stages, and stages that are missing.
+#include "tests/unit/glsl_translate_help.h"
+
+namespace snell::glsl::test {
+namespace {
+
+const std::string plain_vertex =
+    "#version 330 compatibility\nout vec3 vN;\n"
+    "void main() { vN = gl_Normal; gl_FrontColor = gl_Color; gl_TexCoord[0] = gl_MultiTexCoord0; gl_Position = "
+    "gl_Vertex; }\n";
+
+TEST(GlslStages, CoreStyleGeometryWithOldInputs) {
+    const Texts texts = {
+        {Stage::vertex, plain_vertex},
+        {Stage::geometry,
+         "#version 330 compatibility\n#extension GL_EXT_geometry_shader4: enable\n#extension GL_EXT_gpu_shader4: "
+         "require\n"
+         "layout(triangles) in;\nlayout(triangle_strip, max_vertices=204) out;\nin vec3 vN[3];\nout vec3 gN;\n"
+         "void main() { for (int i = 0; i < gl_VerticesIn; i++) { gN = vN[i]; gl_FrontColor = gl_FrontColorIn[i];\n"
+         "gl_TexCoord[0] = gl_TexCoordIn[i][0]; gl_Position = gl_ModelViewProjectionMatrix * gl_PositionIn[i]; "
+         "EmitVertex(); } }\n"},
+        {Stage::fragment,
+         "#version 330 compatibility\nin vec3 gN;\nvoid main() { gl_FragColor = vec4(gN, 1.) * gl_Color + "
+         "gl_TexCoord[0]; }\n"}};
+    const Translated t = translated(texts);
+    EXPECT_TRUE(t.has(Stage::geometry, "gl_in[i].gl_Position"));
+    EXPECT_TRUE(t.has(Stage::geometry, "snell_in[i].snell_FrontColor"));
+    EXPECT_TRUE(t.has(Stage::geometry, "snell_in[i].snell_TexCoord[0]"));
+    EXPECT_FALSE(t.has(Stage::geometry, "#extension"));
+    EXPECT_TRUE(t.diagnostics.empty());
+    expect_valid(texts);
+}
+
+TEST(GlslStages, MembersOfGlIn) {
+    expect_valid({{Stage::vertex, plain_vertex},
+                  {Stage::geometry,
+                   "#version 330 compatibility\nlayout(triangles) in; layout(points, max_vertices=3) out;\n"
+                   "void main() { for (int i = 0; i < 3; ++i) { gl_FrontColor = gl_in[i].gl_FrontColor;\n"
+                   "gl_TexCoord[0] = gl_in[i].gl_TexCoord[0]; gl_Position = gl_in[i].gl_Position; EmitVertex(); } }"},
+                  {Stage::fragment, "void main() { gl_FragColor = gl_Color + gl_TexCoord[0]; }"}});
+}
+
+TEST(GlslStages, OldGeometryTakesItsTopologyFromTheScene) {
+    const Texts texts = {
+        {Stage::vertex, "varying vec3 n; void main() { n = gl_Normal; gl_Position = gl_Vertex; }"},
+        {Stage::geometry,
+         "#version 120\n#extension GL_EXT_geometry_shader4 : enable\nvarying in vec3 n[];\n"
+         "varying out vec3 g;\nvoid main() { g = n[0]; gl_Position = gl_PositionIn[0]; EmitVertex(); }"},
+        {Stage::fragment, "varying vec3 g; void main() { gl_FragColor = vec4(g, 1.); }"}};
+    Translated t;
+    Options options;
+    options.target = core450;
+    options.geometry_input = "gl_lines";
+    options.geometry_output = "gl_line_strip";
+    translate_texts(t, texts, options);
+    EXPECT_TRUE(t.has(Stage::geometry, "layout(lines) in;"));
+    EXPECT_TRUE(t.has(Stage::geometry, "layout(line_strip) out;"));
+    EXPECT_TRUE(t.has(Stage::geometry, "max_vertices = "));
+    std::string log;
+    EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
+    expect_valid(texts);
+}
+
+TEST(GlslStages, TessellationWithLegacyMatrices) {
+    expect_valid(
+        {{Stage::vertex, "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }"},
+         {Stage::tess_control,
+          "#version 400 compatibility\n#extension GL_ARB_tessellation_shader : enable\nuniform float uOuter;\n"
+          "layout(vertices = 16) out;\nvoid main() { gl_out[gl_InvocationID].gl_Position = "
+          "gl_in[gl_InvocationID].gl_Position;\n"
+          "gl_TessLevelOuter[0] = uOuter; gl_TessLevelOuter[1] = 1; gl_TessLevelInner[0] = 2; }"},
+         {Stage::tess_evaluation,
+          "#version 400 compatibility\nlayout(quads, equal_spacing, ccw) in;\nout vec3 teN;\n"
+          "void main() { teN = gl_NormalMatrix * vec3(1, 0, 0);\n"
+          "gl_Position = gl_ModelViewProjectionMatrix * gl_in[0].gl_Position * gl_TessCoord.x; }"},
+         {Stage::fragment, "#version 400 compatibility\nin vec3 teN;\nvoid main() { gl_FragColor = vec4(teN, 1.); }"}},
+        {core450, core410, es320});
+}
+
+TEST(GlslStages, MissingStagesAreBuiltIn) {
+    expect_valid({{Stage::fragment, "void main() { gl_FragColor = gl_Color + gl_TexCoord[0]; }"}});
+    expect_valid({{Stage::vertex, "void main() { gl_FrontColor = gl_Color; gl_Position = ftransform(); }"}});
+    const Translated t = fragment("void main() { gl_FragColor = gl_Color; }");
+    EXPECT_TRUE(t.has(Stage::vertex, "snell_FrontColor = snell_Color"));
+}
+
+TEST(GlslStages, InputWithoutOutputReadsZero) {
+    const Texts texts = {
+        {Stage::vertex, "#version 330\nin vec3 aVertex; void main() { gl_Position = vec4(aVertex, 1.); }"},
+        {Stage::fragment, "#version 330\nin vec3 vLost; out vec4 c; void main() { c = vec4(vLost, 1.); }"}};
+    const Translated t = translated(texts);
+    EXPECT_EQ(t.count("input-without-output"), 1);
+    EXPECT_TRUE(t.has(Stage::fragment, "vLost = vec3(0.0);"));
+    expect_valid(texts);
+}
+
+TEST(GlslStages, VaryingsOfTwoTypes) {
+    const Texts texts = {
+        {Stage::vertex, "varying vec4 v; varying float f; void main() { v = gl_Vertex; f = 1.; gl_Position = v; }"},
+        {Stage::fragment, "varying vec3 v; varying vec2 f; void main() { gl_FragColor = vec4(v, f.y); }"}};
+    EXPECT_EQ(translated(texts).count("varying-types"), 2);
+    expect_valid(texts);
+}
+
+TEST(GlslStages, UniformsOfTwoTypes) {
+    const Texts texts = {
+        {Stage::vertex,
+         "uniform int uN; uniform vec4 uC; void main() { gl_FrontColor = uC * uN; gl_Position = ftransform(); }"},
+        {Stage::fragment, "uniform float uN; uniform vec3 uC; void main() { gl_FragColor = vec4(uC * uN, 1.); }"}};
+    const Translated t = translated(texts);
+    EXPECT_TRUE(t.has(Stage::vertex, "uniform float uN;"));
+    EXPECT_TRUE(t.has(Stage::vertex, "int(uN)"));
+    EXPECT_TRUE(t.has(Stage::fragment, "uniform vec4 uC;"));
+    expect_valid(texts);
+}
+
+TEST(GlslStages, FlatBothSides) {
+    const Texts texts = {
+        {Stage::vertex,
+         "#version 330 compatibility\nflat varying vec3 c; out int n; void main() { c = gl_Normal; n = 3; gl_Position "
+         "= gl_Vertex; }"},
+        {Stage::fragment,
+         "#version 330 compatibility\nflat varying vec3 c; in int n; void main() { gl_FragColor = vec4(c, n); }"}};
+    const Translated t = translated(texts);
+    EXPECT_TRUE(t.has(Stage::fragment, "flat in vec3 c;"));
+    EXPECT_TRUE(t.has(Stage::fragment, "flat in int n;"));
+    expect_valid(texts);
+}
+
+TEST(GlslStages, Attributes) {
+    const Translated known = vertex(
+        "#version 330\nlayout(location = 0) in vec3 i_position; layout(location = 1) in vec4 i_normal;\n"
+        "out vec3 v; void main() { v = i_normal.xyz; gl_Position = vec4(i_position, i_normal.w); }");
+    EXPECT_FALSE(known.has(Stage::vertex, "location"));
+    EXPECT_TRUE(known.has(Stage::vertex, "in vec3 i_position;"));
+    // A direction has w = 0, whatever OpenGL fills in.
+    EXPECT_TRUE(known.has(Stage::vertex, "i_normal = vec4(snell_Normal, 0.0);"));
+    const Translated located =
+        vertex("#version 330\nlayout(location = 1) in vec3 q; void main() { gl_Position = vec4(q, 1.); }");
+    EXPECT_TRUE(located.has(Stage::vertex, "q = snell_Normal;"));
+    const Translated unknown = vertex("attribute float weight; void main() { gl_Position = gl_Vertex * weight; }");
+    EXPECT_EQ(unknown.count("unknown-attribute"), 1);
+    // Two names for one attribute would share a location.
+    const Translated twice = vertex(
+        "#version 330 compatibility\nin vec3 aNormal; void main() { gl_Position = vec4(aNormal + gl_Normal, 1.); }");
+    EXPECT_TRUE(twice.has(Stage::vertex, "aNormal = snell_Normal;"));
+}
+
+TEST(GlslStages, OpenGlEs30HasTwoStages) {
+    const Translated t =
+        translated({{Stage::vertex, plain_vertex}, {Stage::geometry, "layout(points) in; void main() {}"}}, es300);
+    EXPECT_FALSE(t.translation.ok);
+    EXPECT_EQ(t.count("unsupported-stage"), 1);
+}
+
+}  // namespace
+}  // namespace snell::glsl::test
