@@ -77,7 +77,7 @@ void smooth_filter(GLenum target, GLint wrap) {
     glGenerateMipmap(target);
 }
 
-void fill_unit(int unit, std::vector<GLuint>& names) {
+void fill_unit(int unit, bool lines, std::vector<GLuint>& names) {
     constexpr int n = 32, volume = 16;
     const double phase = unit == 2 || unit == 3 ? .5 : 1. + unit;
     const auto bind = [&](GLenum target) {
@@ -88,9 +88,11 @@ void fill_unit(int unit, std::vector<GLuint>& names) {
         names.push_back(name);
     };
     const auto flat = smooth_texels(n, 1, phase), solid = smooth_texels(volume, volume, phase);
-    bind(GL_TEXTURE_1D);
-    glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA8, n, 0, GL_RGBA, GL_UNSIGNED_BYTE, flat.data());
-    smooth_filter(GL_TEXTURE_1D, GL_REPEAT);
+    if (lines) {  // OpenGL ES has none
+        bind(GL_TEXTURE_1D);
+        glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA8, n, 0, GL_RGBA, GL_UNSIGNED_BYTE, flat.data());
+        smooth_filter(GL_TEXTURE_1D, GL_REPEAT);
+    }
     bind(GL_TEXTURE_2D);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, n, n, 0, GL_RGBA, GL_UNSIGNED_BYTE, flat.data());
     smooth_filter(GL_TEXTURE_2D, GL_REPEAT);
@@ -114,7 +116,7 @@ GLuint depth_texture() {
     glGenTextures(1, &name);
     glActiveTexture(GL_TEXTURE0 + shadow_unit);
     glBindTexture(GL_TEXTURE_2D, name);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, n, n, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, n, n, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -186,12 +188,12 @@ Program build(const Texts& texts) {
     return program;
 }
 
-Stand::Stand(bool compatibility) : compatibility_(compatibility) {
+Stand::Stand(Kind kind) : kind_(kind) {
     glGenVertexArrays(1, &vao_);
     glBindVertexArray(vao_);
     glGenBuffers(1, &buffer_);
     arrays();
-    for (int unit = 0; unit < shadow_unit; ++unit) fill_unit(unit, textures_);
+    for (int unit = 0; unit < shadow_unit; ++unit) fill_unit(unit, kind_ != Kind::es, textures_);
     textures_.push_back(depth_texture());
 
     glGenFramebuffers(1, &framebuffer_);
@@ -238,7 +240,7 @@ void Stand::arrays() {
     generic(fog_coord, 1, offsetof(Vertex, fog));
     glEnableVertexAttribArray(static_cast<GLuint>(vertex_id));
     glVertexAttribIPointer(static_cast<GLuint>(vertex_id), 1, GL_INT, sizeof(Vertex), offset(offsetof(Vertex, id)));
-    if (!compatibility_) return;
+    if (kind_ != Kind::compatibility) return;
     constexpr GLsizei stride = sizeof(Vertex);
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(4, GL_FLOAT, stride, offset(offsetof(Vertex, position)));
@@ -277,12 +279,15 @@ Picture Stand::draw(const Program& program, const Needs& needs, const glsl::Tran
     glDrawBuffers(needs.targets, buffers);
     glViewport(0, 0, picture_size, picture_size);
     glEnable(GL_DEPTH_TEST);
-    glEnable(GL_PROGRAM_POINT_SIZE);
+    if (kind_ != Kind::es) {  // there it is always so
+        glEnable(GL_PROGRAM_POINT_SIZE);
+        glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    }
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (compatibility_) fixed_function(needs);
+    if (kind_ == Kind::compatibility) fixed_function(needs);
     glUseProgram(program.id);
-    set_uniforms(program.id, translation);
+    set_uniforms(program.id, translation, kind_ == Kind::es);
     if (needs.primitive == GL_PATCHES) glPatchParameteri(GL_PATCH_VERTICES, needs.patch_vertices);
     glDrawArrays(needs.primitive, 0, vertices_);
     glUseProgram(0);

@@ -29,10 +29,12 @@ struct Program {
 // In the current context.
 Program build(const Texts& texts);
 
+enum class Kind : std::uint8_t { core, compatibility, es };
+
 // Everything that draws need in one context: the object, textures, targets. The context must be current.
 class Stand {
 public:
-    explicit Stand(bool compatibility);
+    explicit Stand(Kind kind);
     ~Stand();
     Stand(const Stand&) = delete;
     Stand& operator=(const Stand&) = delete;
@@ -43,7 +45,7 @@ public:
 private:
     void arrays();
     void fixed_function(const Needs& needs);
-    bool compatibility_;
+    Kind kind_;
     unsigned vao_ = 0, buffer_ = 0, framebuffer_ = 0, depth_ = 0;
     std::array<unsigned, 4> targets_{};
     std::vector<unsigned> textures_;

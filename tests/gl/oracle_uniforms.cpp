@@ -175,10 +175,23 @@ void set_floats(GLint location, GLenum type, GLint size, const float* v) {
     }
 }
 
-void set_integers(GLint location, GLenum type, GLint size, const std::vector<float>& floats) {
-    std::vector<GLint> v;
-    for (const float f : floats) v.push_back(1 + static_cast<int>(f * 3));  // 1, 2, 3
-    std::vector<GLuint> u(v.begin(), v.end());
+bool is_float(GLenum type) {
+    switch (type) {
+        case GL_FLOAT:
+        case GL_FLOAT_VEC2:
+        case GL_FLOAT_VEC3:
+        case GL_FLOAT_VEC4:
+        case GL_FLOAT_MAT2:
+        case GL_FLOAT_MAT3:
+        case GL_FLOAT_MAT4:
+            return true;
+        default:
+            return false;
+    }
+}
+
+void set_integers(GLint location, GLenum type, GLint size, const std::vector<GLint>& v) {
+    const std::vector<GLuint> u(v.begin(), v.end());
     switch (type) {
         case GL_UNSIGNED_INT:
             return glUniform1uiv(location, size, u.data());
@@ -194,6 +207,17 @@ void set_integers(GLint location, GLenum type, GLint size, const std::vector<flo
         default:
             return glUniform1iv(location, size, v.data());
     }
+}
+
+void set_default(GLint location, GLenum type, GLint size, const std::vector<double>& values) {
+    if (values.size() < static_cast<std::size_t>(components(type) * size)) return;
+    if (is_float(type)) {
+        const std::vector<float> v(values.begin(), values.end());
+        return set_floats(location, type, size, v.data());
+    }
+    std::vector<GLint> v;
+    for (const double x : values) v.push_back(static_cast<GLint>(x));
+    set_integers(location, type, size, v);
 }
 
 bool set_sampler(GLuint program, const std::string& name, GLint location, GLenum type) {
@@ -222,18 +246,10 @@ void set_user(GLuint program, const std::string& name, GLint location, GLenum ty
     if (set_sampler(program, name, location, type)) return;
     std::vector<float> floats;
     for (int i = 0; i < components(type) * size; ++i) floats.push_back(value_of(name, i));
-    switch (type) {
-        case GL_FLOAT:
-        case GL_FLOAT_VEC2:
-        case GL_FLOAT_VEC3:
-        case GL_FLOAT_VEC4:
-        case GL_FLOAT_MAT2:
-        case GL_FLOAT_MAT3:
-        case GL_FLOAT_MAT4:
-            return set_floats(location, type, size, floats.data());
-        default:
-            return set_integers(location, type, size, floats);
-    }
+    if (is_float(type)) return set_floats(location, type, size, floats.data());
+    std::vector<GLint> integers;
+    for (const float f : floats) integers.push_back(1 + static_cast<int>(f * 3));  // 1, 2, 3
+    set_integers(location, type, size, integers);
 }
 
 void set_fixed_function(GLuint program) {
@@ -264,7 +280,7 @@ glm::dmat4 texture_matrix() {
     return glm::dmat4(glm::mat4(glm::rotate(glm::scale(glm::dmat4(1), glm::dvec3(2, .5, 1)), .4, glm::dvec3(0, 0, 1))));
 }
 
-void set_uniforms(unsigned program, const glsl::Translation& translation) {
+void set_uniforms(unsigned program, const glsl::Translation& translation, bool set_defaults) {
     GLint count = 0;
     glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
     for (GLint i = 0; i < count; ++i) {
@@ -274,11 +290,16 @@ void set_uniforms(unsigned program, const glsl::Translation& translation) {
         glGetActiveUniform(program, static_cast<GLuint>(i), sizeof text, nullptr, &size, &type, text);
         std::string name = text;
         const GLint location = glGetUniformLocation(program, text);
+        if (location < 0) continue;
         if (name.ends_with("[0]")) name.resize(name.size() - 3);
-        const auto named = [&](const glsl::UniformDefault& d) { return d.name == name; };
-        if (location < 0 || std::any_of(translation.defaults.begin(), translation.defaults.end(), named)) continue;
         for (const glsl::RenamedUniform& r : translation.renamed)
             if (r.shader_name == name) name = r.name;
+        const auto named = [&](const glsl::UniformDefault& d) { return d.name == name; };
+        const auto own = std::find_if(translation.defaults.begin(), translation.defaults.end(), named);
+        if (own != translation.defaults.end()) {
+            if (set_defaults) set_default(location, type, size, own->values);
+            continue;
+        }
         if (set_system(name, location, type, size) || name.starts_with("snell_") || name.starts_with("gl_")) continue;
         set_user(program, name, location, type, size);
     }

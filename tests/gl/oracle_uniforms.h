@@ -17,7 +17,8 @@ glm::dmat4 texture_matrix();
 inline constexpr int shadow_unit = 8;
 inline constexpr int units = 9;
 
-// Of the program in use, which may be the translation or what was translated. Initialised uniforms are left alone.
-void set_uniforms(unsigned program, const glsl::Translation& translation);
+// Of the program in use, which may be the translation or what was translated. Initialised uniforms are left
+// alone, or set to the values that the translation gives where the context knows no initialisers.
+void set_uniforms(unsigned program, const glsl::Translation& translation, bool set_defaults);
 
 }  // namespace snell::oracle
