@@ -114,11 +114,6 @@ Line Lexer::read_line(std::vector<Token>& tokens) {
                 tokens.push_back(token);
                 break;
             case Class::semicolon:
-                if (depth_ == 0) {
-                    word(tokens, token);
-                    break;
-                }
-                [[fallthrough]];
             case Class::comma:
                 ++at_;
                 token.kind = TokenKind::comma;
@@ -157,7 +152,7 @@ void Lexer::word(std::vector<Token>& tokens, Token token) {
         const Class c = class_of(text_[i]);
         if (c == Class::word || c == Class::quote) continue;
         if (c == Class::slash && text_.substr(i + 1, 1) != "/") continue;
-        if (c == Class::semicolon && depth_ == 0) continue;
+        if (c == Class::semicolon && !ends_word(i)) continue;
         if (c == Class::paren && depth_ == 0) continue;
         if (c == Class::backslash) {
             const bool inside = i + 1 < text_.size() && class_of(text_[i + 1]) != Class::blank;
@@ -175,6 +170,13 @@ void Lexer::word(std::vector<Token>& tokens, Token token) {
     at_ = i;
     token.end = static_cast<std::uint32_t>(i);
     tokens.push_back(token);
+}
+
+// A semicolon ends a word where C would have it: before a blank, a line end or another separator.
+bool Lexer::ends_word(std::size_t at) const {
+    if (depth_ > 0 || at + 1 >= text_.size()) return true;
+    const Class next = class_of(text_[at + 1]);
+    return next != Class::word && next != Class::slash && next != Class::high;
 }
 
 void Lexer::quoted(std::vector<Token>& tokens, Token token, std::uint32_t quote_length) {

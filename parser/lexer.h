@@ -14,7 +14,7 @@ enum class TokenKind : std::uint8_t {
     text,   // "…"; the span includes the quotes
     open,   // < [ { (
     close,  // > ] } )
-    comma,  // and ; inside brackets
+    comma,  // or semicolon
 };
 
 struct Token {
@@ -64,6 +64,7 @@ public:
 
 private:
     void word(std::vector<Token>& tokens, Token token);
+    bool ends_word(std::size_t at) const;
     void quoted(std::vector<Token>& tokens, Token token, std::uint32_t quote_length);
     void comment(Line& line);
     bool ends_line_after_backslash(std::size_t at) const;

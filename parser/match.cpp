@@ -110,7 +110,7 @@ private:
                     best = i;
                 }
             }
-            if (!best_fit.mismatch && best_fit.missing == 0) break;
+            if (!best_fit.mismatch && best_fit.missing + best_fit.surplus == 0) break;
         }
         return best;
     }
@@ -388,6 +388,7 @@ private:
     void report_surplus() {
         const Span span{lexer_.file(), tokens_[at_].begin, tokens_.back().end};
         std::string help = "usage: " + usage(command_);
+        if (alternative_takes(ArgumentKind::path)) help = "a file name with blanks is written in double quotes";
         if (find_command(lexer_.text(tokens_[at_])) != nullptr) help = "every statement begins a line of its own";
         report_.warning("surplus-arguments", span,
                         quoted(command_.name) + " takes no more arguments: the rest is ignored", std::move(help));

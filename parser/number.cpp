@@ -63,7 +63,7 @@ NumberFault fault_of_rest(std::string_view number, std::string_view rest) {
             if (c != '.' && !digit(c)) return NumberFault::not_a_number;
         return NumberFault::second_point;
     }
-    if (rest == "f" || rest == "F" || rest == ";") return NumberFault::suffix;
+    if (rest == "f" || rest == "F") return NumberFault::suffix;
     if (lower(rest[0]) == 'x' && (number == "0" || number == "-0")) return NumberFault::hexadecimal;
     if (lower(rest[0]) == 'd' && rest.size() > 1 && (digit(rest[1]) || rest[1] == '-' || rest[1] == '+'))
         return NumberFault::d_exponent;
@@ -95,6 +95,7 @@ Number read_number(std::string_view text) {
         if (names_no_number(text)) return {0, NumberFault::not_finite};
         number.fault = fault_of_rest(read, {stop, static_cast<std::size_t>(end - stop)});
     }
+    if (!number.usable()) number.value = 0;
     if (number.usable() && std::abs(number.value) >= float_overflow) return {0, NumberFault::too_large};
     return number;
 }

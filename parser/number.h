@@ -11,7 +11,7 @@ namespace snell {
 enum class NumberFault : std::uint8_t {
     none,
     second_point,  // "0.1." is read as 0.1
-    suffix,        // "1.f", "1;" are read as 1
+    suffix,        // "1.f" is read as 1
     not_a_number,
     hexadecimal,
     d_exponent,
