@@ -11,21 +11,21 @@
 
 namespace snell::ui {
 
-namespace {
-
 // The text handed out must outlive the call: Dear ImGui copies it at once, so one is enough for a context.
-struct Clipboard {
+struct Gui::Clipboard {
     Window* window;
     std::string text;
 };
 
+namespace {
+
 const char* get_clipboard(void* data) {
-    auto& clipboard = *static_cast<Clipboard*>(data);
+    auto& clipboard = *static_cast<Gui::Clipboard*>(data);
     clipboard.text = clipboard.window->clipboard();
     return clipboard.text.c_str();
 }
 
-void set_clipboard(void* data, const char* text) { static_cast<Clipboard*>(data)->window->set_clipboard(text); }
+void set_clipboard(void* data, const char* text) { static_cast<Gui::Clipboard*>(data)->window->set_clipboard(text); }
 
 // FNV-1a over words of eight bytes.
 void mix(std::uint64_t& hash, const void* data, std::size_t size) {
@@ -65,20 +65,14 @@ Gui::Gui(Window* window) : context_(ImGui::CreateContext()) {
     io.MousePos = {-FLT_MAX, -FLT_MAX};
     map_keys();
     if (window) {
-        io.ClipboardUserData = new Clipboard{window, {}};
+        clipboard_ = std::make_unique<Clipboard>(Clipboard{window, {}});
+        io.ClipboardUserData = clipboard_.get();
         io.GetClipboardTextFn = get_clipboard;
         io.SetClipboardTextFn = set_clipboard;
     }
 }
 
-Gui::~Gui() {
-    ImGui::SetCurrentContext(context_);
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool own_clipboard = io.GetClipboardTextFn == get_clipboard;
-    auto* clipboard = own_clipboard ? static_cast<Clipboard*>(io.ClipboardUserData) : nullptr;
-    ImGui::DestroyContext(context_);
-    delete clipboard;
-}
+Gui::~Gui() { ImGui::DestroyContext(context_); }
 
 bool Gui::input(const Screen& screen, double seconds, std::span<const Event> events) {
     ImGui::SetCurrentContext(context_);

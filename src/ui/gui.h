@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "src/platform/window.h"
@@ -35,8 +36,11 @@ public:
     const Fonts& fonts() const { return fonts_; }
     Cursor cursor() const;
 
+    struct Clipboard;
+
 private:
     ImGuiContext* context_;
+    std::unique_ptr<Clipboard> clipboard_;
     Screen screen_;
     Fonts fonts_;
 };

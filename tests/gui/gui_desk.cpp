@@ -159,7 +159,7 @@ bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double 
 
 void Desk::settle() const {
     nlohmann::json last = state();
-    for (int quiet = 0, looks = 0; quiet < 4 && looks < 100; ++looks) {
+    for (int quiet = 0, looks = 0; quiet < 4 && looks < 40; ++looks) {
         sleep(.05);
         nlohmann::json now = state();
         quiet = now == last ? quiet + 1 : 0;

@@ -125,6 +125,45 @@ TEST_F(Window, ASavedSceneKeepsSlidersAndFollowsTheText) {
     EXPECT_EQ(scene_pixel(100, 100), (Pixel{0, 0, 0}));
 }
 
+// A picture of one colour: 2 x 2 pixels, 24 bits.
+std::string bitmap(unsigned char red, unsigned char green, unsigned char blue) {
+    std::string file("BM\x46\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\2\0\0\0\2\0\0\0\1\0\x18\0", 30);
+    file.resize(54, '\0');
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 2; ++column)
+            for (unsigned char channel : {blue, green, red}) file += static_cast<char>(channel);
+        file += std::string(2, '\0');
+    }
+    return file;
+}
+
+TEST_F(Window, IncludedScenesIncludedShadersAndImagesAreWatchedToo) {
+    save("scene.glib",
+         "Perspective 50\nLookAt 0 0 4 0 0 0 0 1 0\nTexture2D 6 wall.bmp\nVertex paint.vert\n"
+         "Fragment paint.frag\nProgram Paint uWall 6\nInclude shape.glib\n");
+    save("shape.glib", "QuadXY 0. 1.\n");
+    save("tint.glsl", "float tint() { return .5; }\n");
+    save("paint.frag",
+         "#version 330 compatibility\n#include \"tint.glsl\"\nuniform sampler2D uWall;\n"
+         "void main() { gl_FragColor = vec4(texture(uWall, vec2(.5)).rg, tint(), 1.); }\n");
+    save("wall.bmp", bitmap(200, 100, 0));
+    open("scene.glib");
+    EXPECT_EQ(state()["errors"], 0);
+    EXPECT_EQ(scene_pixel(20, 20), (Pixel{200, 100, 128}));
+    const auto saved = [&](const std::string& name, const std::string& text) {
+        const auto revision = state()["revision"];
+        save(name, text);
+        EXPECT_TRUE(wait([&](const json& s) { return s["revision"] > revision; }, .5)) << name;
+        settle();
+    };
+    saved("wall.bmp", bitmap(50, 250, 0));
+    EXPECT_EQ(scene_pixel(20, 20), (Pixel{50, 250, 128}));
+    saved("tint.glsl", "float tint() { return 1.; }\n");
+    EXPECT_EQ(scene_pixel(20, 20), (Pixel{50, 250, 255}));
+    saved("shape.glib", "QuadXY 0. .02\n");
+    EXPECT_NE(scene_pixel(20, 20), (Pixel{50, 250, 255}));
+}
+
 TEST_F(Window, ABrokenEditKeepsTheLastGoodPictureAndSaysWhatIsWrong) {
     open("scene.glib");
     const auto frames = state()["frames"];
