@@ -5,6 +5,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace snell {
 
@@ -44,7 +45,9 @@ private:
     struct Entry {
         std::string name;
         std::string text;
+        std::vector<std::uint32_t> lines;  // where each begins
     };
+    const Entry* entry(FileId file) const { return file < entries_.size() ? &entries_[file] : nullptr; }
     std::deque<Entry> entries_;
 };
 
