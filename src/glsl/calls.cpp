@@ -185,6 +185,7 @@ bool Parser::foreign_function(std::string_view name, std::vector<Expression>& gi
 }
 
 bool Parser::call_user(Expression& result, std::string_view name, std::vector<Expression>& given) {
+    if (!u_.function_names.contains(name)) return false;
     const Function* best = nullptr;
     int best_fit = -1;
     bool any = false;

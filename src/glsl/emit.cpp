@@ -170,9 +170,7 @@ const Function* find_main(const Unit& u) {
     return nullptr;
 }
 
-bool user_function(const Unit& u, std::string_view name) {
-    return std::any_of(u.functions.begin(), u.functions.end(), [&](const Function& f) { return f.name == name; });
-}
+bool user_function(const Unit& u, std::string_view name) { return u.function_names.contains(name); }
 
 bool at_main_start(Unit& u, std::string_view statement) {
     if (!find_main(u)) return false;

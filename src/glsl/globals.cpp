@@ -132,7 +132,7 @@ void adjust(Program& program, const Unit& u, Global& g) {
         }
     }
     const bool ordered = target.es ? target.version >= 310 : target.version >= 420;
-    if (!ordered && q.first <= q.last && !in_order(u, q)) g.dirty = true;
+    if (!ordered && q.first >= 0 && q.first <= q.last && !in_order(u, q)) g.dirty = true;
     if (g.drop_init || g.removed || !g.new_type.empty() || !g.new_name.empty()) g.dirty = true;
 }
 

@@ -38,23 +38,31 @@ std::string noise_function(int n, int argument) {
 
 }  // namespace
 
-void provide_helpers(Unit& u) {
+// Calls of a function go to ours; false if there are none, or the function is the user's own.
+static bool redirect(Unit& u, const std::string& name) {
+    if (user_function(u, name)) return false;
+    bool used = false;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        if (u.tokens[i].text != name || u.tokens[i + 1].text != "(" || u.tokens[i].kind != Kind::identifier) continue;
+        used = true;
+        u.replace(static_cast<int>(i), "snell_" + name);
+    }
+    return used;
+}
+
+void provide_helpers(const Target& target, Unit& u) {
     bool declared = false;
     for (int n = 1; n <= 4; ++n) {
-        const std::string name = "noise" + std::to_string(n);
-        if (user_function(u, name)) continue;
-        bool used = false;
-        for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
-            if (u.tokens[i].text != name || u.tokens[i + 1].text != "(" || u.tokens[i].kind != Kind::identifier)
-                continue;
-            used = true;
-            u.replace(static_cast<int>(i), "snell_" + name);
-        }
-        if (!used) continue;
+        if (!redirect(u, "noise" + std::to_string(n))) continue;
         if (!declared) u.header += noise_text;
         declared = true;
         for (int argument = 0; argument < 4; ++argument) u.header += noise_function(n, argument);
     }
+    if (target.es && target.version < 320 && redirect(u, "fma"))
+        for (const std::string_view type : arguments) {
+            const std::string t(type);
+            u.header += t + " snell_fma(" + t + " a, " + t + " b, " + t + " c) { return a * b + c; }\n";
+        }
 }
 
 }  // namespace snell::glsl

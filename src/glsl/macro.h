@@ -43,7 +43,6 @@ public:
     bool asked_context() const { return asked_context_; }
     // True when pasting with ## took place.
     bool pasted() const { return pasted_; }
-    void set_line(int line) { line_ = line; }
 
 private:
     bool expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& out, std::vector<std::string_view>& active);

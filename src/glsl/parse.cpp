@@ -504,6 +504,7 @@ void Parser::function(const Type& result, int first, int name) {
     const auto index = u_.functions.size();
     const std::string_view function_name = f.name;
     u_.functions.push_back(std::move(f));
+    u_.function_names.insert(function_name);
     if (is("{")) {
         u_.functions[index].open = p_;
         result_ = result;

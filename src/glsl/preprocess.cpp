@@ -159,7 +159,6 @@ bool Preprocessor::invocation(const Lexeme& name) {
         end = *close;
     }
     std::vector<MacroToken> out;
-    macros_.set_line(line_of(at_));
     while (true) {
         out.clear();
         if (!macros_.expand(macro_tokens(text_.substr(at_, end - at_)), out)) {

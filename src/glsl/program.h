@@ -56,8 +56,8 @@ void assign_attributes(Program& program, Unit& vertex);
 void assign_outputs(Program& program, Unit& fragment);
 // Layouts that an old geometry shader leaves to the application.
 void complete_geometry(Program& program, Unit& geometry);
-// noise1 … noise4, where they are called.
-void provide_helpers(Unit& unit);
+// Functions that the target lacks, where they are called: noise1 … noise4, fma.
+void provide_helpers(const Target& target, Unit& unit);
 // gl_… to snell_….
 void replace_legacy(Program& program);
 // Initialisers that are no constants move to the start of main.

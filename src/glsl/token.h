@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "src/glsl/glsl.h"
@@ -171,6 +172,7 @@ struct Unit {
     std::vector<Group> groups;
     std::vector<Block> blocks;
     std::vector<Function> functions;
+    std::unordered_set<std::string_view> function_names;
     std::vector<StageLayout> layouts;
 
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place

@@ -93,7 +93,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
 
     for (Unit& u : program.units) {
         want_extensions(options.target, u);
-        provide_helpers(u);
+        provide_helpers(options.target, u);
         if (u.stage == Stage::geometry) complete_geometry(program, u);
     }
     unify_uniforms(program);
