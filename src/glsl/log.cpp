@@ -29,6 +29,7 @@ std::string_view code_of(Kind kind) {
         case Kind::convert:
         case Kind::returns:
         case Kind::operands:
+        case Kind::condition:
         case Kind::constructor_few:
         case Kind::constructor_many:
         case Kind::swizzle:

@@ -20,6 +20,7 @@ enum class Kind : std::uint8_t {
     convert,         // a = from, b = to; either may be empty
     returns,         // a = from, b = to
     operands,        // a = left, b = right; may be empty
+    condition,       // not true or false
     constructor_few,
     constructor_many,
     swizzle,     // a = the letters
@@ -126,6 +127,10 @@ Place place(const Entry& entry, const Context& context);
 std::string message(const Entry& entry, const Place& place, const Context& context);
 // Fills help and notes of the diagnostic.
 void hint(const Entry& entry, const Place& place, const Context& context, Diagnostic& diagnostic);
+
+// Those for what the grammar does not expect.
+void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic);
+void hint_end_of_file(const Place& place, const Context& context, Diagnostic& diagnostic);
 
 // "vertex" … for messages; and the stage that a message names, if any.
 std::string_view stage_word(Stage stage);

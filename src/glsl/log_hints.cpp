@@ -86,6 +86,11 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
     for (const Declared& d : all) {
         if (d.name != name) continue;
         const bool later = d.begin > place.span.begin;
+        if (!later && d.function) {
+            diagnostic.help = fmt::format("a function is called with its arguments: {}(…)", name);
+            diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
+            return;
+        }
         diagnostic.help =
             later ? "declare it before its first use" : "a name holds only inside the { } where it is declared";
         diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
@@ -107,6 +112,13 @@ int count_arguments(std::string_view list) {
     return list.empty() ? 0 : 1 + static_cast<int>(std::count(list.begin(), list.end(), ','));
 }
 
+void hint_returns(const Entry& entry, Diagnostic& diagnostic) {
+    diagnostic.help = conversion_help(entry.a, entry.b);
+    if (entry.a.empty() && !entry.b.empty())
+        diagnostic.help = fmt::format("the function says that it returns '{}'", entry.b);
+    if (entry.b == "void") diagnostic.help = "a function that returns a value names its type in place of 'void'";
+}
+
 void hint_call(const Entry& entry, std::string_view name, const Place& place, const Context& context,
                Diagnostic& diagnostic) {
     const std::string_view parameters = builtin_parameters(name);
@@ -126,95 +138,8 @@ void hint_call(const Entry& entry, std::string_view name, const Place& place, co
         known = true;
     }
     if (!known) hint_undeclared(name, place, context, diagnostic);
-}
-
-bool ends_operand(std::string_view word) {
-    const char c = word.empty() ? ' ' : word.back();
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || c == '.';
-}
-
-// Names of types that other languages have.
-std::string_view foreign_type(std::string_view name) {
-    for (const std::string_view base : {"float", "half", "fixed"})
-        if (name.starts_with(base) && name.size() == base.size() + 1) switch (name.back()) {
-                case '2':
-                    return "vec2";
-                case '3':
-                    return "vec3";
-                case '4':
-                    return "vec4";
-            }
-    if (name == "half" || name == "fixed" || name == "real") return "float";
-    if (name == "float3x3") return "mat3";
-    if (name == "float4x4") return "mat4";
-    return {};
-}
-
-// `vex3 a`: two names in a row, of which the first is no type.
-bool hint_unknown_type(std::string_view type, const Span& span, Diagnostic& diagnostic) {
-    std::string_view meant = foreign_type(type);
-    if (meant.empty()) {
-        meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
-                               "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",
-                               "bvec4",       "mat2",  "mat3",    "mat4",    "sampler1D", "sampler2D", "sampler3D",
-                               "samplerCube", "const", "uniform", "varying", "attribute", "return"});
-    }
-    if (meant.empty() || meant == type) return false;
-    diagnostic.message.replace(0, diagnostic.message.find(" ("), fmt::format("'{}' is not a type", type));
-    diagnostic.help = fmt::format("did you mean '{}'?", meant);
-    diagnostic.span = span;
-    return true;
-}
-
-// The words before the place: is a semicolon missing at the end of a line, is a bracket not closed?
-void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic) {
-    if (!place.known) return;
-    const std::string_view text = context.sources.text(place.file);
-    const std::vector<Word> all = words(text);
-    std::size_t at = 0;
-    while (at < all.size() && all[at].begin < place.span.begin) ++at;
-    if (at < all.size()) {
-        int parens = 0;
-        for (std::size_t i = at; i-- > 0;) {
-            const std::string_view w = text_of(text, all[i]);
-            if (all[i].directive || w == ";" || w == "{" || w == "}") break;
-            parens += w == "(" ? 1 : w == ")" ? -1 : 0;
-        }
-        const Word* before = at > 0 ? &all[at - 1] : nullptr;
-        const std::string_view here = text_of(text, all[at]);
-        if (here == ";" && parens > 0) diagnostic.help = "a ')' is missing before the ';'";
-        if (parens < 0 || (here == ")" && parens == 0)) diagnostic.help = "there are more ')' than '('";
-        if (before && !before->directive && before->line < all[at].line && parens == 0 && here != "{" &&
-            ends_operand(text_of(text, *before))) {
-            diagnostic.help = fmt::format("line {} seems to lack a ';' at its end", before->line);
-            diagnostic.notes.push_back({{place.file, before->end - 1, before->end}, "a ';' is missing after this"});
-            return;
-        }
-        if (before && before->name && all[at].name && before->line == all[at].line &&
-            hint_unknown_type(text_of(text, *before), {place.file, before->begin, before->end}, diagnostic))
-            return;
-    }
-    const std::size_t brace = unclosed_brace(text);
-    if (brace != std::string_view::npos && brace < place.span.begin && diagnostic.help.empty()) {
-        const auto offset = static_cast<std::uint32_t>(brace);
-        diagnostic.notes.push_back({{place.file, offset, offset + 1}, "this '{' is never closed"});
-    } else if (at < all.size() && text_of(text, all[at]) == "}" && diagnostic.help.empty()) {
-        diagnostic.help = "there are more '}' than '{'";
-    }
-}
-
-void hint_end_of_file(const Place& place, const Context& context, Diagnostic& diagnostic) {
-    if (!place.known) return;
-    const std::size_t brace = unclosed_brace(context.sources.text(place.file));
-    if (brace == std::string_view::npos) {
-        diagnostic.help = "the last statement lacks its end: a ';', a ')' or a body in { }";
-        return;
-    }
-    const auto offset = static_cast<std::uint32_t>(brace);
-    diagnostic.notes.push_back({diagnostic.span, "the text ends here"});
-    diagnostic.span = {place.file, offset, offset + 1};
-    diagnostic.message.replace(0, diagnostic.message.find(" ("), "this '{' is never closed");
-    diagnostic.help = "close it with '}'";
+    if (diagnostic.help.starts_with("a name holds"))
+        diagnostic.help = fmt::format("'{}' is a variable, not a function", name);
 }
 
 void hint_no_main(const Entry& entry, const Context& context, Diagnostic& diagnostic) {
@@ -262,6 +187,19 @@ void hint_types_differ(std::string_view name, const Place& place, const Context&
     diagnostic.help = "declare it with the same type in every shader of the program";
 }
 
+// `if (x = 1.)` and `if (x)`.
+void hint_condition(const Place& place, const Context& context, Diagnostic& diagnostic) {
+    diagnostic.help = "compare it with something, as in 'x > 0.' or 'n != 0'";
+    if (!place.known) return;
+    const std::string_view line = context.sources.line(place.file, place.line);
+    const std::size_t open = line.find("if");
+    const std::size_t assigned = open == std::string_view::npos ? open : line.find('=', open);
+    if (assigned == std::string_view::npos || assigned + 1 >= line.size() || line.find(')', open) < assigned) return;
+    const bool comparison =
+        line[assigned + 1] == '=' || std::string_view("<>!=").find(line[assigned - 1]) != std::string_view::npos;
+    if (!comparison) diagnostic.help = "'=' assigns; '==' compares";
+}
+
 void hint_redeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
     for (const Declared& d : declared(context.sources.text(place.file)))
@@ -293,13 +231,16 @@ void hint(const Entry& entry, const Place& place, const Context& context, Diagno
         case Kind::no_function:
         case Kind::no_overload:
             return hint_call(entry, name, place, context, diagnostic);
-        case Kind::convert:
         case Kind::returns:
+            return hint_returns(entry, diagnostic);
+        case Kind::convert:
             diagnostic.help = conversion_help(entry.a, entry.b);
             return;
         case Kind::operands:
             diagnostic.help = "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3";
             return;
+        case Kind::condition:
+            return hint_condition(place, context, diagnostic);
         case Kind::redeclared:
             return hint_redeclared(name, place, context, diagnostic);
         case Kind::read_only:

@@ -50,6 +50,13 @@ std::string pair_message(std::string_view a, std::string_view b, std::string_vie
     return fmt::format(fmt::runtime(with), a, b);
 }
 
+// "an 'int'"; nothing for nothing.
+std::string with_article(std::string_view type) {
+    if (type.empty()) return {};
+    const bool vowel = std::string_view("aei").find(type[0]) != std::string_view::npos;
+    return fmt::format("{} '{}'", vowel ? "an" : "a", type);
+}
+
 std::string named_message(std::string_view name, std::string_view with, std::string_view without) {
     if (name.empty()) return std::string(without);
     return fmt::format(fmt::runtime(with), name);
@@ -93,11 +100,14 @@ std::string driver_message(const Entry& entry, std::string_view user) {
 std::string type_message(const Entry& entry, std::string_view name) {
     switch (entry.kind) {
         case Kind::convert:
-            return pair_message(entry.a, entry.b, "a '{}' cannot be assigned to a '{}'",
+            return pair_message(with_article(entry.a), with_article(entry.b), "{} cannot be assigned to {}",
                                 "the value has another type than what it is assigned to");
         case Kind::returns:
+            if (entry.a.empty() && !entry.b.empty()) return fmt::format("the value returned is no '{}'", entry.b);
             return pair_message(entry.a, entry.b, "this returns a '{}' from a function of type '{}'",
                                 "the value returned has another type than the function");
+        case Kind::condition:
+            return "a condition must be true or false";
         case Kind::operands:
             return pair_message(entry.a, entry.b, "a '{}' and a '{}' do not fit each other here",
                                 "the types of the two operands do not fit each other");
