@@ -15,7 +15,8 @@ bool same(const T& a, const T& b) {
 }
 bool same(const Bindings& a, const Bindings& b) { return a.entries == b.entries; }
 
-bool representable(double v) { return std::isfinite(v) && std::abs(v) <= std::numeric_limits<float>::max(); }
+// False also for what is not a number.
+bool representable(double v) { return std::abs(v) <= std::numeric_limits<float>::max(); }
 
 }  // namespace
 
@@ -80,16 +81,20 @@ void Builder::set_background(const Vec4& color) {
 }
 
 bool Builder::transform(const Mat4& by) {
-    Mat4 product;
+    const Mat4& m = matrix_.value;
+    Mat4 product{};
+    bool good = true;
     for (std::size_t column = 0; column < 4; ++column) {
-        for (std::size_t row = 0; row < 4; ++row) {
-            double sum = 0;
-            for (std::size_t k = 0; k < 4; ++k) sum += matrix_.value[k * 4 + row] * by[column * 4 + k];
-            if (!representable(sum)) return false;
+        const double* const b = &by[column * 4];
+        for (std::size_t row = 0; row < 3; ++row) {
+            const double sum = m[row] * b[0] + m[4 + row] * b[1] + m[8 + row] * b[2] + m[12 + row] * b[3];
+            good = good && representable(sum);
             product[column * 4 + row] = sum;
         }
+        product[column * 4 + 3] = b[3];  // the last row of every transformation of the language is 0 0 0 1
     }
-    if (product != matrix_.value) matrix_ = {product, none};
+    if (!good) return false;
+    if (product != m) matrix_ = {product, none};
     return true;
 }
 

@@ -122,10 +122,11 @@ constexpr bool same_word(std::string_view a, std::string_view b) {
     return true;
 }
 
+// Setting one bit makes letters lower case, and tells other characters well enough apart.
 constexpr std::uint32_t hash(std::string_view word) {
-    std::uint32_t h = 2166136261u;
-    for (const char c : word) h = (h ^ static_cast<unsigned char>(lower(c))) * 16777619u;
-    return h ^ (h >> 15);
+    std::uint32_t h = 0;
+    for (const char c : word) h = h * 31 + (static_cast<unsigned char>(c) | 32u);
+    return h ^ (h >> 9);
 }
 
 // Open addressing over names and aliases: 0 is empty, else the row plus one.
