@@ -90,11 +90,11 @@ bool follows(const Found& later, const Found& cause) {
 }
 
 // A variable declared on a line with an error: what is wrong with it later may come from there.
-std::set<std::string_view> doubtful_names(const Found& cause, const Sources& sources) {
+std::set<std::string_view> doubtful_names(const Found& cause, log::Texts& texts) {
     std::set<std::string_view> names;
     if (!cause.place.known) return names;
-    for (const log::Declared& d : log::declared(sources.text(cause.place.file)))
-        if (sources.position(cause.place.file, d.begin).line == cause.place.line) names.insert(d.name);
+    for (const log::Declared& d : texts.declared(cause.place.file))
+        if (d.line == cause.place.line) names.insert(d.name);
     return names;
 }
 
@@ -116,10 +116,11 @@ Diagnostic explain(const Found& found, const Context& context, std::string_view 
 
 struct Group {
     Found cause;
+    std::set<std::string_view> doubtful;
     std::vector<Found> rest;
 };
 
-std::vector<Group> folded(const std::vector<Found>& all, const Sources& sources) {
+std::vector<Group> folded(const std::vector<Found>& all, log::Texts& texts) {
     std::vector<Group> groups;
     for (const Found& found : all) {
         const auto caused_by = [&](const Group& group) {
@@ -127,11 +128,11 @@ std::vector<Group> folded(const std::vector<Found>& all, const Sources& sources)
             const auto beside = [&](const Found& other) { return is_consequence(found) && same_line(found, other); };
             if (std::any_of(group.rest.begin(), group.rest.end(), beside)) return true;
             return found.entry.kind == Kind::undeclared && !found.entry.a.empty() &&
-                   doubtful_names(group.cause, sources).contains(found.entry.a);
+                   group.doubtful.contains(found.entry.a);
         };
         const auto group = std::find_if(groups.begin(), groups.end(), caused_by);
         if (group == groups.end()) {
-            groups.push_back({found, {}});
+            groups.push_back({found, doubtful_names(found, texts), {}});
         } else {
             group->rest.push_back(found);
         }
@@ -143,7 +144,8 @@ std::vector<Group> folded(const std::vector<Found>& all, const Sources& sources)
 
 void explain_log(std::string_view log, const Translation& translation, const StageOutput* stage, Span where,
                  std::string_view program, const Sources& sources, Diagnostics& diagnostics) {
-    const Context context{translation, stage, where, sources};
+    log::Texts texts(sources);
+    const Context context{translation, stage, where, sources, texts};
     std::vector<Found> errors, warnings;
     for (Entry& entry : log::read(log)) {
         auto& list = entry.severity == Severity::error ? errors : warnings;
@@ -151,7 +153,7 @@ void explain_log(std::string_view log, const Translation& translation, const Sta
         const Place place = log::place(entry, context);
         list.push_back({std::move(entry), place});
     }
-    const std::vector<Group> groups = folded(errors, sources);
+    const std::vector<Group> groups = folded(errors, texts);
     for (std::size_t i = 0; i < groups.size() && i < most_errors; ++i) {
         Diagnostic diagnostic = explain(groups[i].cause, context, program);
         if (!groups[i].rest.empty())

@@ -1,7 +1,9 @@
 // Inside explain_log: what drivers write, read into one form; no GL here.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,13 +84,32 @@ inline std::string_view text_of(std::string_view text, const Word& word) {
 struct Declared {
     std::string_view name, qualifier, type;  // qualifier: uniform, in, out, varying, attribute or nothing
     std::uint32_t begin = 0, end = 0;        // of the name
-    int depth = 0;                           // of braces
-    int uses = 0;                            // besides the declaration
+    int line = 1;
+    int depth = 0;  // of braces
+    int uses = 0;   // besides the declaration
     bool function = false;
 };
 
 // What the text declares: variables, parameters, functions, macros; in order.
-std::vector<Declared> declared(std::string_view text);
+std::vector<Declared> declared(std::string_view text, const std::vector<Word>& words);
+
+// Words and declarations of the texts that are asked for, read once.
+class Texts {
+public:
+    explicit Texts(const Sources& sources) : sources_(sources) {}
+    const std::vector<Word>& words(FileId file);
+    std::span<const Word> on_line(FileId file, int line);
+    const std::vector<Declared>& declared(FileId file);
+
+private:
+    struct View {
+        std::vector<Word> words;
+        std::optional<std::vector<Declared>> declared;
+    };
+    View& view(FileId file);
+    const Sources& sources_;
+    std::map<FileId, View> views_;
+};
 
 // The brace that is never closed, judged by indentation; npos if all are.
 std::size_t unclosed_brace(std::string_view text);
@@ -119,6 +140,7 @@ struct Context {
     const StageOutput* stage;
     Span where;
     const Sources& sources;
+    Texts& texts;
 };
 
 Place place(const Entry& entry, const Context& context);

@@ -67,7 +67,7 @@ bool hint_other_stage(std::string_view name, const Context& context, Diagnostic&
     for (const StageOutput& other : context.translation.stages) {
         if (&other == context.stage || (context.stage && other.stage == context.stage->stage)) continue;
         for (const FileId file : other.files)
-            for (const Declared& d : declared(context.sources.text(file))) {
+            for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || d.qualifier == "const") continue;
                 const bool passed = d.qualifier == "out" || d.qualifier == "varying";
                 const std::string_view here = passed && d.qualifier == "out" ? "in" : d.qualifier;
@@ -82,7 +82,7 @@ bool hint_other_stage(std::string_view name, const Context& context, Diagnostic&
 
 void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
-    const std::vector<Declared> all = declared(context.sources.text(place.file));
+    const std::vector<Declared>& all = context.texts.declared(place.file);
     for (const Declared& d : all) {
         if (d.name != name) continue;
         const bool later = d.begin > place.span.begin;
@@ -132,7 +132,7 @@ void hint_call(const Entry& entry, std::string_view name, const Place& place, co
     }
     if (!place.known) return;
     bool known = false;
-    for (const Declared& d : declared(context.sources.text(place.file))) {
+    for (const Declared& d : context.texts.declared(place.file)) {
         if (d.name != name || !d.function) continue;
         diagnostic.notes.push_back({span_of(place.file, d), "this one is declared here"});
         known = true;
@@ -147,7 +147,7 @@ void hint_no_main(const Entry& entry, const Context& context, Diagnostic& diagno
     if (!stage || stage->files.empty()) return;
     diagnostic.help = "every shader starts at 'void main()'";
     for (const FileId file : stage->files)
-        for (const Declared& d : declared(context.sources.text(file))) {
+        for (const Declared& d : context.texts.declared(file)) {
             if (!d.function || nearest("main", {d.name}).empty()) continue;
             diagnostic.span = span_of(file, d);
             diagnostic.help = fmt::format("did you mean 'main' instead of '{}'?", d.name);
@@ -163,7 +163,7 @@ void hint_not_written(const Entry& entry, const Context& context, Diagnostic& di
         for (const FileId file : s.files) {
             const std::string_view text = context.sources.text(file);
             std::vector<Declared> outputs;
-            for (const Declared& d : declared(text))
+            for (const Declared& d : context.texts.declared(file))
                 if (d.qualifier == "out" || d.qualifier == "varying") outputs.push_back(d);
             const Declared* d = nearest_declared(user_name(entry.a, text), outputs);
             if (!d) continue;
@@ -179,7 +179,7 @@ void hint_not_written(const Entry& entry, const Context& context, Diagnostic& di
 void hint_types_differ(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
     for (const StageOutput& s : context.translation.stages)
         for (const FileId file : s.files)
-            for (const Declared& d : declared(context.sources.text(file))) {
+            for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || span_of(file, d) == place.span) continue;
                 diagnostic.notes.push_back(
                     {span_of(file, d), fmt::format("the {} shader says '{}' here", stage_word(s.stage), d.type)});
@@ -202,7 +202,7 @@ void hint_condition(const Place& place, const Context& context, Diagnostic& diag
 
 void hint_redeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
-    for (const Declared& d : declared(context.sources.text(place.file)))
+    for (const Declared& d : context.texts.declared(place.file))
         if (d.name == name && d.begin < place.span.begin) {
             diagnostic.notes.push_back({span_of(place.file, d), "first declared here"});
             return;
@@ -211,7 +211,7 @@ void hint_redeclared(std::string_view name, const Place& place, const Context& c
 
 void hint_read_only(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known || name.empty()) return;
-    for (const Declared& d : declared(context.sources.text(place.file))) {
+    for (const Declared& d : context.texts.declared(place.file)) {
         if (d.name != name || d.qualifier.empty()) continue;
         diagnostic.help =
             fmt::format("'{}' is declared as '{}': copy it to a variable of its own first", name, d.qualifier);

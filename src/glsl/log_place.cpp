@@ -71,21 +71,12 @@ std::optional<Aim> aim(const Entry& entry, std::string_view row, std::string_vie
     return result;
 }
 
-// The last line of the text, where the driver says that it ends, has often no word: go back to one that has.
-Span last_word(FileId file, std::string_view text) {
-    const std::vector<Word> all = words(text);
-    if (all.empty()) return {file, 0, 0};
-    return {file, all.back().begin, all.back().end};
-}
-
 void place_on_line(const Entry& entry, const Context& context, Place& found) {
     const std::string_view text = context.sources.text(found.file);
     const std::string_view line = context.sources.line(found.file, found.line);
     found.span = context.sources.line_span(found.file, found.line);
     found.known = true;
-    std::vector<Word> on_line;
-    for (const Word& w : words(text))
-        if (w.line == found.line) on_line.push_back(w);
+    const std::span<const Word> on_line = context.texts.on_line(found.file, found.line);
     if (on_line.empty()) return;
 
     const std::string quoted = user_name(entry.a, line);
@@ -121,11 +112,11 @@ Place place_of_name(const Entry& entry, const Context& context) {
         for (const FileId file : it->files) {
             const std::string_view text = context.sources.text(file);
             const std::string name = user_name(entry.a, text);
-            for (const Declared& d : declared(text)) {
+            for (const Declared& d : context.texts.declared(file)) {
                 if (name.empty() || d.name != name || !fits_link(entry, d, it->stage)) continue;
                 found.file = file;
                 found.span = {file, d.begin, d.end};
-                found.line = context.sources.position(file, d.begin).line;
+                found.line = d.line;
                 found.known = true;
                 return found;
             }
@@ -141,13 +132,14 @@ Place place(const Entry& entry, const Context& context) {
     Place found{.file = context.where.file, .span = context.where};
     if (static_cast<std::size_t>(entry.string) >= context.stage->files.size()) return found;
     const FileId file = context.stage->files[static_cast<std::size_t>(entry.string)];
-    const std::string_view text = context.sources.text(file);
-    const int lines = text.empty() ? 0 : context.sources.position(file, static_cast<std::uint32_t>(text.size())).line;
+    const std::vector<Word>& all = context.texts.words(file);
     found.file = file;
     found.line = entry.line;
-    if (entry.kind == Kind::end_of_file || entry.line > lines) {
-        found.span = last_word(file, text);
-        found.line = context.sources.position(file, found.span.begin).line;
+    // Where the text ends there is often no word: go back to the last.
+    if (entry.kind == Kind::end_of_file || all.empty() || entry.line > all.back().line) {
+        const Word last = all.empty() ? Word{} : all.back();
+        found.span = {file, last.begin, last.end};
+        found.line = last.line;
         found.known = true;
         return found;
     }

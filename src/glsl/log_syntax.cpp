@@ -53,7 +53,7 @@ bool foreign_character(std::string_view word) {
 // The user's text around the unexpected word `at`.
 struct Around {
     std::string_view text;
-    std::vector<Word> all;
+    std::span<const Word> all;
     std::size_t at = 0;
     int parens = 0;     // open ones in the statement so far
     int depth = 0;      // open braces so far
@@ -64,10 +64,10 @@ struct Around {
     Span span(FileId file, std::size_t i) const { return {file, all[i].begin, all[i].end}; }
 };
 
-Around around(std::string_view text, std::uint32_t offset) {
+Around around(std::string_view text, const std::vector<Word>& all, std::uint32_t offset) {
     Around a;
     a.text = text;
-    a.all = words(text);
+    a.all = all;
     while (a.at < a.all.size() && a.all[a.at].begin < offset) {
         const std::string_view w = a.word(a.at);
         if (!a.all[a.at].directive) a.depth += w == "{" ? 1 : w == "}" ? -1 : 0;
@@ -145,7 +145,7 @@ bool hint_character(Span span, std::string_view text, Diagnostic& diagnostic) {
 void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
     const std::string_view text = context.sources.text(place.file);
-    const Around a = around(text, place.span.begin);
+    const Around a = around(text, context.texts.words(place.file), place.span.begin);
     if (a.at < a.all.size()) {
         if (hint_character(a.span(place.file, a.at), text, diagnostic)) return;
         if (hint_macro(a, place, diagnostic) || hint_semicolon(a, place, diagnostic)) return;
@@ -169,7 +169,7 @@ void hint_end_of_file(const Place& place, const Context& context, Diagnostic& di
     const std::size_t brace = unclosed_brace(text);
     if (brace == std::string_view::npos) {
         // Some compilers stop reading at a character that they don't know.
-        for (const Word& w : words(text))
+        for (const Word& w : context.texts.words(place.file))
             if (hint_character({place.file, w.begin, w.end}, text, diagnostic)) return;
         diagnostic.help = "the last statement lacks its end: a ';', a ')' or a body in { }";
         return;

@@ -99,7 +99,7 @@ private:
 // Collects declarations: a name after a type, further names after commas, macros.
 class Declarations {
 public:
-    explicit Declarations(std::string_view text) : text_(text), words_(words(text)) {}
+    Declarations(std::string_view text, const std::vector<Word>& words) : text_(text), words_(words) {}
 
     std::vector<Declared> run() {
         for (std::size_t i = 0; i < words_.size(); ++i) step(i);
@@ -144,6 +144,7 @@ private:
                           .type = type_,
                           .begin = w.begin,
                           .end = w.end,
+                          .line = w.line,
                           .depth = depth_ + (parens_ > 0 ? 1 : 0),
                           .function = next == "("});
     }
@@ -156,7 +157,7 @@ private:
     }
 
     std::string_view text_;
-    std::vector<Word> words_;
+    const std::vector<Word>& words_;
     std::vector<Declared> found_;
     std::string_view qualifier_, type_;
     int depth_ = 0, parens_ = 0, list_parens_ = 0;
@@ -175,7 +176,29 @@ int indentation(std::string_view text, std::size_t offset) {
 
 std::vector<Word> words(std::string_view text) { return Scanner(text).run(); }
 
-std::vector<Declared> declared(std::string_view text) { return Declarations(text).run(); }
+std::vector<Declared> declared(std::string_view text, const std::vector<Word>& words) {
+    return Declarations(text, words).run();
+}
+
+Texts::View& Texts::view(FileId file) {
+    const auto [it, is_new] = views_.try_emplace(file);
+    if (is_new) it->second.words = log::words(sources_.text(file));
+    return it->second;
+}
+
+const std::vector<Word>& Texts::words(FileId file) { return view(file).words; }
+
+std::span<const Word> Texts::on_line(FileId file, int line) {
+    const std::vector<Word>& all = words(file);
+    const auto [first, last] = std::ranges::equal_range(all, line, {}, &Word::line);
+    return {first, last};
+}
+
+const std::vector<Declared>& Texts::declared(FileId file) {
+    View& v = view(file);
+    if (!v.declared) v.declared = log::declared(sources_.text(file), v.words);
+    return *v.declared;
+}
 
 std::size_t unclosed_brace(std::string_view text) {
     std::vector<std::size_t> open;
