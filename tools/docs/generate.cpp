@@ -1,0 +1,198 @@
+#include "tools/docs/generate.h"
+
+#include <algorithm>
+#include <set>
+
+#include "parser/commands.h"
+#include "parser/names.h"
+
+namespace snell::docs {
+namespace {
+
+std::string_view kind_name(const Parameter& p) {
+    switch (p.kind) {
+        case ArgumentKind::number:
+            return "number";
+        case ArgumentKind::integer:
+            return "whole number";
+        case ArgumentKind::path:
+            return "file name";
+        case ArgumentKind::name:
+            return "word";
+        case ArgumentKind::choice:
+            return "one of the words";
+        case ArgumentKind::vec3:
+            return "`[x y z]`";
+        case ArgumentKind::uniforms:
+            return "uniforms and values";
+        case ArgumentKind::rest:
+            return "text to the end of the line";
+    }
+    return "";
+}
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    for (char& c : out)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    return out;
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view separator) {
+    std::string out;
+    for (const std::string& word : words) out += (out.empty() ? "" : std::string(separator)) + word;
+    return out;
+}
+
+// "slices:int=60" as an argument of a reference: `slices`, whole number, 60.
+std::string row(const Parameter& p) {
+    std::string kind(kind_name(p));
+    if (p.kind == ArgumentKind::choice) {
+        std::string words(p.choices);
+        std::replace(words.begin(), words.end(), '/', ' ');
+        kind = "one of: " + words;
+    }
+    std::string value =
+        p.default_text.empty() ? (p.optional ? "may be left out" : "") : "`" + std::string(p.default_text) + "`";
+    if (p.repeated) value = "any number of them";
+    return "| `" + std::string(p.name) + "` | " + kind + " | " + value + " |\n";
+}
+
+std::string usage(const Command& c, std::size_t alternative) {
+    std::string text(c.name);
+    for (std::size_t i = 0; i < c.signature.parameter_count(alternative); ++i) {
+        const Parameter& p = c.signature.parameter(alternative, i);
+        std::string name(p.name);
+        if (p.kind == ArgumentKind::vec3) name = "[" + name + "]";
+        if (p.repeated) name += " …";
+        text += p.optional ? " (" + name + ")" : " " + name;
+    }
+    return text;
+}
+
+std::string section(const Command& c) {
+    const std::string name(c.name);
+    std::string out = "\n### " + name + "\n\n";
+    out += "<img src=\"images/" + name + ".png\" align=\"right\" width=\"128\" alt=\"" + name + "\">\n\n";
+    out += "```\n";
+    for (std::size_t i = 0; i < c.signature.count; ++i) out += usage(c, i) + "\n";
+    out += "```\n\n" + std::string(c.doc);
+    if (!c.alias.empty()) out += " Also written `" + std::string(c.alias) + "`.";
+    if (c.addition) out += "\n\n*An addition of snell's.*";
+    out += "\n\nSignature: `" + name + (c.signature.text.empty() ? "" : " ") + std::string(c.signature.text) + "`\n";
+    std::set<std::string_view> seen;
+    std::string rows;
+    for (std::size_t a = 0; a < c.signature.count; ++a)
+        for (std::size_t i = 0; i < c.signature.parameter_count(a); ++i)
+            if (const Parameter& p = c.signature.parameter(a, i); seen.insert(p.name).second) rows += row(p);
+    if (!rows.empty()) out += "\n| argument | kind | default |\n|---|---|---|\n" + rows;
+    return out + "\n<br clear=\"right\">\n";
+}
+
+std::string language(const std::string& intro) {
+    std::string out = intro;
+    std::string_view group;
+    std::string contents = "\n## Commands\n";
+    for (const Command& c : commands()) {
+        if (group_name(c.group) != group) contents += "\n\n**" + std::string(group_name(c.group)) + "**:";
+        group = group_name(c.group);
+        contents += " [" + std::string(c.name) + "](#" + lower(c.name) + ")";
+    }
+    out += contents + "\n";
+    group = {};
+    for (const Command& c : commands()) {
+        if (group_name(c.group) != group)
+            out += "\n## Commands: " + lower(group_name(c.group)) + "\n";  // a command is named Geometry, too
+        group = group_name(c.group);
+        out += section(c);
+    }
+    return out;
+}
+
+std::vector<std::string> command_words() {
+    std::vector<std::string> words;
+    for (const std::string_view name : command_names()) words.emplace_back(name);
+    std::sort(words.begin(), words.end(), [](const auto& a, const auto& b) { return lower(a) < lower(b); });
+    return words;
+}
+
+// Every word that is an argument of some command.
+std::vector<std::string> choice_words() {
+    std::set<std::string> words;
+    for (const Command& c : commands())
+        for (const Parameter& p : c.signature.parameters)
+            for (std::string_view list = p.choices; !list.empty();) {
+                const std::size_t end = std::min(list.find('/'), list.size());
+                words.emplace(list.substr(0, end));
+                list.remove_prefix(std::min(end + 1, list.size()));
+            }
+    for (const std::string_view name : topology_names()) words.emplace(name);
+    return {words.begin(), words.end()};
+}
+
+std::string textmate() {
+    const std::string number = R"([-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?)";
+    const auto pattern = [](const std::string& name, const std::string& match) {
+        return "    {\"name\": \"" + name + ".glib\", \"match\": \"" + match + "\"}";
+    };
+    return "{\n  \"name\": \"GLIB scene\",\n  \"scopeName\": \"source.glib\",\n  \"fileTypes\": [\"glib\"],\n  "
+           "\"patterns\": [\n" +
+           joined({pattern("comment.line", "(#|//).*$"), pattern("string.quoted.double", R"(\"[^\"]*\"?)"),
+                   pattern("keyword.control", R"((?i)^\\s*()" + joined(command_words(), "|") + R"()\\b)"),
+                   pattern("constant.language", "\\\\b(true|false|" + joined(choice_words(), "|") + ")\\\\b"),
+                   pattern("constant.numeric", "(?<![\\\\w.])" + number),
+                   pattern("punctuation.separator.continuation", R"(\\\\\\s*$)"),
+                   pattern("punctuation.section.brackets", R"([<>\\[\\]{}])")},
+                  ",\n") +
+           "\n  ]\n}\n";
+}
+
+std::string vim() {
+    std::string out =
+        "\" Vim syntax file for GLIB scenes. Written by snell_docs from the table of commands.\n"
+        "if exists(\"b:current_syntax\")\n  finish\nendif\n\nsyntax case ignore\n";
+    for (const std::string& word : command_words()) out += "syntax keyword glibCommand " + word + "\n";
+    out += "syntax case match\n";
+    for (const std::string& word : choice_words()) out += "syntax keyword glibConstant " + word + "\n";
+    return out + R"(syntax keyword glibConstant true false
+syntax match glibNumber "\v[-+]?<(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?"
+syntax match glibNumber "\v[-+]?\.\d+([eE][-+]?\d+)?"
+syntax region glibString start=+"+ end=+"+ oneline
+syntax match glibBracket "[<>\[\]{}]"
+syntax match glibContinuation "\\\s*$"
+syntax match glibComment "#.*$"
+syntax match glibComment "//.*$"
+
+highlight default link glibCommand Statement
+highlight default link glibConstant Constant
+highlight default link glibNumber Number
+highlight default link glibString String
+highlight default link glibBracket Delimiter
+highlight default link glibContinuation Special
+highlight default link glibComment Comment
+
+let b:current_syntax = "glib"
+)";
+}
+
+// Words for the fuzzer, which finds them by chance only in days.
+std::string dictionary() {
+    std::string out = "# Written by snell_docs from the table of commands.\n";
+    for (const std::string& word : command_words()) out += "\"" + word + "\"\n";
+    for (const std::string& word : choice_words()) out += "\"" + word + "\"\n";
+    return out +
+           "\"\\x0a\"\n\"\\x5c\\x0a\"\n\"<0. .5 1.>\"\n\"{1 0 0}\"\n\"[1 2 "
+           "3]\"\n\"<true>\"\n\"\\xc2\\xa0\"\n\"\\xef\\xbb\\xbf\"\n";
+}
+
+}  // namespace
+
+std::vector<Document> generate(const std::string& intro) {
+    return {{"docs/language.md", language(intro)},
+            {"docs/editors/glib.tmLanguage.json", textmate()},
+            {"docs/editors/vim/syntax/glib.vim", vim()},
+            {"docs/editors/vim/ftdetect/glib.vim", "autocmd BufNewFile,BufRead *.glib setfiletype glib\n"},
+            {"tests/fuzz/parser.dict", dictionary()}};
+}
+
+}  // namespace snell::docs
