@@ -56,9 +56,12 @@ void link_all(const ContextRequest& request, const glsl::Target& target, const I
 }
 
 const Impossible impossible_33 = {};
-const Impossible impossible_es32 = {};
+const Impossible impossible_es32 = {
+    {"point-size-geometry", "ES has the size of points in geometry shaders only as an extension"},
+};
 const Impossible impossible_es30 = {
     {"interface-block", "ES 3.0 has no blocks between stages"},
+    {"interface-block-unnamed", "ES 3.0 has no blocks between stages"},
 };
 
 TEST(Links, OnCore45) { link_all({.version = 45}, {.version = 450, .es = false, .fp64 = true}, {}, "core 4.5"); }
