@@ -38,6 +38,34 @@ double schlick_dielectric(double cos_incident, double n1, double n2) {
     return k < 0.0 ? 1.0 : schlick(std::sqrt(k), f0);
 }
 
+double gaussian_dielectric(double cos_incident, double n1, double n2) {
+    const double f0 = normal_reflectance(n1, n2), c = std::clamp(cos_incident, 0.0, 1.0);
+    const double k = n1 <= n2 ? c * c : transmitted_cos2(c, n1, n2);
+    if (k < 0.0) return 1.0;
+    const double beyond = std::sqrt(k);
+    return f0 + (1.0 - f0) * std::exp2((-5.55473 * beyond - 6.98316) * beyond);
+}
+
+Polarised fresnel_conductor_polarised(double cos_incident, double n1, double eta, double k) {
+    const double c = std::clamp(cos_incident, 0.0, 1.0), sin2 = (1.0 - c) * (1.0 + c);
+    const double n = eta / n1, absorption = k / n1;
+    const double real = (n - absorption) * (n + absorption) - sin2, half_imaginary = n * absorption;
+    const double modulus = std::hypot(real, 2.0 * half_imaginary);
+    const double larger = std::sqrt(0.5 * (modulus + std::abs(real)));
+    const double smaller = larger > 0.0 ? half_imaginary / larger : 0.0;
+    const double a = real >= 0.0 ? larger : smaller, b = real >= 0.0 ? smaller : larger;
+    const auto quotient = [](double difference, double sum, double common) {
+        const double below = sum * sum + common * common;
+        return below > 0.0 ? (difference * difference + common * common) / below : 1.0;
+    };
+    const double s = quotient(c - a, c + a, b);
+    return {s, s * quotient(a * c - sin2, a * c + sin2, b * c)};
+}
+
+double fresnel_conductor(double cos_incident, double n1, double eta, double k) {
+    return fresnel_conductor_polarised(cos_incident, n1, eta, k).mean();
+}
+
 double cg_fresnel(double cos_incident, double bias, double scale, double power) {
     const double shape = std::pow(1.0 - std::clamp(cos_incident, 0.0, 1.0), power);
     return std::clamp(bias + scale * shape, 0.0, 1.0);

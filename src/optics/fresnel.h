@@ -1,4 +1,4 @@
-// How much light a dielectric surface reflects: exact, and the approximations that shaders use.
+// How much light a surface reflects: exact for dielectrics and metals, and the approximations that shaders use.
 // Every function takes the cosine of the angle of incidence (clamped to [0,1]) and returns a reflectance of power.
 #pragma once
 
@@ -25,6 +25,19 @@ double schlick(double cos_incident, double f0, double power = 5.0);
 // Schlick with f0 of the two indices. From the denser side by the cosine of the *transmitted* angle, and 1 past the
 // critical angle: with the incident cosine it is off by .5 in the mean.
 double schlick_dielectric(double cos_incident, double n1, double n2);
+
+// Schlick's shape with the power replaced by 2^((-5.55473 c - 6.98316) c) (Karis 2013, fitted to the fifth power):
+// exactly 1 at grazing, f0 + 1.7e-4 (1 - f0) at normal incidence. From the denser side as schlick_dielectric.
+double gaussian_dielectric(double cos_incident, double n1, double n2);
+
+// Fresnel's equations for a metal of index eta + i k, met from a dielectric of index n1 (Born and Wolf §14.2). With
+// (a + i b)² = (eta + i k)² / n1² - sin²,
+//   Rs = ((c - a)² + b²) / ((c + a)² + b²),  Rp / Rs = ((a c - sin²)² + (b c)²) / ((a c + sin²)² + (b c)²):
+// quotients of sums of squares, which can't leave [0,1]; the usual "x - 2 a c" cancels. The smaller of a and b is
+// taken from their product eta k, because the difference that gives it directly cancels too. k = 0 is the
+// dielectric, total reflection included. Precondition: n1 > 0, eta >= 0, k >= 0, not eta = k = 0.
+Polarised fresnel_conductor_polarised(double cos_incident, double n1, double eta, double k);
+double fresnel_conductor(double cos_incident, double n1, double eta, double k);
 
 // clamp(bias + scale (1 - cos)^power, 0, 1): The Cg Tutorial's empirical form. Power 0 gives bias + scale.
 double cg_fresnel(double cos_incident, double bias, double scale, double power);
