@@ -98,7 +98,7 @@ enum class Verdict { same_as_untouched, same_as_modern, refused };
 // The least that can be done for a modern shader that does not say so.
 Texts with_version(Texts texts) {
     for (auto& [stage, text] : texts)
-        if (text.find("#version") == std::string::npos) text = "#version 330 compatibility\n" + text;
+        if (("\n" + text).find("\n#version") == std::string::npos) text = "#version 330 compatibility\n" + text;
     return texts;
 }
 
