@@ -190,7 +190,10 @@ const std::vector<Word>& Texts::words(FileId file) { return view(file).words; }
 
 std::span<const Word> Texts::on_line(FileId file, int line) {
     const std::vector<Word>& all = words(file);
-    const auto [first, last] = std::ranges::equal_range(all, line, {}, &Word::line);
+    const auto before = [line](const Word& w) { return w.line < line; };
+    const auto not_after = [line](const Word& w) { return w.line <= line; };
+    const auto first = std::partition_point(all.begin(), all.end(), before);
+    const auto last = std::partition_point(first, all.end(), not_after);
     return {first, last};
 }
 
