@@ -128,7 +128,8 @@ void reference_accepts(const glsl::Target& target, const Impossible& impossible,
         if (target.version == 300 && c.files.contains(Stage::geometry)) continue;
         const Translated t = translated(c, target);
         EXPECT_TRUE(t.ok) << c.name << ": " << t.messages;
-        const std::string stem = write_texts("reference-" + c.name, t.texts).string();
+        const std::string stem =
+            write_texts((target.es ? "es" : "gl") + std::to_string(target.version) + "-" + c.name, t.texts).string();
         for (const auto& [stage, text] : t.texts) {
             files.push_back(reference_file(stem, stage, text));
             case_of[files.back()] = c.name;
