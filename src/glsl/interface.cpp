@@ -111,12 +111,39 @@ void adapt_interpolation(const Target& target, Unit& from, Global& out, Unit& to
     }
 }
 
+// `out` where `in` was meant: never written here, given by the stage before. And the reverse in a vertex shader.
+void turn_around(Program& program, Unit& from, Unit& u) {
+    for (Global& g : u.globals) {
+        if (g.qualifiers.storage != Storage::out || g.written || g.uses.empty() || u.stage != Stage::fragment) continue;
+        const Global* given = find_output(from, g.name);
+        if (!given || !given->type.same(g.type)) continue;
+        program.warn(u, g.name_token, "direction", "'" + std::string(g.name) + "' is never written: taken as an input");
+        g.qualifiers.storage = Storage::in;
+        g.qualifiers.layout.clear();
+        g.dirty = true;
+    }
+    if (from.stage != Stage::vertex) return;
+    for (Global& g : from.globals) {
+        if (g.qualifiers.storage != Storage::in || !g.written || find_output(from, g.name)) continue;
+        const bool wanted = std::any_of(u.globals.begin(), u.globals.end(), [&](const Global& i) {
+            return i.qualifiers.storage == Storage::in && i.name == g.name && per_vertex(u, i).same(g.type);
+        });
+        if (!wanted) continue;
+        program.warn(from, g.name_token, "direction", "'" + std::string(g.name) + "' is written: taken as an output");
+        g.qualifiers.storage = Storage::out;
+        g.qualifiers.layout.clear();
+        g.qualifiers.attribute = false;
+        g.dirty = true;
+    }
+}
+
 }  // namespace
 
 void match_interfaces(Program& program) {
     for (Unit& u : program.units) {
         Unit* from = program.before(u);
         if (!from) continue;
+        turn_around(program, *from, u);
         for (Global& g : u.globals) {
             if (g.qualifiers.storage != Storage::in || builtin(g) || g.removed) continue;
             Global* out = find_output(*from, g.name);

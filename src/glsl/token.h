@@ -82,6 +82,7 @@ struct Qualifiers {
     bool constant = false;  // `const` was written, also beside in, out or uniform
     bool varying = false;   // the word varying was used
     bool attribute = false;
+    int direction = 0;  // 1: in or out was written, too
     bool invariant = false, precise = false;
     std::string_view interpolation;  // flat, smooth, noperspective
     std::string_view auxiliary;      // centroid, sample, patch

@@ -134,42 +134,35 @@ void declare_block(Context& c, Unit& u, bool input) {
     u.header += text + ";\n";
 }
 
+// What a stage reads and the one before does not write: it gives black, or zero.
+void give_missing(Context& c, const Unit& u) {
+    Unit* from = c.program.before(u);
+    if (!from) return;
+    Mentions& given = c.mentions[from->stage];
+    for (const std::string_view v : c.mentions[u.stage].in) {
+        if (!given.out.insert(v).second || from->stage == Stage::tess_control) continue;
+        const std::string name = "snell_" + std::string(v);
+        if (v == "TexCoord") {
+            for (int n = 0; n < c.texcoords; ++n)
+                at_main_start(*from, name + "[" + std::to_string(n) + "] = vec4(0.0, 0.0, 0.0, 1.0);");
+        } else {
+            at_main_start(*from, name + (v == "FogFragCoord" ? " = 0.0;" : " = vec4(0.0, 0.0, 0.0, 1.0);"));
+        }
+        c.program.diagnostics.warning("input-without-output", u.reference,
+                                      "this shader reads a built-in input that the stage before does not write: gl_" +
+                                          std::string(v == "FrontColor" ? "Color" : v));
+    }
+}
+
 void declare_varyings(Context& c, Unit& u) {
     const Mentions& m = c.mentions[u.stage];
-    const Unit* from = c.program.before(u);
-    static const Mentions nothing;
-    const Mentions& given = from ? c.mentions[from->stage] : nothing;
+    const bool last = u.stage == Stage::fragment;
     if (c.blocks) {
-        if (!m.in.empty() && u.stage != Stage::vertex) {
-            if (!given.out.empty()) {
-                declare_block(c, u, true);
-            } else {
-                for (const std::string_view v : m.in) u.header += member_text(c, v) + "\n";
-            }
-        }
-        const auto after =
-            std::any_of(c.mentions.begin(), c.mentions.end(), [&](const auto& s) { return s.first > u.stage; });
-        if (!m.out.empty() && u.stage != Stage::fragment && after) declare_block(c, u, false);
+        if (!m.in.empty() && c.program.before(u)) declare_block(c, u, true);
+        if (!m.out.empty() && !last) declare_block(c, u, false);
         return;
     }
-    if (u.stage == Stage::vertex) {
-        for (const std::string_view v : m.out) u.header += "out " + member_text(c, v) + "\n";
-        return;
-    }
-    for (const std::string_view v : m.in) {
-        if (given.out.contains(v)) {
-            u.header += "in " + member_text(c, v) + "\n";
-        } else {
-            u.header += member_text(c, v) + "\n";
-            if (v != "TexCoord")
-                at_main_start(
-                    u, "snell_" + std::string(v) + (v == "FogFragCoord" ? " = 0.0;" : " = vec4(0.0, 0.0, 0.0, 1.0);"));
-            c.program.diagnostics.warning(
-                "input-without-output", u.reference,
-                "the shader reads a built-in input that the stage before does not write: gl_" +
-                    std::string(v == "FrontColor" ? "Color" : v));
-        }
-    }
+    for (const std::string_view v : last ? m.in : m.out) u.header += (last ? "in " : "out ") + member_text(c, v) + "\n";
 }
 
 void declare_uniform(Unit& u, const LegacyName& name) {
@@ -213,8 +206,10 @@ void replace_color(Context& c, Unit& u, int i, bool secondary) {
 }
 
 void declare_fragment_color(Unit& u, int i, std::string_view name) {
-    u.replace(i, snell(name));
-    if (name == "gl_FragColor") {
+    const bool both =
+        std::any_of(u.tokens.begin(), u.tokens.end(), [](const Token& t) { return t.text == "gl_FragData"; });
+    u.replace(i, name == "gl_FragColor" && both ? "snell_FragData[0]" : snell(name));
+    if (name == "gl_FragColor" && !both) {
         declare_once(u, "snell_FragColor", "layout(location = 0) out vec4 snell_FragColor;");
         return;
     }
@@ -329,6 +324,7 @@ void replace_legacy(Program& program) {
         m.in.insert("BackColor");
     if (Mentions& m = c.mentions[Stage::fragment]; c.back_secondary && m.in.contains("FrontSecondaryColor"))
         m.in.insert("BackSecondaryColor");
+    for (const Unit& u : program.units) give_missing(c, u);
     for (Unit& u : program.units) {
         for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()); ++i) {
             if (u.at(i).kind != Kind::identifier) continue;

@@ -146,6 +146,51 @@ TEST(GlslStages, Attributes) {
     EXPECT_TRUE(twice.has(Stage::vertex, "aNormal = snell_Normal;"));
 }
 
+TEST(GlslStages, BuiltInInputsThatNobodyWrites) {
+    const Texts texts = {
+        {Stage::vertex, "void main() { gl_Position = ftransform(); }"},
+        {Stage::fragment, "void main() { gl_FragColor = gl_Color + gl_TexCoord[1] + gl_FogFragCoord; }"}};
+    const Translated t = translated(texts);
+    EXPECT_EQ(t.count("input-without-output"), 3);
+    EXPECT_TRUE(t.has(Stage::vertex, "snell_FrontColor = vec4(0.0, 0.0, 0.0, 1.0);"));
+    expect_valid(texts);
+    expect_valid({{Stage::vertex, "void main() { gl_Position = gl_Vertex; }"},
+                  {Stage::geometry,
+                   "void main() { gl_FrontColor = gl_FrontColorIn[0]; gl_Position = gl_PositionIn[0]; EmitVertex(); }"},
+                  {Stage::fragment, "void main() { gl_FragColor = gl_Color + gl_TexCoord[0]; }"}});
+}
+
+TEST(GlslStages, DirectionsMixedUp) {
+    const Texts texts = {
+        {Stage::vertex,
+         "#version 330 compatibility\nin vec3 vB; out vec3 vN; void main() { vB = gl_Normal; vN = vB; gl_Position = "
+         "gl_Vertex; }"},
+        {Stage::fragment,
+         "#version 330 compatibility\nout vec3 vN; in vec3 vB; void main() { gl_FragColor = vec4(vN + vB, 1.); }"}};
+    EXPECT_EQ(translated(texts).count("direction"), 2);
+    expect_valid(texts, {core450, core330, es300});
+}
+
+TEST(GlslStages, VaryingArraysOfOldGeometryComeIn) {
+    expect_valid({{Stage::vertex, "varying vec3 vN; void main() { vN = gl_Normal; gl_Position = gl_Vertex; }"},
+                  {Stage::geometry,
+                   "varying vec3 vN[3]; varying vec3 gN; void main() { gN = vN[0]; gl_Position = gl_PositionIn[0]; "
+                   "EmitVertex(); }"},
+                  {Stage::fragment, "varying vec3 gN; void main() { gl_FragColor = vec4(gN, 1.); }"}});
+}
+
+TEST(GlslStages, InputArraysFitThePrimitive) {
+    const Texts texts = {
+        {Stage::vertex,
+         "#version 330\nin vec3 aVertex; out vec3 v; void main() { v = aVertex; gl_Position = vec4(v, 1.); }"},
+        {Stage::geometry,
+         "#version 330\nlayout(points) in; layout(points, max_vertices = 1) out; in vec3 v[3]; out vec3 g;\n"
+         "void main() { g = v[0]; gl_Position = gl_in[0].gl_Position; EmitVertex(); }"},
+        {Stage::fragment, "#version 330\nin vec3 g; out vec4 c; void main() { c = vec4(g, 1.); }"}};
+    EXPECT_EQ(translated(texts).count("input-array-size"), 1);
+    expect_valid(texts);
+}
+
 TEST(GlslStages, OpenGlEs30HasTwoStages) {
     const Translated t =
         translated({{Stage::vertex, plain_vertex}, {Stage::geometry, "layout(points) in; void main() {}"}}, es300);
