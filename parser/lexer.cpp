@@ -84,17 +84,19 @@ Line Lexer::read_line(std::vector<Token>& tokens) {
                     word(tokens, token);
                 }
                 break;
-            case Class::backslash:
-                if (ends_line_after_backslash(at_)) {
+            case Class::backslash: {
+                const std::size_t end = end_of_backslashes(at_);
+                if (ends_line(end)) {
                     line.continued = true;
-                    ++at_;
-                } else if (at_ + 1 < text_.size() && class_of(text_[at_ + 1]) == Class::blank) {
-                    stray_.push_back({file_, at, at + 1});
-                    ++at_;
+                    at_ = end;
+                } else if (blank(end)) {
+                    stray_.push_back({file_, at, static_cast<std::uint32_t>(end)});
+                    at_ = end;
                 } else {
                     word(tokens, token);
                 }
                 break;
+            }
             case Class::open:
                 ++depth_;
                 ++at_;
@@ -155,8 +157,10 @@ void Lexer::word(std::vector<Token>& tokens, Token token) {
         if (c == Class::semicolon && !ends_word(i)) continue;
         if (c == Class::paren && depth_ == 0) continue;
         if (c == Class::backslash) {
-            const bool inside = i + 1 < text_.size() && class_of(text_[i + 1]) != Class::blank;
-            if (inside && !ends_line_after_backslash(i)) continue;
+            const std::size_t end = end_of_backslashes(i);
+            if (blank(end) || ends_line(end)) break;
+            i = end - 1;
+            continue;
         }
         if (c == Class::high) {
             const utf8::Char odd = utf8::decode(text_, i);
@@ -205,25 +209,23 @@ void Lexer::comment(Line& line) {
     at_ = end;
 }
 
-// One backslash or two, blanks, and then the end of the line or a comment.
-bool Lexer::ends_line_after_backslash(std::size_t at) const {
-    ++at;
-    if (at < text_.size() && text_[at] == '\\') ++at;
-    while (at < text_.size()) {
-        const Class c = class_of(text_[at]);
-        if (c == Class::line_end || c == Class::hash) return true;
-        if (c == Class::slash) return text_.substr(at, 2) == "//";
-        if (c == Class::high) {
-            const utf8::Char odd = utf8::decode(text_, at);
-            if (!odd_blank(odd)) return false;
-            at += odd.length;
-        } else if (c == Class::blank) {
-            ++at;
-        } else {
-            return false;
-        }
-    }
-    return true;
+std::size_t Lexer::end_of_backslashes(std::size_t at) const {
+    while (at < text_.size() && text_[at] == '\\') ++at;
+    return at;
+}
+
+bool Lexer::blank(std::size_t at) const {
+    if (at >= text_.size()) return false;
+    const Class c = class_of(text_[at]);
+    return c == Class::blank || (c == Class::high && odd_blank(utf8::decode(text_, at)));
+}
+
+// Whether only blanks come before the end of the line or a comment.
+bool Lexer::ends_line(std::size_t at) const {
+    while (blank(at)) at += utf8::decode(text_, at).length;
+    if (at >= text_.size()) return true;
+    const Class c = class_of(text_[at]);
+    return c == Class::line_end || c == Class::hash || (c == Class::slash && text_.substr(at, 2) == "//");
 }
 
 void Lexer::note_odd(char32_t code, std::size_t at, std::uint32_t length) {

@@ -67,7 +67,9 @@ private:
     bool ends_word(std::size_t at) const;
     void quoted(std::vector<Token>& tokens, Token token, std::uint32_t quote_length);
     void comment(Line& line);
-    bool ends_line_after_backslash(std::size_t at) const;
+    std::size_t end_of_backslashes(std::size_t at) const;
+    bool blank(std::size_t at) const;
+    bool ends_line(std::size_t at) const;
     void note_odd(char32_t code, std::size_t at, std::uint32_t length);
 
     std::string_view text_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "parser/names.h"
+#include "parser/number.h"
 
 namespace snell::text_of {
 namespace {
@@ -15,7 +16,7 @@ bool plain(std::string_view name) {
         const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
         if (!letter && c != '_' && c != '.' && c != '/' && c != '-') return false;
     }
-    return !name.empty() && name.find("//") == std::string_view::npos;
+    return !looks_numeric(name) && !name.empty() && name.find("//") == std::string_view::npos;
 }
 
 bool has_quote(std::string_view name) {

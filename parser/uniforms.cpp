@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parser/number.h"
+#include "parser/utf8.h"
 
 namespace snell {
 namespace {
@@ -39,7 +40,7 @@ public:
         while (at_ < tokens_.size()) {
             if (tokens_[at_].kind == TokenKind::comma) {
                 ++at_;
-            } else if (begins_value(at_)) {
+            } else if (begins_value(at_) || tokens_[at_].kind == TokenKind::text) {
                 stray_value();
             } else if (tokens_[at_].kind == TokenKind::close) {
                 report_.warning("stray-bracket", lexer_.span(tokens_[at_]), "this bracket closes nothing");
@@ -115,7 +116,13 @@ private:
                 word.remove_suffix(std::min<std::size_t>(word.size(), word.ends_with('"') ? 1 : 3));
         }
         if (!list_.program.empty()) list_.program += ' ';
-        list_.program += word;
+        // A quote inside a word becomes an apostrophe: then the whole name can be written in quotes again.
+        for (std::size_t at = 0; at < word.size();) {
+            const utf8::Char c = utf8::decode(word, at);
+            const bool quote = c.valid && (c.code == '"' || (c.code >= 0x201C && c.code <= 0x201E));
+            list_.program += quote ? std::string_view("'") : word.substr(at, c.length);
+            at += c.length;
+        }
     }
 
     // "uEta = 1.5": skips the sign, which the language does not have.
