@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace snell::optics {
 
@@ -54,11 +55,12 @@ std::optional<Interface> meet(const glm::dvec3& incident, const glm::dvec3& norm
     result.reflected = *unit(*i + 2.0 * result.cos_incident * facing);
 
     const double k = transmitted_cos2(result.cos_incident, result.n1, result.n2);
-    result.total = k < 0.0;
-    result.cos_transmitted = result.total ? 0.0 : std::min(std::sqrt(k), 1.0);
+    const double eta = result.n1 / result.n2;
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * eta * eta;
+    result.total = k < -rounding;
+    result.cos_transmitted = std::sqrt(std::clamp(k, 0.0, 1.0));
     result.transmitted = result.reflected;
     if (result.total) return result;
-    const double eta = result.n1 / result.n2;
     const glm::dvec3 along = *i + result.cos_incident * facing;  // the part of I that lies in the surface
     result.transmitted = *unit(eta * along - result.cos_transmitted * facing);
     return result;

@@ -47,7 +47,9 @@ struct Interface {
 };
 
 // The vectors may have any length. A ray that comes from the inside is met by the flipped normal and by swapped
-// indices. At the critical angle itself the ray runs along the surface (total is false).
+// indices. At the critical angle itself the ray runs along the surface (total is false), and so it does beyond it by
+// no more than cos² is rounded: else light that came in through one side of a slab at a grazing angle would be
+// caught inside.
 // nullopt: a vector has no direction, or an index is not finite and positive.
 std::optional<Interface> meet(const glm::dvec3& incident, const glm::dvec3& normal, double n_outside, double n_inside);
 
