@@ -102,6 +102,14 @@ Expression Parser::postfix() {
                 select(e, member);
             }
             e.last = p_ - 1;
+        } else if (is("(") && p_ > 0 &&
+                   (u_.at(p_ - 1).text == "]" || u_.at(p_ - 1).kind == Kind::integer ||
+                    u_.at(p_ - 1).kind == Kind::real)) {
+            // At least one driver does not survive this.
+            diagnostics_.error("not-a-function", u_.span(p_), "what stands before this parenthesis is no function");
+            skip_balanced();
+            e = Expression{};
+            e.constant = false;
         } else if (is("++") || is("--")) {
             note_write(e, nullptr, text());
             ++p_;

@@ -139,6 +139,14 @@ TEST(GlslForgive, SlipsThatAreErrorsEverywhereStay) {
     EXPECT_TRUE(t.has(Stage::fragment, "vec4 c = u;"));
 }
 
+TEST(GlslForgive, WhatCrashesADriverNeverReachesIt) {
+    const Translated t = fragment("void main() { vec4 a = 2[1](vec4(1.)); float b = 3.(1.); gl_FragColor = a; }");
+    EXPECT_FALSE(t.translation.ok);
+    EXPECT_EQ(t.count("not-a-function"), 2);
+    EXPECT_TRUE(fragment("void main() { float a[2] = float[2](1., 2.); gl_FragColor = vec4[1](vec4(a[0]))[0]; }")
+                    .translation.ok);
+}
+
 TEST(GlslForgive, UniformInitialisers) {
     const std::string text =
         "#version 330 compatibility\nuniform float a = .5, b = 2; uniform vec3 c = vec3(1, .5, 0) * 2.; uniform float "
