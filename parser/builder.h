@@ -53,8 +53,8 @@ public:
     void set_color(const Vec4& color) { color_.set(color); }
     void set_background(const Vec4& color);
 
-    // Multiplies the current matrix from the right by an affine one. False, with nothing changed, when the product leaves the
-    // range of floats.
+    // Multiplies the current matrix from the right by an affine one. False, with nothing changed, when the product
+    // leaves the range of floats.
     bool transform(const Mat4& matrix);
     void push_matrix(Span span);
     void pop_matrix(Span span);

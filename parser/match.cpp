@@ -190,7 +190,7 @@ private:
         const std::string_view text = lexer_.text(token);
         if (dry_) {
             ++at_;
-            return token.kind == TokenKind::word && looks_numeric(text);
+            return token.kind == TokenKind::word && plausible_number(text);
         }
         ++at_;
         out->span = lexer_.span(token);
@@ -266,7 +266,7 @@ private:
         for (int i = 0; i < 3; ++i) {
             while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::comma) ++at_;
             if (at_ == tokens_.size()) return false;
-            if (tokens_[at_].kind != TokenKind::word || !looks_numeric(lexer_.text(tokens_[at_]))) return false;
+            if (tokens_[at_].kind != TokenKind::word || !plausible_number(lexer_.text(tokens_[at_]))) return false;
             ++at_;
         }
         return true;
@@ -310,10 +310,12 @@ private:
         const std::string_view text = take_chunk(out);
         const int place = find_choice(p.choices, text);
         if (dry_) return place >= 0;
-        out->text = text;
-        out->number = place;
-        if (place >= 0) return true;
         const std::vector<std::string_view> words = split_choices(p.choices);
+        out->number = place;
+        if (place >= 0) {
+            out->text = words[static_cast<std::size_t>(place)];
+            return true;
+        }
         std::string all;
         for (const std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
         const std::string_view near = nearest(text, words);

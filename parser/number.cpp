@@ -57,17 +57,14 @@ bool vanishes(std::string_view text) {
     return place + (negative ? -exponent : exponent) <= 0;
 }
 
+// What follows a number and is no part of it: read as C's atof would, except where another meaning is likely.
 NumberFault fault_of_rest(std::string_view number, std::string_view rest) {
-    if (rest[0] == '.') {
-        for (const char c : rest)
-            if (c != '.' && !digit(c)) return NumberFault::not_a_number;
+    if (rest.find_first_not_of(".0123456789") == std::string_view::npos && rest[0] == '.')
         return NumberFault::second_point;
-    }
-    if (rest == "f" || rest == "F") return NumberFault::suffix;
     if (lower(rest[0]) == 'x' && (number == "0" || number == "-0")) return NumberFault::hexadecimal;
     if (lower(rest[0]) == 'd' && rest.size() > 1 && (digit(rest[1]) || rest[1] == '-' || rest[1] == '+'))
         return NumberFault::d_exponent;
-    return NumberFault::not_a_number;
+    return NumberFault::suffix;
 }
 
 }  // namespace
@@ -105,6 +102,12 @@ bool looks_numeric(std::string_view text) {
     std::size_t i = text[0] == '+' || text[0] == '-' ? 1 : 0;
     if (i < text.size() && text[i] == '.') ++i;
     return (i < text.size() && digit(text[i])) || names_no_number(text) || odd_minus(text);
+}
+
+bool plausible_number(std::string_view text) {
+    if (!looks_numeric(text)) return false;
+    const Number number = read_number(text);
+    return number.fault != NumberFault::suffix || text.ends_with('f') || text.ends_with('F');
 }
 
 bool written_integral(std::string_view text) {

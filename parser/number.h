@@ -11,7 +11,7 @@ namespace snell {
 enum class NumberFault : std::uint8_t {
     none,
     second_point,  // "0.1." is read as 0.1
-    suffix,        // "1.f" is read as 1
+    suffix,        // "1.f", "60x" are read as 1 and 60
     not_a_number,
     hexadecimal,
     d_exponent,
@@ -28,8 +28,10 @@ struct Number {
 
 Number read_number(std::string_view text);
 
-// True for text that is meant as a number, right or wrong.
+// True for text that begins like a number, right or wrong.
 bool looks_numeric(std::string_view text);
+// True for text that can only be meant as a number: not "3D" or "1.bmp".
+bool plausible_number(std::string_view text);
 
 // True when the number was written without point and exponent.
 bool written_integral(std::string_view text);

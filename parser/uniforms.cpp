@@ -62,7 +62,7 @@ private:
     bool begins_value(std::size_t i) const {
         if (i >= tokens_.size()) return false;
         if (tokens_[i].kind == TokenKind::open) return true;
-        return tokens_[i].kind == TokenKind::word && looks_numeric(text(i));
+        return tokens_[i].kind == TokenKind::word && plausible_number(text(i));
     }
 
     // Behind a name, what could also be a name is a value when it is true or false.
@@ -92,7 +92,7 @@ private:
         const std::size_t second = at_;
         std::size_t last = at_;
         while (at_ < tokens_.size() && tokens_[at_].kind != TokenKind::open) {
-            const bool number = is(at_, TokenKind::word) && begins_value(at_);
+            const bool number = is(at_, TokenKind::word) && looks_numeric(text(at_));
             if (tokens_[at_].kind == TokenKind::word && !number && begins_value_of_name(after_equals(after_name(at_))))
                 break;
             if (tokens_[at_].kind == TokenKind::comma || tokens_[at_].kind == TokenKind::close) {
@@ -216,7 +216,7 @@ private:
         while (true) {
             std::size_t next = at_;
             while (is(next, TokenKind::comma)) ++next;
-            if (!is(next, TokenKind::word) || !looks_numeric(text(next))) break;
+            if (!is(next, TokenKind::word) || !plausible_number(text(next))) break;
             at_ = next;
             good = number(u) && good;
         }
@@ -363,7 +363,7 @@ bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer) {
     if (tokens.size() < 2 || tokens[0].kind != TokenKind::word || looks_numeric(lexer.text(tokens[0]))) return false;
     const Token& value = tokens[1];
     if (value.kind == TokenKind::open) return true;
-    return value.kind == TokenKind::word && tokens.size() == 2 && looks_numeric(lexer.text(value));
+    return value.kind == TokenKind::word && tokens.size() == 2 && plausible_number(lexer.text(value));
 }
 
 }  // namespace snell

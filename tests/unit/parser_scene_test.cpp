@@ -185,6 +185,15 @@ TEST(Scene, ProgramsKeepTheStagesOfTheirTime) {
     EXPECT_EQ(name(2, Stage::vertex), "a.vert");
 }
 
+TEST(Scene, ChoicesAreSpeltAsInTheTable) {
+    const Read r =
+        read("GeometryInput GL_TRIANGLES\nGeometryOutput gl_triangle_strip\nProgram P\nGeometryInput\nProgram Q\n");
+    EXPECT_TRUE(r.diagnostics().empty());
+    EXPECT_EQ(r.scene().programs[0].geometry_input, "gl_triangles");
+    EXPECT_EQ(r.scene().programs[0].geometry_output, "gl_triangle_strip");
+    EXPECT_EQ(r.scene().programs[1].geometry_input, "");
+}
+
 TEST(Scene, UniformsOfEveryKind) {
     const Read r =
         read("Program Foo uA 4 uB [1. 0. 0.] uC <0 5 10> uD <true> uE <0> uF {1 .5 0} uG {1. .5 0. .5} uH <2.5>\n");

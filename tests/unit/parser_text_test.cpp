@@ -80,19 +80,26 @@ TEST(Number, FindsFaults) {
                                                                    {"\xE2\x88\x92"
                                                                     "5",
                                                                     NumberFault::odd_minus, 0},
-                                                                   {"1/2", NumberFault::not_a_number, 0},
+                                                                   {"1/2", NumberFault::suffix, 1},
                                                                    {"", NumberFault::not_a_number, 0},
                                                                    {".", NumberFault::not_a_number, 0},
                                                                    {"-", NumberFault::not_a_number, 0},
                                                                    {"+-5", NumberFault::not_a_number, 0},
                                                                    {"--5", NumberFault::not_a_number, 0},
-                                                                   {"1e", NumberFault::not_a_number, 0},
-                                                                   {"1.2.x", NumberFault::not_a_number, 0},
+                                                                   {"1e", NumberFault::suffix, 1},
+                                                                   {"1.2.x", NumberFault::suffix, 1.2},
+                                                                   {"6O", NumberFault::suffix, 6},
                                                                    {"O.5", NumberFault::not_a_number, 0}};
     for (const auto& [text, fault, value] : faulty) {
         EXPECT_EQ(read_number(text).fault, fault) << text;
         EXPECT_EQ(read_number(text).value, value) << text;
     }
+}
+
+TEST(Number, SomeWordsOnlyBeginLikeNumbers) {
+    for (const char* word : {"3D", "1.bmp", "2nd", "4x4"}) EXPECT_FALSE(plausible_number(word)) << word;
+    for (const char* word : {"3", "1.f", "0.1.", "nan", "0x10", "1d3", "1e400"})
+        EXPECT_TRUE(plausible_number(word)) << word;
 }
 
 TEST(Number, TheLargestFloatFits) {
