@@ -40,7 +40,7 @@ public:
         while (at_ < tokens_.size()) {
             if (tokens_[at_].kind == TokenKind::comma) {
                 ++at_;
-            } else if (begins_value(at_) || tokens_[at_].kind == TokenKind::text) {
+            } else if (tokens_[at_].kind != TokenKind::close && !names_uniform(at_)) {
                 stray_value();
             } else if (tokens_[at_].kind == TokenKind::close) {
                 report_.warning("stray-bracket", lexer_.span(tokens_[at_]), "this bracket closes nothing");
@@ -64,6 +64,8 @@ private:
         if (tokens_[i].kind == TokenKind::open) return true;
         return tokens_[i].kind == TokenKind::word && plausible_number(text(i));
     }
+
+    bool names_uniform(std::size_t i) const { return is(i, TokenKind::word) && !looks_numeric(text(i)); }
 
     // Behind a name, what could also be a name is a value when it is true or false.
     bool begins_value_of_name(std::size_t i) const {
