@@ -1,0 +1,83 @@
+#ifndef SNELL_REFRACTION_GLSL
+#define SNELL_REFRACTION_GLSL
+#include <snell/fresnel.glsl>
+// Light through glass: the rungs of the ladder, cheapest first. I is the direction of the eye ray toward the
+// surface, N the outward normal; both of any length. n1 is the index outside, n2 the one of the glass.
+
+// One interface. For a ball of n = 1.5 the direction is 18 degrees wrong in the mean, 48 at the rim. Past the
+// critical angle the mirrored direction.
+vec3 snellRefractSingle(vec3 I, vec3 N, float n1, float n2) {
+    vec3 T;
+    snellRefract(I, N, n1, n2, T);
+    return T;
+}
+
+// Both interfaces of a ball, exact: 2 (T·I) T - I, by the symmetry of the chord. No second refraction, so no false
+// total reflection at the rim. Past the critical angle (n2 < n1) and for light from inside: the mirrored direction.
+vec3 snellRefractSphere(vec3 I, vec3 N, float n1, float n2) {
+    vec3 T;
+    vec3 i = snellNormalize(I, vec3(0.0, 0.0, -1.0));
+    if (dot(i, N) > 0.0 || !snellRefract(i, N, n1, n2, T)) return snellReflect(i, N);
+    return snellNormalize(2.0 * dot(T, i) * T - i, T);
+}
+
+// All ways out of a ball, one after the other. Use:
+//     SnellSphere s = snellSphereBegin(I, N, n1, n2);
+//     color = s.energy * look(s.direction);                         // mirrored outside
+//     for (int order = 1; order <= orders && snellSphereNext(s); ++order) color += s.energy * look(s.direction);
+// The path lies in a plane and each chord turns it by the same angle, so that exit k is exit 1 turned k - 1 times.
+struct SnellSphere {
+    vec3 direction;  // unit length, away from the ball
+    vec3 normal;     // unit vector from the centre to where it leaves
+    float energy;    // share of the light
+    float inside;    // share that is still in the ball after this exit
+    vec3 up, across;
+    vec2 angle, turn;  // cosine and sine
+    float cosI, sinI, reflectance;
+    int order;
+};
+
+const int SNELL_ORDERS = 32;       // at most, whatever is asked for
+const float SNELL_SERIES_END = 1.0e-4;  // less than this inside ends the series
+
+// Order 0, the mirrored ray. Light from the inside, past the critical angle, or with an index that is not positive:
+// energy 1, and no further exits.
+SnellSphere snellSphereBegin(vec3 I, vec3 N, float n1, float n2) {
+    SnellSphere s;
+    s.up = snellNormalize(N, vec3(0.0, 0.0, 1.0));
+    vec3 i = snellNormalize(I, -s.up);
+    float d = dot(i, s.up);
+    s.cosI = clamp(-d, 0.0, 1.0);
+    vec3 along = i - d * s.up;
+    s.sinI = min(length(along), 1.0);
+    s.across = snellNormalize(along, vec3(0.0));
+    s.reflectance = (d <= 0.0) ? snellFresnelExact(s.cosI, n1, n2) : 1.0;
+    float c = snellCosTransmitted(s.cosI, n1, n2);
+    float t = (c > 0.0) ? min(s.sinI * (n1 / n2), 1.0) : 0.0;
+    s.turn = vec2((t - c) * (t + c), 2.0 * t * c);
+    s.angle = vec2(1.0, 0.0);
+    s.direction = snellReflect(i, s.up);
+    s.normal = s.up;
+    s.energy = s.reflectance;
+    s.inside = (c > 0.0) ? 1.0 - s.reflectance : 0.0;
+    if (!(s.inside > 0.0)) {
+        s.energy = 1.0;
+        s.inside = 0.0;
+    }
+    s.order = 0;
+    return s;
+}
+
+// The next exit. False, and s unchanged: too little is left inside, or the limit is reached.
+bool snellSphereNext(inout SnellSphere s) {
+    if (!(s.inside >= SNELL_SERIES_END) || s.order >= SNELL_ORDERS) return false;
+    s.angle = vec2(s.angle.x * s.turn.x - s.angle.y * s.turn.y, s.angle.y * s.turn.x + s.angle.x * s.turn.y);
+    s.normal = s.angle.x * s.up + s.angle.y * s.across;
+    vec3 ahead = s.angle.x * s.across - s.angle.y * s.up;
+    s.direction = snellNormalize(s.cosI * s.normal + s.sinI * ahead, s.normal);
+    s.energy = s.inside * (1.0 - s.reflectance);
+    s.inside *= s.reflectance;
+    s.order += 1;
+    return true;
+}
+#endif
