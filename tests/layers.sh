@@ -20,7 +20,7 @@ complain "OpenImageIO belongs to src/content/oiio" \
   "$(code | grep -vE '^src/content/oiio/' | xargs grep -nE '#include <OpenImageIO')"
 complain "Dear ImGui belongs to src/ui" "$(code | grep -vE '^src/ui/' | xargs grep -nE '#include <imgui|#include <backends/imgui')"
 complain "the parser is the C++ standard library only" \
-  "$(find parser -name '*.h' -o -name '*.cpp' | xargs grep -nE '#include <(fmt|glm|nlohmann|filesystem|fstream|iostream|cstdio)|#include "src/')"
+  "$(find parser -name '*.h' -o -name '*.cpp' | xargs grep -nE '#include <(fmt|glm|nlohmann|filesystem|fstream|iostream)|#include "src/|\b(printf|fprintf|puts|fopen|exit|abort)\(')"
 
 # folder: the folders that it may include
 allow() {

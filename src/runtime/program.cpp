@@ -103,12 +103,19 @@ const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, 
     return nullptr;
 }
 
+// What the scene calls a uniform that the translation had to rename.
+std::string scene_name(const std::string& shader_name, const glsl::Translation& translation) {
+    const auto renamed = std::ranges::find(translation.renamed, shader_name, &glsl::RenamedUniform::shader_name);
+    return renamed == translation.renamed.end() ? shader_name : renamed->name;
+}
+
 // Sorts the active uniforms into what the runtime sets, what the scene sets and samplers.
-void introspect(LinkedProgram& linked, const Program& program, const gl::Caps& caps) {
+void introspect(LinkedProgram& linked, const Program& program, const glsl::Translation& translation,
+                const gl::Caps& caps) {
     const GLuint id = linked.program.get();
     const auto names = glsl::system_names();
     int next_unit = 0;
-    for (const gl::Uniform& uniform : gl::active_uniforms(id, caps.program_interface_query)) {
+    for (gl::Uniform& uniform : gl::active_uniforms(id, caps.program_interface_query)) {
         const std::string_view type = gl::type_name(uniform.type);
         if (type.empty()) continue;
         ActiveUniform active;
@@ -119,6 +126,8 @@ void introspect(LinkedProgram& linked, const Program& program, const gl::Caps& c
         active.array_size = uniform.size;
         active.location = uniform.location;
         active.initial = read_values(id, uniform, facts(type));
+        const bool ours = uniform.name.starts_with("snell_");
+        uniform.name = active.name = scene_name(uniform.name, translation);
         if (active.type == ValueType::sampler) {
             SamplerUniform sampler{uniform.name, sampler_target(type), uniform.location, next_unit, uniform.size, {}};
             for (double unit : active.initial) sampler.initial.push_back(static_cast<int>(unit));
@@ -130,7 +139,7 @@ void introspect(LinkedProgram& linked, const Program& program, const gl::Caps& c
             active.system = true;
             linked.system.push_back({system->system, uniform.location, uniform.size, {}});
         } else {
-            active.system = uniform.name.starts_with("snell_");
+            active.system = ours && uniform.name.starts_with("snell_");
             linked.user.push_back(
                 {uniform.name, type, uniform.location, active.components, uniform.size, active.initial});
         }
@@ -267,7 +276,7 @@ std::optional<LinkedProgram> link_program(const Program& program, const std::vec
     linked.program = std::move(result.program);
     linked.opaque = !translation.uses_alpha;
     note_geometry(linked, translation);
-    introspect(linked, program, caps);
+    introspect(linked, program, translation, caps);
     assign_units(linked);
     set_fixed_function_defaults(linked);
     // Where the target takes no initialisers, the values they would have given become the uniforms' own.

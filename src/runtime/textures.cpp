@@ -55,7 +55,7 @@ gl::Texels texels(const content::Image& rgba) {
 GLenum gl_target(TextureTarget target, const gl::Caps& caps) {
     switch (target) {
         case TextureTarget::d1:
-            return GL_TEXTURE_1D;
+            return caps.es ? GL_TEXTURE_2D : GL_TEXTURE_1D;
         case TextureTarget::d2:
             return GL_TEXTURE_2D;
         case TextureTarget::d3:

@@ -125,6 +125,10 @@ std::vector<float> value_of(System system, const DrawContext& c, int size) {
             return number(1);
         case System::point_size:
             return number(c.point_size);
+        case System::line_width:
+            return number(c.line_width);
+        case System::viewport:
+            return {static_cast<float>(c.width), static_cast<float>(c.height)};
     }
     return {};
 }

@@ -41,9 +41,10 @@ TEST_F(Cases, EveryCommandHasOneThatShowsSomething) {
 TEST_F(Cases, EveryCaseIsOfACommand) {
     std::set<std::string> names;
     for (const Command& row : commands()) names.insert(std::string(row.name));
-    for (const auto& entry : std::filesystem::directory_iterator(SNELL_ROOT "/tests/cases"))
-        if (entry.path().extension() == ".glib")
-            EXPECT_TRUE(names.contains(entry.path().stem().string())) << entry.path();
+    for (const auto& entry : std::filesystem::directory_iterator(SNELL_ROOT "/tests/cases")) {
+        if (entry.path().extension() != ".glib") continue;
+        EXPECT_TRUE(names.contains(entry.path().stem().string())) << entry.path();
+    }
 }
 
 TEST_F(Cases, LinesAreAsWideAsTheySay) {
