@@ -5,6 +5,7 @@
 
 #include "parser/handlers.h"
 #include "parser/names.h"
+#include "parser/words.h"
 
 namespace snell {
 namespace {
@@ -112,15 +113,6 @@ constexpr Command table[] = {
     {"Include", "file:path", "Reads another scene here, as if its text stood in this place.", handle::include, {}, addition, Group::other},
 };
 // clang-format on
-
-constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
-
-constexpr bool same_word(std::string_view a, std::string_view b) {
-    if (a.size() != b.size()) return false;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (lower(a[i]) != lower(b[i])) return false;
-    return true;
-}
 
 // Setting one bit makes letters lower case, and tells other characters well enough apart.
 constexpr std::uint32_t hash(std::string_view word) {

@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "parser/commands.h"
+#include "parser/names.h"
 #include "parser/text_of.h"
 
 namespace snell {
@@ -45,11 +46,7 @@ std::string_view kind(ArgumentKind kind) {
 
 std::string choices(std::string_view list) {
     std::string out;
-    while (!list.empty()) {
-        const std::size_t end = std::min(list.find('/'), list.size());
-        out += (out.empty() ? "[" : ", ") + json(list.substr(0, end));
-        list.remove_prefix(std::min(end + 1, list.size()));
-    }
+    for (const std::string_view word : split_choices(list)) out += (out.empty() ? "[" : ", ") + json(word);
     return out + "]";
 }
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <cstdlib>
 
+#include "parser/words.h"
+
 namespace snell {
 namespace {
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
 
 // Words longer than this are never near anything; it bounds the cost on hostile input.
 constexpr std::size_t longest_word = 64;

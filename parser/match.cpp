@@ -7,42 +7,13 @@
 #include <tuple>
 #include <utility>
 
+#include "parser/names.h"
 #include "parser/number.h"
-#include "parser/utf8.h"
+#include "parser/words.h"
 
 namespace snell {
 
 namespace {
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
-
-bool same_word(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
-}
-
-std::vector<std::string_view> split_choices(std::string_view choices) {
-    std::vector<std::string_view> words;
-    while (!choices.empty()) {
-        const std::size_t end = std::min(choices.find('/'), choices.size());
-        words.push_back(choices.substr(0, end));
-        choices.remove_prefix(std::min(end + 1, choices.size()));
-    }
-    return words;
-}
-
-// The place of a word among the choices; -1 when it is none of them.
-int find_choice(std::string_view choices, std::string_view word) {
-    if (choices == "on/off") {
-        if (word == "1" || same_word(word, "true")) return 0;
-        if (word == "0" || same_word(word, "false")) return 1;
-    }
-    for (int i = 0; !choices.empty(); ++i) {
-        const std::size_t end = std::min(choices.find('/'), choices.size());
-        if (same_word(choices.substr(0, end), word)) return i;
-        choices.remove_prefix(std::min(end + 1, choices.size()));
-    }
-    return -1;
-}
 
 std::string quoted(std::string_view text) { return "'" + std::string(text.substr(0, 60)) + "'"; }
 
@@ -283,13 +254,9 @@ private:
         if (out != nullptr) out->span = {lexer_.file(), begin, end};
         std::string_view text = lexer_.text().substr(begin, end - begin);
         if (tokens_[first].kind != TokenKind::text) return text;
-        text.remove_prefix(std::min<std::size_t>(text.size(), text[0] == '"' ? 1 : 3));
-        if (!tokens_[first].unclosed) {
-            text.remove_suffix(std::min<std::size_t>(text.size(), text.ends_with('"') ? 1 : 3));
-        } else if (out != nullptr) {
+        if (tokens_[first].unclosed && out != nullptr)
             report_.warning("unclosed-quote", out->span, "the closing '\"' is missing");
-        }
-        return text;
+        return without_quotes(text, !tokens_[first].unclosed);
     }
 
     bool take_name(const Parameter& p, Argument* out) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "parser/words.h"
+
 namespace snell {
 namespace {
 
@@ -19,21 +21,37 @@ constexpr std::array<std::string_view, 12> topologies{"gl_points",
                                                       "gl_triangle_strip_adjacency",
                                                       "gl_patches"};
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
-
 // The word at a place of a list of choices.
-std::string_view choice(std::string_view choices, std::size_t place) {
-    for (; place > 0; --place) choices.remove_prefix(choices.find('/') + 1);
-    return choices.substr(0, choices.find('/'));
-}
+std::string_view choice(std::string_view choices, std::size_t place) { return split_choices(choices)[place]; }
 
 }  // namespace
 
+std::vector<std::string_view> split_choices(std::string_view choices) {
+    std::vector<std::string_view> words;
+    while (!choices.empty()) {
+        const std::size_t end = std::min(choices.find('/'), choices.size());
+        words.push_back(choices.substr(0, end));
+        choices.remove_prefix(std::min(end + 1, choices.size()));
+    }
+    return words;
+}
+
+int find_choice(std::string_view choices, std::string_view word) {
+    if (choices == "on/off") {
+        if (word == "1" || same_word(word, "true")) return 0;
+        if (word == "0" || same_word(word, "false")) return 1;
+    }
+    for (int i = 0; !choices.empty(); ++i) {
+        const std::size_t end = std::min(choices.find('/'), choices.size());
+        if (same_word(choices.substr(0, end), word)) return i;
+        choices.remove_prefix(std::min(end + 1, choices.size()));
+    }
+    return -1;
+}
+
 std::optional<Topology> topology_named(std::string_view name) {
     for (std::size_t i = 0; i < topologies.size(); ++i) {
-        const bool same = std::equal(name.begin(), name.end(), topologies[i].begin(), topologies[i].end(),
-                                     [](char a, char b) { return lower(a) == b; });
-        if (same) return static_cast<Topology>(i);
+        if (same_word(name, topologies[i])) return static_cast<Topology>(i);
     }
     return std::nullopt;
 }

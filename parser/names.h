@@ -9,6 +9,12 @@
 
 namespace snell {
 
+// The words of a choice: "on/off".
+std::vector<std::string_view> split_choices(std::string_view choices);
+// The place of a word among the choices, without regard to case; -1 when it is none of them. 1, 0, true and
+// false will do for on and off.
+int find_choice(std::string_view choices, std::string_view word);
+
 std::optional<Topology> topology_named(std::string_view name);  // without regard to case
 std::string_view topology_name(Topology topology);
 const std::vector<std::string_view>& topology_names();

@@ -5,26 +5,19 @@
 #include <string>
 
 #include "parser/utf8.h"
+#include "parser/words.h"
 
 namespace snell {
 namespace {
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
 
 // Half a unit in the last place above the largest float: what rounds to infinity.
 constexpr double float_overflow = 0x1.ffffffp127;
 
-bool is_word(std::string_view text, std::string_view word) {
-    if (text.size() != word.size()) return false;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if (lower(text[i]) != word[i]) return false;
-    return true;
-}
-
 bool names_no_number(std::string_view text) {
     if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
-    return is_word(text, "nan") || is_word(text, "inf") || is_word(text, "infinity") || text.starts_with("1.#");
+    return same_word(text, "nan") || same_word(text, "inf") || same_word(text, "infinity") || text.starts_with("1.#");
 }
 
 // Dashes and minus signs that word processors put in place of '-'.

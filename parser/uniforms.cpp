@@ -4,18 +4,13 @@
 
 #include "parser/number.h"
 #include "parser/utf8.h"
+#include "parser/words.h"
 
 namespace snell {
 namespace {
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
-
-bool is_word(std::string_view text, std::string_view word) {
-    return std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char a, char b) { return lower(a) == b; });
-}
-
 // 1 for true, 0 for false, -1 for neither.
-int truth(std::string_view text) { return is_word(text, "true") ? 1 : is_word(text, "false") ? 0 : -1; }
+int truth(std::string_view text) { return same_word(text, "true") ? 1 : same_word(text, "false") ? 0 : -1; }
 
 char closer(char open) {
     switch (open) {
@@ -113,9 +108,7 @@ private:
     void add_to_name(std::size_t i) {
         std::string_view word = text(i);
         if (tokens_[i].kind == TokenKind::text) {
-            word.remove_prefix(std::min<std::size_t>(word.size(), word[0] == '"' ? 1 : 3));
-            if (!tokens_[i].unclosed)
-                word.remove_suffix(std::min<std::size_t>(word.size(), word.ends_with('"') ? 1 : 3));
+            word = without_quotes(word, !tokens_[i].unclosed);
         }
         if (!list_.program.empty()) list_.program += ' ';
         // A quote inside a word becomes an apostrophe: then the whole name can be written in quotes again.

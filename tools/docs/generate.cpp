@@ -121,11 +121,7 @@ std::vector<std::string> choice_words() {
     std::set<std::string> words;
     for (const Command& c : commands())
         for (const Parameter& p : c.signature.parameters)
-            for (std::string_view list = p.choices; !list.empty();) {
-                const std::size_t end = std::min(list.find('/'), list.size());
-                words.emplace(list.substr(0, end));
-                list.remove_prefix(std::min(end + 1, list.size()));
-            }
+            for (const std::string_view word : split_choices(p.choices)) words.emplace(word);
     for (const std::string_view name : topology_names()) words.emplace(name);
     return {words.begin(), words.end()};
 }

@@ -1,0 +1,27 @@
+// Words without regard to case (ASCII).
+#pragma once
+
+#include <string_view>
+
+namespace snell {
+
+constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+
+constexpr bool same_word(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (lower(a[i]) != lower(b[i])) return false;
+    return true;
+}
+
+// What stands between quotes, if `text` is in quotes: '"', or the curved ones, which have three bytes.
+constexpr std::string_view without_quotes(std::string_view text, bool closed) {
+    const std::size_t opening = text.starts_with('"') ? 1 : 3;
+    text.remove_prefix(opening < text.size() ? opening : text.size());
+    if (!closed) return text;
+    const std::size_t closing = text.ends_with('"') ? 1 : 3;
+    text.remove_suffix(closing < text.size() ? closing : text.size());
+    return text;
+}
+
+}  // namespace snell
