@@ -112,7 +112,10 @@ private:
             help =
                 "it reads like a uniform and is taken for program '" + current.name + "'; write it on the Program line";
         }
-        report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
+        Diagnostic& d = report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
+        if (program != Span{} && program != noted_)
+            d.notes.push_back({program, "the values are taken for this program all the same"});
+        noted_ = program;
         UniformList list = read_uniforms(statement.tokens, lexer, report_, false);
         for (UniformValue& u : list.uniforms) {
             const auto same = std::find_if(current.uniforms.begin(), current.uniforms.end(),
@@ -157,6 +160,7 @@ private:
     Builder builder_;
     std::vector<OpenText> open_;
     std::size_t statements_ = 0;
+    Span noted_;  // the Program of which the note about a lost backslash was given
 };
 
 }  // namespace

@@ -1,9 +1,12 @@
 // Sources, numbers, characters, suggestions, rendering.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <charconv>
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
+#include <random>
 
 #include "parser/commands.h"
 #include "parser/number.h"
@@ -94,6 +97,24 @@ TEST(Number, FindsFaults) {
         EXPECT_EQ(read_number(text).fault, fault) << text;
         EXPECT_EQ(read_number(text).value, value) << text;
     }
+}
+
+TEST(Number, ShortDecimalsHaveTheBitsOfTheStandardLibrary) {
+    std::mt19937 random(3);
+    for (int i = 0; i < 100'000; ++i) {
+        std::string text = random() % 2 ? "-" : "";
+        const std::size_t digits = random() % 17;
+        const std::size_t point = random() % 18;
+        for (std::size_t d = 0; d <= digits; ++d) {
+            if (d == point) text += '.';
+            text += static_cast<char>('0' + random() % 10);
+        }
+        double expected = 0;
+        std::from_chars(text.data(), text.data() + text.size(), expected);
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(read_number(text).value), std::bit_cast<std::uint64_t>(expected))
+            << text;
+    }
+    EXPECT_TRUE(std::signbit(read_number("-0.").value));
 }
 
 TEST(Number, SomeWordsOnlyBeginLikeNumbers) {
