@@ -157,9 +157,9 @@ void Builder::begin_program(Program program) {
 
 Program* Builder::program() { return program_ == none ? nullptr : &scene_.programs[program_]; }
 
-void Builder::draw(Shape shape, Span span, bool wire) {
+void Builder::draw(const Shape& shape, Span span, bool wire) {
     Draw draw;
-    draw.shape = std::move(shape);
+    draw.shape = shape;
     draw.wire = wire;
     draw.matrix = matrix_index();
     draw.camera = index_of(camera_, scene_.cameras);
@@ -169,7 +169,7 @@ void Builder::draw(Shape shape, Span span, bool wire) {
     draw.program = program_;
     draw.span = span;
     append(pass().items, Item{Item::Kind::draw, static_cast<Index>(scene_.draws.size())});
-    append(scene_.draws, std::move(draw));
+    append(scene_.draws, draw);
 }
 
 void Builder::clear(Span span) {

@@ -74,7 +74,7 @@ public:
     Program* program();
 
     // ---- geometry
-    void draw(Shape shape, Span span, bool wire = false);
+    void draw(const Shape& shape, Span span, bool wire = false);
     void clear(Span span);
     Index file(std::string_view name, Span span);
     // The list between glBegin and glEnd; nullptr outside.

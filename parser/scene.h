@@ -127,11 +127,14 @@ struct UniformValue {
     enum class Kind : std::uint8_t { scalar, array, range, boolean, color };
     std::string name;
     Kind kind = Kind::scalar;
-    std::vector<double> values;  // range: min, current, max; boolean: 0 or 1
+    std::vector<double> values;  // range: min, current, max; boolean: 0 or 1 (also <0>, <1>: a constant
+                                 // where the uniform is not bool)
     bool integral = false;       // every number was written without point and exponent
     Span span;                   // name and value
     Span name_span;
-    std::vector<Span> value_spans;  // one for each number: "save values" rewrites just these
+    // One for each number: "save values" rewrites just these. Empty (begin == end) for a number that the text
+    // lacks: the current value of <min max>, the blue of {r g}.
+    std::vector<Span> value_spans;
 };
 
 struct Program {

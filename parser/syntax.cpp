@@ -78,10 +78,11 @@ bool StatementReader::swallows_command(std::size_t first) const {
 void StatementReader::report_oddities() {
     for (const OddCharacter& odd : lexer_.odd_characters()) {
         const bool quote = odd.code >= 0x201C && odd.code <= 0x201E;
-        const std::string name = odd.code == 0xA0 ? "no-break space " : "character ";
-        const std::string times = odd.count > 1 ? " (" + std::to_string(odd.count) + " times in this text)" : "";
-        report_.warning(quote ? "odd-quote" : "odd-blank", odd.first,
-                        name + utf8::code_point(odd.code) + " is read as " + (quote ? "'\"'" : "a blank") + times);
+        std::string message = odd.code == 0xA0 ? "no-break space " : "character ";
+        message += utf8::code_point(odd.code);
+        message += quote ? " is read as '\"'" : " is read as a blank";
+        if (odd.count > 1) message += " (" + std::to_string(odd.count) + " times in this text)";
+        report_.warning(quote ? "odd-quote" : "odd-blank", odd.first, std::move(message));
     }
     for (const Span span : lexer_.stray_backslashes())
         report_.warning("stray-backslash", span, "a '\\' in the middle of a line continues nothing");

@@ -104,7 +104,7 @@ std::string uniform(const UniformValue& u) {
     for (const double value : u.values) values += (values.empty() ? "" : " ") + number(value, u.integral);
     // A name may end with a backslash only if its value follows at once.
     const bool glued = u.name.ends_with('\\');
-    const std::string start = u.name + (glued ? "" : " ");
+    std::string start = u.name + (glued ? "" : " ");
     switch (u.kind) {
         case UniformValue::Kind::scalar:
             return glued ? start + "<" + values + ">" : start + values;

@@ -65,7 +65,9 @@ std::string usage(const Command& c, std::size_t alternative) {
         std::string name(p.name);
         if (p.kind == ArgumentKind::vec3) name = "[" + name + "]";
         if (p.repeated) name += " …";
-        text += p.optional ? " (" + name + ")" : " " + name;
+        text += p.optional ? " (" : " ";
+        text += name;
+        if (p.optional) text += ")";
     }
     return text;
 }
