@@ -63,7 +63,7 @@ std::string usage(const Command& c, std::size_t alternative) {
     for (std::size_t i = 0; i < c.signature.parameter_count(alternative); ++i) {
         const Parameter& p = c.signature.parameter(alternative, i);
         std::string name(p.name);
-        if (p.kind == ArgumentKind::vec3) name = "[" + name + "]";
+        if (p.kind == ArgumentKind::vec3) name.insert(0, "[") += "]";
         if (p.repeated) name += " …";
         text += p.optional ? " (" : " ";
         text += name;
