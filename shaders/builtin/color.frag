@@ -1,4 +1,1 @@
-in vec4 color;
-out vec4 result;
-
-void main() { result = color; }
+void main() { gl_FragColor = gl_Color; }

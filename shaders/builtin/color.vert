@@ -1,11 +1,8 @@
 // Draws without a program: the current colour, unlit.
-uniform mat4 snell_ModelViewProjectionMatrix;
-in vec4 snell_Vertex;
-in vec4 snell_Color;
-out vec4 color;
+uniform float snell_PointSize;
 
 void main() {
-    color = snell_Color;
-    gl_Position = snell_ModelViewProjectionMatrix * snell_Vertex;
-    gl_PointSize = 1.0;
+    gl_FrontColor = gl_Color;
+    gl_Position = ftransform();
+    gl_PointSize = snell_PointSize;
 }

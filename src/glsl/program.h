@@ -40,7 +40,7 @@ void rename_words(Program& program);
 
 // A stage that the pipeline needs and the program lacks, as source text; empty if none is missing.
 std::string default_vertex_shader(Program& program);
-std::string default_fragment_shader(Program& program);
+std::string default_fragment_shader();
 
 // Prototypes of functions that are called above their definition.
 void declare_functions(Program& program, Unit& unit);

@@ -92,10 +92,7 @@ std::string default_vertex_shader(Program& program) {
     return text + "}\n";
 }
 
-std::string default_fragment_shader(Program& program) {
-    const bool color = any_mentions(program, {"gl_FrontColor"});
-    return std::string("void main() {\n    gl_FragColor = ") + (color ? "gl_Color" : "vec4(1.)") + ";\n}\n";
-}
+std::string default_fragment_shader() { return "void main() {\n    gl_FragColor = gl_Color;\n}\n"; }
 
 void complete_geometry(Program& program, Unit& u) {
     const bool has_input =

@@ -152,6 +152,7 @@ struct StageLayout {
 struct Unit {
     Stage stage = Stage::vertex;
     Span reference;
+    bool built_in = false;  // ours, where the program names none
     std::vector<FileId> files;
     std::deque<std::string> arena;  // texts that no source holds
 

@@ -21,6 +21,7 @@ void parse(Program& program) {
 void add_default(Program& program, Stage stage, std::string text, std::string name) {
     Unit u;
     u.stage = stage;
+    u.built_in = true;
     read_unit(program, u, program.sources.add(std::move(name), std::move(text)));
     program.units.push_back(std::move(u));
 }
@@ -29,7 +30,7 @@ void add_missing_stages(Program& program) {
     if (!program.find(Stage::vertex))
         add_default(program, Stage::vertex, default_vertex_shader(program), "<built-in vertex shader>");
     if (!program.find(Stage::fragment))
-        add_default(program, Stage::fragment, default_fragment_shader(program), "<built-in fragment shader>");
+        add_default(program, Stage::fragment, default_fragment_shader(), "<built-in fragment shader>");
     std::stable_sort(program.units.begin(), program.units.end(),
                      [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
 }
@@ -59,6 +60,14 @@ void want_extensions(const Target& target, Unit& u) {
                (t.text == "double" || t.text.starts_with("dvec") || t.text.starts_with("dmat"));
     });
     if (doubles && target.fp64) u.wanted_extensions.emplace_back("GL_ARB_gpu_shader_fp64");
+}
+
+// OpenGL ES has no other point size than the one that shaders write.
+void give_point_size(Unit& vertex) {
+    const auto wrote = [](const Token& t) { return t.text == "gl_PointSize"; };
+    if (std::any_of(vertex.tokens.begin(), vertex.tokens.end(), wrote)) return;
+    declare_once(vertex, "snell_PointSize", "uniform float snell_PointSize;");
+    at_main_end(vertex, "gl_PointSize = snell_PointSize;");
 }
 
 // OpenGL ES before 3.2 has the vertex and the fragment stage only.
@@ -101,6 +110,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     if (Unit* vertex = program.find(Stage::vertex)) assign_attributes(program, *vertex);
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);
     replace_legacy(program);
+    if (options.target.es && program.units.size() == 2) give_point_size(program.units.front());
 
     Translation out;
     for (Unit& u : program.units) {

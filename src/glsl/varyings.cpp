@@ -28,6 +28,7 @@ struct Context {
     int texcoords = 0;    // size of TexCoord
     std::map<Stage, Mentions> mentions;
     bool back_color = false, back_secondary = false;  // written: two-sided
+    std::set<std::string_view> handed_on;             // colours that no stage writes
 };
 
 bool arrayed_input(Stage s) { return s == Stage::tess_control || s == Stage::tess_evaluation || s == Stage::geometry; }
@@ -110,9 +111,11 @@ void scan(Context& c, const Unit& u) {
     }
 }
 
-std::string member_text(const Context& c, std::string_view v) {
-    if (v == "TexCoord") return "vec4 snell_TexCoord[" + std::to_string(c.texcoords) + "];";
-    return (v == "FogFragCoord" ? "float snell_" : "vec4 snell_") + std::string(v) + ";";
+std::string member_text(const Context& c, std::string_view v, std::string_view direction = "") {
+    const bool flat = c.program.options.flat_color && v.ends_with("Color");
+    const std::string before = (flat ? "flat " : "") + std::string(direction);
+    if (v == "TexCoord") return before + "vec4 snell_TexCoord[" + std::to_string(c.texcoords) + "];";
+    return before + (v == "FogFragCoord" ? "float snell_" : "vec4 snell_") + std::string(v) + ";";
 }
 
 std::set<std::string_view> all_members(const Context& c) {
@@ -134,23 +137,47 @@ void declare_block(Context& c, Unit& u, bool input) {
     u.header += text + ";\n";
 }
 
-// What a stage reads and the one before does not write: it gives black, or zero.
+// The current colour of the draw, handed on from the vertex shader, or what the stage before was given itself.
+std::string color_at(Unit& u, std::string_view v) {
+    const std::string attribute = v == "FrontColor" ? "snell_Color" : "snell_SecondaryColor";
+    if (u.stage == Stage::vertex) {
+        declare_once(u, attribute, "in vec4 " + attribute + ";");
+        return attribute;
+    }
+    const std::string_view vertex =
+        u.stage == Stage::tess_control ? "min(gl_InvocationID, gl_PatchVerticesIn - 1)" : "0";
+    return "snell_in[" + std::string(vertex) + "].snell_" + std::string(v);
+}
+
+// What a stage reads and the one before does not write: colours are the draw's, anything else is zero. From the
+// last stage to the first, as what is handed on has to be given, too.
 void give_missing(Context& c, const Unit& u) {
     Unit* from = c.program.before(u);
     if (!from) return;
     Mentions& given = c.mentions[from->stage];
     for (const std::string_view v : c.mentions[u.stage].in) {
-        if (!given.out.insert(v).second || from->stage == Stage::tess_control) continue;
-        const std::string name = "snell_" + std::string(v);
+        if (!given.out.insert(v).second) continue;
+        const bool color = v == "FrontColor" || v == "FrontSecondaryColor";
+        const bool control = from->stage == Stage::tess_control;
+        const std::string name = (control ? "snell_out[gl_InvocationID].snell_" : "snell_") + std::string(v);
         if (v == "TexCoord") {
             for (int n = 0; n < c.texcoords; ++n)
                 at_main_start(*from, name + "[" + std::to_string(n) + "] = vec4(0.0, 0.0, 0.0, 1.0);");
+        } else if (color) {
+            at_main_start(*from, name + " = " + color_at(*from, v) + ";");
+            if (from->stage != Stage::vertex) c.mentions[from->stage].in.insert(v);
         } else {
             at_main_start(*from, name + (v == "FogFragCoord" ? " = 0.0;" : " = vec4(0.0, 0.0, 0.0, 1.0);"));
         }
-        c.program.diagnostics.warning("input-without-output", u.reference,
-                                      "this shader reads a built-in input that the stage before does not write: gl_" +
-                                          std::string(v == "FrontColor" ? "Color" : v));
+        if (u.built_in || (color && c.handed_on.contains(v))) continue;
+        if (color) c.handed_on.insert(v);
+        const std::string read = "gl_" + std::string(v == "FrontColor"            ? "Color"
+                                                     : v == "FrontSecondaryColor" ? "SecondaryColor"
+                                                                                  : v);
+        c.program.diagnostics.warning(
+            "input-without-output", u.reference,
+            "this shader reads a built-in input that the stage before does not write: " + read +
+                (color ? ", which is the current colour then" : ", which is zero then"));
     }
 }
 
@@ -162,7 +189,7 @@ void declare_varyings(Context& c, Unit& u) {
         if (!m.out.empty() && !last) declare_block(c, u, false);
         return;
     }
-    for (const std::string_view v : last ? m.in : m.out) u.header += (last ? "in " : "out ") + member_text(c, v) + "\n";
+    for (const std::string_view v : last ? m.in : m.out) u.header += member_text(c, v, last ? "in " : "out ") + "\n";
 }
 
 void declare_uniform(Unit& u, const LegacyName& name) {
@@ -312,7 +339,7 @@ void functions(Unit& u, int i) {
 }  // namespace
 
 void replace_legacy(Program& program) {
-    Context c{program, false, 0, {}, false, false};
+    Context c{program, false, 0, {}, false, false, {}};
     for (Unit& u : program.units) {
         c.blocks = c.blocks || arrayed_input(u.stage);
         drop_redeclarations(u);
@@ -324,7 +351,7 @@ void replace_legacy(Program& program) {
         m.in.insert("BackColor");
     if (Mentions& m = c.mentions[Stage::fragment]; c.back_secondary && m.in.contains("FrontSecondaryColor"))
         m.in.insert("BackSecondaryColor");
-    for (const Unit& u : program.units) give_missing(c, u);
+    for (std::size_t n = program.units.size(); n-- > 0;) give_missing(c, program.units[n]);
     for (Unit& u : program.units) {
         for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()); ++i) {
             if (u.at(i).kind != Kind::identifier) continue;

@@ -152,12 +152,62 @@ TEST(GlslStages, BuiltInInputsThatNobodyWrites) {
         {Stage::fragment, "void main() { gl_FragColor = gl_Color + gl_TexCoord[1] + gl_FogFragCoord; }"}};
     const Translated t = translated(texts);
     EXPECT_EQ(t.count("input-without-output"), 3);
-    EXPECT_TRUE(t.has(Stage::vertex, "snell_FrontColor = vec4(0.0, 0.0, 0.0, 1.0);"));
+    EXPECT_TRUE(t.has(Stage::vertex, "snell_FrontColor = snell_Color;"));
+    EXPECT_TRUE(t.has(Stage::vertex, "snell_TexCoord[1] = vec4(0.0, 0.0, 0.0, 1.0);"));
     expect_valid(texts);
     expect_valid({{Stage::vertex, "void main() { gl_Position = gl_Vertex; }"},
                   {Stage::geometry,
                    "void main() { gl_FrontColor = gl_FrontColorIn[0]; gl_Position = gl_PositionIn[0]; EmitVertex(); }"},
                   {Stage::fragment, "void main() { gl_FragColor = gl_Color + gl_TexCoord[0]; }"}});
+}
+
+// The current colour is handed on by every stage that leaves it out; said once.
+TEST(GlslStages, TheColorThatNobodyWrites) {
+    const Texts texts = {{Stage::vertex, "void main() { gl_Position = gl_Vertex; }"},
+                         {Stage::geometry, "void main() { gl_Position = gl_PositionIn[0]; EmitVertex(); }"},
+                         {Stage::fragment, "void main() { gl_FragColor = gl_Color + gl_SecondaryColor; }"}};
+    const Translated t = translated(texts);
+    EXPECT_EQ(t.count("input-without-output"), 2);
+    EXPECT_TRUE(t.has(Stage::vertex, "snell_FrontColor = snell_Color;"));
+    EXPECT_TRUE(t.has(Stage::geometry, "snell_FrontColor = snell_in[0].snell_FrontColor;"));
+    expect_valid(texts);
+    const Translated without = vertex("void main() { gl_Position = gl_Vertex; }");
+    EXPECT_TRUE(without.diagnostics.items().empty());
+    EXPECT_TRUE(without.has(Stage::vertex, "snell_FrontColor = snell_Color;"));
+    EXPECT_TRUE(without.has(Stage::fragment, "snell_FragColor = snell_FrontColor;"));
+    expect_valid({{Stage::vertex, "#version 400\nin vec4 aVertex; void main() { gl_Position = aVertex; }"},
+                  {Stage::tess_control,
+                   "#version 400\nlayout(vertices = 3) out; void main() { gl_out[gl_InvocationID].gl_Position = "
+                   "gl_in[gl_InvocationID].gl_Position; gl_TessLevelOuter[0] = 1.; }"},
+                  {Stage::tess_evaluation,
+                   "#version 400\nlayout(triangles) in; void main() { gl_Position = gl_in[0].gl_Position; }"},
+                  {Stage::fragment, "void main() { gl_FragColor = gl_Color; }"}},
+                 {core450, core410, es320});
+}
+
+TEST(GlslStages, FlatColors) {
+    Options options;
+    options.flat_color = true;
+    Translated t;
+    translate_texts(t,
+                    {{Stage::vertex,
+                      "void main() { gl_FrontColor = gl_Color; gl_BackColor = gl_Color; gl_TexCoord[0] = "
+                      "gl_Vertex; gl_Position = gl_Vertex; }"},
+                     {Stage::fragment, "void main() { gl_FragColor = gl_Color + gl_TexCoord[0]; }"}},
+                    options);
+    EXPECT_TRUE(t.has(Stage::vertex, "flat out vec4 snell_FrontColor;"));
+    EXPECT_TRUE(t.has(Stage::fragment, "flat in vec4 snell_BackColor;"));
+    EXPECT_FALSE(t.has(Stage::fragment, "flat in vec4 snell_TexCoord"));
+    std::string log;
+    EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
+}
+
+TEST(GlslStages, PointSizesOnOpenGlEs) {
+    const Translated t = vertex("void main() { gl_Position = gl_Vertex; if (gl_Vertex.x > 0.) return; }", es320);
+    EXPECT_TRUE(t.has(Stage::vertex, "snell_main(); gl_PointSize = snell_PointSize;"));
+    EXPECT_FALSE(vertex("void main() { gl_Position = gl_Vertex; gl_PointSize = 3.; }", es320)
+                     .has(Stage::vertex, "snell_PointSize"));
+    EXPECT_FALSE(vertex("void main() { gl_Position = gl_Vertex; }").has(Stage::vertex, "PointSize"));
 }
 
 TEST(GlslStages, DirectionsMixedUp) {
