@@ -1,5 +1,7 @@
 #include "src/app/document.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "parser/parse.h"
@@ -50,6 +52,24 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
         make_controls(document->runtime->scene(), document->runtime->active_uniforms(), document->diagnostics);
     document->diagnostics.sort();
     return document;
+}
+
+std::string verbose_report(const Document& document) {
+    std::string report;
+    if (!document.runtime) return report;
+    for (const std::string& path : document.files->read_paths()) report += fmt::format("read {}\n", path);
+    const Scene& scene = document.scene();
+    for (size_t i = 0; i < scene.programs.size(); ++i) {
+        report += fmt::format("program '{}':", scene.programs[i].name);
+        for (const ActiveUniform& uniform : document.runtime->active_uniforms()[i])
+            report += fmt::format(" {} {}{}", uniform.glsl_type, uniform.name, uniform.system ? " (set by snell)" : "");
+        report += '\n';
+    }
+    const Counters& c = document.runtime->counters();
+    report += fmt::format(
+        "{} draws in {} passes, {} programs, {} images decoded, {} textures, about {} bytes of GPU memory\n",
+        scene.draws.size(), scene.passes.size(), c.programs_compiled, c.images_decoded, c.textures, c.gpu_bytes);
+    return report;
 }
 
 }  // namespace snell

@@ -40,4 +40,7 @@ std::string scene_folder(const std::string& path);
 // Never throws; what is wrong is in `diagnostics`. Needs a current context.
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps);
 
+// What was read and made of it, line by line, for scenes that say Verbose.
+std::string verbose_report(const Document& document);
+
 }  // namespace snell

@@ -86,10 +86,13 @@ bool check_output(const std::string& path) {
 }
 
 void print_diagnostics(const Document& document, bool quiet) {
+    const bool verbose = !quiet && document.runtime && document.scene().verbose;
+    if (verbose) fmt::print(stderr, "{}", verbose_report(document));
     Diagnostics shown;
-    for (const Diagnostic& diagnostic : document.diagnostics.items())
-        if (diagnostic.severity == Severity::error || (!quiet && diagnostic.severity == Severity::warning))
-            shown.add(diagnostic);
+    for (const Diagnostic& diagnostic : document.diagnostics.items()) {
+        const bool wanted = diagnostic.severity == Severity::note ? verbose : !quiet;
+        if (diagnostic.severity == Severity::error || wanted) shown.add(diagnostic);
+    }
     const std::string text = snell::render(shown, document.sources);
     std::fwrite(text.data(), 1, text.size(), stderr);
     if (!document.runtime) return;

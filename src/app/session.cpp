@@ -1,6 +1,7 @@
 #include "src/app/session.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -52,6 +53,7 @@ void Session::take(std::unique_ptr<Document> read) {
     if (stale_ || !read->runtime) return;
     if (shows) carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
     shown_ = std::move(read);
+    if (shown_->scene().verbose) std::fputs(verbose_report(*shown_).c_str(), stderr);
 }
 
 void Session::watch(const Document& read) {

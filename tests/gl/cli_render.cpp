@@ -147,6 +147,14 @@ TEST_F(CommandLine, EveryFormatOfTheModuleIsWritten) {
     }
 }
 
+TEST_F(CommandLine, MessagesAndVerboseGoToStandardError) {
+    folder.write("told.glib", "MessageBox Drag the sliders.\nVerbose\n" + bytes_of(at("good.glib")));
+    const Outcome outcome = snell("render " + at("told.glib") + " -o " + at("o.png"));
+    EXPECT_EQ(outcome.status, 0);
+    for (const char* expected : {"Drag the sliders.", "mix.frag", "program 'Mix':", "float uMix", "1 draws"})
+        EXPECT_NE(outcome.output.find(expected), std::string::npos) << expected << " in\n" << outcome.output;
+}
+
 TEST_F(CommandLine, StatsAreJson) {
     ASSERT_EQ(snell("render " + at("good.glib") + " -o " + at("o.png") + " --stats " + at("s.json")).status, 0);
     const auto json = nlohmann::json::parse(bytes_of(at("s.json")));
