@@ -11,6 +11,15 @@ float snellCauchy(float a, float b, float nanometres) {
     return a + b / (w * w);
 }
 
+// Sellmeier's n² = 1 + b1 w² / (w² - c1) + … for glasses whose data sheets have it, where two terms of Cauchy's are
+// .01 off in the violet (SF11). Wavelength as above, but not below 370: the poles lie there. At least 1.
+float snellSellmeier(vec3 b, vec3 c, float nanometres) {
+    float w = clamp(nanometres, 370.0, 1100.0) * 0.001, w2 = w * w;
+    vec3 terms = b * w2 / (w2 - c);
+    float n2 = 1.0 + terms.x + terms.y + terms.z;
+    return (n2 > 1.0) ? sqrt(n2) : 1.0;
+}
+
 // The indices at 611, 549 and 464 nm: the three wavelengths that stand best for red, green and blue.
 vec3 snellCauchyRgb(float a, float b) {
     return vec3(snellCauchy(a, b, 611.0), snellCauchy(a, b, 549.0), snellCauchy(a, b, 464.0));

@@ -173,6 +173,25 @@ TEST_P(LibraryLight, IndicesAgreeWithTheOracle) {
     EXPECT_LT(results[0].y, results[0].w) << "blue is bent most";
 }
 
+TEST_P(LibraryLight, SellmeierAgreesWithTheOracle) {
+    std::vector<Arguments> arguments;
+    for (int i = 0; i <= 1000; ++i) arguments.push_back({{static_cast<float>(370 + 0.73 * i), 0, 0, 0}, {}, {}});
+    const auto results = run("#include <snell/dispersion.glsl>\n",
+                             "return vec4(snellSellmeier(vec3(1.73759695, .313747346, 1.89878101), "
+                             "vec3(.013188707, .0623068142, 155.23629), a.x), "
+                             "snellSellmeier(vec3(1.03961212, .231792344, 1.01046945), "
+                             "vec3(.00600069867, .0200179144, 103.560653), a.x), 0., 0.);",
+                             arguments);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        EXPECT_NEAR(results[i].x, find_glass("SF11")->index(arguments[i].a.x), 2e-6);
+        EXPECT_NEAR(results[i].y, find_glass("BK7")->index(arguments[i].a.x), 2e-6);
+    }
+    for (const glm::vec4& r :
+         run("#include <snell/dispersion.glsl>\n",
+             "return vec4(snellSellmeier(vec3(1.7, .31, 1.9), vec3(.013, .062, 155.), a.x));", special_arguments(2000)))
+        EXPECT_TRUE(r.x >= 1.0F && r.x < 3.0F) << r.x;
+}
+
 // Hard case 26: without spread all methods are one lookup; 27: a channel past its critical angle sees the mirror image.
 TEST_P(LibraryLight, DispersionWithoutSpreadIsOneLookup) {
     set_cube([](const glm::dvec3& d) { return glm::vec3(0.5 + 0.5 * d); }, 64);

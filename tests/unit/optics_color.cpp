@@ -101,6 +101,9 @@ TEST(DispersionLadder, HasTheErrorsItPrints) {
     const std::pair<int, double> midpoint[] = {{4, .034}, {6, .019}, {8, .0134}, {16, .0061}, {32, .0032}, {64, .0014}};
     for (const auto& [count, expected] : midpoint)
         EXPECT_NEAR(fringe.rmse(spectral_bands(count, Weights::midpoint)) / expected, 1, 0.1) << count;
+    const std::pair<int, double> integrated[] = {{4, .0169}, {6, .0135}, {8, .0114}, {16, .0058}, {32, .0030}};
+    for (const auto& [count, expected] : integrated)
+        EXPECT_NEAR(fringe.rmse(spectral_bands(count)) / expected, 1, 0.1) << count;
 }
 
 TEST(DispersionLadder, IntegratedWeightsMakeFourBandsBetterThanThreeIndices) {

@@ -61,8 +61,9 @@ TEST(FresnelLadder, HasTheErrorsItPrints) {
 }
 
 TEST(FresnelLadder, FromInsideNeedsTheTransmittedCosine) {
-    EXPECT_NEAR(error(rungs()[4], 1.52, 1).mean / .0039, 1, 0.1);
-    EXPECT_NEAR(error(rungs()[6], 1.52, 1).mean / .0034, 1, 0.1);
+    const double printed[] = {.566, .309, .407, .252, .0039, .515, .0033};
+    for (std::size_t i = 0; i < std::size(printed); ++i)
+        EXPECT_NEAR(error(rungs()[i], 1.52, 1).mean / printed[i], 1, 0.1) << rungs()[i].name;
     const Rung naive{"naive", [](double c, double n1, double n2) { return schlick(c, normal_reflectance(n1, n2)); }};
     EXPECT_NEAR(error(naive, 1.52, 1).mean / .52, 1, 0.1);
 }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "src/optics/ray.h"
+
 namespace snell::optics {
 namespace {
 
@@ -160,6 +162,19 @@ TEST(RefractionLadder, OneInterfaceIsEighteenDegreesOff) {
     EXPECT_NEAR(error(1.5)(0.9), 27.29, 0.01);
 }
 
+// GLSL's refract with an eye vector of its natural length, as it is often written. An eye at distance 4, every pixel of
+// the ball's disc.
+TEST(RefractionLadder, AVectorOfTheWrongLengthIsFifteenDegreesOff) {
+    const double radius = std::tan(std::asin(1.0 / 4));
+    const double mean = over_disc([&](double b) {
+        const Ray ray{{0, 0, 4}, *unit({b * radius, 0, -1})};
+        const glm::dvec3 at = ray.at(cross_sphere(ray, glm::dvec3(0), 1).value().enter);
+        const glm::dvec3 wrong = glsl_refract(at - ray.origin, at, 1 / 1.5);
+        return angle_between(wrong, meet(ray.direction, at, 1, 1.5)->transmitted) * 180 / pi;
+    });
+    EXPECT_NEAR(mean, 14.9, 0.1);
+}
+
 TEST(RefractionLadder, LightLeftOutByOrders) {
     const double expected[3][4] = {
         {.0518, .0082, .0027, .0012}, {.0727, .0115, .0035, .0015}, {.161, .0360, .0093, .0030}};
@@ -173,8 +188,7 @@ TEST(RefractionLadder, LightLeftOutByOrders) {
         }
 }
 
-// Hard case 68, the path in float: two refractions turn to a false total reflection or lose digits, the closed form
-// does neither.
+// In float two refractions lose digits, the closed form does not.
 TEST(RefractionLadder, ClosedFormInFloatBeatsTwoRefractions) {
     double closed = 0, twice = 0;
     std::mt19937 random(3);
