@@ -17,6 +17,13 @@ vec3 snellNormalize(vec3 v, vec3 fallback) {
     return (l2 > 0.0 && l2 < 4.0) ? v * inversesqrt(l2) : fallback;
 }
 
+// mix() whose ends are exact: with weight 0, b may be infinite (0 times infinity is not a number). t is clamped.
+vec3 snellMix(vec3 a, vec3 b, float t) {
+    if (!(t > 0.0)) return a;
+    if (t >= 1.0) return b;
+    return mix(a, b, t);
+}
+
 // Angle between two directions of unit length, radians. acos of a dot product loses all digits below 1e-4.
 float snellAngle(vec3 a, vec3 b) {
     vec3 c = cross(a, b);

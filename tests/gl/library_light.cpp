@@ -282,7 +282,7 @@ TEST_P(LibraryLight, CompilesWhereverItMust) {
     for (const char* version : versions) {
         std::string all;
         for (const char* file :
-             {"core", "fresnel", "refraction", "environment", "bands", "dispersion", "irradiance", "noise"}) {
+             {"core", "fresnel", "refraction", "environment", "bands", "dispersion", "irradiance", "noise", "ray"}) {
             const std::string include = "#include <snell/" + std::string(file) + ".glsl>\n";
             EXPECT_TRUE(compiles(version, include)) << file;
             EXPECT_TRUE(compiles(version, include + include)) << file << " twice";
