@@ -179,14 +179,30 @@ bool at_main_start(Unit& u, std::string_view statement) {
     return true;
 }
 
-void at_main_end(Unit& u, std::string_view statement) {
+namespace {
+
+constexpr std::string_view wrapper = "void main() { snell_main(); }\n", call = "snell_main();";
+
+// A main of ours calls the user's.
+bool wrap_main(Unit& u) {
     const Function* main = find_main(u);
-    if (!main) return;
-    if (u.trailer.empty()) {
-        u.replace(main->name_token, "snell_main");
-        u.trailer = "void main() { snell_main(); }\n";
-    }
-    u.trailer.insert(u.trailer.size() - 2, std::string(statement) + " ");
+    if (!main) return false;
+    if (!u.trailer.empty()) return true;
+    u.replace(main->name_token, "snell_main");
+    u.trailer = wrapper;
+    return true;
+}
+
+}  // namespace
+
+void at_main_end(Unit& u, std::string_view statement) {
+    if (wrap_main(u)) u.trailer.insert(u.trailer.size() - 2, std::string(statement) + " ");
+}
+
+void declare_before_main(Unit& u, std::string_view declarations, std::string_view statements) {
+    if (!wrap_main(u)) return;
+    u.trailer.insert(u.trailer.find(call), statements);
+    u.trailer.insert(0, declarations);
 }
 
 std::string zero(const Type& type) {

@@ -2,10 +2,17 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
 #include "src/glsl/token.h"
 
 namespace snell::glsl {
+
+// A built-in variable that passes from the vertex to the fragment shader, as a member of a block.
+struct LegacyVarying {
+    std::string name, declaration;
+    int size = 0;  // of an array
+};
 
 // All stages of one program while they are translated.
 struct Program {
@@ -15,6 +22,7 @@ struct Program {
     std::vector<Unit> units;  // in the order of the pipeline
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
+    std::vector<LegacyVarying> legacy_varyings;  // set by replace_legacy where lines are widened
 
     const Target& target() const { return options.target; }
     Unit* find(Stage stage) {
@@ -60,6 +68,11 @@ void complete_geometry(Program& program, Unit& geometry);
 void provide_helpers(const Target& target, Unit& unit);
 // gl_… to snell_….
 void replace_legacy(Program& program);
+// Whether a geometry stage of ours will stand between the two of the program.
+bool widens_lines(const Program& program);
+// Its text; makes the shaders on both sides give and take what it hands on. Nothing where it isn't wanted or,
+// with a warning, not possible.
+std::optional<std::string> widen_lines(Program& program);
 // Initialisers that are no constants move to the start of main.
 void move_initialisers(Program& program, Unit& unit);
 // Qualifiers and types as the target wants them; rewrites the declarations marked dirty.
@@ -76,6 +89,8 @@ void declare_once(Unit& unit, std::string_view name, std::string_view declaratio
 bool at_main_start(Unit& unit, std::string_view statement);
 // Runs a statement when main has returned.
 void at_main_end(Unit& unit, std::string_view statement);
+// Declares behind the user's text, and runs statements before anything that main does.
+void declare_before_main(Unit& unit, std::string_view declarations, std::string_view statements);
 const Function* find_main(const Unit& unit);
 bool user_function(const Unit& unit, std::string_view name);
 // "vec3(x)" and the like: the value `text` of one type as another; empty if there is no way.

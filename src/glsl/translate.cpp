@@ -83,7 +83,7 @@ void refuse_stages(const Program& program) {
 
 Translation translate(const std::vector<StageInput>& stages, Sources& sources, const Options& options,
                       Diagnostics& diagnostics) {
-    Program program{options, sources, diagnostics, {}, {}, {}};
+    Program program{options, sources, diagnostics, {}, {}, {}, {}};
     const std::size_t errors = diagnostics.errors();
     program.units.reserve(stages.size() + 2);
     for (const StageInput& input : stages) {
@@ -111,9 +111,12 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);
     replace_legacy(program);
     if (options.target.es && program.units.size() == 2) give_point_size(program.units.front());
+    const std::optional<std::string> lines = widen_lines(program);
 
     Translation out;
     for (Unit& u : program.units) {
+        if (lines && u.stage == Stage::fragment)
+            out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});
         declare_functions(program, u);
         copy_assigned(program, u);
         move_initialisers(program, u);

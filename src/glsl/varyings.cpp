@@ -340,6 +340,8 @@ void functions(Unit& u, int i) {
 
 void replace_legacy(Program& program) {
     Context c{program, false, 0, {}, false, false, {}};
+    const bool wide = widens_lines(program);
+    c.blocks = wide;
     for (Unit& u : program.units) {
         c.blocks = c.blocks || arrayed_input(u.stage);
         drop_redeclarations(u);
@@ -367,11 +369,15 @@ void replace_legacy(Program& program) {
             }
         }
         declare_varyings(c, u);
-        if (u.stage == Stage::vertex && !c.blocks)
+        if (u.stage == Stage::vertex && (!c.blocks || wide))
             for (const std::string_view v :
                  {"gl_FrontColor", "gl_BackColor", "gl_FrontSecondaryColor", "gl_BackSecondaryColor"})
                 if (u.legacy_written.contains(v)) at_main_end(u, snell(v) + " = clamp(" + snell(v) + ", 0.0, 1.0);");
     }
+    if (wide && !c.mentions[Stage::fragment].in.empty())
+        for (const std::string_view v : all_members(c))
+            program.legacy_varyings.push_back(
+                {"snell_" + std::string(v), member_text(c, v), v == "TexCoord" ? c.texcoords : 0});
 }
 
 }  // namespace snell::glsl

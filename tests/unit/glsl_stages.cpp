@@ -202,6 +202,39 @@ TEST(GlslStages, FlatColors) {
     EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
 }
 
+// Colours, texture coordinates, structures, arrays, blocks and whole numbers pass the stage that widens lines.
+TEST(GlslStages, WideLines) {
+    const Texts rich = {
+        {Stage::vertex,
+         "#version 330 compatibility\nstruct Inner { vec3 n; float w[2]; }; struct S { Inner inner; vec4 c; };\n"
+         "out S vS; out mat3 vM; out float vA[3]; flat out int vN; flat out vec2 vF; out vec3 vUnread;\n"
+         "out Named { vec3 a; flat int b; } vs; out Plain { vec2 c; };\n"
+         "void main() { vS.c = gl_Color; vS.inner = Inner(gl_Normal, float[2](1., 2.)); vM = gl_NormalMatrix;\n"
+         "vA = float[3](1., 2., 3.); vN = 1; vF = vec2(0.); vUnread = vec3(1.); vs.a = gl_Normal; vs.b = 2;\n"
+         "c = vec2(1.); gl_FrontColor = gl_Color; gl_TexCoord[1] = gl_Vertex; gl_Position = ftransform(); }"},
+        {Stage::fragment,
+         "#version 330 compatibility\nstruct Inner { vec3 n; float w[2]; }; struct S { Inner inner; vec4 c; };\n"
+         "in S vS; in mat3 vM; in float vA[3]; flat in int vN; flat in vec2 vF;\n"
+         "in Named { vec3 a; flat int b; } fs; in Plain { vec2 c; };\nvec3 moved = vM[0];\n"
+         "void main() { gl_FragColor = gl_Color + gl_TexCoord[1] + vS.c * vS.inner.w[1] + vec4(moved, vA[2]) +\n"
+         "vec4(vF, vN, fs.b) + vec4(fs.a, c.x); }"}};
+    for (const Texts& texts : {rich, Texts{{Stage::vertex, "void main() { gl_Position = ftransform(); }"}},
+                               Texts{{Stage::fragment, "void main() { gl_FragColor = gl_Color; }"}}})
+        for (const Target& target : {core450, core330, es320})
+            for (const bool flat : {false, true}) {
+                Options options;
+                options.target = target;
+                options.wide_lines = true;
+                options.flat_color = flat;
+                Translated t;
+                translate_texts(t, texts, options);
+                std::string log;
+                ASSERT_EQ(t.translation.stages.size(), 3U);
+                EXPECT_EQ(t.translation.stages[1].stage, Stage::geometry);
+                EXPECT_TRUE(reference_accepts(t.translation, log)) << log << t.text(Stage::geometry);
+            }
+}
+
 TEST(GlslStages, PointSizesOnOpenGlEs) {
     const Translated t = vertex("void main() { gl_Position = gl_Vertex; if (gl_Vertex.x > 0.) return; }", es320);
     EXPECT_TRUE(t.has(Stage::vertex, "snell_main(); gl_PointSize = snell_PointSize;"));
