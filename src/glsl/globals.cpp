@@ -1,5 +1,6 @@
 // Global variables: initialisers that are no constants, and declarations as the target wants them.
 #include <algorithm>
+#include <charconv>
 
 #include "src/glsl/program.h"
 #include "src/glsl/words.h"
@@ -110,6 +111,22 @@ void adjust_interface(const Target& target, const Unit& u, Global& g) {
     }
 }
 
+// The texture units that a sampler's layout(binding) names become its default where the target has no bindings.
+void keep_binding(Program& program, const Global& g) {
+    if (g.type.base != Base::sampler || g.removed) return;
+    const auto binding = std::find_if(g.qualifiers.layout.begin(), g.qualifiers.layout.end(),
+                                      [](const LayoutItem& i) { return i.name == "binding"; });
+    const bool known = std::any_of(program.defaults.begin(), program.defaults.end(),
+                                   [&](const UniformDefault& d) { return d.name == g.name; });
+    if (binding == g.qualifiers.layout.end() || known) return;
+    int first = -1;
+    std::from_chars(binding->value.data(), binding->value.data() + binding->value.size(), first);
+    if (first < 0) return;
+    UniformDefault units{std::string(g.name), {}};
+    for (int n = 0; n < (g.type.dims ? std::max(g.type.size, 1) : 1); ++n) units.values.push_back(first + n);
+    program.defaults.push_back(std::move(units));
+}
+
 void adjust(Program& program, const Unit& u, Global& g) {
     const Target& target = program.target();
     Qualifiers& q = g.qualifiers;
@@ -122,6 +139,7 @@ void adjust(Program& program, const Unit& u, Global& g) {
     if (q.storage == Storage::in || q.storage == Storage::out) adjust_interface(target, u, g);
     if (q.storage == Storage::uniform) {
         const bool binding = target.es ? target.version >= 310 : target.version >= 420;
+        if (!binding) keep_binding(program, g);
         if (!binding && erase_layout(q, "binding")) g.dirty = true;
         const bool location = target.es ? target.version >= 310 : target.version >= 430;
         if (!location && erase_layout(q, "location")) g.dirty = true;

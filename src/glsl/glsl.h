@@ -49,6 +49,7 @@ struct Options {
     // Lines become quads of `snell_LineWidth` pixels in `snell_Viewport`, by a geometry stage that passes every
     // varying on. For programs of a vertex and a fragment shader only.
     bool wide_lines = false;
+    int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
     IncludeReader include;
 };
 
@@ -61,7 +62,8 @@ struct StageOutput {
 };
 
 // The value an initialised uniform has until something sets it (needed where the target takes no
-// initialisers, and to fill the user interface).
+// initialisers, and to fill the user interface), and the units of a sampler whose layout(binding) the target
+// does not take. `name` is the scene's, without "[0]".
 struct UniformDefault {
     std::string name;
     std::vector<double> values;

@@ -232,12 +232,26 @@ void replace_color(Context& c, Unit& u, int i, bool secondary) {
     u.replace(i, two_sided ? "(gl_FrontFacing ? " + front + " : " + back + ")" : front);
 }
 
-void declare_fragment_color(Unit& u, int i, std::string_view name) {
+// gl_FragColor is the colour of every render target, unless the shader has outputs of its own beside it.
+void write_every_target(Unit& u, int targets) {
+    const bool own = std::any_of(u.globals.begin(), u.globals.end(), [](const Global& g) {
+        return g.qualifiers.storage == Storage::out && !g.removed && !g.name.starts_with("gl_");
+    });
+    if (own || u.header.find(" snell_FragColor1;") != std::string::npos) return;
+    for (int n = 1; n < targets; ++n) {
+        const std::string number = std::to_string(n), name = "snell_FragColor" + number;
+        declare_once(u, name, "layout(location = " + number + ") out vec4 " + name + ";");
+        at_main_end(u, name + " = snell_FragColor;");
+    }
+}
+
+void declare_fragment_color(Unit& u, int i, std::string_view name, int targets) {
     const bool both =
         std::any_of(u.tokens.begin(), u.tokens.end(), [](const Token& t) { return t.text == "gl_FragData"; });
     u.replace(i, name == "gl_FragColor" && both ? "snell_FragData[0]" : snell(name));
     if (name == "gl_FragColor" && !both) {
         declare_once(u, "snell_FragColor", "layout(location = 0) out vec4 snell_FragColor;");
+        write_every_target(u, targets);
         return;
     }
     int most = 0;
@@ -290,7 +304,7 @@ void replace_one(Context& c, Unit& u, int i, const LegacyName& name) {
             u.replace(i, snell(name.name));
             return;
         case LegacyKind::color:
-            if (fragment) declare_fragment_color(u, i, name.name);
+            if (fragment) declare_fragment_color(u, i, name.name, c.program.options.color_outputs);
             return;
         case LegacyKind::limit:
             u.replace(i, limit(u, name.name));

@@ -235,6 +235,34 @@ TEST(GlslStages, WideLines) {
             }
 }
 
+TEST(GlslStages, FragColorIsTheColorOfEveryTarget) {
+    Options options;
+    options.color_outputs = 3;
+    Translated t;
+    translate_texts(t, {{Stage::fragment, "void main() { gl_FragColor = vec4(1.); if (gl_FragCoord.x > 3.) return; }"}},
+                    options);
+    EXPECT_TRUE(t.has(Stage::fragment, "layout(location = 2) out vec4 snell_FragColor2;"));
+    EXPECT_TRUE(t.has(Stage::fragment, "snell_main(); snell_FragColor1 = snell_FragColor;"));
+    std::string log;
+    EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
+    Translated own;
+    translate_texts(own, {{Stage::fragment, "#version 330\nout vec4 c; void main() { c = vec4(1.); }"}}, options);
+    EXPECT_FALSE(own.has(Stage::fragment, "location = 1"));
+}
+
+TEST(GlslStages, DroppedBindingsAreDefaults) {
+    const std::string text =
+        "#version 420\nlayout(binding = 5) uniform sampler2D uT; layout(binding = 2) uniform sampler2D uA[2];\n"
+        "out vec4 c; void main() { c = texture(uT, vec2(0.)) + texture(uA[1], vec2(0.)); }";
+    const Translated old = fragment(text, core330);
+    EXPECT_FALSE(old.has(Stage::fragment, "binding"));
+    EXPECT_TRUE(old.uniform_default("uT", {5}));
+    EXPECT_TRUE(old.uniform_default("uA", {2, 3}));
+    const Translated now = fragment(text);
+    EXPECT_TRUE(now.has(Stage::fragment, "layout(binding = 5)"));
+    EXPECT_TRUE(now.translation.defaults.empty());
+}
+
 TEST(GlslStages, PointSizesOnOpenGlEs) {
     const Translated t = vertex("void main() { gl_Position = gl_Vertex; if (gl_Vertex.x > 0.) return; }", es320);
     EXPECT_TRUE(t.has(Stage::vertex, "snell_main(); gl_PointSize = snell_PointSize;"));
