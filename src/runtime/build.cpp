@@ -78,6 +78,11 @@ std::string_view input_name(GLenum input) {
 
 constexpr std::array<std::string_view, 4> target_names{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
 
+int outputs_of(const Pass& pass, const gl::Caps& caps) {
+    if (pass.kind != Pass::Kind::textures) return 1;
+    return std::clamp(static_cast<int>(pass.textures.size()), 1, std::max(1, static_cast<int>(caps.max_draw_buffers)));
+}
+
 }  // namespace
 
 Runtime::Impl::Impl(Plan p, Files& files, Sources& sources, const gl::Caps& c, Diagnostics& diagnostics)
@@ -117,11 +122,14 @@ void Runtime::Impl::link_programs(Loading& loading) {
     const Scene& scene = plan.scene;
     std::vector<runtime::Variant> first(scene.programs.size());
     std::vector<bool> used(scene.programs.size(), false);
-    for (const Draw& draw : scene.draws) {
-        if (draw.program == none || used[draw.program]) continue;
-        used[draw.program] = true;
-        first[draw.program].flat = scene.rasters[draw.raster].flat;
-    }
+    for (const Pass& pass : scene.passes)
+        for (const Item& item : pass.items) {
+            if (item.kind != Item::Kind::draw) continue;
+            const Draw& draw = scene.draws[item.index];
+            if (draw.program == none || used[draw.program]) continue;
+            used[draw.program] = true;
+            first[draw.program] = {scene.rasters[draw.raster].flat, false, outputs_of(pass, caps)};
+        }
     for (Index i = 0; i < scene.programs.size(); ++i) {
         const LinkedProgram* linked = link(i, first[i], loading);
         active.emplace_back(linked ? linked->active : std::vector<ActiveUniform>{});
@@ -181,7 +189,7 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     ReadyDraw ready;
     ready.draw = index;
     ready.mesh = plan.draw_mesh[index];
-    runtime::Variant variant{raster.flat, false};
+    runtime::Variant variant{raster.flat, false, outputs_of(plan.scene.passes[pass], caps)};
     ready.program = link(draw.program, variant, loading);
     if (!ready.program || ready.mesh == none) return std::nullopt;
     auto& mesh = meshes[ready.mesh];

@@ -217,7 +217,12 @@ void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, const P
         state.texture(texture.unit, texture.target, texture.texture, texture.sampler);
     const Vec4& color = draw.color == none ? Vec4{1, 1, 1, 1} : plan.scene.colors[draw.color];
     const bool opaque = program.opaque || (draw.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color);
-    state.raster(plan.scene.rasters[draw.raster], opaque);
+    RasterState raster = plan.scene.rasters[draw.raster];
+    if (program.wide) {  // they are lines all the same: not outlined, and neither side is their back
+        raster.wireframe = false;
+        raster.cull = CullFace::none;
+    }
+    state.raster(raster, opaque);
     state.vertex_array(meshes[ready.mesh]->array.get());
     state.color(color);
     draw_mesh(ready);

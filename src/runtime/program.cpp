@@ -186,6 +186,22 @@ void set_fixed_function_defaults(LinkedProgram& linked) {
     }
 }
 
+// Values that the shaders name and the target has no words for: they become the uniforms' own. A value with
+// fewer components than the uniform is its beginning.
+void take_defaults(LinkedProgram& linked, const glsl::Translation& translation) {
+    const auto is = [](std::string_view name, const std::string& shader) {
+        return name == shader || (name.ends_with("[0]") && name.substr(0, name.size() - 3) == shader);
+    };
+    for (const glsl::UniformDefault& value : translation.defaults) {
+        for (ActiveUniform& active : linked.active)
+            if (is(active.name, value.name))
+                std::copy_n(value.values.begin(), std::min(value.values.size(), active.initial.size()),
+                            active.initial.begin());
+        for (SamplerUniform& sampler : linked.samplers)
+            if (is(sampler.name, value.name)) sampler.initial.assign(value.values.begin(), value.values.end());
+    }
+}
+
 bool stages_supported(const std::vector<glsl::StageInput>& stages, const Program& program, const gl::Caps& caps,
                       Diagnostics& diagnostics) {
     bool ok = true;
@@ -249,6 +265,7 @@ std::optional<LinkedProgram> link_program(const Program& program, const std::vec
     options.include = include_reader(files);
     options.flat_color = variant.flat;
     options.wide_lines = variant.wide;
+    options.color_outputs = variant.outputs;
     const glsl::Translation translation = glsl::translate(stages, sources, options, diagnostics);
     if (!translation.ok) return std::nullopt;
 
@@ -275,15 +292,12 @@ std::optional<LinkedProgram> link_program(const Program& program, const std::vec
     LinkedProgram linked;
     linked.program = std::move(result.program);
     linked.opaque = !translation.uses_alpha;
+    linked.wide = variant.wide;
     note_geometry(linked, translation);
     introspect(linked, program, translation, caps);
     assign_units(linked);
     set_fixed_function_defaults(linked);
-    // Where the target takes no initialisers, the values they would have given become the uniforms' own.
-    for (const glsl::UniformDefault& value : translation.defaults)
-        for (ActiveUniform& active : linked.active)
-            if (caps.es && active.name == value.name && active.initial.size() == value.values.size())
-                active.initial = value.values;
+    take_defaults(linked, translation);
     return linked;
 }
 

@@ -48,6 +48,7 @@ struct LinkedProgram {
     std::vector<SamplerUniform> samplers;
     bool opaque = false;  // writes alpha 1 whatever happens
     bool tessellates = false;
+    bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
 
     bool reads(glsl::System system) const;
@@ -57,6 +58,7 @@ struct LinkedProgram {
 struct Variant {
     bool flat = false;  // the legacy colours are not interpolated
     bool wide = false;  // lines are widened by a geometry stage of ours
+    int outputs = 1;    // textures rendered to at once: gl_FragColor is written to each
     auto operator<=>(const Variant&) const = default;
 };
 

@@ -78,6 +78,38 @@ TEST_F(ContextEs, TheCasesLookLikeThoseOfOpenGL) {
     }
 }
 
+// OpenGL ES takes no initial values of uniforms: they are there all the same, unless the scene says otherwise.
+TEST_F(ContextEs, UniformsHaveTheirInitialValues) {
+    folder.write("u.frag",
+                 "#version 330\nuniform vec3 uColor = vec3(0., 1., 0.);\nuniform float uScale[2] = float[2](.5, 1.);\n"
+                 "uniform bool uOn = true;\nout vec4 c;\n"
+                 "void main() { c = uOn ? vec4(uColor * uScale[1] + vec3(uScale[0], 0., 0.), 1.) : vec4(0.); }\n");
+    const std::string scene = "Ortho -1 1 -1 1\nFragment u.frag\nProgram U";
+    EXPECT_TRUE(near(draw(scene + "\nQuadXY\n").center(), {128, 255, 0, 255}));
+    EXPECT_TRUE(near(draw(scene + " uColor {0. 0. 1.}\nQuadXY\n").center(), {128, 0, 255, 255}));
+}
+
+// Bindings are words of OpenGL 4.2.
+TEST_F(Context33, SamplersReadTheUnitsThatTheShaderNames) {
+    folder.write("red.bmp", bmp(1, 1, {{255, 0, 0}}));
+    folder.write("green.bmp", bmp(1, 1, {{0, 255, 0}}));
+    folder.write("b.frag",
+                 "#version 420\nlayout(binding = 6) uniform sampler2D uImage;\nout vec4 c;\n"
+                 "void main() { c = texture(uImage, vec2(.5)); }\n");
+    const std::string scene = "Ortho -1 1 -1 1\nTexture2D 5 red.bmp\nTexture2D 6 green.bmp\nFragment b.frag\nProgram B";
+    EXPECT_TRUE(near(draw(scene + "\nQuadXY\n").center(), {0, 255, 0, 255}));
+    EXPECT_TRUE(near(draw(scene + " uImage 5\nQuadXY\n").center(), {255, 0, 0, 255}));
+}
+
+TEST_F(NarrowLines, AreNeitherCulledNorOutlined) {
+    for (const char* state : {"CullFace front\n", "CullFace back\n", "Wireframe on\n"}) {
+        const Picture picture = draw(std::string("Ortho -1 1 -1 1\nBackground 0 0 0\nLineWidth 9\n") + state +
+                                         "glBegin gl_lines\nglVertex -1 0 0\nglVertex 1 0 0\nglEnd\n",
+                                     {.width = 101, .height = 101});
+        EXPECT_EQ(picture.count(white), 9 * 101) << state;
+    }
+}
+
 TEST_F(NarrowLines, AreWidenedByOurselves) {
     auto document = open_file(case_file("LineWidth"));
     expect_clean(*document);

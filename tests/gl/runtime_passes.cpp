@@ -45,6 +45,15 @@ TEST_F(Passes, SeveralUnitsAreOutputsByLocation) {
     EXPECT_TRUE(near(draw(scene + "Program Show uUnit 6\nQuadXY\n").center(), green));
 }
 
+TEST_F(Passes, FragColorIsTheColorOfEveryTarget) {
+    folder.write("one.frag", "void main() { gl_FragColor = vec4(1., 0., 0., 1.); }\n");
+    const std::string scene =
+        "Texture2D 5 16 16\nTexture2D 6 16 16\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment one.frag\nProgram One\n"
+        "RenderToTexture 5 6\nQuadXY\nRenderToTexture\nVertex plain.vert\nFragment texture.frag\n";
+    EXPECT_TRUE(near(draw(scene + "Program Show uUnit 5\nQuadXY\n").center(), red));
+    EXPECT_TRUE(near(draw(scene + "Program Show uUnit 6\nQuadXY\n").center(), red));
+}
+
 TEST_F(Passes, BackgroundAndClearActOnTheCurrentTarget) {
     const Picture picture = draw(
         "Background 0 0 1\nTexture2D 5 16 16\nRenderToTexture 5\nBackground 0 1 0\nClear\nRenderToTexture\n"
