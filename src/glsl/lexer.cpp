@@ -191,4 +191,20 @@ Lexeme lex(std::string_view text, std::size_t from) {
     return {Kind::other, text.substr(from, end - from)};
 }
 
+std::size_t directive_end(std::string_view text, std::size_t i) {
+    while (i < text.size() && text[i] != '\n') {
+        if (text[i] == '\\' && i + 1 < text.size()) {
+            i += text[i + 1] == '\r' && i + 2 < text.size() ? 3 : 2;
+        } else if (text.substr(i, 2) == "/*") {
+            const std::size_t close = text.find("*/", i + 2);
+            i = close == std::string_view::npos ? text.size() : close + 2;
+        } else if (text.substr(i, 2) == "//") {
+            while (i < text.size() && text[i] != '\n') i += text[i] == '\\' && i + 1 < text.size() ? 2 : 1;
+        } else {
+            ++i;
+        }
+    }
+    return std::min(i, text.size());
+}
+
 }  // namespace snell::glsl
