@@ -140,10 +140,10 @@ static_assert(std::size(table) < 255);
 
 constexpr bool documented() {
     for (const Command& c : table)
-        if (c.name.empty() || c.doc.size() < 10 || c.handler == nullptr) return false;
+        if (c.name.empty() || c.doc.size() < 10) return false;
     return true;
 }
-static_assert(documented(), "every row has a name, a documentation and a handler");
+static_assert(documented(), "every row has a name and a documentation");
 
 }  // namespace
 
