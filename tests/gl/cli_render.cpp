@@ -68,6 +68,33 @@ TEST_F(CommandLine, RendersWithoutADisplay) {
     EXPECT_EQ(image.height, 30);
 }
 
+TEST_F(CommandLine, ALadderTakesTheNamedRung) {
+    folder.write("kind.frag",
+                 "void main() {\n#if KIND == KIND_red\ngl_FragColor = vec4(1., 0., 0., 1.);\n#elif N == N_8\n"
+                 "gl_FragColor = vec4(0., 0., 1., 1.);\n#else\nthis is no GLSL\n#endif\n}\n");
+    folder.write("ladder.glib",
+                 "Ladder KIND <red> other\nLadder N 4 8\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment kind.frag\n"
+                 "Program P\nQuadXY\n");
+    const std::string command = "render " + at("ladder.glib") + " -o " + at("o.png") + " --size 8x8";
+    const auto first_pixel = [&] {
+        const content::Image image = picture("o.png");
+        return image.pixels.size() < 3 ? 0 : static_cast<int>(image.pixels[0]);
+    };
+    EXPECT_EQ(snell(command).status, 0);
+    EXPECT_EQ(first_pixel(), 255);
+    const Outcome other = snell(command + " --ladder KIND=other --ladder N=8");
+    EXPECT_EQ(other.status, 0) << other.output;
+    EXPECT_EQ(first_pixel(), 0);
+    EXPECT_EQ(snell(command + " --ladder KIND=other").status, 1) << "that rung does not compile";
+
+    const Outcome unknown = snell(command + " --ladder KINDS=other");
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.output.find("did you mean 'KIND'?"), std::string::npos) << unknown.output;
+    const Outcome rung = snell(command + " --ladder KIND=othr");
+    EXPECT_EQ(rung.status, 1);
+    EXPECT_NE(rung.output.find("did you mean 'other'?"), std::string::npos) << rung.output;
+}
+
 TEST_F(CommandLine, TheSameFrameIsTheSameBytes) {
     snell("render " + at("good.glib") + " -o " + at("a.png") + " --time 1.5");
     snell("render " + at("good.glib") + " -o " + at("b.png") + " --time 1.5");
@@ -206,7 +233,7 @@ TEST_F(CommandLine, ThePrintedSceneRuns) {
     const std::string corpus = SNELL_ROOT "/../shared/corpus/bailey";
     if (!std::filesystem::exists(corpus)) GTEST_SKIP() << "the corpus is not beside the project";
     for (const auto& entry : std::filesystem::directory_iterator(corpus))
-        folder.write(entry.path().filename(), bytes_of(entry.path()));
+        folder.write(entry.path().filename().string(), bytes_of(entry.path()));
     for (const char* face : {"posx", "negx", "posy", "negy", "posz", "negz"})
         folder.write(std::string("nv") + face + ".bmp",
                      bytes_of(std::string(SNELL_ROOT "/scenes/environments/room/") + face + ".bmp"));

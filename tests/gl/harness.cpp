@@ -1,8 +1,6 @@
 #include "tests/gl/harness.h"
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "src/gl/debug.h"
 
@@ -26,22 +24,6 @@ int Picture::count(const Pixel& color, int tolerance) const {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) found += near(at(x, y), color, tolerance);
     return found;
-}
-
-Folder::Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "snell-test-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
-void Folder::write(const std::string& name, std::string_view text) const {
-    const std::filesystem::path file = path(name);
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << text;
 }
 
 void GlTest::SetUp() {

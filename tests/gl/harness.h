@@ -14,6 +14,7 @@
 #include "src/gl/target.h"
 #include "src/plan/view.h"
 #include "src/platform/headless.h"
+#include "tests/scratch.h"
 
 namespace snell::test {
 
@@ -31,19 +32,7 @@ struct Picture {
 
 bool near(const Pixel& a, const Pixel& b, int tolerance = 2);
 
-// A folder of files that goes away.
-class Folder {
-public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    void write(const std::string& name, std::string_view text) const;
-    std::string path(const std::string& name) const { return path_ + "/" + name; }
-
-private:
-    std::string path_;
-};
+using Folder = Scratch;
 
 struct Look {
     int width = 64, height = 64, samples = 1;

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/scratch.h"
+
 namespace snell::test {
 
 struct Pixel {
@@ -34,7 +36,7 @@ protected:
     // Writes a file into the test's own folder, as an editor would: a new file renamed over the old one, or in
     // place.
     void save(const std::string& name, const std::string& text, bool in_place = false);
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    std::string file(const std::string& name) const { return folder_.path(name); }
 
     // Opens a window on `scene` and waits for its first picture.
     void open(const std::string& scene, std::vector<std::string> more = {});
@@ -61,7 +63,7 @@ protected:
     std::string display_;
 
 private:
-    std::filesystem::path folder_;
+    Scratch folder_;
     pid_t server_ = 0, window_ = 0;
 };
 

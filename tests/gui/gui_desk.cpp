@@ -93,10 +93,7 @@ Pixel Picture::at(double x, double y) const {
 void Desk::SetUp() {
     for (const char* program : {"Xvfb", "xdotool", "import"})
         if (!installed(program)) GTEST_SKIP() << program << " is not installed";
-    std::string name = (std::filesystem::temp_directory_path() / "snell-gui-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    std::filesystem::create_directory(folder_ / "out");
+    std::filesystem::create_directory(file("out"));
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);
     server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"}, "", ends[1]);
@@ -115,8 +112,6 @@ void Desk::TearDown() {
     }
     end(window_);
     end(server_);
-    std::error_code none;
-    if (!folder_.empty()) std::filesystem::remove_all(folder_, none);
 }
 
 void Desk::save(const std::string& name, const std::string& text, bool in_place) {

@@ -4,7 +4,6 @@
 namespace snell::glsl::test {
 namespace {
 
-
 TEST(GlslLegacy, DeclaresOnlyWhatIsUsed) {
     const Translated t = vertex("void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
     EXPECT_TRUE(t.has(Stage::vertex, "uniform mat4 snell_ModelViewProjectionMatrix;"));

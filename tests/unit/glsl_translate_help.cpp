@@ -1,12 +1,10 @@
 #include "tests/unit/glsl_translate_help.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
+
+#include "tests/scratch.h"
 
 namespace snell::glsl::test {
 
@@ -57,21 +55,14 @@ bool reference_accepts(const Translation& translation, std::string& log) {
     static const bool installed = std::system("command -v glslangValidator > /dev/null 2>&1") == 0;
     if (!installed) return true;
     constexpr const char* extensions[] = {"vert", "tesc", "tese", "geom", "frag"};
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("snell_glsl_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
+    const Scratch folder;
     std::string command = "glslangValidator -l";
-    for (const StageOutput& s : translation.stages) {
-        const auto file = folder / (std::string("stage.") + extensions[static_cast<int>(s.stage)]);
-        std::ofstream(file, std::ios::binary) << s.text;
-        command += " " + file.string();
-    }
+    for (const StageOutput& s : translation.stages)
+        command += " " + folder.write(std::string("stage.") + extensions[static_cast<int>(s.stage)], s.text);
     std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
     char buffer[1024];
     while (pipe && std::fgets(buffer, sizeof buffer, pipe)) log += buffer;
-    const bool accepted = pipe && pclose(pipe) == 0;
-    std::filesystem::remove_all(folder);
-    return accepted;
+    return pipe && pclose(pipe) == 0;
 }
 
 void expect_valid(const Texts& texts, const std::vector<Target>& targets) {

@@ -15,6 +15,7 @@
 
 #include "src/content/compare.h"
 #include "src/content/image.h"
+#include "tests/scratch.h"
 
 namespace snell::content {
 
@@ -105,22 +106,11 @@ inline ImageResult read_file(const std::filesystem::path& path) { return decode_
 // A folder of its own for each test, gone afterwards.
 class ScratchFolder : public ::testing::Test {
 protected:
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "snell-image-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
-    std::string put(const std::string& name, std::string_view bytes) const {
-        std::ofstream(file(name), std::ios::binary) << bytes;
-        return file(name);
-    }
-    std::size_t entries() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
-    }
+    std::string file(const std::string& name) const { return folder_.path(name); }
+    std::string put(const std::string& name, std::string_view bytes) const { return folder_.write(name, bytes); }
+    std::size_t entries() const { return folder_.entries(); }
 
-    std::filesystem::path folder_;
+    const Scratch folder_;
 };
 
 }  // namespace snell::content

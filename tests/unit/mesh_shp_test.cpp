@@ -1,18 +1,16 @@
 // ESRI shape files, written by shapelib itself.
 #include <shapefil.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "tests/scratch.h"
 #include "tests/unit/mesh_check.h"
 
 namespace snell::content {
 namespace {
 
 using namespace check;
-namespace fs = std::filesystem;
 
 struct Record {
     int type;
@@ -22,9 +20,8 @@ struct Record {
 
 // The bytes of a .shp with these records.
 std::string shp(int type, const std::vector<Record>& records) {
-    std::string folder = (fs::temp_directory_path() / "snell-shp-XXXXXX").string();
-    if (!mkdtemp(folder.data())) throw std::runtime_error("no temporary folder");
-    const std::string path = folder + "/lines.shp";
+    const Scratch folder;
+    const std::string path = folder.path("lines.shp");
     const SHPHandle file = SHPCreate(path.c_str(), type);
     for (const Record& r : records) {
         std::vector<double> x, y, z;
@@ -36,9 +33,7 @@ std::string shp(int type, const std::vector<Record>& records) {
     }
     SHPClose(file);
     std::ifstream in(path, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    fs::remove_all(folder);
-    return bytes;
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 const std::vector<D3> zigzag{{0, 0, 5}, {1, 2, 6}, {3, 1, 7}, {10, 10, 8}, {11, 10, 9}};

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <charconv>
-#include <clocale>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -13,6 +12,7 @@
 #include "parser/text_of.h"
 #include "parser/utf8.h"
 #include "parser_support.h"
+#include "tests/decimal_comma.h"
 
 namespace snell::test {
 namespace {
@@ -138,15 +138,13 @@ TEST(Number, ShortestTextGivesTheSameBits) {
 }
 
 TEST(Number, TheLocaleChangesNothing) {
-    const std::string before = std::setlocale(LC_ALL, nullptr);
-    const bool german = std::setlocale(LC_ALL, "de_DE.UTF-8") || std::setlocale(LC_ALL, "de_DE");
+    const DecimalComma locale;
+    if (!locale.holds()) GTEST_SKIP() << "no locale with a decimal comma can be made here";
+    ASSERT_EQ(std::strtod("1,5", nullptr), 1.5) << "or else this test could not fail";
     const Read r = read("Translate 1.5 2,5 0\nProgram P uA <.5 1.5 2.5>\nSphere .25\n");
-    const std::string text = text_of::number(.5);
-    std::setlocale(LC_ALL, before.c_str());
     EXPECT_EQ(r.matrix(0)[12], 1.5);
     EXPECT_EQ(r.scene().programs[0].uniforms[0].values, (std::vector{.5, 1.5, 2.5}));
-    EXPECT_EQ(text, "0.5");
-    if (!german) GTEST_SKIP() << "no German locale is installed: checked in the C locale only";
+    EXPECT_EQ(text_of::number(.5), "0.5");
 }
 
 TEST(Utf8, RefusesWhatIsNotUtf8) {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "src/plan/files.h"
-#include "tests/unit/plan_scratch.h"
+#include "tests/scratch.h"
 
 namespace snell {
 namespace {
@@ -19,7 +19,7 @@ TEST(Resolve, ExactNameIsUsedAsItIs) {
     const Files files(folder.path());
     for (const char* name : {"wall.bmp", "Wall.bmp"}) {
         const Resolved found = files.resolve(name);
-        EXPECT_EQ(found.path, folder.at(name));
+        EXPECT_EQ(found.path, folder.path(name));
         EXPECT_FALSE(found.inexact);
     }
 }
@@ -31,7 +31,7 @@ TEST(Resolve, CaseOfEveryComponentIsForgiven) {
     for (const char* name : {"textures/stone/wall.bmp", "TEXTURES\\Stone\\wall.bmp", "./textures//STONE/Wall.bmp",
                              "\"Textures\\\\Stone\\\\wall.BMP\"", " textures/stone/wall.bmp "}) {
         const Resolved found = files.resolve(name);
-        EXPECT_EQ(found.path, folder.at("Textures/Stone/Wall.BMP")) << name;
+        EXPECT_EQ(found.path, folder.path("Textures/Stone/Wall.BMP")) << name;
     }
     EXPECT_TRUE(files.resolve("textures/stone/wall.bmp").inexact);
     EXPECT_FALSE(files.resolve("Textures\\Stone\\Wall.BMP").inexact) << "a backslash is no other name";
@@ -41,7 +41,7 @@ TEST(Resolve, LooksIntoEveryFolderThatFits) {
     const Scratch folder;
     folder.write("DATA/other.obj", "x");
     folder.write("Data/cow.obj", "x");
-    EXPECT_EQ(Files(folder.path()).resolve("data/COW.obj").path, folder.at("Data/cow.obj"));
+    EXPECT_EQ(Files(folder.path()).resolve("data/COW.obj").path, folder.path("Data/cow.obj"));
 }
 
 TEST(Resolve, ExtensionsInTheirOrder) {
@@ -51,10 +51,10 @@ TEST(Resolve, ExtensionsInTheirOrder) {
     folder.write("shade.VS", "x");
     const Files files(folder.path());
     const Resolved light = files.resolve("light", {"vert", "vs", "glsl"});
-    EXPECT_EQ(light.path, folder.at("light.vert"));
+    EXPECT_EQ(light.path, folder.path("light.vert"));
     EXPECT_TRUE(light.inexact);
-    EXPECT_EQ(files.resolve("light.", {"vert"}).path, folder.at("light.vert"));
-    EXPECT_EQ(files.resolve("Shade", {"vert", "vs", "glsl"}).path, folder.at("shade.VS"));
+    EXPECT_EQ(files.resolve("light.", {"vert"}).path, folder.path("light.vert"));
+    EXPECT_EQ(files.resolve("Shade", {"vert", "vs", "glsl"}).path, folder.path("shade.VS"));
     EXPECT_TRUE(files.resolve("light").path.empty()) << "without extensions nothing is added";
 }
 
@@ -65,13 +65,13 @@ TEST(Resolve, NamesFromOtherMachines) {
     const Files files(folder.path());
     for (const char* name : {"C:\\Users\\me\\Cow.obj", "/no/such/place/cow.obj", "models/cow.obj", "../lost/cow.obj"}) {
         const Resolved found = files.resolve(name);
-        EXPECT_EQ(found.path, folder.at("cow.obj")) << name;
+        EXPECT_EQ(found.path, folder.path("cow.obj")) << name;
         EXPECT_TRUE(found.inexact) << name;
     }
-    EXPECT_EQ(files.resolve(elsewhere.at("far.obj")).path, elsewhere.at("far.obj"));
+    EXPECT_EQ(files.resolve(elsewhere.path("far.obj")).path, elsewhere.path("far.obj"));
     folder.write("scene/a.glib", "x");
-    EXPECT_EQ(Files(folder.at("scene")).resolve("../cow.obj").path, folder.at("scene/../cow.obj"));
-    EXPECT_EQ(Files(folder.at("scene")).resolve("../COW.obj").path, folder.at("scene/../cow.obj"));
+    EXPECT_EQ(Files(folder.path("scene")).resolve("../cow.obj").path, folder.path("scene/../cow.obj"));
+    EXPECT_EQ(Files(folder.path("scene")).resolve("../COW.obj").path, folder.path("scene/../cow.obj"));
 }
 
 TEST(Resolve, SuggestsTheNearestName) {
@@ -89,15 +89,15 @@ TEST(Resolve, SuggestsTheNearestName) {
 
 TEST(Resolve, OnlyRegularFilesCount) {
     const Scratch folder;
-    std::filesystem::create_directory(folder.at("wall.bmp"));
+    std::filesystem::create_directory(folder.path("wall.bmp"));
     folder.write("WALL.bmp", "x");
-    std::filesystem::create_symlink("WALL.bmp", folder.at("link.bmp"));
-    std::filesystem::create_symlink("nowhere", folder.at("broken.bmp"));
-    std::filesystem::create_symlink("loop.bmp", folder.at("loop.bmp"));
-    ASSERT_EQ(mkfifo(folder.at("pipe.bmp").c_str(), 0600), 0);
+    std::filesystem::create_symlink("WALL.bmp", folder.path("link.bmp"));
+    std::filesystem::create_symlink("nowhere", folder.path("broken.bmp"));
+    std::filesystem::create_symlink("loop.bmp", folder.path("loop.bmp"));
+    ASSERT_EQ(mkfifo(folder.path("pipe.bmp").c_str(), 0600), 0);
     const Files files(folder.path());
-    EXPECT_EQ(files.resolve("wall.bmp").path, folder.at("WALL.bmp")) << "a folder is not a picture";
-    EXPECT_EQ(files.resolve("link.bmp").path, folder.at("link.bmp"));
+    EXPECT_EQ(files.resolve("wall.bmp").path, folder.path("WALL.bmp")) << "a folder is not a picture";
+    EXPECT_EQ(files.resolve("link.bmp").path, folder.path("link.bmp"));
     for (const char* name : {"broken.bmp", "loop.bmp", "pipe.bmp", "", ".", "..", "/", "\\", "   "}) {
         EXPECT_TRUE(files.resolve(name).path.empty()) << name;
     }
@@ -118,10 +118,10 @@ TEST(Resolve, BesideAnIncludingFile) {
     folder.write("lib/deep/fresnel.glsl", "x");
     folder.write("common.glsl", "x");
     const Files files(folder.path());
-    const std::string from = folder.at("lib/optics.glsl");
-    EXPECT_EQ(files.resolve_beside(from, "deep/fresnel.glsl").path, folder.at("lib/deep/fresnel.glsl"));
-    EXPECT_EQ(files.resolve_beside(from, "../common.glsl").path, folder.at("lib/../common.glsl"));
-    EXPECT_EQ(files.resolve_beside(from, "common.glsl").path, folder.at("common.glsl")) << "or the scene's folder";
+    const std::string from = folder.path("lib/optics.glsl");
+    EXPECT_EQ(files.resolve_beside(from, "deep/fresnel.glsl").path, folder.path("lib/deep/fresnel.glsl"));
+    EXPECT_EQ(files.resolve_beside(from, "../common.glsl").path, folder.path("lib/../common.glsl"));
+    EXPECT_EQ(files.resolve_beside(from, "common.glsl").path, folder.path("common.glsl")) << "or the scene's folder";
     EXPECT_TRUE(files.resolve_beside(from, "none.glsl").path.empty());
 }
 
@@ -132,20 +132,21 @@ TEST(Read, WholeFileCounted) {
     folder.write("empty", "");
     Files files(folder.path());
     std::string error;
-    EXPECT_EQ(files.read(folder.at("a.bin"), error), content);
-    EXPECT_EQ(files.read(folder.at("empty"), error), "");
-    EXPECT_EQ(files.read(folder.at("a.bin"), error), content);
+    EXPECT_EQ(files.read(folder.path("a.bin"), error), content);
+    EXPECT_EQ(files.read(folder.path("empty"), error), "");
+    EXPECT_EQ(files.read(folder.path("a.bin"), error), content);
     EXPECT_EQ(files.counters().opened, 3U);
     EXPECT_EQ(files.counters().bytes, 2 * content.size());
-    EXPECT_EQ(files.read_paths(), (std::vector<std::string>{folder.at("a.bin"), folder.at("empty")}));
+    EXPECT_EQ(files.read_paths(), (std::vector<std::string>{folder.path("a.bin"), folder.path("empty")}));
 }
 
 TEST(Read, RefusesWhatIsNoFileWithoutWaiting) {
     const Scratch folder;
-    ASSERT_EQ(mkfifo(folder.at("pipe").c_str(), 0600), 0);
+    ASSERT_EQ(mkfifo(folder.path("pipe").c_str(), 0600), 0);
     Files files(folder.path());
     const auto start = std::chrono::steady_clock::now();
-    for (const std::string& path : {folder.at("pipe"), folder.path(), std::string("/dev/zero"), folder.at("none")}) {
+    for (const std::string& path :
+         {folder.path("pipe"), folder.path(), std::string("/dev/zero"), folder.path("none")}) {
         std::string error;
         EXPECT_FALSE(files.read(path, error)) << path;
         EXPECT_FALSE(error.empty()) << path;
@@ -158,10 +159,10 @@ TEST(Read, RefusesWhatIsNoFileWithoutWaiting) {
 TEST(Read, RefusesWhatIsTooLarge) {
     const Scratch folder;
     folder.write("huge", "");
-    std::filesystem::resize_file(folder.at("huge"), Files::size_limit + 1);  // sparse
+    std::filesystem::resize_file(folder.path("huge"), Files::size_limit + 1);  // sparse
     Files files(folder.path());
     std::string error;
-    EXPECT_FALSE(files.read(folder.at("huge"), error));
+    EXPECT_FALSE(files.read(folder.path("huge"), error));
     EXPECT_NE(error.find("2 GiB"), std::string::npos) << error;
 }
 
@@ -171,7 +172,7 @@ TEST(Read, CreatesNothing) {
     Files files(folder.path());
     std::string error;
     (void)files.resolve("missing/name.bmp", {"bmp"});
-    (void)files.read(folder.at("missing"), error);
+    (void)files.read(folder.path("missing"), error);
     EXPECT_EQ(folder.entries(), 1U);
 }
 

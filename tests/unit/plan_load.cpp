@@ -6,7 +6,7 @@
 
 #include "src/content/noise.h"
 #include "src/plan/plan.h"
-#include "tests/unit/plan_scratch.h"
+#include "tests/scratch.h"
 
 namespace snell {
 namespace {
@@ -273,7 +273,7 @@ TEST_F(Loading, NoiseFileBesideTheSceneIsUsed) {
 TEST_F(Loading, Meshes) {
     folder.write("tri.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     folder.write("bad.obj", "f 1 2 9\n");
-    ASSERT_EQ(mkfifo(folder.at("pipe.obj").c_str(), 0600), 0);
+    ASSERT_EQ(mkfifo(folder.path("pipe.obj").c_str(), 0600), 0);
     scene.files = {{"tri.obj", {0, 10, 17}}, {"bad.obj", {0, 20, 27}}, {"pipe.obj", {0, 30, 38}}};
     scene.vertex_lists.resize(1);
     scene.vertex_lists[0].vertices.resize(3);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "src/plan/plan.h"
-#include "tests/unit/plan_scratch.h"
+#include "tests/scratch.h"
 
 namespace snell {
 namespace {
@@ -105,7 +105,7 @@ TEST_F(Planning, SharedShaderIsReadOnce) {
     EXPECT_EQ(sources.size(), 4U);
     EXPECT_EQ(made.programs[0].stages.at(0).file, made.programs[2].stages.at(0).file);
     EXPECT_EQ(sources.text(made.programs[0].stages.at(1).file), "one");
-    EXPECT_EQ(sources.name(made.programs[0].stages.at(0).file), folder.at("a.vert"));
+    EXPECT_EQ(sources.name(made.programs[0].stages.at(0).file), folder.path("a.vert"));
     EXPECT_EQ(made.programs[0].stages.at(1).stage, Stage::fragment);
     EXPECT_EQ(made.programs[1].stages.at(1).reference, scene.programs[1].stages[4]->span);
     for (const PlannedProgram& planned : made.programs) EXPECT_TRUE(planned.readable);

@@ -6,7 +6,7 @@
 
 #include "parser/parse.h"
 #include "src/plan/plan.h"
-#include "tests/unit/plan_scratch.h"
+#include "tests/scratch.h"
 #include "tests/unit/plan_uniforms.h"
 
 namespace snell {

@@ -1,11 +1,10 @@
 // Saved files are noticed: once, at rest, however they were written.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "src/app/watch.h"
+#include "tests/scratch.h"
 
 namespace snell {
 namespace {
@@ -14,15 +13,8 @@ namespace fs = std::filesystem;
 
 class WatchTest : public ::testing::Test {
 protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "snell-watch-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
-    void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
+    std::string file(const std::string& name) const { return folder_.path(name); }
+    void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
     // Looks until all is at rest: how often a change was told.
     int told() {
         int count = 0;
@@ -30,13 +22,13 @@ protected:
         return count;
     }
 
-    fs::path folder_;
+    const Scratch folder_;
     Watch watch_;
 };
 
 TEST_F(WatchTest, NothingHappenedNothingIsTold) {
     write("a", "1");
-    watch_.set_paths({file("a"), file("missing"), folder_.string()});
+    watch_.set_paths({file("a"), file("missing"), folder_.path()});
     EXPECT_EQ(told(), 0);
 }
 
@@ -65,7 +57,7 @@ TEST_F(WatchTest, RenamingOverDeletingAndAppearingAreChanges) {
 
 TEST_F(WatchTest, OfAFolderOnlyItsNamesCount) {
     write("a", "1");
-    watch_.set_paths({folder_.string()});
+    watch_.set_paths({folder_.path()});
     write("a", "2");
     write("fresh", "3");
     fs::rename(file("fresh"), file("a"));  // the folder changed, its names did not

@@ -13,10 +13,8 @@ namespace snell {
 
 class Scratch {
 public:
-    Scratch() {
-        std::string name = (std::filesystem::temp_directory_path() / "snell_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path_ = name;
+    Scratch() : path_((std::filesystem::temp_directory_path() / "snell-test-XXXXXX").string()) {
+        if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
     }
     ~Scratch() {
         std::error_code ignored;
@@ -26,11 +24,13 @@ public:
     Scratch& operator=(const Scratch&) = delete;
 
     const std::string& path() const { return path_; }
-    std::string at(std::string_view name) const { return path_ + "/" + std::string(name); }
-    void write(std::string_view name, std::string_view text) const {
-        const std::filesystem::path file = at(name);
+    std::string path(std::string_view name) const { return path_ + "/" + std::string(name); }
+    // Says where the file is. Folders in its name are made.
+    std::string write(std::string_view name, std::string_view text) const {
+        const std::filesystem::path file = path(name);
         std::filesystem::create_directories(file.parent_path());
         std::ofstream(file, std::ios::binary) << text;
+        return file.string();
     }
     std::size_t entries() const {
         std::size_t count = 0;
