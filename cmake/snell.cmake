@@ -9,6 +9,11 @@ if(SNELL_SANITIZE)
   target_compile_options(snell_options INTERFACE -fsanitize=${SNELL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(snell_options INTERFACE -fsanitize=${SNELL_SANITIZE})
 endif()
+if(SNELL_FUZZ)
+  # The libraries tell the fuzzer which of their branches an input took.
+  target_compile_options(snell_options INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(snell_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # snell_library(NAME libraries…): every .cpp of the calling folder.
 function(snell_library name)

@@ -1,7 +1,10 @@
 // Any bytes, and any mutation of a valid shader: no crash, no hang.
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
+#include "tests/fuzz/glsl_input.h"
 #include "tests/unit/glsl_translate_help.h"
 
 namespace snell::glsl::test {
@@ -65,6 +68,22 @@ TEST(GlslRobust, AnyBytes) {
           std::string("#include \""), std::string("#define A(\n"), std::string("layout("), std::string("\0\0", 2),
           std::string("void main() {")})
         EXPECT_FALSE(fragment(text).translation.stages.empty());
+}
+
+// What the fuzzer begins with, and what it has found: whole, and cut in several places.
+TEST(GlslRobust, TheCorpusOfTheFuzzer) {
+    std::size_t count = 0;
+    for (const char* folder : {"fuzz/glsl_corpus", "glsl"}) {
+        for (const auto& entry : std::filesystem::directory_iterator(std::string(SNELL_ROOT) + "/tests/" + folder)) {
+            std::ifstream in(entry.path(), std::ios::binary);
+            const std::string text{std::istreambuf_iterator<char>(in), {}};
+            fuzz::translate_bytes(text);
+            for (std::size_t choice = 0; choice < 20; ++choice)
+                fuzz::translate_bytes(text.substr(0, text.size() * (choice + 1) / 20) + static_cast<char>(choice));
+            ++count;
+        }
+    }
+    EXPECT_GE(count, 200u);
 }
 
 TEST(GlslRobust, DeepNesting) {

@@ -115,7 +115,7 @@ TEST(Total, EveryPrefixAndEveryLostByteOfAScene) {
 
 TEST(Total, TheCorpusOfTheFuzzer) {
     std::size_t count = 0;
-    for (const char* folder : {"fuzz/corpus", "odd", "bad"}) {
+    for (const char* folder : {"fuzz/parser_corpus", "odd", "bad"}) {
         for (const auto& entry : fs::directory_iterator(std::string(SNELL_ROOT) + "/tests/" + folder)) {
             expect_well(file_text(entry.path().string()));
             ++count;
