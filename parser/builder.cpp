@@ -151,6 +151,7 @@ void Builder::begin_program(Program program) {
     program.stages = stages;
     program.geometry_input = geometry_input;
     program.geometry_output = geometry_output;
+    program.ladders = scene_.ladders.size();
     program_ = static_cast<Index>(scene_.programs.size());
     append(scene_.programs, std::move(program));
 }

@@ -29,6 +29,7 @@ std::string program_text(const Program& p) {
     std::string text = p.name;
     for (const auto& stage : p.stages) text += "|" + (stage ? stage->name : std::string());
     text += "|" + p.geometry_input + "|" + p.geometry_output;
+    text += "|" + std::to_string(p.ladders);
     for (const UniformValue& u : p.uniforms)
         text += "|" + std::to_string(static_cast<int>(u.kind)) + text_of::uniform(u);
     return text;
@@ -77,6 +78,7 @@ std::string difference(const Scene& a, const Scene& b, double tolerance) {
         return [text](const auto& x, const auto& y) { return std::string(text(x) == text(y) ? "" : "text"); };
     };
     std::string d = lists("messages", a.messages, b.messages, unequal([](const Message& m) { return m.text; }));
+    if (d.empty()) d = lists("ladders", a.ladders, b.ladders, unequal(text_of::ladder));
     if (d.empty()) d = lists("programs", a.programs, b.programs, unequal(program_text));
     if (d.empty())
         d = lists("textures", a.textures, b.textures,

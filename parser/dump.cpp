@@ -58,6 +58,7 @@ std::string dump_program(const Program& p, std::size_t i) {
         if (p.stages[s]) out += " | " + std::string(text_of::stage_command(s)) + " " + text_of::name(p.stages[s]->name);
     if (!p.geometry_input.empty()) out += " | GeometryInput " + p.geometry_input;
     if (!p.geometry_output.empty()) out += " | GeometryOutput " + p.geometry_output;
+    if (p.ladders > 0) out += " | ladders " + std::to_string(p.ladders);
     out += "\n";
     for (const UniformValue& u : p.uniforms) out += "  " + text_of::uniform(u) + "\n";
     return out;
@@ -128,6 +129,8 @@ std::string dump_scene(const Scene& scene) {
     if (scene.gstap) out += "gstap\n";
     if (scene.verbose) out += "verbose\n";
     for (const Message& m : scene.messages) out += "message " + utf8::printable(m.text) + "\n";
+    for (std::size_t i = 0; i < scene.ladders.size(); ++i)
+        out += "ladder " + std::to_string(i) + " " + text_of::ladder(scene.ladders[i]) + "\n";
     for (std::size_t i = 0; i < scene.programs.size(); ++i) out += dump_program(scene.programs[i], i);
     for (std::size_t i = 0; i < scene.textures.size(); ++i)
         out += "texture " + std::to_string(i) + " " + text_of::texture(scene.textures[i]) + " | " +

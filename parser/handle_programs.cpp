@@ -48,7 +48,6 @@ void program(Builder& b, const Arguments& a) {
 }
 
 void gstap(Builder& b, const Arguments&) { b.scene().gstap = true; }
-void ladder(Builder& b, const Arguments& a) { not_drawn_yet(b, a, "Ladder"); }
 void irradiance(Builder& b, const Arguments& a) { not_drawn_yet(b, a, "Irradiance"); }
 void prefilter(Builder& b, const Arguments& a) { not_drawn_yet(b, a, "Prefilter"); }
 

@@ -20,6 +20,7 @@ public:
         header();
         for (std::size_t i = 0; i < scene_.passes.size(); ++i) pass(scene_.passes[i], i == 0);
         programs(static_cast<Index>(scene_.programs.size()));
+        ladders(scene_.ladders.size());
         textures(static_cast<Index>(scene_.textures.size()));
         return std::move(out_);
     }
@@ -131,6 +132,7 @@ private:
     void programs(Index end) {
         for (; program_ < end; ++program_) {
             const Program& p = scene_.programs[program_];
+            ladders(p.ladders);
             for (std::size_t i = 0; i < stage_count; ++i) {
                 const std::string name = p.stages[i] ? p.stages[i]->name : "";
                 if (name == stages_[i]) continue;
@@ -145,6 +147,10 @@ private:
             line(statement);
             program_set_ = true;
         }
+    }
+
+    void ladders(std::size_t end) {
+        for (; ladder_ < end; ++ladder_) line(text_of::ladder(scene_.ladders[ladder_]));
     }
 
     void topology(std::string_view command, const std::string& value, std::string& current) {
@@ -210,6 +216,7 @@ private:
     const Scene& scene_;
     std::string out_;
     Index texture_ = 0, program_ = 0;
+    std::size_t ladder_ = 0;
     bool program_set_ = false;
     Filter filter_;
     std::array<std::string, stage_count> stages_;

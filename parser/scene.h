@@ -137,11 +137,24 @@ struct UniformValue {
     std::vector<Span> value_spans;
 };
 
+// Methods from the cheapest to the exact one, of which one is chosen when programs are compiled.
+struct Ladder {
+    std::string name;                // an identifier
+    std::vector<std::string> rungs;  // at least one, all different; letters, digits and underscores
+    std::size_t current = 0;         // of `rungs`
+    Span span, name_span;
+    std::vector<Span> rung_spans;  // as `rungs`, without brackets
+
+    // Every rung is a whole number: its value means something.
+    bool numeric() const;
+};
+
 struct Program {
     std::string name;
     std::array<std::optional<FileName>, stage_count> stages;  // none: stage not set
     std::vector<UniformValue> uniforms;                       // in the order of the statement
     std::string geometry_input, geometry_output;              // "gl_triangles", …; empty: as the shader says
+    std::size_t ladders = 0;                                  // the first so many of Scene::ladders stood before it
     Span span;
 };
 
@@ -267,6 +280,7 @@ struct Scene {
     std::vector<Draw> draws;
     std::vector<Clear> clears;
 
+    std::vector<Ladder> ladders;  // their names all differ
     std::vector<Program> programs;
     std::vector<Texture> textures;
     std::vector<FileName> files;

@@ -119,6 +119,13 @@ std::string uniform(const UniformValue& u) {
     return start;
 }
 
+std::string ladder(const Ladder& ladder) {
+    std::string out = "Ladder " + ladder.name;
+    for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
+        out += i == ladder.current ? " <" + ladder.rungs[i] + ">" : " " + ladder.rungs[i];
+    return out;
+}
+
 std::string texture(const Texture& t) {
     constexpr std::array<std::string_view, texture_target_count> commands{"Texture1D", "Texture2D", "Texture3D",
                                                                           "CubeMap"};

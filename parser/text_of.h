@@ -15,6 +15,7 @@ std::string name(std::string_view name);
 // Every shape but a vertex list: one statement.
 std::string shape(const Scene& scene, const Shape& shape, bool wire);
 std::string uniform(const UniformValue& uniform);
+std::string ladder(const Ladder& ladder);
 std::string texture(const Texture& texture);
 std::string filter(const Filter& filter);
 // "Perspective …" or "Ortho …".

@@ -13,7 +13,7 @@ struct RenderOptions {
     std::string scene, output, stats;
     std::optional<std::pair<int, int>> size;
     double time = 0;
-    std::vector<std::string> sets;
+    std::vector<std::string> sets, ladders;
     int samples = 1;
     bool axes = false;
     std::string context;  // "", "3.3", "4.1", "4.5", "es3.2" …

@@ -40,18 +40,30 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
 
 std::string scene_folder(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
 
-std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps) {
+std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps, const RungChooser& choose) {
     auto document = std::make_unique<Document>();
     document->path = path;
     document->files = std::make_unique<Files>(scene_folder(path));
     auto parsed = parse_document(path, *document->files, document->sources, document->diagnostics);
     if (!parsed) return document;
     Plan plan = make_plan(std::move(parsed->scene), *document->files, document->sources, document->diagnostics);
+    if (choose) choose(plan.scene, plan.rungs);
     document->runtime.emplace(std::move(plan), *document->files, document->sources, caps, document->diagnostics);
     document->controls =
         make_controls(document->runtime->scene(), document->runtime->active_uniforms(), document->diagnostics);
+    document->controls.rungs = document->runtime->rungs();
     document->diagnostics.sort();
     return document;
+}
+
+bool follow_rungs(Document& document) {
+    Runtime& runtime = *document.runtime;
+    if (!runtime.choose(document.controls.rungs)) return false;
+    Diagnostics known;  // what is to be said of the scene's values was said when it was read
+    Controls controls = make_controls(runtime.scene(), runtime.active_uniforms(), known);
+    carry_over(document.controls, runtime.scene(), controls, runtime.scene());
+    document.controls = std::move(controls);
+    return true;
 }
 
 std::string verbose_report(const Document& document) {

@@ -1,6 +1,7 @@
 // A scene that is open: everything from its text to the runtime that draws it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,8 +38,16 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
 // The folder that names in the scene are relative to.
 std::string scene_folder(const std::string& path);
 
+// Changes the rungs that the programs are compiled for from those that the scene's text marks.
+using RungChooser = std::function<void(const Scene& scene, Rungs& rungs)>;
+
 // Never throws; what is wrong is in `diagnostics`. Needs a current context.
-std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps);
+std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps,
+                                        const RungChooser& choose = nullptr);
+
+// Compiles what the rungs of `controls` need; the controls are then those of the programs as they are now, with
+// the values they had. True: they may be others.
+bool follow_rungs(Document& document);
 
 // What was read and made of it, line by line, for scenes that say Verbose.
 std::string verbose_report(const Document& document);

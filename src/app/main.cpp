@@ -87,6 +87,9 @@ struct CommandLine {
         render_command->add_option("--set", render.sets, "uniform=value or Program.uniform=value; may be repeated")
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        render_command->add_option("--ladder", render.ladders, "ladder=rung; may be repeated")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
         render_command->add_option("--samples", render.samples, "samples a pixel")->check(CLI::Range(1, 64));
         render_command->add_option("--stats", render.stats, "write timings and counters as JSON");
         render_command->add_flag("--axes", render.axes, "draw the axes");

@@ -117,9 +117,13 @@ int render(const RenderOptions& options) {
     const gl::Caps caps = gl::query_caps();
     const auto context_made = Clock::now();
 
-    auto document = open_document(options.scene, caps);
+    Diagnostics unknown;
+    auto document = open_document(options.scene, caps, [&](const Scene& scene, Rungs& rungs) {
+        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, unknown);
+    });
     print_diagnostics(*document, options.quiet);
-    if (!document->runtime || !apply_sets(*document, options.sets)) return exit_input;
+    fmt::print(stderr, "{}", snell::render(unknown, document->sources));
+    if (!document->runtime || unknown.has_errors() || !apply_sets(*document, options.sets)) return exit_input;
     const auto loaded = Clock::now();
 
     const auto [width, height] =

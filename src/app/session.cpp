@@ -33,7 +33,9 @@ Session::Session(std::string path, gl::Caps caps) : path_(std::move(path)), caps
 
 void Session::reload() {
     ++revision_;
-    take(open_document(path_, caps_));
+    take(open_document(path_, caps_, [&](const Scene& scene, Rungs& rungs) {
+        if (shown_) carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
+    }));
 }
 
 bool Session::reload_if_saved() {
@@ -46,7 +48,8 @@ void Session::take(std::unique_ptr<Document> read) {
     problems_.clear();
     for (const Diagnostic& diagnostic : read->diagnostics.items())
         problems_.push_back({diagnostic.severity, render(diagnostic, read->sources)});
-    errors_ = read->diagnostics.errors();
+    errors_ = file_errors_ = read->diagnostics.errors();
+    file_problems_ = problems_.size();
     watch(*read);
     const bool shows = shown_ != nullptr;
     stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
@@ -54,6 +57,17 @@ void Session::take(std::unique_ptr<Document> read) {
     if (shows) carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
     shown_ = std::move(read);
     if (shown_->scene().verbose) std::fputs(verbose_report(*shown_).c_str(), stderr);
+}
+
+bool Session::follow_rungs() {
+    if (!shown_ || !snell::follow_rungs(*shown_)) return false;
+    ++revision_;
+    const Diagnostics& found = shown_->runtime->ladder_problems();
+    problems_.resize(file_problems_);
+    for (const Diagnostic& diagnostic : found.items())
+        problems_.push_back({diagnostic.severity, render(diagnostic, shown_->sources)});
+    errors_ = file_errors_ + found.errors();
+    return true;
 }
 
 void Session::watch(const Document& read) {

@@ -24,13 +24,17 @@ public:
     // Reloads when a file in use was saved. True: it did.
     bool reload_if_saved();
 
+    // Compiles what other rungs of the shown scene's ladders need, if its controls ask for them. True: problems may
+    // be others.
+    bool follow_rungs();
+
     // What is shown; none until the scene's file could be read.
     Document* document() { return shown_.get(); }
     // Of the files as they are now.
     const std::vector<ui::Problem>& problems() const { return problems_; }
     std::size_t errors() const { return errors_; }
     bool stale() const { return stale_; }
-    std::uint64_t revision() const { return revision_; }  // readings so far
+    std::uint64_t revision() const { return revision_; }  // readings and choices of rungs so far
     std::string problems_text() const;
 
 private:
@@ -40,7 +44,8 @@ private:
     std::string path_;
     gl::Caps caps_;
     std::unique_ptr<Document> shown_;
-    std::vector<ui::Problem> problems_;
+    std::vector<ui::Problem> problems_;  // of the files, then of the rungs chosen since
+    std::size_t file_problems_ = 0, file_errors_ = 0;
     std::size_t errors_ = 0;
     bool stale_ = false;
     std::uint64_t revision_ = 0;

@@ -148,6 +148,10 @@ private:
             ui::shell(facts(), document ? document->controls : no_controls, view_, memory_, gui_.fonts(), layout_);
         interface_ = gui_.end();
         window_->set_cursor(gui_.cursor());
+        if (session_.follow_rungs()) {
+            report();
+            unsettled_ = 3;
+        }
         if (requests.reload) {
             session_.reload();
             report();

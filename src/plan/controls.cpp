@@ -316,7 +316,9 @@ Control* Controls::find(Index program, std::string_view name) {
 
 Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
                        Diagnostics& diagnostics) {
-    return Maker(scene, diagnostics).make(active);
+    Controls controls = Maker(scene, diagnostics).make(active);
+    controls.rungs = marked_rungs(scene);
+    return controls;
 }
 
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
@@ -334,6 +336,7 @@ void carry_over(const Controls& from, const Scene& from_scene, Controls& to, con
         const std::vector<UniformValue>& uniforms = scene.programs[control.program].uniforms;
         return control.uniform < uniforms.size() ? uniforms[control.uniform].values : std::vector<double>{};
     };
+    carry_over(from.rungs, from_scene, to.rungs, to_scene);
     for (Control& control : to.items) {
         const auto match = std::find_if(from.items.begin(), from.items.end(), [&](const Control& old) {
             return old.name == control.name && old.type == control.type && old.components == control.components &&

@@ -8,6 +8,7 @@
 
 #include "parser/diagnostic.h"
 #include "parser/scene.h"
+#include "src/plan/rungs.h"
 
 namespace snell {
 
@@ -44,6 +45,7 @@ struct Control {
 
 struct Controls {
     std::vector<Control> items;  // by program, then in the order of the Program line; unlisted ones last
+    Rungs rungs;                 // none: those that the programs were compiled for
 
     Control* find(Index program, std::string_view name);
     const Control* find(Index program, std::string_view name) const;

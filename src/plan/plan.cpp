@@ -156,6 +156,7 @@ private:
 Plan make_plan(Scene scene, Files& files, Sources& sources, Diagnostics& diagnostics) {
     Plan plan;
     plan.scene = std::move(scene);
+    plan.rungs = marked_rungs(plan.scene);
     Planner(plan, files, sources, diagnostics).plan();
     return plan;
 }

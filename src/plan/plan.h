@@ -21,6 +21,7 @@
 #include "src/content/mesh.h"
 #include "src/glsl/glsl.h"
 #include "src/plan/files.h"
+#include "src/plan/rungs.h"
 
 namespace snell {
 
@@ -47,6 +48,7 @@ struct Plan {
     // By Scene::textures: the first texture with the same target and files, whose pixels are these; itself for
     // the first, and for empty textures.
     std::vector<Index> same_pixels;
+    Rungs rungs;  // to compile the programs for; at first as the scene's text marks them
 };
 
 // Reads the shaders of every program, each file once. Of meshes and textures only the existence of their files

@@ -15,21 +15,8 @@ using runtime::SamplerUniform;
 
 namespace {
 
-// The scene's unit of one element of a sampler: what the Program line says, else what the shader says.
-int scene_unit(const Program& program, const SamplerUniform& sampler, size_t element) {
-    for (const UniformValue& uniform : program.uniforms)
-        if (uniform.name == sampler.name && element < uniform.values.size())
-            return static_cast<int>(uniform.values[element]);
-    return element < sampler.initial.size() ? sampler.initial[element] : 0;
-}
-
-bool names_unit(const Program& program, const SamplerUniform& sampler) {
-    return std::ranges::any_of(program.uniforms, [&](const UniformValue& u) { return u.name == sampler.name; });
-}
-
 // The dimensions of the built-in noise that stands on this sampler, 0 for none.
-int noise_dimensions(const Program& program, const SamplerUniform& sampler, int unit) {
-    const bool named = names_unit(program, sampler);
+int noise_dimensions(const SamplerUniform& sampler, bool named, int unit) {
     if (sampler.target == TextureTarget::d2 && ((sampler.name == "Noise2" && !named) || unit == 2)) return 2;
     if (sampler.target == TextureTarget::d3 && ((sampler.name == "Noise3" && !named) || unit == 3)) return 3;
     return 0;
@@ -85,35 +72,53 @@ int outputs_of(const Pass& pass, const gl::Caps& caps) {
 
 }  // namespace
 
-Runtime::Impl::Impl(Plan p, Files& files, Sources& sources, const gl::Caps& c, Diagnostics& diagnostics)
-    : plan(std::move(p)), caps(c), textures(plan.scene, files, caps, diagnostics), state(caps) {
-    Loading loading{files, sources, diagnostics};
+Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics& diagnostics)
+    : plan(std::move(p)),
+      caps(c),
+      files(&f),
+      sources(&s),
+      working(plan.scene.programs.size()),
+      textures(plan.scene, f, caps, diagnostics),
+      state(caps) {
+    prepare(diagnostics);
+    if (!plan.scene.ladders.empty()) said = diagnostics.items();
+}
+
+// For the chosen rungs. What an earlier call has made is used again.
+void Runtime::Impl::prepare(Diagnostics& diagnostics) {
+    Loading loading{*files, *sources, diagnostics, {}};
     link_programs(loading);
+    Diagnostics unheard;  // who asks for the controls hears of them
+    given = make_controls(plan.scene, active, unheard);
     ready_passes(loading);
     drop_unread_passes(diagnostics);
     textures.finish();
     const runtime::TextureCounters& t = textures.counters();
     counters.images_decoded = t.decoded;
     counters.bytes_decoded = t.bytes_decoded;
-    counters.bytes_uploaded += t.bytes_uploaded;
+    counters.bytes_uploaded += t.bytes_uploaded - counted.bytes_uploaded;
     counters.textures = t.textures;
-    counters.gpu_bytes += t.gpu_bytes;
+    counters.gpu_bytes += t.gpu_bytes - counted.gpu_bytes;
+    counted = t;
     counters.targets = targets.size();
-    counters.files_opened = files.counters().opened;
-    counters.bytes_read = files.counters().bytes;
+    counters.files_opened = files->counters().opened;
+    counters.bytes_read = files->counters().bytes;
 }
 
 LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& variant, Loading& loading) {
     const auto [slot, fresh] = programs.try_emplace({program, variant});
+    Diagnostics& problems_of = program_problems[slot->first];
     if (fresh) {
         if (program == none || (plan.programs[program].readable && plan.programs[program].stages.empty())) {
             slot->second = runtime::link_builtin(variant, caps);
         } else if (plan.programs[program].readable) {
-            slot->second = runtime::link_program(plan.scene.programs[program], plan.programs[program].stages, variant,
-                                                 caps, loading.files, loading.sources, loading.diagnostics);
+            slot->second =
+                runtime::link_program(plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders,
+                                      variant, caps, loading.files, loading.sources, problems_of);
         }
         counters.programs_compiled += slot->second ? 1 : 0;
     }
+    if (loading.reported.insert(&problems_of).second) loading.diagnostics.append(problems_of);
     return slot->second ? &*slot->second : nullptr;
 }
 
@@ -122,16 +127,18 @@ void Runtime::Impl::link_programs(Loading& loading) {
     const Scene& scene = plan.scene;
     std::vector<runtime::Variant> first(scene.programs.size());
     std::vector<bool> used(scene.programs.size(), false);
+    active.clear();
+    animated = mouse = false;
     for (const Pass& pass : scene.passes)
         for (const Item& item : pass.items) {
             if (item.kind != Item::Kind::draw) continue;
             const Draw& draw = scene.draws[item.index];
             if (draw.program == none || used[draw.program]) continue;
             used[draw.program] = true;
-            first[draw.program] = {scene.rasters[draw.raster].flat, false, outputs_of(pass, caps)};
+            first[draw.program] = {scene.rasters[draw.raster].flat, false, outputs_of(pass, caps), {}};
         }
     for (Index i = 0; i < scene.programs.size(); ++i) {
-        const LinkedProgram* linked = link(i, first[i], loading);
+        const LinkedProgram* linked = link_chosen(i, first[i], loading);
         active.emplace_back(linked ? linked->active : std::vector<ActiveUniform>{});
         if (!linked || !used[i]) continue;
         animated = animated || linked->reads(glsl::System::timer) || linked->reads(glsl::System::time);
@@ -141,7 +148,7 @@ void Runtime::Impl::link_programs(Loading& loading) {
 
 void Runtime::Impl::ready_passes(Loading& loading) {
     meshes.resize(plan.meshes.size());
-    passes.resize(plan.scene.passes.size());
+    passes.assign(plan.scene.passes.size(), {});
     for (Index pass = 0; pass < plan.scene.passes.size(); ++pass) {
         ready_target(pass, loading.diagnostics);
         for (const Item& item : plan.scene.passes[pass].items)
@@ -167,6 +174,7 @@ void Runtime::Impl::ready_target(Index pass, Diagnostics& diagnostics) {
     }
     auto& made = targets[ready.textures];
     ready.live = !attachments.empty();
+    if (!made.empty()) ready.live = static_cast<bool>(made.back().framebuffer);
     if (!ready.live || !made.empty()) return;
     const bool cube = declared.kind == Pass::Kind::cube;
     for (GLenum face = 0; face < (cube ? 6U : 1U); ++face) {
@@ -189,7 +197,8 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     ReadyDraw ready;
     ready.draw = index;
     ready.mesh = plan.draw_mesh[index];
-    runtime::Variant variant{raster.flat, false, outputs_of(plan.scene.passes[pass], caps)};
+    runtime::Variant variant{raster.flat, false, outputs_of(plan.scene.passes[pass], caps), {}};
+    if (draw.program != none) variant.rungs = working[draw.program].value_or(rungs_of(draw.program));
     ready.program = link(draw.program, variant, loading);
     if (!ready.program || ready.mesh == none) return std::nullopt;
     auto& mesh = meshes[ready.mesh];
@@ -253,10 +262,16 @@ void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
     for (const SamplerUniform& sampler : ready.program->samplers) {
         if (!sampler.target) continue;
         const bool cube = sampler.target == TextureTarget::cube;
+        // What the Program line says of a sampler is read as every other value is.
+        const Control* control = given.find(draw.program, sampler.name);
+        const bool named = control && control->listed;
         for (int element = 0; element < sampler.size; ++element) {
-            const int unit = scene_unit(program, sampler, static_cast<size_t>(element));
-            const int noise = noise_dimensions(program, sampler, unit);
-            const bool by_name = noise && !names_unit(program, sampler);
+            const auto at = static_cast<size_t>(element);
+            const int unit = control && at < control->value.size() ? static_cast<int>(control->value[at])
+                             : at < sampler.initial.size()         ? sampler.initial[at]
+                                                                   : 0;
+            const int noise = noise_dimensions(sampler, named, unit);
+            const bool by_name = noise && !named;
             Index found = find_texture(scene, draw, by_name ? noise : unit, *sampler.target);
             // OpenGL ES has no 1D textures: they are 2D ones of one row.
             if (found == none && caps.es && sampler.target == TextureTarget::d2)

@@ -53,7 +53,9 @@ struct Runtime::Impl {
         Files& files;
         Sources& sources;
         Diagnostics& diagnostics;
+        std::set<const Diagnostics*> reported;  // of `program_problems`
     };
+    void prepare(Diagnostics& diagnostics);
     void link_programs(Loading& loading);
     runtime::LinkedProgram* link(Index program, const runtime::Variant& variant, Loading& loading);
     void ready_passes(Loading& loading);
@@ -62,6 +64,11 @@ struct Runtime::Impl {
     void bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
     bool match_topology(runtime::ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics);
     void ready_target(Index pass, Diagnostics& diagnostics);
+
+    // ladders.cpp
+    bool choose(const Rungs& rungs);
+    Rungs rungs_of(Index program) const;
+    runtime::LinkedProgram* link_chosen(Index program, runtime::Variant variant, Loading& loading);
 
     // frame.cpp
     struct PassView;
@@ -78,9 +85,16 @@ struct Runtime::Impl {
 
     Plan plan;
     gl::Caps caps;
+    Files* files;
+    Sources* sources;
     // By Scene::programs (none: the built-in one) and variant; empty where it failed. Nodes stay where they are.
     std::map<std::pair<Index, runtime::Variant>, std::optional<runtime::LinkedProgram>> programs;
+    std::map<std::pair<Index, runtime::Variant>, Diagnostics> program_problems;
+    std::vector<std::optional<Rungs>> working;       // by Scene::programs: the last rungs that linked
+    std::vector<Diagnostic> said;                    // when the runtime was made
+    Diagnostics problems;                            // of the rungs chosen since
     std::vector<std::vector<ActiveUniform>> active;  // by Scene::programs
+    Controls given;                                  // the values of the scene's text
     std::vector<std::optional<runtime::GpuMesh>> meshes;
     std::optional<runtime::GpuMesh> axes;
     runtime::Textures textures;
@@ -88,6 +102,7 @@ struct Runtime::Impl {
     std::map<std::vector<Index>, std::vector<gl::TextureTarget>> targets;  // by the textures rendered to
     runtime::State state;
     Counters counters;
+    runtime::TextureCounters counted;  // that `counters` has
     bool animated = false, mouse = false;
 };
 

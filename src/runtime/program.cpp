@@ -238,6 +238,19 @@ glsl::IncludeReader include_reader(Files& files) {
     };
 }
 
+// FRESNEL and the number of each of its rungs, FRESNEL_f0 …; where these are numbers, the current one.
+std::vector<glsl::Define> ladder_defines(std::span<const Ladder> ladders, const Rungs& rungs) {
+    std::vector<glsl::Define> defines;
+    for (size_t i = 0; i < ladders.size() && i < rungs.size(); ++i) {
+        const Ladder& ladder = ladders[i];
+        for (size_t rung = 0; rung < ladder.rungs.size(); ++rung)
+            defines.push_back({ladder.name + "_" + ladder.rungs[rung], std::to_string(rung)});
+        defines.push_back({ladder.name, std::to_string(rungs[i])});
+        if (ladder.numeric()) defines.push_back({ladder.name + "_VALUE", ladder.rungs[rungs[i]]});
+    }
+    return defines;
+}
+
 void note_geometry(LinkedProgram& linked, const glsl::Translation& translation) {
     for (const auto& stage : translation.stages) {
         if (stage.stage == Stage::tess_evaluation) linked.tessellates = true;
@@ -255,8 +268,8 @@ bool LinkedProgram::reads(glsl::System which) const {
 }
 
 std::optional<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
-                                          const Variant& variant, const gl::Caps& caps, Files& files, Sources& sources,
-                                          Diagnostics& diagnostics) {
+                                          std::span<const Ladder> ladders, const Variant& variant, const gl::Caps& caps,
+                                          Files& files, Sources& sources, Diagnostics& diagnostics) {
     if (!stages_supported(stages, program, caps, diagnostics)) return std::nullopt;
     glsl::Options options;
     options.target = {caps.glsl, caps.es, caps.fp64};
@@ -265,6 +278,7 @@ std::optional<LinkedProgram> link_program(const Program& program, const std::vec
     options.include = include_reader(files);
     options.flat_color = variant.flat;
     options.wide_lines = variant.wide;
+    options.defines = ladder_defines(ladders, variant.rungs);
     options.color_outputs = variant.outputs;
     const glsl::Translation translation = glsl::translate(stages, sources, options, diagnostics);
     if (!translation.ok) return std::nullopt;
@@ -311,7 +325,7 @@ LinkedProgram link_builtin(const Variant& variant, const gl::Caps& caps) {
     for (const auto& [stage, name] :
          {std::pair(Stage::vertex, "builtin/color.vert"), std::pair(Stage::fragment, "builtin/color.frag")})
         stages.push_back({stage, sources.add(name, std::string(embedded_shader(name))), {}});
-    auto linked = link_program(program, stages, variant, caps, files, sources, diagnostics);
+    auto linked = link_program(program, stages, {}, variant, caps, files, sources, diagnostics);
     if (!linked) throw std::runtime_error("the built-in program failed:\n" + render(diagnostics, sources));
     return std::move(*linked);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,13 +60,15 @@ struct Variant {
     bool flat = false;  // the legacy colours are not interpolated
     bool wide = false;  // lines are widened by a geometry stage of ours
     int outputs = 1;    // textures rendered to at once: gl_FragColor is written to each
+    Rungs rungs;        // of the ladders that the program knows
     auto operator<=>(const Variant&) const = default;
 };
 
-// Nothing when it failed; why is in `diagnostics`, at the program's statement or in its shaders.
+// `ladders`: as Variant::rungs. Nothing when it failed; why is in `diagnostics`, at the program's statement or in its
+// shaders.
 std::optional<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
-                                          const Variant& variant, const gl::Caps& caps, Files& files, Sources& sources,
-                                          Diagnostics& diagnostics);
+                                          std::span<const Ladder> ladders, const Variant& variant, const gl::Caps& caps,
+                                          Files& files, Sources& sources, Diagnostics& diagnostics);
 
 // Draws the current colour, unlit. Throws when it fails: nothing can be drawn in a context where that is so.
 LinkedProgram link_builtin(const Variant& variant, const gl::Caps& caps);

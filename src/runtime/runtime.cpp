@@ -14,7 +14,13 @@ const Scene& Runtime::scene() const { return impl_->plan.scene; }
 const std::vector<std::vector<ActiveUniform>>& Runtime::active_uniforms() const { return impl_->active; }
 bool Runtime::animated() const { return impl_->animated; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
-void Runtime::draw(const Frame& frame, const Surface& surface) { impl_->draw(frame, surface); }
+bool Runtime::choose(const Rungs& rungs) { return impl_->choose(rungs); }
+const Rungs& Runtime::rungs() const { return impl_->plan.rungs; }
+const Diagnostics& Runtime::ladder_problems() const { return impl_->problems; }
+void Runtime::draw(const Frame& frame, const Surface& surface) {
+    impl_->choose(frame.controls.rungs);
+    impl_->draw(frame, surface);
+}
 const Counters& Runtime::counters() const { return impl_->counters; }
 
 }  // namespace snell

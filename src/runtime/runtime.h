@@ -39,19 +39,29 @@ struct Counters {
 class Runtime {
 public:
     // Compiles the programs, then realises what their active uniforms and the draws call for. Problems go to
-    // `diagnostics`; a draw whose program failed is left out.
+    // `diagnostics`; a draw whose program failed is left out. `files` and `sources` outlive the runtime.
     Runtime(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics);
     ~Runtime();
     Runtime(Runtime&&) noexcept;
     Runtime& operator=(Runtime&&) noexcept;
 
     const Scene& scene() const;
-    // By Scene::programs; empty for one that failed.
+    // By Scene::programs, for the current rungs; empty for one that failed.
     const std::vector<std::vector<ActiveUniform>>& active_uniforms() const;
     // Some drawn program reads Timer or uTime: every moment is another picture.
     bool animated() const;
     bool uses_mouse() const;
 
+    // Compiles and loads what other rungs need and what they did not need before; what they share and what they
+    // had is kept. True: the programs may be others now, and with them active_uniforms(). A program that does not
+    // compile stays as it was; why is in ladder_problems().
+    bool choose(const Rungs& rungs);
+    const Rungs& rungs() const;
+    // Of the rungs that were chosen last, without what was found when the runtime was made.
+    const Diagnostics& ladder_problems() const;
+
+    // Chooses the rungs of `frame.controls` first. Uniforms that only these have get the values of controls that were
+    // made from what they made active.
     void draw(const Frame& frame, const Surface& surface);
     const Counters& counters() const;
 

@@ -95,11 +95,16 @@ Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Diagn
 
 void Textures::finish() {
     const ImageCache::Stats stats = images_.stats();
-    counters_.decoded = stats.images;
-    counters_.bytes_decoded = stats.bytes;
+    counters_.decoded += stats.images;
+    counters_.bytes_decoded += stats.bytes;
     images_.clear();
     files_ = nullptr;
     diagnostics_ = nullptr;
+}
+
+void Textures::resume(Files& files, Diagnostics& diagnostics) {
+    files_ = &files;
+    diagnostics_ = &diagnostics;
 }
 
 const GpuTexture* Textures::find(Index texture) const {

@@ -42,6 +42,8 @@ public:
     const TextureCounters& counters() const { return counters_; }
     // The files and their decoded pictures are needed only while textures are realised.
     void finish();
+    // Makes realise() possible again, until the next finish().
+    void resume(Files& files, Diagnostics& diagnostics);
 
 private:
     GpuTexture make(Index texture);

@@ -187,10 +187,34 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
     ImGui::PopID();
 }
 
+// A drop-down; a right click gives the scene's rung back.
+void ladder_row(const Ladder& ladder, std::size_t& rung, Layout& layout) {
+    if (rung >= ladder.rungs.size()) return;
+    ImGui::PushID(ladder.name.c_str());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(ladder.name.c_str());
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##rung", ladder.rungs[rung].c_str());
+    if (!open && ImGui::IsItemClicked(ImGuiMouseButton_Right)) rung = ladder.current;
+    layout.note(ladder.name);
+    if (open) {
+        for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
+            if (ImGui::Selectable(ladder.rungs[i].c_str(), i == rung)) rung = i;
+            layout.note(ladder.name, ladder.rungs[i]);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+}
+
 }  // namespace
 
 void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
     const std::vector<Program>& programs = facts.scene->programs;
+    const std::vector<Ladder>& ladders = facts.scene->ladders;
+    for (std::size_t i = 0; i < ladders.size() && i < controls.rungs.size(); ++i)
+        ladder_row(ladders[i], controls.rungs[i], layout);
     bool slides = false;  // some section so far
     for (Index i = 0; i < programs.size(); ++i) {
         // The first, and if that has nothing to slide, the first that has.

@@ -1,4 +1,4 @@
-// One section for each Program: its uniforms as sliders, check boxes and colours.
+// A drop-down for each ladder, then one section for each Program: its uniforms as sliders, check boxes and colours.
 #pragma once
 
 #include "src/ui/state.h"

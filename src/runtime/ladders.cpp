@@ -1,0 +1,54 @@
+// Other rungs while a scene runs: what they need is compiled and loaded when they are first chosen, and kept.
+#include <algorithm>
+
+#include "src/runtime/impl.h"
+
+namespace snell {
+
+namespace {
+
+bool exist(const Rungs& rungs, const std::vector<Ladder>& ladders) {
+    return std::ranges::equal(rungs, ladders,
+                              [](std::size_t rung, const Ladder& ladder) { return rung < ladder.rungs.size(); });
+}
+
+bool same(const Diagnostic& a, const Diagnostic& b) {
+    return a.code == b.code && a.span == b.span && a.message == b.message;
+}
+
+}  // namespace
+
+bool Runtime::Impl::choose(const Rungs& rungs) {
+    if (rungs == plan.rungs || !exist(rungs, plan.scene.ladders)) return false;
+    plan.rungs = rungs;
+    Diagnostics all;
+    textures.resume(*files, all);
+    prepare(all);
+    problems = {};
+    for (const Diagnostic& diagnostic : all.items()) {
+        const auto known = [&](const Diagnostic& other) { return same(diagnostic, other); };
+        if (std::ranges::none_of(said, known) && std::ranges::none_of(problems.items(), known))
+            problems.add(diagnostic);
+    }
+    return true;
+}
+
+// The chosen rungs that a program knows of.
+Rungs Runtime::Impl::rungs_of(Index program) const {
+    const auto known = static_cast<std::ptrdiff_t>(plan.scene.programs[program].ladders);
+    return {plan.rungs.begin(), plan.rungs.begin() + known};
+}
+
+// What the chosen rungs make of a program; of one that they break, what it was before.
+runtime::LinkedProgram* Runtime::Impl::link_chosen(Index program, runtime::Variant variant, Loading& loading) {
+    variant.rungs = rungs_of(program);
+    runtime::LinkedProgram* linked = link(program, variant, loading);
+    if (linked || !working[program]) {
+        if (linked) working[program] = variant.rungs;
+        return linked;
+    }
+    variant.rungs = *working[program];
+    return link(program, variant, loading);
+}
+
+}  // namespace snell
