@@ -159,7 +159,7 @@ private:
     bool take_number(const Parameter& p, Argument* out) {
         const Token& token = tokens_[at_];
         const std::string_view text = lexer_.text(token);
-        if (dry_) {
+        if (out == nullptr) {
             ++at_;
             return token.kind == TokenKind::word && plausible_number(text);
         }
@@ -184,7 +184,7 @@ private:
     }
 
     bool take_vec3(const Parameter& p, Argument* out) {
-        if (dry_) return fits_vec3();
+        if (out == nullptr) return fits_vec3();
         const bool bracketed = tokens_[at_].kind == TokenKind::open;
         const std::size_t open = at_;
         out->first = static_cast<std::uint32_t>(out_.numbers_.size());
@@ -261,12 +261,13 @@ private:
 
     bool take_name(const Parameter& p, Argument* out) {
         const Token& token = tokens_[at_];
-        if (dry_ && token.kind == TokenKind::word && read_number(lexer_.text(token)).fault == NumberFault::none &&
+        if (out == nullptr && token.kind == TokenKind::word &&
+            read_number(lexer_.text(token)).fault == NumberFault::none &&
             (at_ + 1 == tokens_.size() || !tokens_[at_ + 1].glued))
             return false;
-        if (dry_ && token.kind != TokenKind::word && token.kind != TokenKind::text) return false;
+        if (out == nullptr && token.kind != TokenKind::word && token.kind != TokenKind::text) return false;
         const std::string_view text = take_chunk(out);
-        if (dry_) return true;
+        if (out == nullptr) return true;
         out->text = text;
         if (!text.empty() || (p.kind == ArgumentKind::name && p.optional)) return true;
         report_.error("empty-name", out->span, quoted(p.name) + " is empty");
@@ -276,7 +277,7 @@ private:
     bool take_choice(const Parameter& p, Argument* out) {
         const std::string_view text = take_chunk(out);
         const int place = find_choice(p.choices, text);
-        if (dry_) return place >= 0;
+        if (out == nullptr) return place >= 0;
         const std::vector<std::string_view> words = split_choices(p.choices);
         out->number = place;
         if (place >= 0) {
