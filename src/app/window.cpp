@@ -41,6 +41,7 @@ void gather(const Controls& controls, std::vector<double>& values) {
     values.clear();
     for (const Control& control : controls.items)
         values.insert(values.end(), control.value.begin(), control.value.end());
+    values.insert(values.end(), controls.rungs.begin(), controls.rungs.end());
 }
 
 class App {

@@ -14,5 +14,5 @@ void main() {
     float a = (g - c) / (g + c), b = (c * (g + c) - 1.) / (c * (g - c) + 1.);
     vec4 k = vec4(.5, .7, 1., .5 * a * a * (1. + b * b));
 #endif
-    gl_FragColor = vec4(k.rgb * (.15 + .85 * k.a), 1.);
+    gl_FragColor = vec4(k.rgb * (.4 + .6 * k.a), 1.);
 }
