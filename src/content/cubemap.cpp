@@ -83,7 +83,8 @@ CubeFaces fill_faces(const Image& like, int size, int grid, const Sample& sample
     const auto texel = [&](int face, int x, int y) {
         std::array<double, 4> sum{};
         for (int k = 0; k < grid * grid; ++k) {
-            const double s = (x * grid + k % grid + .5) * step, t = (y * grid + k / grid + .5) * step;
+            const int column = x * grid + k % grid, row = y * grid + k / grid;
+            const double s = (column + .5) * step, t = (row + .5) * step;
             const Pixel pixel = sample(face, s, t);
             for (std::size_t c = 0; c < channels; ++c) sum[c] += static_cast<double>(pixel[c]);
         }

@@ -106,7 +106,7 @@ std::string write_file(const fs::path& path, std::string_view bytes) {
         const ssize_t count = write(file, bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) {
-            const std::string why = std::strerror(errno);
+            std::string why = std::strerror(errno);
             close(file);
             return why;
         }

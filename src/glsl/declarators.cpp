@@ -57,13 +57,14 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
         u_.groups[static_cast<std::size_t>(group)].globals.push_back(symbol.global);
         u_.globals.push_back(std::move(g));
     }
+    // NOLINTNEXTLINE(bugprone-use-after-move): moved from only where it is global
     declare(global ? u_.globals.back().name : g.name, std::move(symbol));
 }
 
 // An initialiser: an expression, or a list in braces.
 Expression Parser::initialiser(const Type& due) {
     if (!is("{")) {
-        const Expression e = assignment();
+        Expression e = assignment();
         convert(e, due, Due::initialiser);
         return e;
     }

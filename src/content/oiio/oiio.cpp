@@ -61,6 +61,7 @@ SnellOiioShape shape_of(const OIIO::ImageSpec& spec, const std::string& format) 
     if (spec.nchannels >= 4)
         shape.channels = fourth_is_alpha && (spec.nchannels == 4 || spec.alpha_channel == 3) ? 4 : 3;
     shape.has_alpha = shape.channels == 4 || (shape.channels == 2 && spec.alpha_channel == 1);
+    // NOLINTNEXTLINE(misc-redundant-expression): it takes the two constants for one
     const bool bytes = spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::INT8;
     shape.type = bytes ? snell_oiio_u8 : snell_oiio_f32;
     shape.orientation = spec.get_int_attribute("Orientation", 1);
