@@ -57,6 +57,22 @@ TEST_F(Language, ASolidMayBeTessellated) {
     EXPECT_EQ(picture.count(white), 32 * 32);
 }
 
+TEST_F(Language, TheUnitsOfSamplersMayBeWrittenInAnyWay) {
+    folder.write("red.bmp", bmp(1, 1, {{255, 0, 0}}));
+    folder.write("green.bmp", bmp(1, 1, {{0, 255, 0}}));
+    folder.write(
+        "two.frag",
+        "#version 330 compatibility\nuniform sampler2D uTex[2];\nin vec2 vST;\nvoid main() { gl_FragColor = vST.s "
+        "< .5 ? texture(uTex[0], vST) : texture(uTex[1], vST); }\n");
+    const std::string start = std::string(square) + "Texture2D 5 red.bmp\nTexture2D 6 green.bmp\nVertex plain.vert\n";
+    EXPECT_TRUE(near(draw(start + "Fragment texture.frag\nProgram T uUnit <0 6 9>\nQuadXY\n").center(), green));
+    for (const char* units : {"uTex [5 6]", "uTex[0] 5 uTex[1] 6"}) {
+        const Picture picture = draw(start + "Fragment two.frag\nProgram T " + units + "\nQuadXY\n");
+        EXPECT_TRUE(near(picture.at(16, 32), red)) << units;
+        EXPECT_TRUE(near(picture.at(48, 32), green)) << units;
+    }
+}
+
 TEST_F(Language, AMissingImageIsACheckerboardAndAnError) {
     auto document = open(std::string(square) +
                          "Texture2D 6 none.bmp\nVertex plain.vert\nFragment texture.frag\nProgram T uUnit 6\nQuadXY\n");
