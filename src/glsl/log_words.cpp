@@ -199,7 +199,7 @@ std::string user_name(std::string_view translated, std::string_view user) {
     if (translated.starts_with(prefix)) {
         const std::string_view rest = translated.substr(prefix.size());
         if (has_word(user, translated)) return std::string(translated);
-        const std::string legacy = "gl_" + std::string(rest);
+        std::string legacy = "gl_" + std::string(rest);
         if (has_word(user, legacy)) return legacy;
         if (has_word(user, rest)) return std::string(rest);
         const bool built_in = !rest.empty() && std::isupper(static_cast<unsigned char>(rest[0])) != 0;

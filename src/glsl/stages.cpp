@@ -34,14 +34,14 @@ std::string primitive(std::string_view gl_name, std::string_view otherwise) {
 }
 
 std::string input_primitive(const Options& options) {
-    const std::string name = primitive(options.geometry_input, "triangles");
+    std::string name = primitive(options.geometry_input, "triangles");
     for (const std::string_view fine : {"points", "lines", "lines_adjacency", "triangles", "triangles_adjacency"})
         if (name == fine) return name;
     return name.starts_with("line") ? "lines" : "triangles";
 }
 
 std::string output_primitive(const Options& options) {
-    const std::string name = primitive(options.geometry_output, "triangle_strip");
+    std::string name = primitive(options.geometry_output, "triangle_strip");
     if (name == "points" || name == "line_strip" || name == "triangle_strip") return name;
     return name.starts_with("line") ? "line_strip" : "triangle_strip";
 }

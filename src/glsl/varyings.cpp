@@ -139,7 +139,7 @@ void declare_block(Context& c, Unit& u, bool input) {
 
 // The current colour of the draw, handed on from the vertex shader, or what the stage before was given itself.
 std::string color_at(Unit& u, std::string_view v) {
-    const std::string attribute = v == "FrontColor" ? "snell_Color" : "snell_SecondaryColor";
+    std::string attribute = v == "FrontColor" ? "snell_Color" : "snell_SecondaryColor";
     if (u.stage == Stage::vertex) {
         declare_once(u, attribute, "in vec4 " + attribute + ";");
         return attribute;
