@@ -19,7 +19,8 @@ double display(double linear) {
 Colour texel(const Radiance& radiance, int face, int column, int row, int size, int samples) {
     Colour sum(0);
     for (int i = 0; i < samples * samples; ++i) {
-        const double x = column + (i % samples + 0.5) / samples, y = row + (i / samples + 0.5) / samples;
+        const int across = i % samples, down = i / samples;
+        const double x = column + (across + 0.5) / samples, y = row + (down + 0.5) / samples;
         const Colour seen = radiance(optics::cube_direction({face, x / size, y / size}));
         sum += Colour(display(seen.r), display(seen.g), display(seen.b));
     }

@@ -111,8 +111,10 @@ void Light::fill(std::vector<Map>& maps) const {
         for (std::size_t k = first; k < maps.size(); k += 2) {
             Map& map = maps[k];
             for (std::size_t i = 0; i < map.irradiance.size(); ++i) {
-                const double u = (static_cast<double>(i % static_cast<std::size_t>(map.columns)) + 0.5) / map.columns;
-                const double v = (static_cast<double>(i / static_cast<std::size_t>(map.columns)) + 0.5) / map.rows;
+                const std::size_t columns = static_cast<std::size_t>(map.columns), column = i % columns,
+                                  row = i / columns;
+                const double u = (static_cast<double>(column) + 0.5) / map.columns;
+                const double v = (static_cast<double>(row) + 0.5) / map.rows;
                 const glm::dvec3 point = map.patch.origin + u * map.patch.u + v * map.patch.v + lift * map.patch.normal;
                 map.irradiance[i] = gathered(point, map.patch.normal, 112);
             }
