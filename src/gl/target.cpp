@@ -7,18 +7,6 @@ namespace snell::gl {
 
 namespace {
 
-GLenum color_format(Pixels type) {
-    switch (type) {
-        case Pixels::rgba8:
-            return GL_RGBA8;
-        case Pixels::rgba16f:
-            return GL_RGBA16F;
-        case Pixels::rgba32f:
-            return GL_RGBA32F;
-    }
-    return GL_RGBA8;
-}
-
 Renderbuffer make_renderbuffer(GLenum format, int width, int height, int samples) {
     Renderbuffer buffer(make(glGenRenderbuffers));
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.get());
@@ -64,7 +52,7 @@ Target make_target(int width, int height, int samples, Pixels type) {
     target.width = width;
     target.height = height;
     target.samples = std::clamp(samples, 1, std::max(1, max_samples));
-    target.color = make_renderbuffer(color_format(type), width, height, target.samples);
+    target.color = make_renderbuffer(internal_format(type), width, height, target.samples);
     target.depth = make_renderbuffer(GL_DEPTH_COMPONENT24, width, height, target.samples);
     target.framebuffer = Framebuffer(make(glGenFramebuffers));
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());

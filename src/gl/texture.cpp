@@ -4,18 +4,6 @@ namespace snell::gl {
 
 namespace {
 
-GLenum internal_format(Pixels type) {
-    switch (type) {
-        case Pixels::rgba8:
-            return GL_RGBA8;
-        case Pixels::rgba16f:
-            return GL_RGBA16F;
-        case Pixels::rgba32f:
-            return GL_RGBA32F;
-    }
-    return GL_RGBA8;
-}
-
 GLenum component_type(Pixels type) {
     switch (type) {
         case Pixels::rgba8:
@@ -69,6 +57,18 @@ void set_levels(GLenum target, const Sampling& sampling) {
 }
 
 }  // namespace
+
+GLenum internal_format(Pixels type) {
+    switch (type) {
+        case Pixels::rgba8:
+            return GL_RGBA8;
+        case Pixels::rgba16f:
+            return GL_RGBA16F;
+        case Pixels::rgba32f:
+            return GL_RGBA32F;
+    }
+    return GL_RGBA8;
+}
 
 std::size_t texel_bytes(Pixels type) {
     switch (type) {

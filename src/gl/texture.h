@@ -24,6 +24,7 @@ struct Sampling {
     bool clamp = false;  // repeat otherwise; cube maps always clamp
 };
 
+GLenum internal_format(Pixels type);
 std::size_t texel_bytes(Pixels type);
 
 // `target` is GL_TEXTURE_1D, 2D, 3D or CUBE_MAP.
