@@ -35,6 +35,7 @@ allow src/optics 'src/optics'
 allow src/plan 'parser|src/content|src/glsl|src/plan'
 allow src/gl 'src/gl'
 allow src/runtime 'parser|shaders|src/content|src/glsl|src/plan|src/gl|src/runtime'
+allow src/accuracy 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/accuracy'
 allow src/platform 'src/gl|src/platform'
 allow src/ui 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/platform|src/ui'
 

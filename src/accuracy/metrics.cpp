@@ -1,0 +1,117 @@
+#include "src/accuracy/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace snell::accuracy {
+
+namespace {
+
+bool counts(const Region& region, std::size_t pixel) { return region.empty() || region[pixel] != 0; }
+
+bool finite3(const float* p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+// Of the values of both pictures; Pearson's coefficient in the end.
+struct Correlation {
+    double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+
+    void add(double x, double y) {
+        n += 1;
+        a += x;
+        b += y;
+        aa += x * x;
+        bb += y * y;
+        ab += x * y;
+    }
+    // Two constant pictures are correlated; a constant one and another are not.
+    double value() const {
+        if (n == 0) return 1;
+        const double va = aa - a * a / n, vb = bb - b * b / n;
+        const double tiny = 1e-9 * std::max(aa + bb, 1e-30);
+        if (va <= tiny || vb <= tiny) return va <= tiny && vb <= tiny ? 1 : 0;
+        return (ab - a * b / n) / std::sqrt(va * vb);
+    }
+};
+
+}  // namespace
+
+Region where_different(const Picture& a, const Picture& b, float threshold) {
+    Region region(a.pixels(), 0);
+    for (std::size_t i = 0; i < region.size(); ++i)
+        for (std::size_t c = 0; c < 4; ++c)
+            // NaN differs from everything, itself included.
+            if (!(std::abs(a.rgba[4 * i + c] - b.rgba[4 * i + c]) <= threshold)) region[i] = 1;
+    return region;
+}
+
+std::size_t count(const Region& region) {
+    return static_cast<std::size_t>(std::ranges::count_if(region, [](std::uint8_t in) { return in != 0; }));
+}
+
+double psnr(double rmse) { return rmse > 0 ? -20 * std::log10(rmse) : std::numeric_limits<double>::infinity(); }
+
+Error compare(const Picture& picture, const Picture& reference, const Region& region) {
+    Error error;
+    double sum = 0, squares = 0;
+    Correlation correlation;
+    for (std::size_t i = 0; i < picture.pixels(); ++i) {
+        if (!counts(region, i)) continue;
+        const float *a = &picture.rgba[4 * i], *b = &reference.rgba[4 * i];
+        if (!finite3(a) || !finite3(b)) {
+            ++error.nonfinite;
+            continue;
+        }
+        ++error.pixels;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double x = static_cast<double>(a[c]), y = static_cast<double>(b[c]);
+            const double d = std::abs(x - y);
+            sum += d;
+            squares += d * d;
+            error.max = std::max(error.max, d);
+            correlation.add(x, y);
+        }
+    }
+    const double values = 3 * static_cast<double>(std::max<std::size_t>(error.pixels, 1));
+    error.mean = sum / values;
+    error.rmse = std::sqrt(squares / values);
+    error.psnr = psnr(error.rmse);
+    error.correlation = correlation.value();
+    return error;
+}
+
+Degrees compare_directions(const Picture& picture, const Picture& reference, const Region& region) {
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < picture.pixels(); ++i) {
+        if (!counts(region, i)) continue;
+        const float *p = &picture.rgba[4 * i], *q = &reference.rgba[4 * i];
+        if (!finite3(p) || !finite3(q)) continue;
+        const double a[3]{p[0], p[1], p[2]}, b[3]{q[0], q[1], q[2]};
+        const double la = std::hypot(a[0], a[1], a[2]), lb = std::hypot(b[0], b[1], b[2]);
+        if (!(la > 0) || !(lb > 0)) continue;
+        const double across =
+            std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+        angles.push_back(std::atan2(across, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180 / std::numbers::pi);
+    }
+    Degrees result;
+    result.pixels = angles.size();
+    if (angles.empty()) return result;
+    for (double angle : angles) result.mean += angle / static_cast<double>(angles.size());
+    std::ranges::sort(angles);
+    result.max = angles.back();
+    result.p99 = angles[std::min(angles.size() - 1, angles.size() * 99 / 100)];
+    return result;
+}
+
+double mean_of(std::span<const float> map, const Region& region) {
+    double sum = 0, n = 0;
+    for (std::size_t i = 0; i < map.size(); ++i)
+        if (counts(region, i)) {
+            sum += static_cast<double>(map[i]);
+            n += 1;
+        }
+    return n > 0 ? sum / n : 0;
+}
+
+}  // namespace snell::accuracy

@@ -1,0 +1,154 @@
+// Errors of pictures against OpenImageIO's, and against what they must be.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "src/accuracy/metrics.h"
+#include "src/content/compare.h"
+
+namespace snell::accuracy {
+namespace {
+
+Picture filled(int width, int height, float r, float g, float b) {
+    Picture picture{width, height, {}};
+    for (std::size_t i = 0; i < picture.pixels(); ++i) picture.rgba.insert(picture.rgba.end(), {r, g, b, 1});
+    return picture;
+}
+
+content::Image image(const Picture& picture) {
+    content::Image result;
+    result.width = picture.width;
+    result.height = picture.height;
+    result.channels = 3;
+    result.type = content::PixelType::f32;
+    result.pixels.resize(result.bytes());
+    for (std::size_t i = 0; i < picture.pixels(); ++i) std::memcpy(&result.pixels[i * 12], &picture.rgba[4 * i], 12);
+    return result;
+}
+
+TEST(Metrics, AgreeWithOpenImageIOOnTwentyPairs) {
+    std::mt19937 random(20);
+    std::uniform_real_distribution<float> value(0, 1);
+    std::normal_distribution<float> noise;
+    for (int pair = 0; pair < 20; ++pair) {
+        Picture a = filled(17 + 3 * pair, 40 - pair, 0, 0, 0), b = a;
+        const float size = std::pow(10.0F, static_cast<float>(-pair) / 5);
+        for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+            a.rgba[i] = value(random);
+            b.rgba[i] = a.rgba[i] + size * noise(random);
+        }
+        content::ModuleDifference theirs;
+        const std::string missing = content::compare_by_module(image(a), image(b), 0, theirs);
+        if (!missing.empty()) GTEST_SKIP() << missing;
+        const Error ours = compare(a, b);
+        EXPECT_NEAR(ours.mean, theirs.mean, 1e-6 * theirs.mean);
+        EXPECT_NEAR(ours.rmse, theirs.rms, 1e-6 * theirs.rms);
+        EXPECT_NEAR(ours.max, theirs.max, 1e-6 * theirs.max);
+        // Theirs has the largest value of the pictures for its peak; ours is 1.
+        EXPECT_NEAR(ours.psnr, psnr(theirs.rms), 1e-4);
+    }
+}
+
+TEST(Metrics, KnownDifferences) {
+    Picture a = filled(4, 2, .5F, .5F, .5F), b = a;
+    EXPECT_EQ(compare(a, b).rmse, 0);
+    EXPECT_TRUE(std::isinf(compare(a, b).psnr));
+    b.rgba[0] += .25F;
+    const Error error = compare(a, b);
+    EXPECT_DOUBLE_EQ(error.max, .25);
+    EXPECT_DOUBLE_EQ(error.mean, .25 / 24);
+    EXPECT_DOUBLE_EQ(error.rmse, .25 / std::sqrt(24.0));
+    EXPECT_NEAR(compare(filled(3, 3, 1, 1, 1), filled(3, 3, .9F, .9F, .9F)).psnr, 20, 1e-5);
+    b.rgba[3] = 0;
+    EXPECT_EQ(compare(a, b).rmse, error.rmse) << "alpha is no light";
+}
+
+TEST(Metrics, RegionsLeaveOutTheRest) {
+    Picture a = filled(2, 1, 0, 0, 0), b = filled(2, 1, 0, 0, 0);
+    b.rgba[4] = 1;  // the second pixel
+    EXPECT_EQ(where_different(a, b), (Region{0, 1}));
+    EXPECT_EQ(compare(a, b, {1, 0}).rmse, 0);
+    EXPECT_DOUBLE_EQ(compare(a, b, {0, 1}).rmse, std::sqrt(1 / 3.0));
+    EXPECT_EQ(compare(a, b, {0, 1}).pixels, 1U);
+}
+
+TEST(Metrics, WhatIsNotFiniteIsCountedAndLeftOut) {
+    Picture a = filled(3, 1, .5F, .5F, .5F), b = a;
+    a.rgba[1] = std::numeric_limits<float>::quiet_NaN();
+    b.rgba[6] = std::numeric_limits<float>::infinity();
+    const Error error = compare(a, b);
+    EXPECT_EQ(error.nonfinite, 2U);
+    EXPECT_EQ(error.pixels, 1U);
+    EXPECT_EQ(error.rmse, 0);
+    EXPECT_EQ(count(where_different(a, a)), 1U) << "NaN differs from itself";
+}
+
+TEST(Metrics, UnrelatedPicturesDoNotCorrelate) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> value(0, 1);
+    Picture a = filled(64, 64, 0, 0, 0), b = a, near = a;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+        a.rgba[i] = value(random);
+        b.rgba[i] = value(random);
+        near.rgba[i] = a.rgba[i] + .05F * value(random);
+    }
+    EXPECT_NEAR(compare(a, b).correlation, 0, .05);
+    EXPECT_GT(compare(a, near).correlation, .95);
+    EXPECT_EQ(compare(filled(2, 2, 1, 1, 1), filled(2, 2, .5F, .5F, .5F)).correlation, 1) << "both are constant";
+}
+
+TEST(Directions, AnglesHaveTheirDigitsHoweverSmall) {
+    Picture a = filled(5, 1, 0, 0, 1), b = a;
+    const double angles[]{0, 1e-5, .01, 90, 180};
+    for (std::size_t i = 0; i < 5; ++i) {
+        const double radians = angles[i] * std::acos(-1.0) / 180;
+        b.rgba[4 * i] = static_cast<float>(3 * std::sin(radians));  // the length says nothing
+        b.rgba[4 * i + 2] = static_cast<float>(3 * std::cos(radians));
+        Region only(5, 0);
+        only[i] = 1;
+        EXPECT_NEAR(compare_directions(a, b, only).mean, angles[i], 1e-6 * angles[i]);
+    }
+    EXPECT_NEAR(compare_directions(a, b).max, 180, 1e-4);
+    b.rgba[0] = b.rgba[1] = b.rgba[2] = 0;
+    EXPECT_EQ(compare_directions(a, b).pixels, 4U) << "no direction, no angle";
+}
+
+// The properties that the paper states: 0 for equal pictures, symmetric, within 0..1, and the largest difference
+// of colour, green against blue, is 1.
+TEST(Flip, KnownValues) {
+    const Picture green = filled(48, 48, 0, 1, 0), blue = filled(48, 48, 0, 0, 1);
+    EXPECT_NEAR(mean_of(flip_map(green, blue)), 1, 1e-3);
+    EXPECT_EQ(mean_of(flip_map(green, green)), 0);
+    const double black_white = mean_of(flip_map(filled(48, 48, 0, 0, 0), filled(48, 48, 1, 1, 1)));
+    // .95 + .05 (100^.7 - .4 m) / (.6 m), m = 308.1^.7.
+    EXPECT_NEAR(black_white, .967, .002);
+    EXPECT_NEAR(mean_of(flip_map(filled(48, 48, 1, 1, 1), filled(48, 48, 0, 0, 0))), black_white, 1e-6);
+}
+
+TEST(Flip, GrowsWithTheDifference) {
+    const Picture grey = filled(32, 32, .5F, .5F, .5F);
+    double before = 0;
+    for (float step : {.01F, .03F, .1F, .3F}) {
+        const double now = mean_of(flip_map(filled(32, 32, .5F + step, .5F, .5F), grey));
+        EXPECT_GT(now, before);
+        EXPECT_LE(now, 1);
+        before = now;
+    }
+}
+
+// What the eye can't resolve it does not see: a fine checkerboard is grey from far away.
+TEST(Flip, FineDetailVanishesWithDistance) {
+    Picture checks = filled(64, 64, 0, 0, 0);
+    for (std::size_t i = 0; i < checks.pixels(); ++i) {
+        const float on = (i + i / 64) % 2 != 0 ? .6F : .4F;
+        for (std::size_t c = 0; c < 3; ++c) checks.rgba[4 * i + c] = on;
+    }
+    const Picture grey = filled(64, 64, .5F, .5F, .5F);
+    EXPECT_LT(mean_of(flip_map(checks, grey, 120)), .5 * mean_of(flip_map(checks, grey, 10)));
+}
+
+}  // namespace
+}  // namespace snell::accuracy

@@ -1,0 +1,167 @@
+// Medians, intervals and fronts with known answers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "src/accuracy/front.h"
+#include "src/accuracy/statistics.h"
+
+namespace snell::accuracy {
+namespace {
+
+// A cost with the noise of a shared machine: load that lasts for a round, and a few per cent of its own.
+class Machine {
+public:
+    explicit Machine(unsigned seed) : random_(seed) {}
+
+    // times[i][round] for true costs; 0 where a rung sits a round out.
+    std::vector<std::vector<double>> measure(const std::vector<double>& costs, int rounds, double own = .02) {
+        std::vector<std::vector<double>> times(costs.size());
+        for (int round = 0; round < rounds; ++round) {
+            const double load = 1 + std::abs(normal_(random_));
+            for (std::size_t i = 0; i < costs.size(); ++i)
+                times[i].push_back(costs[i] * load * (1 + own * std::abs(normal_(random_))));
+        }
+        return times;
+    }
+
+private:
+    std::mt19937 random_;
+    std::normal_distribution<double> normal_;
+};
+
+std::vector<Point> points(const std::vector<double>& errors, std::vector<std::vector<double>> times) {
+    std::vector<Point> result;
+    for (std::size_t i = 0; i < errors.size(); ++i) result.push_back({errors[i], std::move(times[i])});
+    return result;
+}
+
+TEST(Statistics, MediansAreTheMiddle) {
+    EXPECT_EQ(median(std::vector<double>{3, 1, 2}), 2);
+    EXPECT_EQ(median(std::vector<double>{4, 1, 2, 3}), 2.5);
+    EXPECT_TRUE(std::isnan(median({})));
+    EXPECT_EQ(mad(std::vector<double>{1, 1, 2, 2, 4, 6, 9}), 1);
+    EXPECT_NEAR(variation(std::vector<double>{9, 10, 11}), .1, 1e-12);
+}
+
+TEST(Statistics, IntervalsCoverTheTruthNineteenTimesInTwenty) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal(10, 1);
+    int covered = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<double> values(31);
+        for (double& value : values) value = normal(random);
+        covered += bootstrap_median(values, 1, 400).contains(10) ? 1 : 0;
+    }
+    EXPECT_GE(covered, 180);
+    EXPECT_LT(covered, 200) << "an interval that always covers says nothing";
+}
+
+TEST(Statistics, IntervalsOfOneSeedAreTheSame) {
+    const std::vector<double> values{5, 3, 8, 1, 9, 4, 7};
+    EXPECT_EQ(bootstrap_median(values, 3).low, bootstrap_median(values, 3).low);
+    EXPECT_EQ(bootstrap_median(values, 3).high, bootstrap_median(values, 3).high);
+    EXPECT_TRUE(std::isinf(bootstrap_median(std::vector<double>{5}).high)) << "of one value nothing is known";
+}
+
+TEST(Statistics, LoadThatLastsForARoundCancelsInPairedRatios) {
+    Machine machine(11);
+    const auto times = machine.measure({10, 11}, 31);
+    EXPECT_GT(variation(times[0]), .3) << "the machine of the test is noisy";
+    const Interval ratio = paired_ratio(times[1], times[0]);
+    EXPECT_NEAR(ratio.middle, 1.1, .02);
+    EXPECT_LT(ratio.width(), .04);
+}
+
+TEST(Statistics, RoundsThatOneSatOutAreNoPairs) {
+    const Interval ratio = paired_ratio(std::vector<double>{2, 0, 4, 6}, std::vector<double>{1, 1, 2, 3});
+    EXPECT_EQ(ratio.low, 2);
+    EXPECT_EQ(ratio.high, 2);
+}
+
+// Rungs that cost k units and have error 1/k are all on the front, whatever the machine does meanwhile.
+TEST(Front, HarmonicLadderIsOnTheFrontInThreeRuns) {
+    for (unsigned run = 1; run <= 3; ++run) {
+        Machine machine(run);
+        const std::vector<double> costs{1, 2, 4, 8, 16};
+        const auto times = machine.measure(costs, 31);
+        for (std::size_t i = 0; i < costs.size(); ++i)
+            EXPECT_NEAR(paired_ratio(times[i], times[0]).middle, costs[i], .1 * costs[i]);
+        const auto verdicts = pareto_front(points({1, .5, .25, .125, 0}, times));
+        for (const Verdict& verdict : verdicts) EXPECT_EQ(verdict.standing, Standing::front) << "run " << run;
+    }
+}
+
+TEST(Front, SlowerAndWorseIsDominatedByTheCheapestBetterOne) {
+    Machine machine(5);
+    // The third costs more than the second and is worse than it; the fourth is better, but dearer still.
+    const auto verdicts = pareto_front(points({.9, .2, .5, .1}, machine.measure({1, 2, 3, 4}, 31)));
+    EXPECT_EQ(verdicts[2], (Verdict{Standing::dominated, 1}));
+    for (std::size_t i : {0, 1, 3}) EXPECT_EQ(verdicts[i].standing, Standing::front);
+}
+
+TEST(Front, WorseAtEqualCostSavesNothing) {
+    Machine machine(6);
+    const auto times = machine.measure({10, 10, 20}, 41);
+    EXPECT_TRUE(equal_cost(paired_ratio(times[0], times[1])));
+    const auto verdicts = pareto_front(points({.5, .1, 0}, times));
+    EXPECT_EQ(verdicts[0], (Verdict{Standing::saves_none, 1}));
+    EXPECT_EQ(verdicts[1].standing, Standing::front);
+    EXPECT_EQ(verdicts[2].standing, Standing::front);
+}
+
+TEST(Front, TwinsAreBothOnIt) {
+    Machine machine(8);
+    const auto verdicts = pareto_front(points({.3, .3}, machine.measure({5, 5}, 31)));
+    EXPECT_EQ(verdicts[0].standing, Standing::front);
+    EXPECT_EQ(verdicts[1].standing, Standing::front);
+}
+
+TEST(Front, OneRungAndNone) {
+    EXPECT_TRUE(pareto_front({}).empty());
+    EXPECT_EQ(pareto_front(points({0}, {{1, 2, 3}}))[0].standing, Standing::front);
+}
+
+TEST(Front, WhatWasNotMeasuredIsUnknownAndDominatesNobody) {
+    const double nan = std::nan("");
+    const auto verdicts = pareto_front(points({0, nan, .5}, {{}, {1, 1, 1}, {2, 2, 2}}));
+    EXPECT_EQ(verdicts[0].standing, Standing::unknown);
+    EXPECT_EQ(verdicts[1].standing, Standing::unknown);
+    EXPECT_EQ(verdicts[2].standing, Standing::front);
+}
+
+TEST(Front, EverythingAboveACheaperReferenceIsDominated) {
+    Machine machine(9);
+    const auto verdicts = pareto_front(points({.4, .2, 0}, machine.measure({3, 2, 1}, 31)));
+    EXPECT_EQ(verdicts[0], (Verdict{Standing::dominated, 2}));
+    EXPECT_EQ(verdicts[1], (Verdict{Standing::dominated, 2}));
+    EXPECT_EQ(verdicts[2].standing, Standing::front);
+}
+
+TEST(Control, SameRungTwiceIsQuiet) {
+    Machine machine(3);
+    const auto times = machine.measure({7, 7}, 31, .01);
+    const Control quiet = control(times[0], times[1]);
+    EXPECT_FALSE(quiet.noisy) << quiet.ratio.low << " to " << quiet.ratio.high;
+}
+
+TEST(Control, DifferentOrScatteredTimesAreNoisy) {
+    Machine machine(4);
+    const auto drifted = machine.measure({7, 7.5}, 31, .01);
+    EXPECT_TRUE(control(drifted[0], drifted[1]).noisy);
+    const auto scattered = machine.measure({7, 7}, 7, .5);
+    EXPECT_TRUE(control(scattered[0], scattered[1]).noisy);
+    EXPECT_TRUE(control({}, {}).noisy);
+}
+
+TEST(Cliffs, DearerThanBothNeighbours) {
+    Machine machine(2);
+    const auto times = machine.measure({2.5, 7.8, 3.2, 3.5}, 31);
+    const std::vector<bool> found = cliffs(points({.3, .2, .1, 0}, times));
+    EXPECT_EQ(found, (std::vector<bool>{false, true, false, false}));
+    EXPECT_EQ(cliffs(points({.2, .1}, machine.measure({9, 1}, 31))), (std::vector<bool>{false, false}));
+}
+
+}  // namespace
+}  // namespace snell::accuracy
