@@ -177,6 +177,14 @@ Index find_texture(const Scene& scene, const Draw& draw, int unit, TextureTarget
     return none;
 }
 
+std::optional<TextureTarget> sampler_target(std::string_view type) {
+    if (type == "sampler1D" || type == "sampler1DShadow") return TextureTarget::d1;
+    if (type == "sampler2D" || type == "sampler2DShadow") return TextureTarget::d2;
+    if (type == "sampler3D") return TextureTarget::d3;
+    if (type == "samplerCube" || type == "samplerCubeShadow") return TextureTarget::cube;
+    return std::nullopt;
+}
+
 std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index draw, Index texture) {
     if (pass >= scene.passes.size() || draw >= scene.draws.size() || texture >= scene.textures.size()) {
         return std::nullopt;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -97,6 +98,9 @@ content::Image load_noise(int dimensions, int size, Files& files, Diagnostics& d
 // the text binds nothing there.
 Index find_texture(const Scene& scene, const Draw& draw, int unit, TextureTarget target);
 
+// What a sampler of that GLSL type reads. Nothing for kinds that scenes have no textures for.
+std::optional<TextureTarget> sampler_target(std::string_view type);
+
 // An error (feedback-loop) when `draw`, in `pass`, samples `texture` while that pass renders to it.
 std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index draw, Index texture);
 
@@ -108,6 +112,16 @@ std::string dump_plan(const Plan& plan, const Sources& sources);
 struct DepthRange {
     double near = .1, far = 1000;
 };
+
+// A mesh's bounds, and where the eye sees them (the eye looks to -Z).
+struct DepthBox {
+    glm::dmat4 eye_from_model{1};
+    std::array<float, 3> min{}, max{};
+};
+// Between the usual planes, as near to the boxes as they allow: 24 bits of depth with near .1 resolve .006 at a
+// distance of 100, with near 90 they resolve 7e-6. Nothing that the usual planes show is cut off. nullopt: nothing
+// lies between them, or a box is not finite.
+std::optional<DepthRange> fit_depth(std::span<const DepthBox> boxes);
 
 // Clip from eye. `aspect` is width / height; what a square window shows stays visible, and more at the longer
 // sides. Values outside their domain fall back to their defaults, never to NaN. `depth` by default: .1 to 1000

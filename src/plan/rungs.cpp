@@ -21,6 +21,18 @@ Rungs marked_rungs(const Scene& scene) {
     return rungs;
 }
 
+std::vector<glsl::Define> ladder_defines(std::span<const Ladder> ladders, const Rungs& rungs) {
+    std::vector<glsl::Define> defines;
+    for (size_t i = 0; i < ladders.size() && i < rungs.size(); ++i) {
+        const Ladder& ladder = ladders[i];
+        for (size_t rung = 0; rung < ladder.rungs.size(); ++rung)
+            defines.push_back({ladder.name + "_" + ladder.rungs[rung], std::to_string(rung)});
+        defines.push_back({ladder.name, std::to_string(rungs[i])});
+        if (ladder.numeric()) defines.push_back({ladder.name + "_VALUE", ladder.rungs[rungs[i]]});
+    }
+    return defines;
+}
+
 bool choose_rung(Rungs& rungs, const Scene& scene, std::string_view assignment, Diagnostics& diagnostics) {
     const std::size_t equals = assignment.find('=');
     const std::string_view name = assignment.substr(0, equals);

@@ -27,14 +27,6 @@ GLenum gl_stage(Stage stage) {
     return GL_VERTEX_SHADER;
 }
 
-std::optional<TextureTarget> sampler_target(std::string_view type) {
-    if (type == "sampler1D" || type == "sampler1DShadow") return TextureTarget::d1;
-    if (type == "sampler2D" || type == "sampler2DShadow") return TextureTarget::d2;
-    if (type == "sampler3D") return TextureTarget::d3;
-    if (type == "samplerCube" || type == "samplerCubeShadow") return TextureTarget::cube;
-    return std::nullopt;
-}
-
 struct TypeFacts {
     ValueType type = ValueType::float_;
     int components = 1;
@@ -223,6 +215,18 @@ std::vector<gl::AttributeLocation> attribute_locations(const std::vector<glsl::A
     return locations;
 }
 
+void note_geometry(LinkedProgram& linked, const glsl::Translation& translation) {
+    for (const auto& stage : translation.stages) {
+        if (stage.stage == Stage::tess_evaluation) linked.tessellates = true;
+        if (stage.stage != Stage::geometry) continue;
+        GLint input = 0;
+        glGetProgramiv(linked.program.get(), GL_GEOMETRY_INPUT_TYPE, &input);
+        linked.geometry_input = static_cast<GLenum>(input);
+    }
+}
+
+}  // namespace
+
 glsl::IncludeReader include_reader(Files& files) {
     return [&files](std::string_view from, std::string_view name, bool angle) -> std::optional<glsl::IncludeText> {
         if (angle) {
@@ -237,31 +241,6 @@ glsl::IncludeReader include_reader(Files& files) {
         return glsl::IncludeText{resolved.path, std::move(*text)};
     };
 }
-
-// FRESNEL and the number of each of its rungs, FRESNEL_f0 …; where these are numbers, the current one.
-std::vector<glsl::Define> ladder_defines(std::span<const Ladder> ladders, const Rungs& rungs) {
-    std::vector<glsl::Define> defines;
-    for (size_t i = 0; i < ladders.size() && i < rungs.size(); ++i) {
-        const Ladder& ladder = ladders[i];
-        for (size_t rung = 0; rung < ladder.rungs.size(); ++rung)
-            defines.push_back({ladder.name + "_" + ladder.rungs[rung], std::to_string(rung)});
-        defines.push_back({ladder.name, std::to_string(rungs[i])});
-        if (ladder.numeric()) defines.push_back({ladder.name + "_VALUE", ladder.rungs[rungs[i]]});
-    }
-    return defines;
-}
-
-void note_geometry(LinkedProgram& linked, const glsl::Translation& translation) {
-    for (const auto& stage : translation.stages) {
-        if (stage.stage == Stage::tess_evaluation) linked.tessellates = true;
-        if (stage.stage != Stage::geometry) continue;
-        GLint input = 0;
-        glGetProgramiv(linked.program.get(), GL_GEOMETRY_INPUT_TYPE, &input);
-        linked.geometry_input = static_cast<GLenum>(input);
-    }
-}
-
-}  // namespace
 
 bool LinkedProgram::reads(glsl::System which) const {
     return std::ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });

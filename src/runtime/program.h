@@ -70,6 +70,9 @@ std::optional<LinkedProgram> link_program(const Program& program, const std::vec
                                           std::span<const Ladder> ladders, const Variant& variant, const gl::Caps& caps,
                                           Files& files, Sources& sources, Diagnostics& diagnostics);
 
+// What the shaders of a scene include: the library for angle brackets, else files.
+glsl::IncludeReader include_reader(Files& files);
+
 // Draws the current colour, unlit. Throws when it fails: nothing can be drawn in a context where that is so.
 LinkedProgram link_builtin(const Variant& variant, const gl::Caps& caps);
 
