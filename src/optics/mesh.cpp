@@ -35,15 +35,18 @@ struct Sheared {
     }
 };
 
-std::optional<MeshHit> meet_triangle(const Sheared& ray, const glm::dvec3* corner, double after, double before) {
+std::optional<MeshHit> meet_triangle(const Sheared& ray, const glm::dvec3* corner, double after, double before,
+                                     Facing facing) {
     const glm::dvec3 a = ray.apply(corner[0]), b = ray.apply(corner[1]), c = ray.apply(corner[2]);
     const glm::dvec3 w(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
     const bool negative = w.x < 0 || w.y < 0 || w.z<0, positive = w.x> 0 || w.y > 0 || w.z > 0;
     const double sum = w.x + w.y + w.z;
     if ((negative && positive) || sum == 0.0) return std::nullopt;
+    const bool front = (sum < 0.0) == (ray.scale < 0.0);
+    if (facing != Facing::both && front != (facing == Facing::front)) return std::nullopt;
     const double distance = (w.x * a.z + w.y * b.z + w.z * c.z) / sum;
     if (!(distance > after) || !(distance < before)) return std::nullopt;
-    return MeshHit{distance, 0, w / sum};
+    return MeshHit{distance, 0, w / sum, front};
 }
 
 // Whether the box is touched between the two distances. It is widened by more than the shear rounds, so that no
@@ -105,7 +108,7 @@ std::uint32_t MeshTracer::build(std::uint32_t first, std::uint32_t count) {
     return index;
 }
 
-std::optional<MeshHit> MeshTracer::nearest(const Ray& ray, double after) const {
+std::optional<MeshHit> MeshTracer::nearest(const Ray& ray, double after, Facing facing) const {
     if (nodes_.empty() || !unit(ray.direction) || !finite(ray.origin)) return std::nullopt;
     const Sheared sheared(ray);
     std::optional<MeshHit> best;
@@ -122,7 +125,7 @@ std::optional<MeshHit> MeshTracer::nearest(const Ray& ray, double after) const {
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            auto hit = meet_triangle(sheared, &corners_[order_[i] * 3], after, before);
+            auto hit = meet_triangle(sheared, &corners_[order_[i] * 3], after, before, facing);
             if (!hit) continue;
             hit->triangle = order_[i];
             before = hit->distance;
@@ -138,7 +141,7 @@ std::optional<MeshHit> MeshTracer::nearest_by_all(const Ray& ray, double after) 
     std::optional<MeshHit> best;
     for (std::uint32_t triangle : order_) {
         const double before = best ? best->distance : std::numeric_limits<double>::infinity();
-        auto hit = meet_triangle(sheared, &corners_[triangle * 3], after, before);
+        auto hit = meet_triangle(sheared, &corners_[triangle * 3], after, before, Facing::both);
         if (!hit) continue;
         hit->triangle = triangle;
         best = hit;
@@ -149,6 +152,17 @@ std::optional<MeshHit> MeshTracer::nearest_by_all(const Ray& ray, double after) 
 glm::dvec3 MeshTracer::face_normal(std::size_t triangle) const {
     const glm::dvec3* corner = &corners_[triangle * 3];
     return glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+}
+
+double MeshTracer::extent() const {
+    if (nodes_.empty()) return 0.0;
+    const glm::dvec3 size = glm::max(glm::abs(nodes_[0].low), glm::abs(nodes_[0].high));
+    return std::max({size.x, size.y, size.z});
+}
+
+glm::dvec3 MeshTracer::point(std::size_t triangle, const glm::dvec3& weights) const {
+    const glm::dvec3* corner = &corners_[triangle * 3];
+    return weights.x * corner[0] + weights.y * corner[1] + weights.z * corner[2];
 }
 
 }  // namespace snell::optics

@@ -7,29 +7,10 @@
 #include <random>
 
 #include "src/optics/refraction.h"
+#include "tests/unit/optics_meshes.h"
 
 namespace snell::optics {
 namespace {
-
-const double pi = std::acos(-1.0);
-
-struct Ball {
-    std::vector<glm::dvec3> positions;
-    std::vector<std::uint32_t> indices;
-    explicit Ball(std::uint32_t slices, std::uint32_t stacks) {
-        for (std::uint32_t j = 0; j <= stacks; ++j)
-            for (std::uint32_t i = 0; i < slices; ++i) {
-                const double phi = 2 * pi * i / slices, theta = pi * j / stacks;
-                const double ring = j == stacks ? 0 : std::sin(theta);  // a pole is one point
-                positions.emplace_back(ring * std::cos(phi), std::cos(theta), -ring * std::sin(phi));
-            }
-        for (std::uint32_t j = 0; j < stacks; ++j)
-            for (std::uint32_t i = 0; i < slices; ++i) {
-                const std::uint32_t a = j * slices + i, b = j * slices + (i + 1) % slices;
-                for (std::uint32_t v : {a, a + slices, b, b, a + slices, b + slices}) indices.push_back(v);
-            }
-    }
-};
 
 std::vector<Ray> rays(int count, unsigned seed) {
     std::mt19937 random(seed);
@@ -42,7 +23,7 @@ std::vector<Ray> rays(int count, unsigned seed) {
 }
 
 TEST(MeshTracer, FindsWhatTryingAllFinds) {
-    const Ball ball(24, 16);
+    const Triangles ball = ball_mesh(24, 16);
     const MeshTracer mesh(ball.positions, ball.indices);
     EXPECT_EQ(mesh.triangles(), 24U * 16 * 2);
     int hits = 0;
@@ -57,7 +38,7 @@ TEST(MeshTracer, FindsWhatTryingAllFinds) {
 }
 
 TEST(MeshTracer, GivesThePointItMet) {
-    const Ball ball(24, 16);
+    const Triangles ball = ball_mesh(24, 16);
     const MeshTracer mesh(ball.positions, ball.indices);
     for (const Ray& ray : rays(1000, 2)) {
         const auto hit = mesh.nearest(ray);
@@ -73,7 +54,7 @@ TEST(MeshTracer, GivesThePointItMet) {
 // A finer ball is nearer to the true one: its error falls with the square of the number of slices.
 TEST(MeshTracer, ApproachesTheAnalyticBall) {
     const auto error = [](std::uint32_t n) {
-        const Ball ball(n, n);
+        const Triangles ball = ball_mesh(n, n);
         const MeshTracer mesh(ball.positions, ball.indices);
         double sum = 0;
         int count = 0;
@@ -93,7 +74,7 @@ TEST(MeshTracer, ApproachesTheAnalyticBall) {
 
 // From the middle of a closed mesh every ray ends on it: exactly at its corners and along its edges too.
 TEST(MeshTracer, LetsNothingSlipThrough) {
-    const Ball ball(20, 14);
+    const Triangles ball = ball_mesh(20, 14);
     const MeshTracer mesh(ball.positions, ball.indices);
     const glm::dvec3 origin(0.01, 0.02, 0.03);
     for (std::size_t i = 0; i + 2 < ball.indices.size(); i += 3)
@@ -108,7 +89,7 @@ TEST(MeshTracer, LetsNothingSlipThrough) {
 }
 
 TEST(MeshTracer, StartsBehindWhatItWasToldToSkip) {
-    const Ball ball(20, 14);
+    const Triangles ball = ball_mesh(20, 14);
     const MeshTracer mesh(ball.positions, ball.indices);
     const Ray ray{{0.1, 0.2, 5}, {0, 0, -1}};
     const auto first = mesh.nearest(ray), second = mesh.nearest(ray, first->distance);
