@@ -175,6 +175,7 @@ struct Texture {
     TextureTarget target = TextureTarget::d2;
     std::vector<FileName> files;       // none: empty texture of `size`; cube: one or six
     std::array<int, 3> size{0, 0, 0};  // of an empty texture; cube: size[0]
+    int bits = 0;                      // of a channel of a cube map, 8 or 16; 0: what its files need
     Filter filter;
     Span span;
 };

@@ -19,6 +19,7 @@ struct Runtime::Impl::PassView {
     Vec4 background{0, 0, 0, 1};
     const glm::dmat4* projection = nullptr;  // replaces the draw's camera, with `view`
     const glm::dmat4* view = nullptr;
+    std::array<double, 2> shift{0, 0};  // of the picture, in pixels
 };
 
 namespace {
@@ -49,6 +50,10 @@ glm::dmat4 face_view(int face, const Vec3& center) {
     return glm::lookAt(eye, eye + forward[static_cast<size_t>(face)], up[static_cast<size_t>(face)]);
 }
 
+bool hidden(const Frame& frame, Index draw) {
+    return frame.hidden && draw < frame.hidden->size() && (*frame.hidden)[draw];
+}
+
 }  // namespace
 
 DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const PassView& view) const {
@@ -60,6 +65,10 @@ DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const P
     const double aspect = static_cast<double>(view.width) / view.height;
     result.projection =
         (view.projection ? *view.projection : projection_matrix(scene.cameras[draw.camera], aspect)) * result.scene;
+    if (view.shift != std::array<double, 2>{0, 0})
+        result.projection =
+            glm::translate(glm::dmat4(1), {2 * view.shift[0] / view.width, 2 * view.shift[1] / view.height, 0}) *
+            result.projection;
     result.model = draw.matrix == none ? glm::dmat4(1) : matrix(scene.matrices[draw.matrix]);
     const auto index = static_cast<Index>(&draw - scene.draws.data());
     if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
@@ -109,6 +118,7 @@ void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& s
     glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
     glViewport(0, 0, surface.width, surface.height);
     PassView view{surface.width, surface.height, plan.scene.background};
+    view.shift = frame.shift;
     if (first) clear(view.background);
     state.forget();
     draw_items(pass, frame, view);
@@ -200,7 +210,7 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, const PassView& v
         if (declared.items[i].kind == Item::Kind::clear) {
             clear(view.background);
             state.forget();
-        } else if (passes[pass].items[i]) {
+        } else if (passes[pass].items[i] && !hidden(frame, declared.items[i].index)) {
             draw_one(*passes[pass].items[i], frame, view);
         }
     }

@@ -1,6 +1,7 @@
 // Plan → GL resources → frames. Needs a current context; calls GL only in its own methods.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -20,6 +21,10 @@ struct Frame {
     double time = 0;  // seconds since the scene began
     const View& view;
     const Controls& controls;
+    // The window's picture is shifted by so many pixels, right and up: for pictures between the pixels.
+    std::array<double, 2> shift{0, 0};
+    // By Scene::draws: true for those that are left out. Shorter: the others are drawn.
+    const std::vector<bool>* hidden = nullptr;
 };
 
 // All that a platform is. The framebuffer may be multisampled; row 0 of its pixels is the bottom.

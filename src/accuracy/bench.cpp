@@ -1,0 +1,218 @@
+#include "src/accuracy/bench.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "src/gl/present.h"
+#include "src/plan/controls.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+constexpr std::string_view output = "SNELL_OUTPUT";
+constexpr std::size_t most_stages = 8;  // of one sweep; textures of many more need not fit
+
+double cpu_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
+}
+
+double wall_milliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+bool names(std::string_view text, std::string_view word) {
+    const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const bool begins = at == 0 || !letter(text[at - 1]);
+        const std::size_t end = at + word.size();
+        // FRESNEL and FRESNEL_exact name the ladder FRESNEL.
+        if (begins && (end == text.size() || !letter(text[end]) || text[end] == '_')) return true;
+    }
+    return false;
+}
+
+bool any_stage_names(const PlannedProgram& program, const Sources& sources, std::string_view word) {
+    return std::ranges::any_of(program.stages,
+                               [&](const glsl::StageInput& s) { return names(sources.text(s.file), word); });
+}
+
+// Every program sees one more ladder, ahead of the scene's own: what it is to show.
+Plan with_output(Plan plan) {
+    Ladder ladder;
+    ladder.name = output;
+    ladder.rungs = {"color", "direction"};
+    ladder.rung_spans.resize(2);
+    plan.scene.ladders.insert(plan.scene.ladders.begin(), std::move(ladder));
+    for (Program& program : plan.scene.programs) ++program.ladders;
+    plan.rungs.insert(plan.rungs.begin(), 0);
+    return plan;
+}
+
+}  // namespace
+
+std::string_view name(ClockKind clock) {
+    switch (clock) {
+        case ClockKind::cpu:
+            return "process CPU time";
+        case ClockKind::gpu:
+            return "GPU timer query";
+        case ClockKind::wall:
+            return "wall clock";
+    }
+    return "";
+}
+
+double chosen(const Times& times, ClockKind clock) {
+    switch (clock) {
+        case ClockKind::cpu:
+            return times.cpu;
+        case ClockKind::gpu:
+            return times.gpu;
+        case ClockKind::wall:
+            return times.wall;
+    }
+    return times.wall;
+}
+
+struct Bench::Stage {
+    Knobs knobs;
+    Diagnostics diagnostics;
+    Runtime runtime;
+
+    Stage(const Knobs& k, Plan plan, Files& files, Sources& sources, const gl::Caps& caps)
+        : knobs(k), runtime(std::move(plan), files, sources, caps, diagnostics) {}
+};
+
+Bench::Bench(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, BenchSettings settings)
+    : plan_(std::move(plan)), files_(&files), sources_(&sources), caps_(caps), settings_(std::move(settings)) {
+    directions_ = std::ranges::any_of(plan_.programs,
+                                      [&](const PlannedProgram& p) { return any_stage_names(p, sources, output); });
+}
+
+Bench::~Bench() = default;
+
+std::vector<bool> Bench::draws_of(std::size_t ladder) const {
+    std::vector<bool> own;
+    for (const Draw& draw : plan_.scene.draws)
+        own.push_back(draw.program != none && ladder < plan_.scene.programs[draw.program].ladders &&
+                      any_stage_names(plan_.programs[draw.program], *sources_, plan_.scene.ladders[ladder].name));
+    return own;
+}
+
+Bench::Stage* Bench::stage(const Knobs& knobs) {
+    const auto found = std::ranges::find_if(stages_, [&](const auto& stage) { return stage->knobs.same_plan(knobs); });
+    if (found != stages_.end()) return found->get();
+    if (stages_.size() >= most_stages) stages_.erase(stages_.begin());
+    Plan plan = with_knobs(plan_, knobs);
+    if (directions_) plan = with_output(std::move(plan));
+    stages_.push_back(std::make_unique<Stage>(knobs, std::move(plan), *files_, *sources_, caps_));
+    for (const Diagnostic& diagnostic : stages_.back()->diagnostics.items())
+        if (std::ranges::none_of(problems_.items(), [&](const Diagnostic& other) {
+                return other.code == diagnostic.code && other.span == diagnostic.span;
+            }))
+            problems_.add(diagnostic);
+    return stages_.back().get();
+}
+
+gl::ExactTarget* Bench::target(int multisample) {
+    const auto found = std::ranges::find(targets_, multisample, [](const auto& target) { return target.first; });
+    if (found != targets_.end()) return found->second.get();
+    targets_.emplace_back(multisample,
+                          std::make_unique<gl::ExactTarget>(settings_.width, settings_.height, multisample, caps_.es));
+    return targets_.back().second.get();
+}
+
+bool Bench::ready(const Variant& variant, bool directions) {
+    current_ = stage(variant.knobs);
+    into_ = target(variant.knobs.multisample);
+    knobs_ = variant.knobs;
+    Rungs rungs = variant.rungs;
+    if (directions_) rungs.insert(rungs.begin(), directions ? 1 : 0);
+    current_->runtime.choose(rungs);
+    Diagnostics heard;  // who opened the scene heard of them
+    controls_ = make_controls(current_->runtime.scene(), current_->runtime.active_uniforms(), heard);
+    for (const std::string& set : settings_.sets) set_control(controls_, current_->runtime.scene(), set, heard);
+    controls_.rungs = std::move(rungs);
+    return into_->valid();
+}
+
+// A regular grid of positions within the pixel; one picture stands where it always does.
+void Bench::draw(const std::vector<bool>* hidden) {
+    const View view;
+    const bool several = knobs_.grid > 1;  // else the sum would cost what the scene does not
+    if (several) into_->begin();
+    for (int i = 0; i < knobs_.grid; ++i)
+        for (int j = 0; j < knobs_.grid; ++j) {
+            Frame frame{.time = settings_.time, .view = view, .controls = controls_};
+            frame.shift = {.5 - (i + .5) / knobs_.grid, .5 - (j + .5) / knobs_.grid};
+            frame.hidden = hidden;
+            current_->runtime.draw(frame, {into_->framebuffer(), into_->width(), into_->height()});
+            if (several) into_->add(1 / static_cast<float>(knobs_.grid * knobs_.grid));
+        }
+    if (!several) into_->resolve();
+}
+
+std::optional<Picture> Bench::picture(const Variant& variant, const std::vector<bool>* hidden) {
+    if (!ready(variant, false)) return std::nullopt;
+    draw(hidden);
+    return Picture{settings_.width, settings_.height, into_->read(knobs_.grid > 1)};
+}
+
+std::optional<Picture> Bench::directions(const Variant& variant) {
+    Variant single = variant;
+    single.knobs.grid = single.knobs.multisample = 1;  // directions have no mean
+    if (!directions_ || !ready(single, true)) return std::nullopt;
+    draw(nullptr);
+    return Picture{settings_.width, settings_.height, into_->read(false)};
+}
+
+Times Bench::timed(int frames) {
+    gl::finish();
+    const bool query = !caps_.software && query_.available();
+    if (query) query_.begin();
+    const double cpu = cpu_milliseconds(), wall = wall_milliseconds();
+    for (int i = 0; i < frames; ++i) {
+        draw(nullptr);
+        gl::finish();
+    }
+    Times times{cpu_milliseconds() - cpu, wall_milliseconds() - wall, 0};
+    if (query) times.gpu = query_.end();
+    return {times.cpu / frames, times.wall / frames, times.gpu / frames};
+}
+
+std::optional<double> Bench::warm_up(const Variant& variant, ClockKind clock) {
+    if (!ready(variant, false)) return std::nullopt;
+    double last = 0;
+    for (int i = 0; i < 5; ++i) {
+        const double now = chosen(timed(1), clock);
+        const bool steady = i > 0 && std::abs(now - last) < .2 * last;
+        last = now;
+        if (steady || now > 2000) break;
+    }
+    return last;
+}
+
+Times Bench::time(const Variant& variant, double at_least) {
+    ready(variant, false);
+    const Times first = timed(1);  // others drew meanwhile: caches and cube maps are theirs
+    if (first.wall > 500) return first;
+    const int frames = std::clamp(static_cast<int>(std::ceil(at_least / std::max(first.wall, .01))), 1, 100);
+    return timed(frames);
+}
+
+ClockKind Bench::choose_clock(const Variant& variant) {
+    if (caps_.software) return ClockKind::cpu;
+    if (!query_.available() || !warm_up(variant, ClockKind::wall)) return ClockKind::wall;
+    const Times one = timed(1);
+    const Times heavy = timed(std::clamp(static_cast<int>(200 / std::max(one.wall, .01)), 1, 1000));
+    query_over_wall_ = heavy.wall > 0 ? heavy.gpu / heavy.wall : 0;
+    return query_over_wall_ >= .8 && query_over_wall_ <= 1.2 ? ClockKind::gpu : ClockKind::wall;
+}
+
+}  // namespace snell::accuracy

@@ -1,0 +1,190 @@
+#include "src/accuracy/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace snell::accuracy {
+
+namespace {
+
+constexpr std::size_t most_combinations = 64, most_ladders = 3;
+
+Rungs references(const Scene& scene) {
+    Rungs rungs;
+    for (const Ladder& ladder : scene.ladders) rungs.push_back(ladder.rungs.size() - 1);
+    return rungs;
+}
+
+// The ladders of those names, each once; of none all there are.
+std::vector<std::size_t> find_ladders(const Scene& scene, const std::vector<std::string>& names,
+                                      Diagnostics& diagnostics) {
+    std::vector<std::size_t> found;
+    std::vector<std::string_view> known;
+    for (const Ladder& ladder : scene.ladders) known.push_back(ladder.name);
+    if (names.empty())
+        for (std::size_t i = 0; i < known.size(); ++i) found.push_back(i);
+    for (const std::string& name : names) {
+        const auto at = std::ranges::find(known, name);
+        if (at == known.end()) {
+            const std::string_view near = nearest(name, known);
+            diagnostics.error("unknown-ladder", fmt::format("there is no ladder '{}'", name),
+                              !near.empty()   ? fmt::format("did you mean '{}'?", near)
+                              : known.empty() ? "the scene has none"
+                                              : fmt::format("there are: {}", fmt::join(known, ", ")));
+            continue;
+        }
+        const auto index = static_cast<std::size_t>(at - known.begin());
+        if (std::ranges::find(found, index) == found.end()) found.push_back(index);
+    }
+    return found;
+}
+
+Sweep ladder_sweep(const Scene& scene, const Rungs& now, std::size_t index, From from) {
+    const Ladder& ladder = scene.ladders[index];
+    Sweep sweep{.kind = SweepKind::ladder, .name = ladder.name};
+    sweep.moved = {index};
+    sweep.numeric = ladder.numeric();
+    sweep.reference = ladder.rungs.size() - 1;
+    sweep.current = now[index];
+    for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
+        Variant variant{from == From::reference ? references(scene) : now, {}};
+        variant.rungs[index] = i;
+        sweep.rungs.push_back({ladder.rungs[i], std::move(variant), {i}});
+    }
+    return sweep;
+}
+
+// ---- knobs -----------------------------------------------------------------------------------------------
+
+struct Setting {
+    std::string name;
+    Knobs knobs;
+    bool current = false;
+};
+
+// The last is the reference.
+std::vector<Setting> sample_settings() {
+    std::vector<Setting> settings{{"1", {}, true}, {"msaa4", {.multisample = 4}}};
+    for (int n : {2, 3, 4, 8}) settings.push_back({fmt::format("{0}x{0}", n), {.grid = n}});
+    return settings;
+}
+
+std::vector<Setting> tessellation_settings() {
+    return {{"x1/3", {.tessellation = 1.0 / 3}},
+            {"x1", {}, true},
+            {"x2", {.tessellation = 2}},
+            {"x4", {.tessellation = 4}},
+            {"x8", {.tessellation = 8}}};
+}
+
+// Filters approximate the picture that many samples of the finest texels give.
+std::vector<Setting> filter_settings(const Scene& scene) {
+    using Mode = Filter::Mode;
+    const auto first = std::ranges::find_if(scene.textures, [](const Texture& t) { return !t.files.empty(); });
+    const Mode now = first == scene.textures.end() ? Mode::linear : first->filter.mode;
+    const auto setting = [now](std::string name, Mode mode, int anisotropy, int grid) {
+        Knobs knobs{.grid = grid, .filter = Filter{mode, anisotropy}};
+        return Setting{std::move(name), knobs, mode == now && grid == 1};
+    };
+    return {setting("nearest", Mode::nearest, 1, 1), setting("linear", Mode::linear, 1, 1),
+            setting("mipmap", Mode::mipmap, 1, 1), setting("anisotropic8", Mode::anisotropic, 8, 1),
+            setting("linear_8x8", Mode::linear, 1, 8)};
+}
+
+std::vector<Setting> cube_size_settings(const Scene& scene) {
+    int rendered = 0;
+    for (const Texture& texture : scene.textures)
+        if (texture.target == TextureTarget::cube && texture.files.empty())
+            rendered = std::max(rendered, texture.size[0]);
+    const int largest = rendered > 0 ? std::clamp(2 * rendered, 512, 2048) : 512;
+    std::vector<Setting> settings;
+    for (int size = 32; size <= largest; size *= 2)
+        settings.push_back({std::to_string(size), {.cube_size = size}, size == rendered});
+    if (rendered == 0) settings.push_back({"files", {}, true});
+    return settings;
+}
+
+std::vector<Setting> precision_settings() { return {{"8bit", {.cube_bits = 8}}, {"half", {.cube_bits = 16}, true}}; }
+
+std::vector<Setting> settings_of(std::string_view knob, const Scene& scene) {
+    if (knob == "samples") return sample_settings();
+    if (knob == "tessellation" && has_round_shapes(scene)) return tessellation_settings();
+    if (knob == "filter" && has_textures(scene)) return filter_settings(scene);
+    if (knob == "cube-size" && has_cube_maps(scene)) return cube_size_settings(scene);
+    if (knob == "cube-precision" && has_cube_maps(scene)) return precision_settings();
+    return {};
+}
+
+}  // namespace
+
+std::vector<Sweep> ladder_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
+                                 Diagnostics& diagnostics) {
+    std::vector<Sweep> sweeps;
+    for (std::size_t index : find_ladders(scene, names, diagnostics))
+        sweeps.push_back(ladder_sweep(scene, now, index, from));
+    return sweeps;
+}
+
+std::vector<Sweep> lattice_sweep(const Scene& scene, const Rungs& now, const std::vector<std::string>& names,
+                                 Diagnostics& diagnostics) {
+    std::vector<std::size_t> ladders = find_ladders(scene, names, diagnostics);
+    if (names.empty() && ladders.size() > most_ladders) ladders.resize(most_ladders);
+    std::size_t combinations = 1;
+    for (std::size_t ladder : ladders) combinations *= scene.ladders[ladder].rungs.size();
+    if (ladders.empty() || ladders.size() > most_ladders || combinations > most_combinations) {
+        diagnostics.error(
+            "lattice-size",
+            ladders.empty() ? "a lattice needs ladders, and the scene has none"
+                            : fmt::format("{} ladders have {} combinations", ladders.size(), combinations),
+            fmt::format("name at most {} ladders with at most {} combinations", most_ladders, most_combinations));
+        return {};
+    }
+    Sweep sweep{.kind = SweepKind::lattice, .moved = ladders};
+    std::vector<std::size_t> steps(ladders.size(), 0);
+    for (std::size_t n = 0; n < combinations; ++n) {
+        SweepRung rung{.variant = {references(scene), {}}, .steps = steps};
+        bool current = true;
+        for (std::size_t i = 0; i < ladders.size(); ++i) {
+            const Ladder& ladder = scene.ladders[ladders[i]];
+            rung.variant.rungs[ladders[i]] = steps[i];
+            rung.name += (i > 0 ? " " : "") + ladder.rungs[steps[i]];
+            current = current && steps[i] == now[ladders[i]];
+        }
+        if (current) sweep.current = n;
+        sweep.rungs.push_back(std::move(rung));
+        for (std::size_t i = ladders.size(); i-- > 0;) {
+            if (++steps[i] < scene.ladders[ladders[i]].rungs.size()) break;
+            steps[i] = 0;
+        }
+    }
+    for (std::size_t ladder : ladders) sweep.name += (sweep.name.empty() ? "" : " ") + scene.ladders[ladder].name;
+    sweep.reference = combinations - 1;
+    return {sweep};
+}
+
+std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
+                               Diagnostics& diagnostics) {
+    std::vector<Sweep> sweeps;
+    for (const std::string& name : names) {
+        if (std::ranges::find(knob_names, name) == knob_names.end()) {
+            diagnostics.error("unknown-knob", fmt::format("there is no knob '{}'", name),
+                              fmt::format("there are: {}", fmt::join(knob_names, ", ")));
+            continue;
+        }
+        const std::vector<Setting> settings = settings_of(name, scene);
+        if (settings.empty()) continue;
+        Sweep sweep{.kind = SweepKind::knob, .name = name};
+        sweep.reference = settings.size() - 1;
+        for (const Setting& setting : settings) {
+            if (setting.current) sweep.current = sweep.rungs.size();
+            sweep.rungs.push_back({setting.name,
+                                   {from == From::reference ? references(scene) : now, setting.knobs},
+                                   {sweep.rungs.size()}});
+        }
+        sweeps.push_back(std::move(sweep));
+    }
+    return sweeps;
+}
+
+}  // namespace snell::accuracy
