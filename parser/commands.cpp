@@ -77,9 +77,9 @@ constexpr Command table[] = {
     {"Clamp", "", "Textures of the draws that follow end at their edges, where they else repeat.", handle::clamp, {}, false, Group::textures},
     {"Filter", "mode:nearest/linear/mipmap/anisotropic=linear n:int=16", "How the textures named after it are filtered; n is the most anisotropy.", handle::filter, {}, addition, Group::textures},
     {"RenderToTexture", "units:int...", "The draws that follow go to the 2D textures on these units, one for each output of the fragment shader; without arguments to the window again.", handle::render_to_texture, {}, false, Group::textures},
-    {"RenderToCube", "unit:int x=0 y=0 z=0 | unit:int center:vec3", "The draws that follow go to the six faces of the cube map on this unit, seen from this point.", handle::render_to_cube, {}, addition, Group::textures},
-    {"Irradiance", "unit:int from:int", "Puts the diffuse light of the cube map on unit `from` on a unit.", handle::irradiance, {}, addition, Group::textures},
-    {"Prefilter", "unit:int from:int", "Puts a chain of the cube map on unit `from`, blurred by roughness, on a unit.", handle::prefilter, {}, addition, Group::textures},
+    {"RenderToCube", "unit:int x=0 y=0 z=0 faces:int=6 | unit:int center:vec3 faces:int=6", "The draws that follow go to the six faces of the cube map on this unit, seen from this point. What moves in a window may be refreshed 1, 2 or 3 faces a frame.", handle::render_to_cube, {}, addition, Group::textures},
+    {"Irradiance", "unit:int from:int size:int=16", "Puts the light that matt surfaces gather from the cube map on unit `from` on a unit: a cube map of size texels a side to look up by the normal.", handle::irradiance, {}, addition, Group::textures},
+    {"Prefilter", "unit:int from:int size:int?", "Puts what rough mirrors see of the cube map on unit `from` on a unit: a chain of levels, the last for roughness 1, the first the cube map itself with size texels a side (by default its own, at most 128, or 64 where it is drawn to).", handle::prefilter, {}, addition, Group::textures},
 
     // ---- programs
     {"Vertex", "file:path?", "Vertex shader of the programs that follow; without argument there is none.", handle::vertex, {}, false, Group::programs},

@@ -52,7 +52,7 @@ std::string draw_difference(const Scene& a, const Draw& x, const Scene& b, const
 std::string pass_difference(const Pass& p, const Pass& q) {
     const auto same_item = [](const Item& a, const Item& b) { return a.kind == b.kind && a.index == b.index; };
     const bool same = p.kind == q.kind && p.units == q.units && p.textures == q.textures && p.center == q.center &&
-                      p.background == q.background &&
+                      p.faces_per_frame == q.faces_per_frame && p.background == q.background &&
                       std::equal(p.items.begin(), p.items.end(), q.items.begin(), q.items.end(), same_item);
     return same ? "" : "pass";
 }

@@ -42,6 +42,7 @@ std::string dump_pass(const Scene& scene, const Pass& pass) {
     std::string out = "pass window";
     if (pass.kind == Pass::Kind::textures) out = "pass textures";
     if (pass.kind == Pass::Kind::cube) out = "pass cube at" + values(pass.center.data(), 3);
+    if (pass.faces_per_frame < 6) out += " faces " + std::to_string(pass.faces_per_frame);
     for (std::size_t i = 0; i < pass.units.size(); ++i)
         out += " unit " + std::to_string(pass.units[i]) + " texture " +
                (pass.textures[i] == none ? "none" : std::to_string(pass.textures[i]));

@@ -9,11 +9,7 @@ namespace {
 void stage(Builder& b, const Arguments& a, Stage stage) {
     auto& current = b.stages[static_cast<std::size_t>(stage)];
     current.reset();
-    if (a.given(0)) current = FileName{file_name(a.text(0)), a.span(0)};
-}
-
-void not_drawn_yet(Builder& b, const Arguments& a, std::string_view name) {
-    b.report().warning("not-drawn-yet", a.span(), "'" + std::string(name) + "' has no effect yet");
+    if (a.given(0)) current = FileName{file_name(a.text(0)), a.span(0), b.from};
 }
 
 std::string to_utf8(std::string_view text) {
@@ -48,8 +44,6 @@ void program(Builder& b, const Arguments& a) {
 }
 
 void gstap(Builder& b, const Arguments&) { b.scene().gstap = true; }
-void irradiance(Builder& b, const Arguments& a) { not_drawn_yet(b, a, "Irradiance"); }
-void prefilter(Builder& b, const Arguments& a) { not_drawn_yet(b, a, "Prefilter"); }
 
 void timer(Builder& b, const Arguments& a) {
     if (a.number(0) > 0) {

@@ -1,5 +1,6 @@
 // Textures, and the targets that are drawn to.
 #include <algorithm>
+#include <bit>
 
 #include "parser/handlers.h"
 
@@ -8,6 +9,8 @@ namespace {
 
 constexpr int most_units = 192;  // OpenGL 4's least is 80; drivers offer up to 192
 constexpr int largest_side = 32768;
+constexpr int largest_irradiance = 64;  // it is smooth: 16 are good for a thousandth
+constexpr int smallest_prefilter = 16, largest_prefilter = 1024;
 constexpr int largest_noise_2d = 4096, largest_noise_3d = 512;
 
 bool good_unit(Builder& b, const Arguments& a, std::size_t i) {
@@ -38,7 +41,7 @@ void texture(Builder& b, const Arguments& a, TextureTarget target, std::size_t s
         if (!good_sizes(b, a, a.size() - 1)) return;
         for (std::size_t i = 1; i < a.size(); ++i) t.size[i - 1] = a.integer(i);
     } else {
-        for (std::size_t i = 1; i < a.size(); ++i) t.files.push_back({file_name(a.text(i)), a.span(i)});
+        for (std::size_t i = 1; i < a.size(); ++i) t.files.push_back({file_name(a.text(i)), a.span(i), b.from});
     }
     b.bind(std::move(t));
 }
@@ -55,14 +58,60 @@ void noise(Builder& b, const Arguments& a, int& resolution, int largest) {
 // What stands on the unit; an error and `none` when nothing does.
 Index target_on(Builder& b, const Arguments& a, std::size_t i, TextureTarget target) {
     if (!good_unit(b, a, i)) return none;
-    if (const auto index = b.bound(a.integer(i), target)) return *index;
+    const auto index = b.bound(a.integer(i), target);
     const std::string unit = std::to_string(a.integer(i));
     const bool cube = target == TextureTarget::cube;
+    if (index && b.scene().textures[*index].computed == Computed::no) return *index;
+    if (index) {
+        b.report().error("computed-target", a.span(i),
+                         "the cube map on unit " + unit + " is computed from another and can't be drawn to",
+                         "draw to that one");
+        return none;
+    }
     b.report().error(
         "no-texture-on-unit", a.span(i),
         "no " + std::string(cube ? "cube map" : "2D texture") + " stands on unit " + unit + " to draw to",
         cube ? "reserve one before: CubeMap " + unit + " 256" : "reserve one before: Texture2D " + unit + " 512 512");
     return none;
+}
+
+// The cube map that another is computed from.
+Index source_on(Builder& b, const Arguments& a, std::size_t i) {
+    if (!good_unit(b, a, i)) return none;
+    const std::string unit = std::to_string(a.integer(i));
+    const auto index = b.bound(a.integer(i), TextureTarget::cube);
+    if (!index) {
+        b.report().error("no-texture-on-unit", a.span(i), "no cube map stands on unit " + unit + " to compute from",
+                         "name one before: CubeMap " + unit + " sky.hdr");
+        return none;
+    }
+    if (b.scene().textures[*index].computed == Computed::no) return *index;
+    b.report().error("computed-source", a.span(i), "the cube map on unit " + unit + " is itself computed from another",
+                     "name the unit of that one");
+    return none;
+}
+
+void computed(Builder& b, const Arguments& a, Computed what, int size, Filter filter) {
+    if (!good_unit(b, a, 0)) return;
+    Texture t;
+    t.unit = a.integer(0);
+    t.target = TextureTarget::cube;
+    t.computed = what;
+    t.from = a.integer(1);
+    t.source = source_on(b, a, 1);
+    if (t.source == none) return;
+    t.size[0] = size;
+    t.filter = filter;
+    t.span = a.span();
+    b.bind(std::move(t));
+}
+
+// Of faces a frame, so that every face is as old as the others: 4 and 5 take two frames, as 3 does.
+int faces_per_frame(Builder& b, const Arguments& a, std::size_t i) {
+    const int faces = a.integer(i);
+    if (faces == 1 || faces == 2 || faces == 3 || faces == 6) return faces;
+    b.report().error("faces-per-frame", a.span(i), "a frame refreshes 1, 2, 3 or 6 faces: 6 are taken");
+    return 6;
 }
 
 }  // namespace
@@ -103,8 +152,33 @@ void render_to_cube(Builder& b, const Arguments& a) {
     pass.kind = Pass::Kind::cube;
     pass.units = {a.integer(0)};
     pass.textures = {target_on(b, a, 0, TextureTarget::cube)};
-    pass.center = a.alternative() == 0 ? Vec3{a.number(1), a.number(2), a.number(3)} : a.vec3(1);
+    const bool spread = a.alternative() == 0;
+    pass.center = spread ? Vec3{a.number(1), a.number(2), a.number(3)} : a.vec3(1);
+    pass.faces_per_frame = faces_per_frame(b, a, spread ? 4 : 2);
     b.begin_pass(std::move(pass));
+}
+
+void irradiance(Builder& b, const Arguments& a) {
+    const int size = std::clamp(a.integer(2), 1, largest_irradiance);
+    if (size != a.integer(2))
+        b.report().warning("size-out-of-range", a.span(2),
+                           "irradiance has 1 to " + std::to_string(largest_irradiance) +
+                               " texels a side: " + std::to_string(size) + " are taken");
+    computed(b, a, Computed::irradiance, size, {});
+}
+
+void prefilter(Builder& b, const Arguments& a) {
+    int size = 0;
+    if (a.given(2)) {
+        const int inside = std::clamp(a.integer(2), smallest_prefilter, largest_prefilter);
+        size = static_cast<int>(std::bit_floor(static_cast<unsigned>(inside)));
+        if (size != a.integer(2))
+            b.report().warning("size-out-of-range", a.span(2),
+                               "a chain begins with a power of two from " + std::to_string(smallest_prefilter) +
+                                   " to " + std::to_string(largest_prefilter) +
+                                   " texels a side: " + std::to_string(size) + " are taken");
+    }
+    computed(b, a, Computed::prefilter, size, {Filter::Mode::mipmap, 1});
 }
 
 }  // namespace snell::handle

@@ -55,6 +55,7 @@ private:
         if (pass.kind == Pass::Kind::cube) statement = "RenderToCube";
         for (const int unit : pass.units) statement += " " + std::to_string(unit);
         if (pass.kind == Pass::Kind::cube) statement = text_of::numbers(statement, pass.center.data(), 3);
+        if (pass.faces_per_frame < 6) statement += " " + std::to_string(pass.faces_per_frame);
         if (!first) line(statement);
         if (pass.background) line(text_of::numbers("Background", pass.background->data(), 4));
         for (const Item& item : pass.items) {

@@ -26,6 +26,7 @@ using Mat4 = std::array<double, 16>;  // column-major, as OpenGL's
 struct FileName {
     std::string name;  // as written, with '/' for '\'
     Span span;
+    std::string from = {};  // the included scene that names it; empty: the one that was opened
 };
 
 // ---- geometry ---------------------------------------------------------------------------------------
@@ -170,11 +171,18 @@ struct Filter {
     bool operator==(const Filter&) const = default;
 };
 
+// What is computed from another cube map: the light that a matt surface gathers, or what mirrors see that are the
+// rougher the higher the level.
+enum class Computed : std::uint8_t { no, irradiance, prefilter };
+
 struct Texture {
     int unit = 0;
     TextureTarget target = TextureTarget::d2;
-    std::vector<FileName> files;       // none: empty texture of `size`; cube: one or six
-    std::array<int, 3> size{0, 0, 0};  // of an empty texture; cube: size[0]
+    std::vector<FileName> files;       // none: empty texture of `size`, or computed; cube: one or six
+    std::array<int, 3> size{0, 0, 0};  // of an empty texture; cube: size[0]; computed ones: 0 where not given
+    Computed computed = Computed::no;  // only of cube maps
+    int from = 0;                      // computed: the unit that the source stands on
+    Index source = none;               // computed: the source in Scene::textures, which is not computed itself
     int bits = 0;                      // of a channel of a cube map, 8 or 16; 0: what its files need
     Filter filter;
     Span span;
@@ -258,6 +266,7 @@ struct Pass {
     std::vector<int> units;          // textures: the units as written
     std::vector<Index> textures;     // what stood on those units; none where nothing did (an error was given)
     Vec3 center{0, 0, 0};            // cube: world position of the eye
+    int faces_per_frame = 6;         // cube: 1, 2, 3 or 6, where frames follow each other
     std::optional<Vec4> background;  // last Background of this pass; none: the target's default
     std::vector<Item> items;
     Span span;  // the statement that began it; empty for the first

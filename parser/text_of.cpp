@@ -131,6 +131,10 @@ std::string texture(const Texture& t) {
                                                                           "CubeMap"};
     constexpr std::array<std::size_t, texture_target_count> sizes{1, 2, 3, 1};
     const auto target = static_cast<std::size_t>(t.target);
+    if (t.computed == Computed::irradiance) return statement("Irradiance", t.unit, t.from, t.size[0]);
+    if (t.computed == Computed::prefilter)
+        return t.size[0] > 0 ? statement("Prefilter", t.unit, t.from, t.size[0])
+                             : statement("Prefilter", t.unit, t.from);
     std::string out = statement(commands[target], t.unit);
     for (const FileName& file : t.files) out += " " + name(file.name);
     if (t.files.empty())

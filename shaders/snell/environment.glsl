@@ -59,4 +59,15 @@ vec3 snellImpostorDirection(samplerCube distances, vec3 P, vec3 d, int iteration
     }
     return P + t * d;
 }
+
+// What a mirror of some roughness sees in a cube map that 'Prefilter' made: r the direction of reflection, roughness
+// 0 (the surroundings themselves) to 1 (what a matt surface gathers). Level l of the chain, whose last has 8 texels a
+// side, is for the roughness l / (levels - 1). Exact for a viewer along the normal; at grazing angles a real lobe is
+// longer and this one is not. Multiply by the reflectance.
+vec3 snellPrefiltered(samplerCube prefiltered, vec3 r, float roughness) {
+    float last = 0.0;
+    for (int size = textureSize(prefiltered, 0).x; size > 8; size /= 2) last += 1.0;
+    float level = roughness > 0.0 ? min(roughness, 1.0) * last : 0.0;
+    return textureLod(prefiltered, snellInfiniteDirection(r), level).rgb;
+}
 #endif

@@ -85,14 +85,18 @@ private:
                 static_cast<int>(std::clamp(size.height * scale, 240.0, 16384.0))};
     }
 
-    bool animated() { return session_.document() && session_.document()->runtime->animated(); }
+    // Another frame of the same would be another picture.
+    bool moving() {
+        Document* document = session_.document();
+        return document && (document->runtime->animated() || !document->runtime->settled());
+    }
 
     // How long nothing will happen without input.
     double pause() {
         if (unsettled_ > 0) return 0;
         const double now = window_->now();
         double until = next_look_;
-        if (animated() && visible()) until = std::min(until, last_picture_ + frame_time);
+        if (moving() && visible()) until = std::min(until, last_picture_ + frame_time);
         if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
         return std::max(0.0, until - now);
     }
@@ -115,7 +119,7 @@ private:
         std::vector<Event> events = window_->take_events();
         for (const Event& event : events)
             repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
-        woken |= !events.empty() || unsettled_ > 0 || (animated() && now >= last_picture_ + frame_time);
+        woken |= !events.empty() || unsettled_ > 0 || (moving() && now >= last_picture_ + frame_time);
         if (!visible()) {
             unsettled_ = 0;  // all is drawn again when the window comes back: that is an event
             return;
@@ -208,10 +212,10 @@ private:
         next_.time = document->runtime->animated() ? window_->now() - began_ : 0;
         next_.view = view_;
         gather(document->controls, next_.values);
-        if (next_ == drawn_) return false;
+        if (next_ == drawn_ && document->runtime->settled()) return false;
         if (!canvas_.resize(next_.width, next_.height, samples)) return false;
         const double start = window_->now();
-        document->runtime->draw({next_.time, view_, document->controls},
+        document->runtime->draw({next_.time, view_, document->controls, true},
                                 {canvas_.framebuffer(), next_.width, next_.height});
         canvas_.resolve();
         gl::finish();

@@ -104,6 +104,70 @@ Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling) 
     return texture;
 }
 
+BufferTexture make_buffer_texture(const void* texels, std::size_t count) {
+    BufferTexture made{Buffer(make(glGenBuffers)), Texture(make(glGenTextures))};
+    glBindBuffer(GL_TEXTURE_BUFFER, made.buffer.get());
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(count * texel_bytes(Pixels::rgba32f)), texels,
+                 GL_STATIC_DRAW);
+    glBindTexture(GL_TEXTURE_BUFFER, made.texture.get());
+    glTexBuffer(GL_TEXTURE_BUFFER, internal_format(Pixels::rgba32f), made.buffer.get());
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+    glBindBuffer(GL_TEXTURE_BUFFER, 0);
+    return made;
+}
+
+namespace {
+
+void upload_levels(const std::vector<std::array<Texels, 6>>& levels, bool fresh) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        for (GLenum face = 0; face < 6; ++face) {
+            const Texels& texels = levels[level][face];
+            const GLenum target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, type = component_type(texels.type);
+            const auto at = static_cast<GLint>(level);
+            if (fresh)
+                glTexImage2D(target, at, static_cast<GLint>(internal_format(texels.type)), texels.width, texels.height,
+                             0, GL_RGBA, type, texels.data);
+            else
+                glTexSubImage2D(target, at, 0, 0, texels.width, texels.height, GL_RGBA, type, texels.data);
+        }
+}
+
+}  // namespace
+
+Texture make_cube_levels(const std::vector<std::array<Texels, 6>>& levels) {
+    Texture texture(make(glGenTextures));
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.get());
+    upload_levels(levels, true);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER,
+                    levels.size() > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
+    return texture;
+}
+
+void replace_cube_levels(GLuint texture, const std::vector<std::array<Texels, 6>>& levels) {
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture);
+    upload_levels(levels, false);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
+}
+
+// By a framebuffer: OpenGL ES can't read textures themselves.
+std::array<std::vector<std::byte>, 6> read_cube(GLuint texture, int size) {
+    std::array<std::vector<std::byte>, 6> faces;
+    const Framebuffer framebuffer(make(glGenFramebuffers));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.get());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (GLenum face = 0; face < 6; ++face) {
+        faces[face].resize(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+        glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_CUBE_MAP_POSITIVE_X + face,
+                               texture, 0);
+        glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, faces[face].data());
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    return faces;
+}
+
 void generate_mipmaps(GLenum target, GLuint texture) {
     glBindTexture(target, texture);
     glGenerateMipmap(target);

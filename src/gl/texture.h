@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "src/gl/handle.h"
 
@@ -30,7 +31,20 @@ std::size_t texel_bytes(Pixels type);
 // `target` is GL_TEXTURE_1D, 2D, 3D or CUBE_MAP.
 Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling);
 Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling);
+// All levels given, each half of the one before, the first as large as any; null data: allocated only.
+Texture make_cube_levels(const std::vector<std::array<Texels, 6>>& levels);
+// Other texels of the same types and sizes.
+void replace_cube_levels(GLuint texture, const std::vector<std::array<Texels, 6>>& levels);
+// The faces of level 0, as uploaded: row 0 first. RGBA bytes.
+std::array<std::vector<std::byte>, 6> read_cube(GLuint texture, int size);
 void generate_mipmaps(GLenum target, GLuint texture);
+
+// RGBA32F texels in a buffer, for samplerBuffer. At least one.
+struct BufferTexture {
+    Buffer buffer;
+    Texture texture;
+};
+BufferTexture make_buffer_texture(const void* texels, std::size_t count);
 
 // A sampler object, so that one texture may be clamped in one draw and repeated in the next.
 inline void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }

@@ -81,6 +81,9 @@ struct Translation {
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
     bool uses_alpha = true;  // false: every colour output is known to have alpha 1
+    // Every vertex goes where the model-view-projection matrix puts it, and no stage reads a depth or the projection:
+    // the near and the far plane may be moved without any other change.
+    bool plain_depth = false;
 };
 
 // Translates all stages of one program together: interfaces between them are made to match.
@@ -158,7 +161,8 @@ enum class System : std::uint8_t {
     depth_range_diff,
     point_size,
     line_width,
-    viewport,  // pixels
+    viewport,   // pixels
+    harmonics,  // nine coefficients of the cube map that the last Irradiance names
 };
 struct SystemName {
     std::string_view name;

@@ -96,6 +96,7 @@ constexpr SystemName modern_systems[] = {
     {"uTime", System::time, "float", false},
     {"uResolution", System::resolution, "vec2", false},
     {"uMouse", System::mouse, "vec2", false},
+    {"uHarmonics", System::harmonics, "vec3", false},
     // GSTAP
     {"uModelViewMatrix", System::model_view, "mat4", false},
     {"uProjectionMatrix", System::projection, "mat4", false},

@@ -115,7 +115,11 @@ void dump_textures(std::string& out, const Plan& plan, const Sources& sources) {
         const Texture& texture = plan.scene.textures[i];
         out += fmt::format("texture {} {} unit {}", i, target_names[static_cast<std::size_t>(texture.target)],
                            texture.unit);
-        if (texture.files.empty()) {
+        if (texture.computed != Computed::no) {
+            out += fmt::format(", {} of texture {}",
+                               texture.computed == Computed::irradiance ? "irradiance" : "prefiltered levels",
+                               texture.source);
+        } else if (texture.files.empty()) {
             out += fmt::format(", empty {} x {} x {}", texture.size[0], texture.size[1], texture.size[2]);
         }
         for (const FileName& file : texture.files) out += fmt::format(" '{}'", file.name);
@@ -135,7 +139,8 @@ std::string pass_target(const Pass& pass) {
         case Pass::Kind::textures:
             return "textures on units" + units;
         case Pass::Kind::cube:
-            return fmt::format("cube{} from {} {} {}", units, pass.center[0], pass.center[1], pass.center[2]);
+            return fmt::format("cube{} from {} {} {}{}", units, pass.center[0], pass.center[1], pass.center[2],
+                               pass.faces_per_frame < 6 ? fmt::format(", {} faces a frame", pass.faces_per_frame) : "");
     }
     return {};
 }

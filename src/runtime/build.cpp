@@ -93,16 +93,21 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     ready_passes(loading);
     drop_unread_passes(diagnostics);
     textures.finish();
+    count_textures();
+    counters.targets = targets.size();
+    counters.files_opened = files->counters().opened;
+    counters.bytes_read = files->counters().bytes;
+}
+
+void Runtime::Impl::count_textures() {
     const runtime::TextureCounters& t = textures.counters();
     counters.images_decoded = t.decoded;
     counters.bytes_decoded = t.bytes_decoded;
     counters.bytes_uploaded += t.bytes_uploaded - counted.bytes_uploaded;
     counters.textures = t.textures;
     counters.gpu_bytes += t.gpu_bytes - counted.gpu_bytes;
+    counters.convolutions = t.convolutions;
     counted = t;
-    counters.targets = targets.size();
-    counters.files_opened = files->counters().opened;
-    counters.bytes_read = files->counters().bytes;
 }
 
 LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& variant, Loading& loading) {
@@ -148,6 +153,7 @@ void Runtime::Impl::link_programs(Loading& loading) {
 
 void Runtime::Impl::ready_passes(Loading& loading) {
     meshes.resize(plan.meshes.size());
+    trees.resize(plan.meshes.size());
     passes.assign(plan.scene.passes.size(), {});
     for (Index pass = 0; pass < plan.scene.passes.size(); ++pass) {
         ready_target(pass, loading.diagnostics);
@@ -202,8 +208,10 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     ready.program = link(draw.program, variant, loading);
     if (!ready.program || ready.mesh == none) return std::nullopt;
     auto& mesh = meshes[ready.mesh];
+    std::optional<content::Mesh> loaded;
     if (!mesh) {
-        mesh = runtime::upload(load_mesh(plan, ready.mesh, loading.files, loading.diagnostics));
+        loaded = load_mesh(plan, ready.mesh, loading.files, loading.diagnostics);
+        mesh = runtime::upload(*loaded);
         counters.bytes_uploaded += mesh->bytes;
         counters.gpu_bytes += mesh->bytes;
         counters.buffers += mesh->bytes ? 2 : 0;
@@ -217,6 +225,8 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
         loading.diagnostics.warning("wireframe-unsupported", draw.span,
                                     "OpenGL ES draws no wireframes: faces are filled");
     bind_textures(ready, pass, loading.diagnostics);
+    bind_harmonics(ready, pass, loading.diagnostics);
+    bind_tree(ready, loaded ? &*loaded : nullptr, loading);
     return ready;
 }
 
@@ -253,6 +263,35 @@ bool Runtime::Impl::match_topology(ReadyDraw& ready, const runtime::GpuMesh& mes
     return false;
 }
 
+// The cube map of the last Irradiance before the draw, or of the text's last one, as with all that is bound.
+void Runtime::Impl::bind_harmonics(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
+    if (!ready.program->reads(glsl::System::harmonics)) return;
+    const Scene& scene = plan.scene;
+    const auto& bound = scene.bindings[scene.draws[ready.draw].bindings].entries;
+    Index last = none;
+    const auto consider = [&](Index texture) {
+        if (scene.textures[texture].computed == Computed::irradiance && (last == none || texture > last))
+            last = texture;
+    };
+    for (const Bindings::Entry& entry : bound) consider(entry.texture);
+    for (Index i = 0; last == none && i < scene.textures.size(); ++i)
+        consider(static_cast<Index>(scene.textures.size() - 1 - i));
+    if (last == none) {
+        diagnostics.warning("no-harmonics", scene.draws[ready.draw].span,
+                            "the program reads uHarmonics, but no Irradiance names a cube map",
+                            "name one: Irradiance 7 6");
+        return;
+    }
+    const Index source = scene.textures[last].source;
+    if (auto problem = feedback_error(scene, pass, ready.draw, source)) {
+        diagnostics.add(std::move(*problem));
+        return;
+    }
+    ready.sources.push_back(source);
+    if (scene.textures[source].files.empty()) textures.realise(source);
+    ready.harmonics = textures.harmonics(source);
+}
+
 void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
     const Scene& scene = plan.scene;
     const Draw& draw = scene.draws[ready.draw];
@@ -279,10 +318,15 @@ void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
             const runtime::GpuTexture* gpu = nullptr;
             Filter filter;
             if (found != none) {
-                if (auto problem = feedback_error(scene, pass, ready.draw, found)) {
+                // What is computed from the target would show the frame before.
+                const Index source = scene.textures[found].source;
+                auto problem = feedback_error(scene, pass, ready.draw, found);
+                if (!problem) problem = feedback_error(scene, pass, ready.draw, source);
+                if (problem) {
                     diagnostics.add(std::move(*problem));
                     continue;
                 }
+                if (source != none) ready.sources.push_back(source);
                 gpu = textures.realise(found);
                 filter = scene.textures[found].filter;
             } else if (noise) {
@@ -307,21 +351,25 @@ void Runtime::Impl::drop_unread_passes(Diagnostics& diagnostics) {
     for (bool changed = true; changed;) {
         changed = false;
         std::set<GLuint> read;
+        std::set<Index> sources;
         for (const ReadyPass& pass : passes)
             if (pass.live)
                 for (const auto& item : pass.items)
-                    if (item)
+                    if (item) {
                         for (const BoundTexture& texture : item->textures) read.insert(texture.texture);
+                        sources.insert(item->sources.begin(), item->sources.end());
+                    }
         for (Index i = 0; i < passes.size(); ++i) {
             ReadyPass& pass = passes[i];
             if (!pass.live || plan.scene.passes[i].kind == Pass::Kind::window) continue;
             const bool wanted = std::ranges::any_of(pass.textures, [&](Index texture) {
                 const auto* gpu = textures.find(texture);
-                return gpu && read.contains(gpu->texture.get());
+                return gpu && (read.contains(gpu->texture.get()) || sources.contains(texture));
             });
             if (wanted) continue;
             pass.live = false;
             changed = true;
+            if (!plan.scene.ladders.empty()) continue;  // another rung may read it
             Diagnostic note{Severity::note,
                             "unread-pass",
                             plan.scene.passes[i].span,

@@ -13,15 +13,6 @@ using runtime::LinkedProgram;
 using runtime::ReadyDraw;
 using runtime::ReadyPass;
 
-// Where a pass looks from. Off-screen cube faces replace the scene's camera.
-struct Runtime::Impl::PassView {
-    int width = 1, height = 1;
-    Vec4 background{0, 0, 0, 1};
-    const glm::dmat4* projection = nullptr;  // replaces the draw's camera, with `view`
-    const glm::dmat4* view = nullptr;
-    std::array<double, 2> shift{0, 0};  // of the picture, in pixels
-};
-
 namespace {
 
 glm::dmat4 matrix(const Mat4& m) {
@@ -64,7 +55,8 @@ DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const P
     result.scene = view.view ? glm::dmat4(1) : runtime::about_origin(frame.view.scene, result.view);
     const double aspect = static_cast<double>(view.width) / view.height;
     result.projection =
-        (view.projection ? *view.projection : projection_matrix(scene.cameras[draw.camera], aspect)) * result.scene;
+        (view.projection ? *view.projection : projection_matrix(scene.cameras[draw.camera], aspect, view.depth)) *
+        result.scene;
     if (view.shift != std::array<double, 2>{0, 0})
         result.projection =
             glm::translate(glm::dmat4(1), {2 * view.shift[0] / view.width, 2 * view.shift[1] / view.height, 0}) *
@@ -88,10 +80,12 @@ DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const P
 void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     if (surface.width <= 0 || surface.height <= 0) return;
     state.forget();
+    if (frame.view.axes) ready_axes();
     if (!caps.es) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // OpenGL ES 3 is always so
     const std::uint64_t before = state.changes();
     std::set<std::vector<Index>> cleared;
     bool first_window = true;
+    settled = true;
     for (Index pass = 0; pass < passes.size(); ++pass) {
         if (!passes[pass].live) continue;
         switch (plan.scene.passes[pass].kind) {
@@ -118,6 +112,7 @@ void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& s
     glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
     glViewport(0, 0, surface.width, surface.height);
     PassView view{surface.width, surface.height, plan.scene.background};
+    view.depth = fitted_depth(frame, surface);
     view.shift = frame.shift;
     if (first) clear(view.background);
     state.forget();
@@ -134,13 +129,7 @@ void Runtime::Impl::draw_textures(Index pass, const Frame& frame, std::set<std::
     if (cleared.insert(ready.textures).second) clear(view.background);
     state.forget();
     draw_items(pass, frame, view);
-    for (size_t i = 0; i < ready.textures.size(); ++i)
-        if (ready.remake_mipmaps[i]) {
-            glActiveTexture(GL_TEXTURE0);
-            gl::generate_mipmaps(ready.remake_mipmaps[i], textures.find(ready.textures[i])->texture.get());
-        }
-    state.forget();
-    ++counters.passes;
+    finish_pass(pass);
 }
 
 // Everything that can change what the faces of a cube pass show.
@@ -149,6 +138,7 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
     bool moves = false;
     for (const auto& item : passes[pass].items) {
         if (!item) continue;
+        seen.push_back(hidden(frame, item->draw) ? 1 : 0);
         if (const auto object = frame.view.objects.find(item->draw); object != frame.view.objects.end()) {
             const Transformation& t = object->second;
             seen.insert(seen.end(), {t.rotate_x, t.rotate_y, t.scale, t.x, t.y, t.z});
@@ -168,38 +158,70 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
     return seen;
 }
 
+// Then nothing is known of what changed.
+bool Runtime::Impl::reads_other_passes(const ReadyPass& pass) const {
+    const auto reads = [&](const ReadyDraw& draw, Index rendered) {
+        const auto* gpu = textures.find(rendered);
+        const auto same = [&](const runtime::BoundTexture& texture) { return texture.texture == gpu->texture.get(); };
+        return (gpu && std::ranges::any_of(draw.textures, same)) || std::ranges::count(draw.sources, rendered) > 0;
+    };
+    for (const auto& item : pass.items)
+        for (const ReadyPass& other : passes)
+            for (const Index rendered : other.textures)
+                if (item && reads(*item, rendered)) return true;
+    return false;
+}
+
+// All faces that show something else than they would now; in a paced frame only as many as the scene says, in turns.
 void Runtime::Impl::draw_cube(Index pass, const Frame& frame) {
     ReadyPass& ready = passes[pass];
-    std::vector<double> seen = seen_by(pass, frame);
-    // Pictures of earlier passes may be read here: then nothing is known of what changed.
-    bool reads_pass = false;
-    for (const auto& item : ready.items)
-        for (const runtime::BoundTexture& texture : item ? item->textures : std::vector<runtime::BoundTexture>{})
-            for (const ReadyPass& other : passes)
-                for (Index rendered : other.textures) {
-                    const auto* gpu = textures.find(rendered);
-                    reads_pass = reads_pass || (gpu && gpu->texture.get() == texture.texture);
-                }
-    if (!reads_pass && seen == ready.cube_seen) return;
-    ready.cube_seen = std::move(seen);
+    const std::vector<double> seen = seen_by(pass, frame);
+    const bool all = reads_other_passes(ready);
+    const bool fresh = ready.cube_seen[0].empty();
+    int budget = frame.paced && !all && !fresh ? plan.scene.passes[pass].faces_per_frame : 6;
+    const int first = ready.next_face;
+    bool drawn = false;
+    for (int i = 0; i < 6; ++i) {
+        const int face = (first + i) % 6;
+        std::vector<double>& shown = ready.cube_seen[static_cast<size_t>(face)];
+        if (!all && shown == seen) continue;
+        if (budget-- <= 0) {
+            settled = false;
+            break;
+        }
+        draw_face(pass, face, frame);
+        shown = seen;
+        ready.next_face = (face + 1) % 6;
+        drawn = true;
+    }
+    if (drawn) finish_pass(pass);
+}
+
+void Runtime::Impl::draw_face(Index pass, int face, const Frame& frame) {
+    const ReadyPass& ready = passes[pass];
     const Pass& declared = plan.scene.passes[pass];
     const glm::dmat4 projection = glm::perspective(glm::radians(90.0), 1.0, .1, 1000.0);
-    const auto& faces = targets.at(ready.textures);
-    for (int face = 0; face < 6; ++face) {
-        const glm::dmat4 view_matrix = face_view(face, declared.center);
-        PassView view{ready.width, ready.height, declared.background.value_or(plan.scene.background), &projection,
-                      &view_matrix};
-        glBindFramebuffer(GL_FRAMEBUFFER, faces[static_cast<size_t>(face)].framebuffer.get());
-        glViewport(0, 0, ready.width, ready.height);
-        clear(view.background);
-        state.forget();
-        draw_items(pass, frame, view);
+    const glm::dmat4 view_matrix = face_view(face, declared.center);
+    PassView view{ready.width, ready.height, declared.background.value_or(plan.scene.background), &projection,
+                  &view_matrix};
+    glBindFramebuffer(GL_FRAMEBUFFER, targets.at(ready.textures)[static_cast<size_t>(face)].framebuffer.get());
+    glViewport(0, 0, ready.width, ready.height);
+    clear(view.background);
+    state.forget();
+    draw_items(pass, frame, view);
+    ++counters.cube_faces;
+}
+
+// What is made from what was drawn.
+void Runtime::Impl::finish_pass(Index pass) {
+    const ReadyPass& ready = passes[pass];
+    glActiveTexture(GL_TEXTURE0);
+    for (size_t i = 0; i < ready.textures.size(); ++i) {
+        if (ready.remake_mipmaps[i])
+            gl::generate_mipmaps(ready.remake_mipmaps[i], textures.find(ready.textures[i])->texture.get());
+        textures.refresh(ready.textures[i]);
     }
-    for (size_t i = 0; i < ready.textures.size(); ++i)
-        if (ready.remake_mipmaps[i]) {
-            glActiveTexture(GL_TEXTURE0);
-            gl::generate_mipmaps(GL_TEXTURE_CUBE_MAP, textures.find(ready.textures[i])->texture.get());
-        }
+    count_textures();
     state.forget();
     ++counters.passes;
 }
@@ -220,7 +242,9 @@ void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, const P
     const Draw& draw = plan.scene.draws[ready.draw];
     LinkedProgram& program = *ready.program;
     state.program(program.program.get());
-    const int uploads = runtime::set_system(program, context(draw, frame, view)) +
+    DrawContext values = context(draw, frame, view);
+    values.harmonics = ready.harmonics;
+    const int uploads = runtime::set_system(program, values) +
                         (draw.program == none ? 0 : runtime::set_user(program, draw.program, frame.controls));
     counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
     for (const runtime::BoundTexture& texture : ready.textures)

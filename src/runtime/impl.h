@@ -12,6 +12,7 @@
 #include "src/runtime/runtime.h"
 #include "src/runtime/state.h"
 #include "src/runtime/textures.h"
+#include "src/runtime/tree.h"
 #include "src/runtime/uniforms.h"
 
 namespace snell {
@@ -32,15 +33,18 @@ struct ReadyDraw {
     GLenum mode = GL_TRIANGLES;
     int patch_vertices = 0;  // of GL_PATCHES
     std::vector<BoundTexture> textures;
+    std::vector<Index> sources;                     // cube maps that what it samples is computed from
+    const content::Harmonics* harmonics = nullptr;  // where the program reads them
 };
 
 struct ReadyPass {
     bool live = true;  // false: nothing reads what it renders
     std::vector<Index> textures;
-    int width = 0, height = 0;                    // of off-screen targets
-    std::vector<GLenum> remake_mipmaps;           // targets, as `textures`; 0: none
-    std::vector<double> cube_seen;                // cube: what the faces show, as numbers; empty: never drawn
-    std::vector<std::optional<ReadyDraw>> items;  // as Pass::items; empty where it is a Clear or impossible
+    int width = 0, height = 0;                     // of off-screen targets
+    std::vector<GLenum> remake_mipmaps;            // targets, as `textures`; 0: none
+    std::array<std::vector<double>, 6> cube_seen;  // cube: what each face shows, as numbers; empty: never drawn
+    int next_face = 0;                             // cube: whose turn it is
+    std::vector<std::optional<ReadyDraw>> items;   // as Pass::items; empty where it is a Clear or impossible
 };
 
 }  // namespace runtime
@@ -59,11 +63,18 @@ struct Runtime::Impl {
     void link_programs(Loading& loading);
     runtime::LinkedProgram* link(Index program, const runtime::Variant& variant, Loading& loading);
     void ready_passes(Loading& loading);
+    void count_textures();
     void drop_unread_passes(Diagnostics& diagnostics);
     std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Loading& loading);
+    void bind_harmonics(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
     void bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
     bool match_topology(runtime::ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics);
     void ready_target(Index pass, Diagnostics& diagnostics);
+
+    // tree.cpp
+    void bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);
+    void make_tree(runtime::GpuTree& tree, const content::Mesh& mesh, const std::array<bool, runtime::tree_parts>& read,
+                   Index draw, Diagnostics& diagnostics);
 
     // ladders.cpp
     bool choose(const Rungs& rungs);
@@ -71,15 +82,33 @@ struct Runtime::Impl {
     runtime::LinkedProgram* link_chosen(Index program, runtime::Variant variant, Loading& loading);
 
     // frame.cpp
-    struct PassView;
+    // Where a pass looks from. Off-screen cube faces replace the scene's camera.
+    struct PassView {
+        int width = 1, height = 1;
+        Vec4 background{0, 0, 0, 1};
+        const glm::dmat4* projection = nullptr;  // replaces the draw's camera, with `view`
+        const glm::dmat4* view = nullptr;
+        std::optional<DepthRange> depth;    // else the usual
+        std::array<double, 2> shift{0, 0};  // of the picture, in pixels
+    };
     void draw(const Frame& frame, const Surface& surface);
     void draw_window(Index pass, const Frame& frame, const Surface& surface, bool first);
     void draw_textures(Index pass, const Frame& frame, std::set<std::vector<Index>>& cleared);
     void draw_cube(Index pass, const Frame& frame);
+    void draw_face(Index pass, int face, const Frame& frame);
+    void finish_pass(Index pass);
     void draw_items(Index pass, const Frame& frame, const PassView& view);
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, const PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
+    bool reads_other_passes(const runtime::ReadyPass& pass) const;
     void draw_axes(const Frame& frame, const Surface& surface);
+    void ready_axes();
+    Camera axes_camera() const;
+
+    // depth.cpp
+    // The planes that all draws in the window lie between; none where some program might see the difference, or
+    // place its vertices itself.
+    std::optional<DepthRange> fitted_depth(const Frame& frame, const Surface& surface);
     std::vector<double> seen_by(Index pass, const Frame& frame) const;
     runtime::DrawContext context(const Draw& draw, const Frame& frame, const PassView& view) const;
 
@@ -96,6 +125,7 @@ struct Runtime::Impl {
     std::vector<std::vector<ActiveUniform>> active;  // by Scene::programs
     Controls given;                                  // the values of the scene's text
     std::vector<std::optional<runtime::GpuMesh>> meshes;
+    std::vector<runtime::GpuTree> trees;  // as `meshes`; what no program reads is not there
     std::optional<runtime::GpuMesh> axes;
     runtime::Textures textures;
     std::vector<runtime::ReadyPass> passes;
@@ -104,6 +134,7 @@ struct Runtime::Impl {
     Counters counters;
     runtime::TextureCounters counted;  // that `counters` has
     bool animated = false, mouse = false;
+    bool settled = true;  // as of the last frame
 };
 
 }  // namespace snell

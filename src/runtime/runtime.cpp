@@ -21,6 +21,7 @@ void Runtime::draw(const Frame& frame, const Surface& surface) {
     impl_->choose(frame.controls.rungs);
     impl_->draw(frame, surface);
 }
+bool Runtime::settled() const { return impl_->settled; }
 const Counters& Runtime::counters() const { return impl_->counters; }
 
 }  // namespace snell

@@ -21,6 +21,9 @@ struct Frame {
     double time = 0;  // seconds since the scene began
     const View& view;
     const Controls& controls;
+    // The frame follows others on a screen: RenderToCube may refresh a few faces only. Else what is drawn depends on
+    // nothing but the above.
+    bool paced = false;
     // The window's picture is shifted by so many pixels, right and up: for pictures between the pixels.
     std::array<double, 2> shift{0, 0};
     // By Scene::draws: true for those that are left out. Shorter: the others are drawn.
@@ -36,9 +39,11 @@ struct Surface {
 // Since the runtime was made; exact, always on.
 struct Counters {
     std::uint64_t files_opened = 0, bytes_read = 0, images_decoded = 0, bytes_decoded = 0, bytes_uploaded = 0;
-    std::uint64_t textures = 0, buffers = 0, programs_compiled = 0, targets = 0;
+    std::uint64_t textures = 0, buffers = 0, trees = 0, programs_compiled = 0, targets = 0;
     std::uint64_t frames = 0, passes = 0, draws = 0, triangles = 0, uniform_uploads = 0, state_changes = 0;
-    std::uint64_t gpu_bytes = 0;  // estimated, of what is held now
+    std::uint64_t cube_faces = 0;    // drawn by RenderToCube
+    std::uint64_t convolutions = 0;  // irradiance maps, prefiltered chains and sets of harmonics computed
+    std::uint64_t gpu_bytes = 0;     // estimated, of what is held now
 };
 
 class Runtime {
@@ -68,6 +73,8 @@ public:
     // Chooses the rungs of `frame.controls` first. Uniforms that only these have get the values of controls that were
     // made from what they made active.
     void draw(const Frame& frame, const Surface& surface);
+    // False after a paced frame whose cube maps still show something older: the same frame again would be another.
+    bool settled() const;
     const Counters& counters() const;
 
 private:

@@ -52,6 +52,12 @@ gl::Texels texels(const content::Image& rgba) {
     return {pixels(rgba.type), rgba.width, rgba.height, rgba.depth, rgba.pixels.data()};
 }
 
+std::array<gl::Texels, 6> face_texels(const content::CubeFaces& faces) {
+    std::array<gl::Texels, 6> result;
+    for (size_t face = 0; face < 6; ++face) result[face] = texels(faces[face]);
+    return result;
+}
+
 GLenum gl_target(TextureTarget target, const gl::Caps& caps) {
     switch (target) {
         case TextureTarget::d1:
@@ -67,8 +73,8 @@ GLenum gl_target(TextureTarget target, const gl::Caps& caps) {
 }
 
 bool same_declaration(const Texture& a, const Texture& b) {
-    return a.target == b.target && !a.files.empty() && a.filter == b.filter &&
-           std::ranges::equal(a.files, b.files, {}, &FileName::name, &FileName::name);
+    return a.target == b.target && a.computed == b.computed && a.filter == b.filter && a.size == b.size &&
+           a.source == b.source && std::ranges::equal(a.files, b.files, {}, &FileName::name, &FileName::name);
 }
 
 // With mipmaps the levels below add a third.
@@ -82,8 +88,9 @@ Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Diagn
     for (Index i = 0; i < scene.textures.size(); ++i) {
         const Texture& texture = scene.textures[i];
         same_.push_back(i);
-        if (texture.files.empty()) continue;
-        auto& others = candidates[{static_cast<int>(texture.target), texture.files[0].name}];
+        const bool computed = texture.computed != Computed::no;
+        if (texture.files.empty() && !computed) continue;
+        auto& others = candidates[{static_cast<int>(texture.target), computed ? "" : texture.files[0].name}];
         const auto twin =
             std::ranges::find_if(others, [&](Index other) { return same_declaration(scene.textures[other], texture); });
         if (twin != others.end())
@@ -98,6 +105,7 @@ void Textures::finish() {
     counters_.decoded += stats.images;
     counters_.bytes_decoded += stats.bytes;
     images_.clear();
+    faces_.clear();
     files_ = nullptr;
     diagnostics_ = nullptr;
 }
@@ -121,6 +129,7 @@ const GpuTexture* Textures::realise(Index texture) {
 
 GpuTexture Textures::make(Index texture) {
     const Texture& declared = scene_->textures[texture];
+    if (declared.computed != Computed::no) return make_computed(declared);
     if (declared.files.empty()) return make_empty(declared);
     return declared.target == TextureTarget::cube ? make_cube(declared, texture) : make_from_image(declared, texture);
 }
@@ -159,19 +168,25 @@ GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     return gpu;
 }
 
+// As they are uploaded: four channels, the top row first.
+const content::CubeFaces& Textures::faces(Index texture) {
+    const auto [found, fresh] = faces_.try_emplace(same_[texture]);
+    if (!fresh) return found->second;
+    found->second = load_cube(*scene_, same_[texture], *files_, *diagnostics_, &images_);
+    for (content::Image& face : found->second) {
+        face = content::to_rgba(face);
+        if (face.bottom_first) face = content::flipped(face);
+    }
+    return found->second;
+}
+
 GpuTexture Textures::make_cube(const Texture& declared, Index texture) {
     GpuTexture gpu;
-    content::CubeFaces faces = load_cube(*scene_, texture, *files_, *diagnostics_, &images_);
-    std::array<gl::Texels, 6> uploads;
+    const content::CubeFaces& all = faces(texture);
+    const auto uploads = face_texels(all);
     std::size_t bytes = 0;
-    for (size_t face = 0; face < 6; ++face) {
-        faces[face] = content::to_rgba(faces[face]);
-        // A cube face's first uploaded row is the image's top row.
-        if (faces[face].bottom_first) faces[face] = content::flipped(faces[face]);
-        uploads[face] = texels(faces[face]);
-        bytes += faces[face].bytes();
-    }
-    gpu.size = {faces[0].width, faces[0].height, 1};
+    for (const content::Image& face : all) bytes += face.bytes();
+    gpu.size = {all[0].width, all[0].height, 1};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = GL_TEXTURE_CUBE_MAP;
     gpu.mipmapped = mipmapped(declared.filter);

@@ -10,6 +10,7 @@
 
 #include "parser/diagnostic.h"
 #include "parser/scene.h"
+#include "src/content/convolve.h"
 #include "src/gl/caps.h"
 #include "src/gl/texture.h"
 #include "src/plan/files.h"
@@ -27,6 +28,7 @@ struct GpuTexture {
 
 struct TextureCounters {
     std::uint64_t decoded = 0, bytes_decoded = 0, bytes_uploaded = 0, textures = 0, gpu_bytes = 0;
+    std::uint64_t convolutions = 0;
 };
 
 class Textures {
@@ -37,6 +39,10 @@ public:
     const GpuTexture* realise(Index texture);
     const GpuTexture* noise(int dimensions);
     GLuint sampler(const Filter& filter, bool clamp, bool cube);
+    // Of the cube map `texture`, which is not computed; computed now, if nobody asked before. Stays where it is.
+    const content::Harmonics* harmonics(Index texture);
+    // What was drawn into a cube map is another: what is computed from it is computed again.
+    void refresh(Index source);
     // Null when it was not realised.
     const GpuTexture* find(Index texture) const;
     const TextureCounters& counters() const { return counters_; }
@@ -50,6 +56,10 @@ private:
     GpuTexture make_from_image(const Texture& declared, Index texture);
     GpuTexture make_cube(const Texture& declared, Index texture);
     GpuTexture make_empty(const Texture& declared);
+    GpuTexture make_computed(const Texture& declared);
+    const content::CubeFaces& faces(Index texture);
+    int computed_size(const Texture& declared, int source_size) const;
+    std::vector<content::CubeLight> compute(const Texture& declared, const content::CubeLight& light);
     bool fits(const Texture& declared, std::array<int, 3> size);
     void count(const GpuTexture& texture, bool uploaded);
 
@@ -62,6 +72,8 @@ private:
     std::map<int, GpuTexture> noise_;
     std::map<std::tuple<int, int, bool, bool>, gl::Sampler> samplers_;
     ImageCache images_;
+    std::map<Index, content::CubeFaces> faces_;  // by the first texture that is declared just so
+    std::map<Index, std::unique_ptr<content::Harmonics>> harmonics_;
     TextureCounters counters_;
 };
 

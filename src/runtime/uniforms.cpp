@@ -46,6 +46,15 @@ std::vector<float> texture_matrices(const glm::dmat4& first, int size) {
     return values;
 }
 
+// As many coefficients as the program reads; black where nothing names a cube map.
+std::vector<float> harmonics(const DrawContext& c, int size) {
+    std::vector<float> values(3 * static_cast<std::size_t>(size), 0.0F);
+    if (c.harmonics)
+        for (std::size_t i = 0; i < std::min<std::size_t>(c.harmonics->size() * 3, values.size()); ++i)
+            values[i] = (*c.harmonics)[i / 3][i % 3];
+    return values;
+}
+
 std::vector<float> value_of(System system, const DrawContext& c, int size) {
     const auto number = [](double v) { return std::vector<float>{static_cast<float>(v)}; };
     const glm::dvec4 origin(0, 0, 0, 1);
@@ -129,6 +138,8 @@ std::vector<float> value_of(System system, const DrawContext& c, int size) {
             return number(c.line_width);
         case System::viewport:
             return {static_cast<float>(c.width), static_cast<float>(c.height)};
+        case System::harmonics:
+            return harmonics(c, size);
     }
     return {};
 }

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include "src/content/convolve.h"
 #include "src/plan/controls.h"
 #include "src/runtime/program.h"
 #include "src/runtime/runtime.h"
@@ -20,6 +21,7 @@ struct DrawContext {
     double width = 1, height = 1, mouse_x = 0, mouse_y = 0;
     double point_size = 1, line_width = 1;
     int face_index = 0;
+    const content::Harmonics* harmonics = nullptr;  // of the cube map that the draw's last Irradiance names
 };
 
 // The scene transformation in eye space: about the world's origin, wherever the camera sees it, along the axes
@@ -28,6 +30,11 @@ glm::dmat4 about_origin(const Transformation& transformation, const glm::dmat4& 
 
 // 0 → 1 in `period` seconds, never 1 itself. Period 0 or less: 0.
 double timer_value(double time, double period);
+
+// When frame `frame` (from 0) of an animation is: never a sum of steps.
+inline double frame_time(std::uint64_t frame, double frames_per_second) {
+    return static_cast<double>(frame) / frames_per_second;
+}
 
 // The program must be in use. Both return how many uniforms were uploaded.
 int set_system(LinkedProgram& program, const DrawContext& context);
