@@ -8,7 +8,9 @@
 #include "src/app/commands.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
+#include "src/lint/lint.h"
 #include "src/plan/plan.h"
+#include "src/runtime/program.h"
 
 namespace snell::app {
 
@@ -57,10 +59,14 @@ struct Checked {
     std::string dump;
 };
 
+void lint(const Plan& plan, Document& document) {
+    document.diagnostics.append(lint::check(plan, document.sources, runtime::include_reader(*document.files)));
+}
+
 Checked check_scene(const std::string& path, const CheckOptions& options, const std::optional<gl::Caps>& caps) {
     Checked checked;
     if (caps && options.dump.empty()) {
-        checked.document = open_document(path, *caps);
+        checked.document = open_document(path, *caps, nullptr, options.lint ? PlanReader(lint) : nullptr);
         return checked;
     }
     checked.document = std::make_unique<Document>();
@@ -75,6 +81,7 @@ Checked check_scene(const std::string& path, const CheckOptions& options, const 
     if (options.dump.empty() || options.dump == "plan") {
         const Plan plan = make_plan(std::move(parsed->scene), *document.files, document.sources, document.diagnostics);
         if (options.dump == "plan") checked.dump = dump_plan(plan, document.sources);
+        if (options.dump.empty() && options.lint) lint(plan, document);
     }
     document.diagnostics.sort();
     return checked;

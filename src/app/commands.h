@@ -25,6 +25,7 @@ struct CheckOptions {
     std::vector<std::string> scenes;
     bool json = false;
     std::string dump;  // "", tokens, statements, scene, plan
+    bool lint = true;  // also what is probably not meant
 };
 int check(const CheckOptions& options);
 

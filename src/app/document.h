@@ -41,9 +41,12 @@ std::string scene_folder(const std::string& path);
 // Changes the rungs that the programs are compiled for from those that the scene's text marks.
 using RungChooser = std::function<void(const Scene& scene, Rungs& rungs)>;
 
+// Is shown the plan before it is compiled.
+using PlanReader = std::function<void(const Plan& plan, Document& document)>;
+
 // Never throws; what is wrong is in `diagnostics`. Needs a current context.
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps,
-                                        const RungChooser& choose = nullptr);
+                                        const RungChooser& choose = nullptr, const PlanReader& planned = nullptr);
 
 // Compiles what the rungs of `controls` need; the controls are then those of the programs as they are now, with
 // the values they had. True: they may be others.

@@ -102,6 +102,8 @@ struct CommandLine {
         check_command = app.add_subcommand("check", "say all that is wrong with scenes");
         check_command->add_option("SCENE", check.scenes)->required();
         check_command->add_flag("--json", check.json, "as JSON");
+        check_command->add_flag("!--no-lint", check.lint,
+                                "leave out what is allowed and probably not meant (docs/lints.md)");
         check_command->add_option("--dump", check.dump, "print one stage of the reading")
             ->check(CLI::IsMember({"tokens", "statements", "scene", "plan"}));
     }

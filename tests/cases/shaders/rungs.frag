@@ -3,7 +3,7 @@ in vec3 vNormal, vPosition;
 
 // How much a ball of window glass reflects: brighter toward the rim, on two rungs of three. Each has its tint.
 void main() {
-    float c = max(0., dot(normalize(vNormal), normalize(-vPosition)));
+    float c = clamp(dot(normalize(vNormal), normalize(-vPosition)), 0., 1.);
     const float eta = 1.52, f0 = pow((eta - 1.) / (eta + 1.), 2.);
 #if FRESNEL == FRESNEL_f0
     vec4 k = vec4(1., .6, .5, f0);

@@ -1,0 +1,38 @@
+// Scenes and shaders from text, linted as `snell check` does.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/lint/lint.h"
+
+namespace snell::lint {
+
+struct File {
+    std::string_view name, text;
+};
+
+struct Linted {
+    Diagnostics found;
+    Sources sources;
+
+    // What the diagnostics of that code point at, in the user's text, in order.
+    std::vector<std::string> at(std::string_view code) const;
+    // "file:line:column" of the first of that code.
+    std::string place(std::string_view code) const;
+    bool has(Rule rule) const { return !at(facts(rule).code).empty(); }
+    std::string text() const { return render(found, sources); }
+};
+
+// "scene.glib" is added from `scene`; all files are in one folder.
+Linted lint(std::string_view scene, const std::vector<File>& files);
+// A scene on disk.
+Linted lint_file(const std::string& path);
+// `fragment` behind a vertex shader that hands on vN (normal), vE (from the eye) in world coordinates, drawn by a
+// sphere; `values` go on the Program line.
+Linted lint_fragment(std::string_view fragment, std::string_view values = "", std::string_view state = "");
+
+}  // namespace snell::lint
