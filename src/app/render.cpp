@@ -56,6 +56,7 @@ nlohmann::ordered_json stats_json(const Document& document, const gl::Caps& caps
                         {"passes", c.passes},
                         {"draws", c.draws},
                         {"triangles", c.triangles},
+                        {"trees", c.trees},
                         {"uniform_uploads", c.uniform_uploads},
                         {"state_changes", c.state_changes},
                         {"gpu_bytes", c.gpu_bytes}};

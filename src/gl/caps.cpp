@@ -52,6 +52,7 @@ Caps query_caps() {
     caps.max_texture = integer(GL_MAX_TEXTURE_SIZE);
     caps.max_texture_3d = integer(GL_MAX_3D_TEXTURE_SIZE);
     caps.max_cube = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
+    if (!caps.es || version >= 32) caps.max_texture_buffer = integer(GL_MAX_TEXTURE_BUFFER_SIZE);
     caps.max_units = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     caps.max_vertex_attributes = integer(GL_MAX_VERTEX_ATTRIBS);
     caps.max_samples = integer(GL_MAX_SAMPLES);

@@ -170,6 +170,8 @@ std::string_view type_name(GLenum type) {
             return "sampler2DShadow";
         case GL_SAMPLER_CUBE_SHADOW:
             return "samplerCubeShadow";
+        case GL_SAMPLER_BUFFER:
+            return "samplerBuffer";
         case GL_SAMPLER_2D_RECT:
             return "sampler2DRect";
         case GL_INT_SAMPLER_2D:

@@ -70,10 +70,16 @@ void give_point_size(Unit& vertex) {
     at_main_end(vertex, "gl_PointSize = snell_PointSize;");
 }
 
-// OpenGL ES before 3.2 has the vertex and the fragment stage only.
-void refuse_stages(const Program& program) {
+// OpenGL ES before 3.2 has the vertex and the fragment stage only, and no texture buffers.
+void refuse_late_features(const Program& program) {
     if (!program.target().es || program.target().version >= 320) return;
-    for (const Unit& u : program.units)
+    for (const Unit& u : program.units) {
+        const auto buffer = std::ranges::find_if(u.tokens, [](const Token& t) { return t.text == "samplerBuffer"; });
+        if (buffer != u.tokens.end())
+            program.diagnostics.error("unsupported-type", u.span(static_cast<int>(buffer - u.tokens.begin())),
+                                      "OpenGL ES 3.0 has no texture buffers (samplerBuffer), which <snell/mesh.glsl> "
+                                      "needs",
+                                      "they are in OpenGL 3.1 and OpenGL ES 3.2");
         if (u.stage != Stage::vertex && u.stage != Stage::fragment)
             program.diagnostics.error("unsupported-stage", u.reference,
                                       "OpenGL ES 3.0 has no geometry and tessellation shaders");
@@ -95,7 +101,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     }
     std::stable_sort(program.units.begin(), program.units.end(),
                      [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
-    refuse_stages(program);
+    refuse_late_features(program);
     add_missing_stages(program);
     rename_words(program);
     parse(program);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "shaders/embedded.h"
+#include "src/runtime/tree.h"
 
 namespace snell::runtime {
 
@@ -124,8 +125,8 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
             SamplerUniform sampler{uniform.name, sampler_target(type), uniform.location, next_unit, uniform.size, {}};
             for (double unit : active.initial) sampler.initial.push_back(static_cast<int>(unit));
             next_unit += uniform.size;
-            active.system =
-                (uniform.name == "Noise2" || uniform.name == "Noise3") && !scene_sets(program, uniform.name);
+            active.system = (uniform.name == "Noise2" || uniform.name == "Noise3" || tree_part(uniform.name)) &&
+                            !scene_sets(program, uniform.name);
             linked.samplers.push_back(std::move(sampler));
         } else if (const auto* system = find_system(names, uniform.name, type, program)) {
             active.system = true;

@@ -43,7 +43,7 @@ namespace {
 constexpr int width = 256;
 constexpr std::string_view precisions =
     "\n#ifdef GL_ES\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-    "precision highp samplerCube;\n#endif\n";
+    "precision highp samplerCube;\nprecision highp samplerBuffer;\n#endif\n";
 
 gl::Texture upload(const std::vector<glm::vec4>& values, int height) {
     return gl::make_texture(GL_TEXTURE_2D,
@@ -138,6 +138,7 @@ std::vector<glm::vec4> LibraryTest::run(std::string_view before, std::string_vie
     glDrawArrays(GL_TRIANGLES, 0, 3);
     const std::vector<float> rows = gl::read_rgba32f(target.framebuffer.get(), width, height, 1);
     for (std::size_t i = 0; i < results.size(); ++i) {
+    bind(program.get());
         const std::size_t row = static_cast<std::size_t>(height) - 1 - i / width;
         const float* pixel = &rows[(row * width + i % width) * 4];
         results[i] = {pixel[0], pixel[1], pixel[2], pixel[3]};

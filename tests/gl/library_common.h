@@ -47,6 +47,8 @@ protected:
     // `body` is a function body over vec4 a, b, c, with `samplerCube cube`, that returns a vec4. `before` is GLSL
     // outside of it, with #include.
     std::vector<glm::vec4> run(std::string_view before, std::string_view body, const std::vector<Arguments>& arguments);
+    // What else bodies read: called with the program in use. Texture units from 4 on are free.
+    virtual void bind(GLuint) {}
     // For `cube` in bodies.
     void set_cube(const Colors& colors, int size);
     // Whether a fragment shader of this text (after the version line and precisions) compiles.

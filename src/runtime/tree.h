@@ -1,0 +1,25 @@
+// Meshes as rays in shaders meet them (shaders/snell/mesh.glsl): built and uploaded where a drawn program reads them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "src/content/tree.h"
+#include "src/gl/texture.h"
+
+namespace snell::runtime {
+
+enum class TreePart { nodes, triangles, normals };
+inline constexpr std::size_t tree_parts = 3;
+
+// Which part the `uniform samplerBuffer` of this name reads; none: it is the scene's own.
+std::optional<TreePart> tree_part(std::string_view sampler);
+
+// By TreePart; empty handles where no program has read the part yet.
+struct GpuTree {
+    std::array<gl::BufferTexture, tree_parts> parts;
+    bool built = false;
+};
+
+}  // namespace snell::runtime
