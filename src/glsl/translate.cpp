@@ -83,6 +83,7 @@ void refuse_late_features(const Program& program) {
         if (u.stage != Stage::vertex && u.stage != Stage::fragment)
             program.diagnostics.error("unsupported-stage", u.reference,
                                       "OpenGL ES 3.0 has no geometry and tessellation shaders");
+    }
 }
 
 }  // namespace
