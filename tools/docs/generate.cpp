@@ -5,6 +5,7 @@
 
 #include "parser/commands.h"
 #include "parser/names.h"
+#include "src/lint/lint.h"
 
 namespace snell::docs {
 namespace {
@@ -183,10 +184,24 @@ std::string dictionary() {
            "3]\"\n\"<true>\"\n\"\\xc2\\xa0\"\n\"\\xef\\xbb\\xbf\"\n";
 }
 
+std::string lints() {
+    std::string out =
+        "# Lints\n\nWhat `snell check` finds in scenes that run and are probably not meant so. Each is a warning, or a "
+        "note, with its\nplace; the exit status stays 0, and `--no-lint` leaves them out. Shaders are followed from "
+        "`main` through the functions it\ncalls; where nothing is known for certain, nothing is said. Written by "
+        "snell_docs from the table in src/lint/rules.cpp.\n\n| code | finds | instead | page |\n|---|---|---|---|\n";
+    for (const lint::RuleFacts& rule : lint::rules())
+        out += "| `" + std::string(rule.code) + "`" + (rule.severity == Severity::note ? " (a note)" : "") + " | " +
+               std::string(rule.finds) + " | " + std::string(rule.instead) + " | [teaching.md](teaching.md#" +
+               std::string(rule.anchor) + ") |\n";
+    return out;
+}
+
 }  // namespace
 
 std::vector<Document> generate(const std::string& intro) {
     return {{"docs/language.md", language(intro)},
+            {"docs/lints.md", lints()},
             {"docs/editors/glib.tmLanguage.json", textmate()},
             {"docs/editors/vim/syntax/glib.vim", vim()},
             {"docs/editors/vim/ftdetect/glib.vim", "autocmd BufNewFile,BufRead *.glib setfiletype glib\n"},
