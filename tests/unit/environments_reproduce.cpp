@@ -8,7 +8,9 @@
 
 #include "src/content/image.h"
 #include "src/optics/cube.h"
+#include "tests/scratch.h"
 #include "tools/environments/faces.h"
+#include "tools/environments/panorama.h"
 #include "tools/environments/room.h"
 #include "tools/environments/sky.h"
 
@@ -23,11 +25,34 @@ std::string file(const std::string& path) {
 }
 
 TEST(Environments, RoomIsReproducedByteForByte) {
-    const Faces faces = render_faces(Room(), 256, 3);
+    const Room room;
+    EXPECT_TRUE(file(folder + "room.hdr") == encode_hdr(render_panorama(room, 512, 2)));
+    const Faces faces = render_faces(room, 256, 3);
     for (std::size_t i = 0; i < 6; ++i) {
         const std::string name = folder + "room/" + std::string(face_names[i]) + ".bmp";
         EXPECT_TRUE(file(name) == encode_bmp(faces[i])) << name;
     }
+}
+
+// The brightness that the pictures of 8 bits lose, and the same directions: the reader sees what the room shows.
+TEST(Environments, PanoramaIsTheLightOfTheRoom) {
+    const Panorama small = render_panorama(sky_radiance, 64, 1);
+    const Scratch scratch;  // OpenImageIO reads this format from disk only
+    const std::string bytes = encode_hdr(small);
+    const auto read = content::decode_image(scratch.write("sky.hdr", bytes), bytes);
+    ASSERT_TRUE(read.image) << (read.issues.empty() ? "" : read.issues[0].message);
+    ASSERT_EQ(read.image->type, content::PixelType::f32);
+    ASSERT_EQ(read.image->width, 64);
+    const auto* values = reinterpret_cast<const float*>(read.image->pixels.data());
+    const auto channels = static_cast<std::size_t>(read.image->channels);
+    for (std::size_t i = 0; i < small.texels.size(); ++i) {
+        const Colour& c = small.texels[i];
+        for (int k = 0; k < 3; ++k)
+            ASSERT_NEAR(values[i * channels + static_cast<std::size_t>(k)], c[k], .008 * std::max({c.r, c.g, c.b}));
+    }
+    const glm::dvec3 right(1, 0, 0), up(0, 1, 0);
+    EXPECT_LT(glm::length(small.texels[16 * 64 + 48] - sky_radiance({1, -.05, .05})), .1);
+    EXPECT_LT(glm::length(small.texels[32] - sky_radiance({0, 1, -.02})), .2);
 }
 
 // PNG's bytes depend on zlib's version; its pixels don't.

@@ -6,6 +6,7 @@
 
 #include "src/content/image.h"
 #include "tools/environments/faces.h"
+#include "tools/environments/panorama.h"
 #include "tools/environments/room.h"
 #include "tools/environments/sky.h"
 
@@ -22,9 +23,8 @@ content::Image as_image(const Face& face) {
 }
 
 // False, with a message: the file could not be written.
-bool write_bmp(const std::filesystem::path& path, const Face& face) {
+bool write_bytes(const std::filesystem::path& path, const std::string& bytes) {
     std::ofstream out(path, std::ios::binary);
-    const std::string bytes = encode_bmp(face);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (out.flush()) return true;
     std::fprintf(stderr, "make_environments: cannot write %s\n", path.c_str());
@@ -43,10 +43,12 @@ int make(const std::filesystem::path& folder) {
     std::error_code ignored;  // a folder that can't be made shows when its files can't be written
     std::filesystem::create_directories(folder / "room", ignored);
     std::filesystem::create_directories(folder / "sky", ignored);
-    const Faces room = render_faces(Room(), size, samples), sky = render_faces(sky_radiance, size, samples);
+    const Room around;
+    const Faces room = render_faces(around, size, samples), sky = render_faces(sky_radiance, size, samples);
+    if (!write_bytes(folder / "room.hdr", encode_hdr(render_panorama(around, 2 * size, samples - 1)))) return 1;
     for (std::size_t i = 0; i < 6; ++i) {
         const std::string name(face_names[i]);
-        if (!write_bmp(folder / "room" / (name + ".bmp"), room[i])) return 1;
+        if (!write_bytes(folder / "room" / (name + ".bmp"), encode_bmp(room[i]))) return 1;
         if (!write_png(folder / "sky" / (name + ".png"), sky[i])) return 1;
     }
     return 0;
@@ -57,7 +59,9 @@ int make(const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) {
     if (argc != 2) {
-        std::fprintf(stderr, "usage: make_environments FOLDER   (writes FOLDER/room/*.bmp and FOLDER/sky/*.png)\n");
+        std::fprintf(
+            stderr,
+            "usage: make_environments FOLDER   (writes FOLDER/room.hdr, FOLDER/room/*.bmp and FOLDER/sky/*.png)\n");
         return 2;
     }
     return snell::environments::make(argv[1]);

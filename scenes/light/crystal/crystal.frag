@@ -1,0 +1,62 @@
+#version 330
+
+#include <snell/refraction.glsl>
+#include "../show.glsl"
+
+layout(location = 0) out vec4 o_color;
+
+in vec3 v_fromEye;
+in vec3 v_normal;
+
+uniform samplerCube u_environmentTexture;
+#if BODY == BODY_irradiance
+uniform samplerCube u_irradiance;
+#endif
+uniform float uIndex, uSpread;
+uniform float uBody;
+uniform vec3 uBodyColor;
+uniform int uView;
+
+vec3 look( vec3 direction )
+{
+    return texture( u_environmentTexture, direction ).rgb;
+}
+
+void main(void)
+{
+    vec3 N = normalize( v_normal );
+    vec3 I = normalize( v_fromEye );
+    float c = clamp( -dot( I, N ), 0., 1. );
+
+#if SPREAD == SPREAD_steps
+    vec3 n = 1. / max( 1. / uIndex + vec3( .05, 0., -.05 ), .01 );
+#else
+    vec3 n = max( uIndex + vec3( -uSpread, 0., uSpread ), .1 );     // blue has the largest and is bent most
+#endif
+    // A channel that is mirrored totally gives the mirrored direction.
+    vec3 red = snellRefractSingle( I, N, 1., n.r ), green = snellRefractSingle( I, N, 1., n.g ),
+         blue = snellRefractSingle( I, N, 1., n.b );
+    vec3 transmitted = vec3( look( red ).r, look( green ).g, look( blue ).b );
+
+    bool total = snellCosTransmitted( c, 1., n.b ) < 0.;
+#if FRESNEL == FRESNEL_swapped
+    float share = total ? 0. : pow( c, 1.55 );
+    if( total )
+        transmitted = look( vec3( 0., 0., 1. ) );       // what most drivers find for no direction
+#elif FRESNEL == FRESNEL_power
+    float share = total ? 1. : 1. - pow( c, 1.55 );
+#else
+    float share = snellFresnelExact( c, 1., n.g );
+#endif
+
+#if BODY == BODY_irradiance
+    transmitted = mix( transmitted, uBodyColor * texture( u_irradiance, N ).rgb, uBody );
+#endif
+
+    vec3 color = mix( transmitted, look( reflect( I, N ) ), share );
+    if( uView == 1 )
+        color = showShare( share );
+    if( uView == 2 )
+        color = showDirection( green );
+    o_color = vec4( color, 1. );
+}

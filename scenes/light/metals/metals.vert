@@ -1,0 +1,21 @@
+#version 330
+
+uniform mat4 PVM;
+uniform mat4 M;
+uniform vec3 camWorldPos;
+
+in vec4 position;
+in vec4 normal;
+in vec4 aColor;     // red: which metal
+
+out vec3 vPosition, vNormal, vFromEye;
+flat out int vMetal;
+
+void main()
+{
+    vPosition = vec3( M * position );
+    vNormal = vec3( M * normal );
+    vFromEye = vPosition - camWorldPos;
+    vMetal = int( aColor.r + .5 );
+    gl_Position = PVM * position;
+}

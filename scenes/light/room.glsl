@@ -1,0 +1,26 @@
+#ifndef ROOM_GLSL
+#define ROOM_GLSL
+// What is seen in the room of ../environments, whose walls stand 5 units from its middle. The ladder LOCALITY:
+// infinite: the cube map by direction alone. A ball of radius 1 in the middle is 6.5 degrees off in the mean.
+// impostor: with a second cube map, of distances. .002 degrees after two steps; works in any convex room.
+// box: the walls are known to be a box. Exact, and as cheap as infinite.
+#include <snell/environment.glsl>
+
+uniform samplerCube uRoom;
+
+#if LOCALITY == LOCALITY_impostor
+uniform samplerCube uDistances;     // in tenths of a unit, so that eight bits hold them
+#endif
+
+vec3 room( vec3 from, vec3 direction )
+{
+#if LOCALITY == LOCALITY_infinite
+    vec3 look = snellInfiniteDirection( direction );
+#elif LOCALITY == LOCALITY_impostor
+    vec3 look = snellImpostorDirection( uDistances, from * .1, direction, 2 );
+#else
+    vec3 look = snellBoxDirection( from, direction, vec3( 5. ), vec3( 0. ) );
+#endif
+    return texture( uRoom, look ).rgb;
+}
+#endif

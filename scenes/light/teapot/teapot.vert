@@ -1,0 +1,24 @@
+#version 330
+
+// World space throughout: the cube map is a picture of the world.
+uniform mat4 PVM;           // clip from the teapot's own coordinates
+uniform mat4 M;             // world from the teapot's own coordinates
+uniform vec3 camWorldPos;   // the eye
+
+in vec4 position;
+in vec4 normal;
+
+out vec3 vNormal, vRightNormal;
+out vec3 vFromEye;
+
+void main()
+{
+    vRightNormal = transpose( inverse( mat3( M ) ) ) * normal.xyz;
+#if NORMALS == NORMALS_model
+    vNormal = normalize( vec3( M * normal ) );
+#else
+    vNormal = vRightNormal;
+#endif
+    vFromEye = vec3( M * position ) - camWorldPos;
+    gl_Position = PVM * position;
+}

@@ -1,0 +1,21 @@
+#version 330
+
+// For objects that are turned, moved and scaled evenly. All in world space: a cube map is a picture of the world.
+uniform mat4 PVM;
+uniform mat4 M;
+uniform vec3 camWorldPos;
+
+in vec4 position;
+in vec4 normal;
+
+out vec3 vPosition;
+out vec3 vNormal;
+out vec3 vFromEye;
+
+void main()
+{
+    vPosition = vec3( M * position );
+    vNormal = vec3( M * normal );
+    vFromEye = vPosition - camWorldPos;
+    gl_Position = PVM * position;
+}
