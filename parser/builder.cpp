@@ -180,8 +180,8 @@ void Builder::clear(Span span) {
 
 Index Builder::file(std::string_view name, Span span) {
     std::string key = file_name(name);
-    const auto [at, added] = files_.try_emplace(key, static_cast<Index>(scene_.files.size()));
-    if (added) append(scene_.files, FileName{std::move(key), span});
+    const auto [at, added] = files_.try_emplace(from + '\n' + key, static_cast<Index>(scene_.files.size()));
+    if (added) append(scene_.files, FileName{std::move(key), span, from});
     return at->second;
 }
 

@@ -89,6 +89,7 @@ public:
 
     // Reads another text at this place. Set by the parser.
     std::function<void(std::string_view name, Span span)> include;
+    std::string from;  // FileName::from of the names that follow
 
     // How far the reading is, in bytes: lists grow to the size this foretells.
     void progress(std::size_t bytes) { read_bytes_ = bytes; }

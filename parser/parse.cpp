@@ -47,6 +47,7 @@ private:
             return;
         }
         open_.push_back({file, std::move(name), included_at});
+        names_are_from_here();
         StatementReader reader(text, file, report_);
         Statement statement;
         Arguments arguments;
@@ -63,7 +64,10 @@ private:
         }
         reader.report_oddities();
         open_.pop_back();
+        names_are_from_here();
     }
+
+    void names_are_from_here() { builder_.from = open_.size() > 1 ? open_.back().name : std::string(); }
 
     void read_statement(const StatementReader& reader, const Statement& statement, Arguments& arguments,
                         Span& program) {

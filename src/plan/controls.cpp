@@ -121,16 +121,27 @@ private:
         control->initial = control->value;
     }
 
+    // Behind a ladder, what this rung does not use may be another's: only a name that looks like one which is used
+    // and not listed is a slip.
     void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
+        const bool laddered = scene_.programs[program].ladders > 0;
         std::vector<std::string_view> names;
         for (const ActiveUniform& uniform : active) {
-            if (!is_internal(uniform.name)) names.push_back(base_name(uniform.name));
+            const std::string_view name = base_name(uniform.name);
+            if (is_internal(name) || (laddered && (uniform.system || is_listed(program, name)))) continue;
+            names.push_back(name);
         }
         const std::string_view near = nearest(written.name, names);
+        if (laddered && near.empty()) return;
         diagnostics_.warning(
             "unknown-uniform", written.name_span,
             fmt::format("program '{}' has no uniform '{}' that it uses", scene_.programs[program].name, written.name),
             near.empty() || near == written.name ? std::string() : fmt::format("did you mean '{}'?", near));
+    }
+
+    bool is_listed(Index program, std::string_view name) const {
+        return std::ranges::any_of(scene_.programs[program].uniforms,
+                                   [&](const UniformValue& value) { return base_name(value.name) == name; });
     }
 
     // The type that a value would have in a program that does not tell.

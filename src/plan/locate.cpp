@@ -23,6 +23,11 @@ void report_missing(const FileName& file, const std::string& nearest, Diagnostic
                       nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest));
 }
 
+// Beside the scene that names it, which may be an included one.
+Resolved resolve(const FileName& file, std::string_view name, const Extensions& extensions, const Files& files) {
+    return file.from.empty() ? files.resolve(name, extensions) : files.resolve_beside(file.from, name, extensions);
+}
+
 std::string accept(const FileName& file, const Resolved& resolved, Diagnostics& diagnostics) {
     if (resolved.path.empty()) {
         report_missing(file, resolved.nearest, diagnostics);
@@ -42,7 +47,7 @@ std::vector<TextureFile> locate_faces(const FileName& file, const Files& files, 
         std::vector<TextureFile> faces;
         std::size_t found = 0;
         for (const std::string& name : names) {
-            faces.push_back({name, files.resolve(name).path, file.span});
+            faces.push_back({name, resolve(file, name, {}, files).path, file.span});
             found += faces.back().path.empty() ? 0 : 1;
         }
         if (found > most) {
@@ -84,7 +89,7 @@ const Extensions& image_extensions() {
 }
 
 std::string locate(const FileName& file, const Extensions& extensions, const Files& files, Diagnostics& diagnostics) {
-    return accept(file, files.resolve(file.name, extensions), diagnostics);
+    return accept(file, resolve(file, file.name, extensions, files), diagnostics);
 }
 
 void report_unreadable(const FileName& file, std::string_view reason, Diagnostics& diagnostics) {
@@ -96,7 +101,7 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
     std::vector<TextureFile> result;
     if (texture.target == TextureTarget::cube && texture.files.size() == 1) {
         const FileName& file = texture.files[0];
-        const Resolved whole = files.resolve(file.name, image_extensions());
+        const Resolved whole = resolve(file, file.name, image_extensions(), files);
         if (whole.path.empty()) result = locate_faces(file, files, diagnostics);
         if (result.empty()) result.push_back({file.name, accept(file, whole, diagnostics), file.span});
         return result;

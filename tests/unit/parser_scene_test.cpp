@@ -327,6 +327,21 @@ TEST(Scene, MessagesAreUtf8) {
     EXPECT_EQ(r.scene().messages[3].text, "");
 }
 
+TEST(Scene, FileNamesSayWhichIncludedSceneNamesThem) {
+    const IncludeReader reader = [](std::string_view, std::string_view) -> std::optional<IncludedText> {
+        return IncludedText{"far/room.glib", "Vertex a.vert\nTexture2D 5 a.png\nObj a.obj\nProgram P\n"};
+    };
+    Sources sources;
+    const FileId file = sources.add("main.glib", "Include room\nTexture2D 6 a.png\nObj a.obj\n");
+    const Scene scene = parse(file, sources, reader).scene;
+    EXPECT_EQ(scene.programs.at(0).stages[0]->from, "far/room.glib");
+    EXPECT_EQ(scene.textures.at(0).files.at(0).from, "far/room.glib");
+    EXPECT_EQ(scene.textures.at(1).files.at(0).from, "");
+    ASSERT_EQ(scene.files.size(), 2U) << "one name, two files";
+    EXPECT_EQ(scene.files[0].from, "far/room.glib");
+    EXPECT_EQ(scene.files[1].from, "");
+}
+
 TEST(Scene, StateGoesIntoIncludedTextAndBack) {
     const IncludeReader reader = [](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
         if (name == "missing.glib") return std::nullopt;

@@ -261,6 +261,21 @@ TEST(Controls, UnknownUniformSuggestsTheNearest) {
     EXPECT_EQ(controls.find(0, "snell_uMxi"), nullptr);
 }
 
+// What this rung does not use may be another's, but a slip of the pen is still one.
+TEST(Controls, BehindALadderUnusedIsNoMistakeUnlessItLooksLikeOne) {
+    Scene scene = scene_with({{"Glass",
+                               {value_of("uBias", Kind::range, {0, .3, 1}), value_of("uScale", Kind::range, {0, 2, 4}),
+                                value_of("uMxi", Kind::range, {0, .5, 1})}}});
+    scene.programs[0].ladders = 1;
+    ActiveUniform scale = active("float"), mix = active("float");
+    scale.name = "uScale";
+    mix.name = "uMix";
+    Diagnostics diagnostics;
+    make_controls(scene, {{scale, mix}}, diagnostics);
+    ASSERT_EQ(codes_of(diagnostics), Codes{"unknown-uniform"});
+    EXPECT_NE(diagnostics.items()[0].message.find("uMxi"), std::string::npos);
+}
+
 TEST(Controls, FailedProgramKeepsItsValuesQuietly) {
     const Scene scene =
         scene_with({{"Glass",
