@@ -50,6 +50,9 @@ void rename_words(Program& program);
 std::string default_vertex_shader(Program& program);
 std::string default_fragment_shader();
 
+// After the parse, before anything is replaced. See Translation::plain_depth.
+bool has_plain_depth(Program& program);
+
 // Prototypes of functions that are called above their definition.
 void declare_functions(Program& program, Unit& unit);
 // Copies of inputs and uniforms that are assigned.

@@ -107,6 +107,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     rename_words(program);
     parse(program);
 
+    const bool plain_depth = has_plain_depth(program);
     for (Unit& u : program.units) {
         want_extensions(options.target, u);
         provide_helpers(options.target, u);
@@ -121,6 +122,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     const std::optional<std::string> lines = widen_lines(program);
 
     Translation out;
+    out.plain_depth = !lines && plain_depth;
     for (Unit& u : program.units) {
         if (lines && u.stage == Stage::fragment)
             out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});

@@ -28,28 +28,38 @@ content::Mesh axes_mesh() {
     line({-half, high, gap}, {half, high, gap});  // Z
     line({half, high, gap}, {-half, -high, gap});
     line({-half, -high, gap}, {half, -high, gap});
+    mesh.compute_bounds();
     return mesh;
 }
 
 }  // namespace
 
-void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
-    if (!axes) axes = runtime::upload(axes_mesh());
-    glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
-    glViewport(0, 0, surface.width, surface.height);
+// The camera of the last draw in the window, or the default one where nothing is drawn.
+Camera Runtime::Impl::axes_camera() const {
     const Scene& scene = plan.scene;
-    // The camera of the last draw in the window, or the default one where nothing is drawn.
     Camera camera;
     for (const Pass& pass : scene.passes)
         if (pass.kind == Pass::Kind::window)
             for (const Item& item : pass.items)
                 if (item.kind == Item::Kind::draw) camera = scene.cameras[scene.draws[item.index].camera];
+    return camera;
+}
+
+void Runtime::Impl::ready_axes() {
+    if (!axes) axes = runtime::upload(axes_mesh());
+}
+
+void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
+    glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
+    glViewport(0, 0, surface.width, surface.height);
+    const Camera camera = axes_camera();
     runtime::DrawContext context;
     context.view = frame.view.eye.matrix() * view_matrix(camera);
     context.scene = runtime::about_origin(frame.view.scene, context.view);
     context.width = surface.width;
     context.height = surface.height;
-    context.projection = projection_matrix(camera, static_cast<double>(surface.width) / surface.height) * context.scene;
+    const double aspect = static_cast<double>(surface.width) / surface.height;
+    context.projection = projection_matrix(camera, aspect, fitted_depth(frame, surface)) * context.scene;
     state.forget();
     RasterState raster;
     raster.line_width = context.line_width = 3;

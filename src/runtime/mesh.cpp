@@ -42,6 +42,9 @@ GpuMesh upload(const content::Mesh& mesh) {
     gpu.count = static_cast<std::uint32_t>(mesh.indices.size());
     gpu.parts = mesh.parts;
     gpu.has_color = !mesh.colors.empty();
+    gpu.has_w = !mesh.w.empty();
+    gpu.min = mesh.min;
+    gpu.max = mesh.max;
     if (mesh.positions.empty() || mesh.indices.empty()) return gpu;
 
     std::vector<float> positions;

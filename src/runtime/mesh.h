@@ -17,6 +17,8 @@ struct GpuMesh {
     std::uint32_t count = 0;
     std::vector<content::MeshPart> parts;
     bool has_color = false;
+    bool has_w = false;  // some w is not 1
+    content::Float3 min{}, max{};
     std::size_t bytes = 0;
 };
 

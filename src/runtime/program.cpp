@@ -286,6 +286,7 @@ std::optional<LinkedProgram> link_program(const Program& program, const std::vec
     LinkedProgram linked;
     linked.program = std::move(result.program);
     linked.opaque = !translation.uses_alpha;
+    linked.plain_depth = translation.plain_depth;
     linked.wide = variant.wide;
     note_geometry(linked, translation);
     introspect(linked, program, translation, caps);

@@ -47,7 +47,8 @@ struct LinkedProgram {
     std::vector<SystemUniform> system;
     std::vector<UserUniform> user;
     std::vector<SamplerUniform> samplers;
-    bool opaque = false;  // writes alpha 1 whatever happens
+    bool opaque = false;       // writes alpha 1 whatever happens
+    bool plain_depth = false;  // as Translation's
     bool tessellates = false;
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader

@@ -78,6 +78,9 @@ void LibraryTest::SetUp() {
     std::string error;
     context = HeadlessContext::make(GetParam().request, error);
     if (!context) GTEST_SKIP() << "no graphics: " << error;
+    const ContextRequest& request = GetParam().request;
+    RecordProperty("context", std::string(request.es ? "ES " : "GL ") + std::to_string(request.version / 10) + "." +
+                                  std::to_string(request.version % 10));
     gl::collect_messages(complaints);
 }
 
@@ -135,10 +138,10 @@ std::vector<glm::vec4> LibraryTest::run(std::string_view before, std::string_vie
     glActiveTexture(GL_TEXTURE3);
     glBindTexture(GL_TEXTURE_CUBE_MAP, cube.get());
     glUniform1i(glGetUniformLocation(program.get(), "cube"), 3);
+    bind(program.get());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     const std::vector<float> rows = gl::read_rgba32f(target.framebuffer.get(), width, height, 1);
     for (std::size_t i = 0; i < results.size(); ++i) {
-    bind(program.get());
         const std::size_t row = static_cast<std::size_t>(height) - 1 - i / width;
         const float* pixel = &rows[(row * width + i % width) * 4];
         results[i] = {pixel[0], pixel[1], pixel[2], pixel[3]};

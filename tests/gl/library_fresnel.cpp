@@ -4,6 +4,7 @@
 #include "src/optics/fresnel.h"
 #include "src/optics/refraction.h"
 #include "tests/gl/library_common.h"
+#include "tests/hard_case.h"
 
 namespace snell::test {
 namespace {
@@ -95,7 +96,7 @@ TEST_P(LibraryFresnel, MetalsAgreeWithTheOracle) {
     }
 }
 
-// Hard cases 7, 8, 20, 70 on the GPU: whatever goes in, a reflectance comes out.
+// Whatever goes in, a reflectance comes out.
 TEST_P(LibraryFresnel, SpecialValuesGiveReflectances) {
     const auto arguments = special_arguments(20000);
     for (const char* body :
@@ -108,11 +109,41 @@ TEST_P(LibraryFresnel, SpecialValuesGiveReflectances) {
         for (const glm::vec4& r : results) bad += !(r.x >= 0 && r.x <= 1 && r.y >= 0 && r.y <= 1);
         EXPECT_EQ(bad, 0) << body;
     }
-    // The test can fail: the textbook's formula doesn't pass it.
-    int naive = 0;
-    for (const glm::vec4& r : run("", "float m = 1. - a.x; return vec4(.04 + .96 * pow(m, 5. * b.x));", arguments))
-        naive += !(r.x >= 0 && r.x <= 1);
-    EXPECT_GT(naive, 1000);
+    const auto out_of_range = [&](std::string_view before, std::string_view body, const std::vector<Arguments>& with) {
+        const auto out = run(before, body, with);
+        return static_cast<double>(
+            std::count_if(out.begin(), out.end(), [](const glm::vec4& r) { return !(r.x >= 0 && r.x <= 1); }));
+    };
+    hard_case({"70", "reflectances of anything lie in [0,1]; naive: Schlick as printed", "of 20000 out of [0,1]", 0,
+               out_of_range(include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", arguments),
+               out_of_range("", "return vec4(.04 + .96 * pow(1. - a.x, 5.));", arguments)});
+    std::vector<Arguments> rounded, odd;
+    for (int i = 0; i < 100; ++i) rounded.push_back({{1 + static_cast<float>(i) * 3.6e-9F, 1, 1.5F, 0}, {}, {}});
+    hard_case({"7", "dot products of unit vectors are up to 1 + 3.6e-7; naive: pow(1. - dot, 5.)",
+               "of 100 out of [0,1]", 0,
+               out_of_range(include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", rounded),
+               out_of_range("", "return vec4(.04 + .96 * pow(1. - a.x, 5.));", rounded)});
+    for (const float x : {0.0F, -0.1F, -0.5F})
+        for (const float power : {0.0F, -1.0F, 1.55F}) odd.push_back({{1 - x, power, 0, 0}, {}, {}});
+    hard_case({"8", "pow(0, 0), pow(0, -1), pow(-.5, 1.55) are undefined; naive: pow() of the same",
+               "of 9 out of [0,1]", 0, out_of_range(include, "return vec4(snellFresnelCg(a.x, 0., 1., a.y));", odd),
+               out_of_range("", "return vec4(pow(1. - a.x, a.y));", odd)});
+}
+
+TEST_P(LibraryFresnel, PowersAreMultiplied) {
+    std::vector<Arguments> arguments;
+    for (int i = 1; i <= 5000; ++i) arguments.push_back({{static_cast<float>(i) / 5000, 0, 0, 0}, {}, {}});
+    const auto ulps = [&](std::string_view before, std::string_view body) {
+        double worst = 0;
+        const auto out = run(before, body, arguments);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const double x = static_cast<double>(arguments[i].a.x), truth = x * x * x * x * x;
+            worst = std::max(worst, std::abs(static_cast<double>(out[i].x) - truth) / truth * 8388608.0);
+        }
+        return worst;
+    };
+    hard_case({"A21", "the fifth power of Schlick's form: multiplied; naive: pow(x, 5.)", "units of the last place", 3,
+               ulps(include, "return vec4(snellPow5(a.x));"), ulps("", "return vec4(pow(a.x, 5. + b.x));")});
 }
 
 TEST_P(LibraryFresnel, EveryRungIsMonotone) {
@@ -132,7 +163,7 @@ TEST_P(LibraryFresnel, EveryRungIsMonotone) {
     }
 }
 
-// Hard case 11: what is reflected one way is reflected the other way. Flat rays come back next to the critical
+// What is reflected one way is reflected the other way. Flat rays come back next to the critical
 // angle, where a rounding of the cosine is 3e-4 of the reflectance.
 TEST_P(LibraryFresnel, ExactIsReciprocal) {
     std::vector<Arguments> arguments;

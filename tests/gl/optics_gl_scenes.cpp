@@ -78,11 +78,33 @@ TEST_P(ShippedScene, IsFiniteWhereverTheSlidersAre) {
             set(control, high);
             expect_finite(control.name + (high ? " at its largest" : " at its smallest"));
         }
+        if (control.widget == Widget::slider && control.min < 0 && control.max > 0) {
+            for (double& v : control.value) v = 0;
+            expect_finite(control.name + " at 0");
+        }
         control.value = control.initial;
     }
     for (int round = 0; round < 50; ++round) {
         for (Control& control : document->controls.items) scatter(control);
         expect_finite("a random combination");
+    }
+}
+
+// Each rung once, at some place of the sliders that it has.
+TEST_P(ShippedScene, IsFiniteOnEveryRung) {
+    const std::vector<Ladder>& ladders = document->scene().ladders;
+    const Rungs marked = document->runtime->rungs();
+    for (std::size_t ladder = 0; ladder < ladders.size(); ++ladder) {
+        for (std::size_t rung = 0; rung < ladders[ladder].rungs.size(); ++rung) {
+            document->controls.rungs = marked;
+            document->controls.rungs[ladder] = rung;
+            follow_rungs(*document);
+            const std::string name = ladders[ladder].name + " " + ladders[ladder].rungs[rung];
+            EXPECT_TRUE(document->runtime->ladder_problems().items().empty()) << name;
+            expect_finite(name);
+            for (Control& control : document->controls.items) scatter(control);
+            expect_finite(name + ", sliders anywhere");
+        }
     }
 }
 

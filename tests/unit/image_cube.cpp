@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/hard_case.h"
 #include "tests/unit/image_help.h"
 
 namespace snell::content {
@@ -279,6 +280,31 @@ TEST(ImageCube, FacesOfAPanoramaMeetAtTheirEdges) {
         }
     }
     EXPECT_EQ(edges, 6 * 4 * 64);
+}
+
+// Around the seam at ±180° and the poles, where longitudes wrap and rows end.
+TEST(ImageCube, PanoramasHaveNoSeam) {
+    constexpr int width = 256, size = 64;
+    const Image image = panorama(width, PixelType::f32);
+    const CubeFaces faces = split_cube(image, CubeLayout::equirectangular, size);
+    // Without wrapping, and with texels at their corners instead of their middles.
+    const auto naive = [&](const Direction& d) {
+        const auto [u, v] = equirectangular_position(d);
+        return sample(image, u + .5 / width, v + .5 * 2 / width, 0);
+    };
+    double worst = 0, worst_naive = 0;
+    for (const int face : {2, 3, 5, 4})
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const Direction d = face_direction(face, (x + .5) / size, (y + .5) / size);
+                if (std::abs(d[0]) > .1) continue;
+                const Image& f = faces[static_cast<std::size_t>(face)];
+                const auto at = static_cast<std::size_t>((y * size + x) * f.channels);
+                worst = std::max(worst, std::abs(static_cast<double>(value_at(f, at)) - color(d, 0)));
+                worst_naive = std::max(worst_naive, std::abs(naive(d) - color(d, 0)));
+            }
+    test::hard_case({"18", "panoramas at ±180° and at the poles; naive: no wrapping, off by half a texel",
+                     "of the range", 2e-3, worst, worst_naive});
 }
 
 TEST(ImageCube, PicturesInTextureOrderAreTurnedFirst) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/hard_case.h"
 #include "tests/unit/image_help.h"
 
 namespace snell::content {
@@ -100,6 +101,37 @@ TEST(ImageMend, LargeValuesAreClampedAndNegativeOnesStay) {
     EXPECT_EQ(red(*result.image, 2, 0), -3.5f);
     EXPECT_EQ(red(*result.image, 3, 0), 65504.0f);
     EXPECT_NE(describe(result).find("2 values"), std::string::npos) << describe(result);
+    const auto large = reds(1, 1, {70000.0f});
+    test::hard_case({"A16", "70000 in a picture: clamped to half's 65504; naive: a conversion to half", "off 65504", 0,
+                     std::abs(static_cast<double>(red(*large.image, 0, 0)) - 65504),
+                     std::abs(static_cast<double>(half_to_float(float_to_half(70000.0f))) - 65504)});
+}
+
+// What glGenerateMipmap does: each texel of a level is the mean of four.
+TEST(ImageMend, OneTexelDoesNotSpreadThroughTheMipmaps) {
+    constexpr int size = 64;
+    std::vector<float> values(size * size, 2.0f);
+    values[size * 20 + 33] = not_a_number;
+    const auto share = [](std::vector<float> level, int side) {
+        for (; side > 1; side /= 2) {
+            std::vector<float> next;
+            for (int y = 0; y < side; y += 2)
+                for (int x = 0; x < side; x += 2) {
+                    const auto at = [&](int i, int j) {
+                        return level[static_cast<std::size_t>((y + j) * side + x + i)];
+                    };
+                    next.push_back((at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1)) / 4);
+                }
+            level = std::move(next);
+        }
+        return std::isfinite(level[0]) ? 0.0 : 100.0;
+    };
+    const auto result = reds(size, size, values);
+    std::vector<float> mended;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) mended.push_back(red(*result.image, x, y));
+    test::hard_case({"20", "one NaN texel of 64 × 64 fills the last mipmap: mended from its neighbours when read",
+                     "% of the last level", 0, share(mended, size), share(values, size)});
 }
 
 TEST(ImageMend, VolumesAreMendedSliceBySlice) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "src/optics/ray.h"
+#include "tests/hard_case.h"
 
 namespace snell::optics {
 namespace {
@@ -91,7 +92,6 @@ TEST(ThroughSphere, PolarisedEnergyAddsUpToo) {
     EXPECT_NEAR(p, 1.0, 1e-3);
 }
 
-// Hard case 15.
 TEST(ThroughSphere, TheSeriesEnds) {
     for (double b = 0; b < 1; b += 0.001) {
         const Impact impact(b);
@@ -104,8 +104,17 @@ TEST(ThroughSphere, TheSeriesEnds) {
             EXPECT_GE(shorter.inside, series_end) << "one exit fewer would have done at " << b;
         }
     }
+    std::size_t longest = 0;
+    for (double b = 0.9; b < 1; b += 1e-4)
+        longest =
+            std::max(longest, through_sphere(Impact(b).incident, Impact(b).normal, 1, 1.5, 1000000).exits.size() - 1);
     const auto all = through_sphere(Impact(0.5).incident, Impact(0.5).normal, 1, 1.5, 1000000);
     EXPECT_LE(all.exits.size(), 33U);
+    // At the rim nearly everything stays inside: what a loop until less than 1e-4 is left would take.
+    const double kept = fresnel(1e-5, 1, 1.5), endless = std::ceil(std::log(series_end) / std::log(kept));
+    test::hard_case({"15",
+                     "the series of inner bounces ends, a million asked for; naive: until 1e-4 is left, at the rim",
+                     "bounces", 32, static_cast<double>(longest), endless});
 }
 
 TEST(ThroughSphere, ABubbleReflectsTotallyPastTheCriticalAngle) {

@@ -6,6 +6,7 @@
 
 #include "src/content/noise.h"
 #include "src/plan/plan.h"
+#include "tests/hard_case.h"
 #include "tests/scratch.h"
 
 namespace snell {
@@ -192,6 +193,10 @@ TEST_F(Loading, OneCorruptFaceIsACheckerboardThereOnly) {
         EXPECT_EQ(faces[i].channels, faces[0].channels);
         EXPECT_EQ(is_checkerboard(faces[i]), i == 2);
     }
+    int lost = 0;
+    for (std::size_t i = 0; i < 6; ++i) lost += i != 2 && is_checkerboard(faces[i]);
+    test::hard_case({"19", "one corrupt face of a cube map: a checkerboard there, and an error at its name",
+                     "of 5 other faces lost", 0, static_cast<double>(lost), std::nullopt});
 }
 
 TEST_F(Loading, UnequalFacesAreAnErrorThatNamesThem) {

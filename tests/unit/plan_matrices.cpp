@@ -1,6 +1,7 @@
 // Matrices: facts of geometry, and hard inputs.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -132,6 +133,23 @@ TEST(Projection, DepthRangeIsTheCallers) {
     const glm::dmat4 m = projection_matrix(Camera{}, 1, DepthRange{2, 5});
     EXPECT_NEAR(ndc(m, {0, 0, -2}).z, -1, 1e-12);
     EXPECT_NEAR(ndc(m, {0, 0, -5}).z, 1, 1e-12);
+}
+
+TEST(FittedDepth, HoldsEveryBoxWithinTheUsualPlanes) {
+    glm::dmat4 away(1);
+    away[3] = {0, 0, -50, 1};
+    const DepthBox box{away, {-1, -1, -1}, {1, 1, 1}};
+    const std::optional<DepthRange> one = fit_depth(std::array{box});
+    ASSERT_TRUE(one);
+    EXPECT_TRUE(one->near > 48 && one->near < 49 && one->far > 51 && one->far < 52);
+    const DepthBox around{glm::dmat4(1), {-2000, -1, -2000}, {1, 1, 2000}};
+    const std::optional<DepthRange> both = fit_depth(std::array{box, around});
+    ASSERT_TRUE(both);
+    EXPECT_EQ(both->near, .1) << "the eye is inside";
+    EXPECT_EQ(both->far, 1000);
+    EXPECT_FALSE(fit_depth(std::array{DepthBox{glm::dmat4(1), {0, 0, 1}, {1, 1, 2}}})) << "behind the eye";
+    EXPECT_FALSE(fit_depth(std::array{DepthBox{glm::dmat4(nan_value), {0, 0, 1}, {1, 1, 2}}}));
+    EXPECT_FALSE(fit_depth({}));
 }
 
 TEST(LookAt, MapsEyeCenterAndUp) {
