@@ -152,12 +152,10 @@ Value Walker::combine(const Value& a, const Value& b, std::string_view op) {
         v = multiply(a, b);
     } else if (op == "/") {
         v.type = a.type.rows >= b.type.rows ? a.type : b.type;
-        if (const auto divisor = constant(b); divisor && *divisor != 0) {
+        if (const auto divisor = constant(b); divisor && *divisor != 0)
             v.range = product(a.range, exactly(1 / *divisor), false);
-            v.space = a.space;
-        } else if (a.range.lo >= 0 && b.range.lo >= 0) {
-            v.range.lo = 0;
-        }
+        else if (b.range.lo > 0)
+            v.range = product(a.range, {1 / b.range.hi, 1 / b.range.lo, b.range.real_hi, b.range.real_lo}, false);
         if (a.type.rows > 1) v.space = a.space;
     } else {
         v.type = glsl::make_type(Base::boolean);
@@ -319,10 +317,11 @@ Walker::Expr Walker::primary() {
     const glsl::Token& t = token();
     if (t.kind == Kind::integer || t.kind == Kind::real) return number();
     if (t.text == "(") {
-        const int close = matching(p_);
+        const int open = p_, close = matching(p_);
         ++p_;
         e = expression();
         p_ = close + 1;
+        e.first = open;
         e.last = close;
         return e;
     }

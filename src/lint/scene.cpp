@@ -177,11 +177,11 @@ private:
                 if (g.type.base != Base::sampler || g.type.dims > 0 || g.uses.empty()) continue;
                 const auto target = sampler_target(g.type.name);
                 const auto known = [&](const Sampler& s) { return s.global->name == g.name; };
-                if (!target || std::any_of(found.begin(), found.end(), known)) continue;
+                const bool noise = g.name == "Noise2" || g.name == "Noise3";  // where nothing stands, snell's own
+                if (!target || noise || std::any_of(found.begin(), found.end(), known)) continue;
                 const auto set = std::find_if(program.uniforms.begin(), program.uniforms.end(),
                                               [&](const UniformValue& u) { return u.name == g.name; });
                 Sampler sampler{&unit, &g, *target, set == program.uniforms.end() ? nullptr : &*set, 0};
-                if (!sampler.set && (g.name == "Noise2" || g.name == "Noise3")) continue;
                 for (const glsl::LayoutItem& item : g.qualifiers.layout)
                     if (item.name == "binding") sampler.texture_unit = std::atoi(item.value.c_str());
                 if (sampler.set && !sampler.set->values.empty())

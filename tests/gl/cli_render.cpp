@@ -216,6 +216,24 @@ TEST_F(CommandLine, CommandsAreJson) {
     EXPECT_GT(json.dump().find("Sphere"), 0U);
 }
 
+// Lints need no graphics, are warnings, and are for check alone.
+TEST_F(CommandLine, CheckSaysWhatIsProbablyNotMeant) {
+    folder.write("n.vert", "out vec3 vN;\nvoid main() { vN = gl_Normal; gl_Position = ftransform(); }\n");
+    folder.write("n.frag",
+                 "in vec3 vN;\nvoid main() {\n    gl_FragColor = vec4(reflect(vec3(0., 0., 1.), vN), 1.);\n}\n");
+    folder.write("n.glib", "Vertex n.vert\nFragment n.frag\nProgram N\nSphere\n");
+    const std::string code = "[unnormalised-direction]";
+    for (const char* environment : {"", "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent"}) {
+        const Outcome found = snell("check " + at("n.glib"), environment);
+        EXPECT_EQ(found.status, 0) << found.output;
+        EXPECT_NE(found.output.find("n.frag:3:51: warning: "), std::string::npos) << found.output;
+        EXPECT_NE(found.output.find(code), std::string::npos) << found.output;
+        EXPECT_NE(found.output.find("docs/teaching.md#directions-of-unit-length"), std::string::npos);
+    }
+    EXPECT_EQ(snell("check --no-lint " + at("n.glib")).output, "");
+    EXPECT_EQ(snell("render " + at("n.glib") + " -o " + at("o.png") + " --size 8x8").output, "");
+}
+
 // OpenImageIO alone costs more than this at start-up.
 TEST_F(CommandLine, ATrivialSceneIsQuick) {
     snell("render " + at("good.glib") + " -o " + at("o.png") + " --size 256x256");

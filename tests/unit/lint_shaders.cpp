@@ -93,6 +93,13 @@ TEST(LintPow, OfANegativeBase) {
     EXPECT_EQ(body("gl_FragColor = vec4(pow(vN.x - uX, 2.));").at("pow-of-negative"), Places{"vN.x - uX"});
 }
 
+TEST(LintPow, OfAQuotientOfSliders) {
+    const std::string_view f0 = "gl_FragColor = vec4(pow((1. - uEta) / (1. + uEta), 2.));";
+    EXPECT_EQ(body(f0, "uEta <.1 1.1 5.>").at("pow-of-negative"), Places{"(1. - uEta) / (1. + uEta)"});
+    expect_silent(body(f0, "uEta <.1 .66 1.>"));
+    expect_silent(body("float r = (1. - uEta) / (1. + uEta);\ngl_FragColor = vec4(r * r);", "uEta <.1 1.1 5.>"));
+}
+
 // Two unit vectors' product exceeds 1 by a rounding: not a number in a pixel here and there.
 TEST(LintPow, ByRounding) {
     const Linted bad = body(std::string(unit_vectors) + "gl_FragColor = vec4(pow(1. - max(dot(n, -e), 0.), 5.));");
