@@ -10,8 +10,10 @@
 namespace snell::content {
 namespace {
 
-constexpr int smallest_level = 8;      // enough for roughness 1 (within .4 % of the mean with seamless filtering)
-constexpr int irradiance_source = 16;  // texels a side that irradiance is summed over
+constexpr int smallest_level = 8;  // enough for roughness 1 (within .4 % of the mean with seamless filtering)
+// Irradiance is summed over 16 texels a side, each where its light comes from as told by 4 · 4 finer ones.
+constexpr int irradiance_source = 64;
+constexpr std::size_t irradiance_levels = 5;
 
 // A texel of some level: the light that comes through it.
 struct Node {
@@ -33,7 +35,9 @@ std::size_t interleave(int column, int row) {
 // A cube of 1, 2, 4 … texels a side, down to the light's own, whose size is a power of two.
 class Tree {
 public:
-    explicit Tree(const CubeLight& light) : finest_(std::countr_zero(static_cast<unsigned>(light.size))) {
+    // Only the first `most` levels are kept.
+    explicit Tree(const CubeLight& light, std::size_t most = 32)
+        : finest_(std::countr_zero(static_cast<unsigned>(light.size))) {
         levels_.resize(static_cast<std::size_t>(finest_) + 1);
         fill_finest(light);
         for (auto level = static_cast<std::size_t>(finest_); level-- > 0;) {
@@ -41,6 +45,7 @@ public:
             for (std::size_t i = 0; i < levels_[level].size(); ++i)
                 levels_[level][i] = parent(&levels_[level + 1][4 * i]);
         }
+        if (levels_.size() > most) levels_.resize(most);
     }
 
     // Mean light in the lobes around four directions near each other. A texel is taken as a whole where its solid
@@ -180,7 +185,7 @@ double lobe_weight(double cosine, double alpha) {
 }
 
 CubeLight irradiance(const CubeLight& light, int size) {
-    return convolved(Tree(resized(light, irradiance_source)), size, 1, 0);
+    return convolved(Tree(resized(light, irradiance_source), irradiance_levels), size, 1, 0);
 }
 
 int prefilter_levels(int size) {
@@ -190,13 +195,13 @@ int prefilter_levels(int size) {
 }
 
 std::vector<CubeLight> prefiltered(const CubeLight& light, int size) {
-    constexpr double detail = .08;
+    const auto detail = [](int texels) { return texels > 16 ? .08 : .02; };  // small levels can afford to look closer
     std::vector<CubeLight> levels{resized(light, size)};
     const Tree tree(levels[0]);
     const int count = prefilter_levels(size);
     for (int level = 1; level < count; ++level) {
         const double roughness = static_cast<double>(level) / (count - 1);
-        levels.push_back(convolved(tree, size >> level, roughness * roughness, detail));
+        levels.push_back(convolved(tree, size >> level, roughness * roughness, detail(size >> level)));
     }
     return levels;
 }

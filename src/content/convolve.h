@@ -39,9 +39,9 @@ std::array<double, 3> mean_radiance(const CubeLight& light);
 using Harmonics = std::array<std::array<float, 3>, 9>;
 Harmonics harmonics(const CubeLight& light);
 
-// Irradiance / π by the normal, so that uniform light of 1 gives 1. The integral is taken over the source reduced to
-// 16 texels a side, which is within .5 % of the mean (accuracy is that of the source's mean light, not of its
-// detail), and looked up with seamless filtering 16 texels a side are good for .1 %.
+// Irradiance / π by the normal, so that uniform light of 1 gives 1. The integral is a sum over 16 texels a side, each
+// taken where the light in it comes from: within .5 % of the mean. Looked up with seamless filtering 16 texels a side
+// are good for .1 %.
 CubeLight irradiance(const CubeLight& light, int size = 16);
 
 // What mirrors of growing roughness see, by the direction of reflection: level 0 is the source resized to `size` (a

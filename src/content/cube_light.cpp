@@ -26,11 +26,16 @@ double corner(double s, double t) {
 
 // Unlike the texels of a face, all faces are alike: one table does for six.
 std::vector<double> solid_angles(int size) {
-    std::vector<double> angles;
-    for (int row = 0; row < size; ++row)
-        for (int column = 0; column < size; ++column)
-            angles.push_back(solid_angle(static_cast<double>(column) / size, static_cast<double>(row) / size,
-                                         (column + 1.0) / size, (row + 1.0) / size));
+    std::vector<double> above, angles;
+    for (int column = 0; column <= size; ++column) above.push_back(corner(static_cast<double>(column) / size, 0));
+    for (int row = 1; row <= size; ++row) {
+        std::vector<double> below;
+        for (int column = 0; column <= size; ++column)
+            below.push_back(corner(static_cast<double>(column) / size, static_cast<double>(row) / size));
+        for (std::size_t i = 0; i + 1 < below.size(); ++i)
+            angles.push_back(below[i + 1] - below[i] - above[i + 1] + above[i]);
+        above = std::move(below);
+    }
     return angles;
 }
 
@@ -87,15 +92,21 @@ CubeLight resized(const CubeLight& light, int size) {
     result.size = size;
     result.texels.resize(6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     const double scale = static_cast<double>(light.size) / size;
+    const bool whole_texels = light.size % size == 0;
+    const std::vector<double> angles = whole_texels ? solid_angles(light.size) : std::vector<double>();
+    const auto part = [&](int x, int y, double left, double top) {
+        if (whole_texels) return angles[texel_index(light.size, 0, x, y)];
+        const double n = light.size;
+        return solid_angle(std::max<double>(x, left) / n, std::max<double>(y, top) / n,
+                           std::min(x + 1.0, left + scale) / n, std::min(y + 1.0, top + scale) / n);
+    };
     const auto texel = [&](int face, int column, int row) {
         std::array<double, 3> sum{};
         double whole = 0;
         const double left = column * scale, right = left + scale, top = row * scale, bottom = top + scale;
         for (int y = static_cast<int>(top); y < light.size && y < bottom; ++y)
             for (int x = static_cast<int>(left); x < light.size && x < right; ++x) {
-                const double weight = solid_angle(
-                    std::max<double>(x, left) / light.size, std::max<double>(y, top) / light.size,
-                    std::min<double>(x + 1, right) / light.size, std::min<double>(y + 1, bottom) / light.size);
+                const double weight = part(x, y, left, top);
                 const auto& value = light.at(face, x, y);
                 for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * static_cast<double>(value[c]);
                 whole += weight;
