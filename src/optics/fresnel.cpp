@@ -66,6 +66,16 @@ double fresnel_conductor(double cos_incident, double n1, double eta, double k) {
     return fresnel_conductor_polarised(cos_incident, n1, eta, k).mean();
 }
 
+double lazanyi(double cos_incident, double f0, double a, double alpha) {
+    const double c = std::clamp(cos_incident, 0.0, 1.0);
+    return std::clamp(schlick(c, f0) - a * c * std::pow(1.0 - c, alpha), 0.0, 1.0);
+}
+
+double lazanyi_depth(double eta, double k) {
+    const double c = 1.0 / (1.0 + lazanyi_power), f0 = fresnel_conductor(1.0, 1.0, eta, k);
+    return (schlick(c, f0) - fresnel_conductor(c, 1.0, eta, k)) / (c * std::pow(1.0 - c, lazanyi_power));
+}
+
 double cg_fresnel(double cos_incident, double bias, double scale, double power) {
     const double shape = std::pow(1.0 - std::clamp(cos_incident, 0.0, 1.0), power);
     return std::clamp(bias + scale * shape, 0.0, 1.0);

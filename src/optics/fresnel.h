@@ -17,6 +17,8 @@ Polarised fresnel_polarised(double cos_incident, double n1, double n2);
 // Unpolarised: the mean of both.
 double fresnel(double cos_incident, double n1, double n2);
 
+inline constexpr double lazanyi_power = 6;
+
 // At normal incidence: ((n1 - n2) / (n1 + n2))².
 double normal_reflectance(double n1, double n2);
 
@@ -38,6 +40,13 @@ double gaussian_dielectric(double cos_incident, double n1, double n2);
 // dielectric, total reflection included. Precondition: n1 > 0, eta >= 0, k >= 0, not eta = k = 0.
 Polarised fresnel_conductor_polarised(double cos_incident, double n1, double eta, double k);
 double fresnel_conductor(double cos_incident, double n1, double eta, double k);
+
+// The ladder of metals is schlick(c, f0), then this, then fresnel_conductor. A metal of much absorption mirrors less
+// before grazing than at normal incidence, a dip that Schlick's shape can't have:
+// schlick - a c (1 - c)^alpha (Lazányi and Szirmay-Kalos 2005, term 2), clamped to [0,1].
+double lazanyi(double cos_incident, double f0, double a, double alpha = lazanyi_power);
+// The `a` with which it is exact at c = 1/7, where c (1 - c)^6 is greatest (Hoffman 2019), met from index 1.
+double lazanyi_depth(double eta, double k);
 
 // clamp(bias + scale (1 - cos)^power, 0, 1): The Cg Tutorial's empirical form. Power 0 gives bias + scale.
 double cg_fresnel(double cos_incident, double bias, double scale, double power);

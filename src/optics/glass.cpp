@@ -104,9 +104,39 @@ constexpr std::array<Complex, 13> copper = {{{1.32, 2.116},
                                              {0.22, 3.747},
                                              {0.21, 4.205},
                                              {0.24, 4.665}}};
+// Interpolated to these wavelengths from the author's own, which lie 30 to 45 nm apart.
+constexpr std::array<Complex, 13> aluminium = {{{0.481, 4.803},
+                                                {0.521, 5.001},
+                                                {0.572, 5.215},
+                                                {0.636, 5.465},
+                                                {0.709, 5.712},
+                                                {0.798, 6.0},
+                                                {0.892, 6.291},
+                                                {1.009, 6.611},
+                                                {1.169, 6.988},
+                                                {1.35, 7.371},
+                                                {1.624, 7.8},
+                                                {1.958, 8.175},
+                                                {2.427, 8.435}}};
+constexpr std::array<Complex, 13> chromium = {{{2.00, 2.83},
+                                               {2.08, 2.93},
+                                               {2.19, 3.04},
+                                               {2.33, 3.14},
+                                               {2.51, 3.24},
+                                               {2.75, 3.30},
+                                               {2.94, 3.33},
+                                               {3.18, 3.33},
+                                               {3.22, 3.30},
+                                               {3.17, 3.30},
+                                               {3.09, 3.34},
+                                               {3.05, 3.39},
+                                               {3.08, 3.42}}};
 constexpr std::string_view johnson = "Johnson and Christy 1972";
-constexpr std::array<Metal, 3> metal_table = {
-    {{"gold", johnson, gold}, {"silver", johnson, silver}, {"copper", johnson, copper}}};
+constexpr std::array<Metal, 5> metal_table = {{{"gold", johnson, gold},
+                                               {"silver", johnson, silver},
+                                               {"copper", johnson, copper},
+                                               {"aluminium", "Rakic 1995", aluminium},
+                                               {"chromium", "Johnson and Christy 1974", chromium}}};
 
 }  // namespace
 

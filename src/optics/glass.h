@@ -38,7 +38,7 @@ struct Metal {
     // Linear between the measurements, clamped to their range; NaN: as for 587.56 nm.
     Complex index(double nanometres) const;
 };
-// Gold, silver, copper.
+// Gold, silver, copper, aluminium, chromium.
 std::span<const Metal> metals();
 
 }  // namespace snell::optics
