@@ -29,8 +29,8 @@ struct Linted {
 
 // "scene.glib" is added from `scene`; all files are in one folder.
 Linted lint(std::string_view scene, const std::vector<File>& files);
-// A scene on disk.
-Linted lint_file(const std::string& path);
+// A scene on disk; `rungs` as "NORMAL=interpolated".
+Linted lint_file(const std::string& path, const std::vector<std::string_view>& rungs = {});
 // `fragment` behind a vertex shader that hands on vN (normal), vE (from the eye) in world coordinates, drawn by a
 // sphere; `values` go on the Program line.
 Linted lint_fragment(std::string_view fragment, std::string_view values = "", std::string_view state = "");

@@ -29,7 +29,7 @@ std::string Linted::place(std::string_view code) const {
     return "";
 }
 
-Linted lint_file(const std::string& path) {
+Linted lint_file(const std::string& path, const std::vector<std::string_view>& rungs) {
     Linted result;
     Files files(std::filesystem::path(path).parent_path().string());
     std::string error;
@@ -41,7 +41,8 @@ Linted lint_file(const std::string& path) {
     };
     Parsed parsed = parse(id, result.sources, included);
     Diagnostics others;
-    const Plan plan = make_plan(std::move(parsed.scene), files, result.sources, others);
+    Plan plan = make_plan(std::move(parsed.scene), files, result.sources, others);
+    for (const std::string_view rung : rungs) EXPECT_TRUE(choose_rung(plan.rungs, plan.scene, rung, others)) << rung;
     const auto include = [&](std::string_view from, std::string_view name, bool angle) {
         const std::string at =
             angle ? SNELL_ROOT "/shaders/" + std::string(name) : files.resolve_beside(from, name).path;
@@ -215,6 +216,15 @@ TEST(LintSilence, OurScenesAreRight) {
             EXPECT_TRUE(lint_file(path).found.empty()) << lint_file(path).text();
         }
     EXPECT_GT(count, 80U);
+}
+
+// The scenes of light have mistakes as rungs, and are right as they stand.
+TEST(LintRungs, AMistakeThatIsChosenIsFound) {
+    const std::string mirror = SNELL_ROOT "/scenes/light/mirror/mirror.glib";
+    EXPECT_TRUE(lint_file(mirror, {"NORMAL=interpolated"}).has(Rule::unnormalised_direction));
+    EXPECT_TRUE(lint_file(mirror, {"SPACE=eye", "LOCALITY=infinite"}).has(Rule::eye_space_lookup));
+    EXPECT_TRUE(
+        lint_file(SNELL_ROOT "/scenes/light/glass/glass.glib", {"LENGTHS=any"}).has(Rule::unnormalised_direction));
 }
 
 // Every stage of the small programs of the dialects, each with its like.
