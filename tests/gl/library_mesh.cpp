@@ -113,26 +113,30 @@ TEST_P(LibraryMesh, LetsNothingSlipThrough) {
     for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_NEAR(hits[i].x, hits[i].y, 2e-6) << i;
 }
 
-// What the oracle says of a ray, and whether that is certain in floats. Three bands are not, and are left out:
-// edges, where a ray within a rounding of one meets another triangle than its neighbour; the critical angle, where
-// the transmitted direction turns infinitely fast; and rays so weak that rounding decides whether they are followed.
-// Found by moving the ray by what a float's rounding moves it, 3e-7 of the distance, eight times.
+// What the oracle says of a ray, and of how many exits in a row that is certain in floats. Three bands are not, and
+// are left out: edges, where a ray within a rounding of one meets another triangle than its neighbour; the critical
+// angle, where the transmitted direction turns infinitely fast; and what many bounces off curved walls have spread.
+// Found by moving the ray by what rounding moves it, 3e-7 of the distance, eight times.
 struct Judged {
     MeshLight light;
-    bool certain = true;
+    std::size_t certain = 0;
 };
 Judged judge(const MeshTracer& mesh, const Ray& ray, double n, const MeshNormals& normals, std::size_t exits) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> any(-3e-7, 3e-7);
-    Judged out{through_mesh(mesh, ray, 1, n, normals), true};
-    const std::size_t count = std::min(out.light.exits.size(), exits);
-    for (int i = 0; i < 8 && out.certain; ++i) {
+    Judged out{through_mesh(mesh, ray, 1, n, normals), exits};
+    for (int i = 0; i < 8; ++i) {
         const Ray moved{ray.origin, ray.direction + glm::dvec3(any(random), any(random), any(random))};
         const MeshLight light = through_mesh(mesh, moved, 1, n, normals);
-        out.certain = std::min(light.exits.size(), exits) == count;
-        for (std::size_t k = 0; k < count && out.certain; ++k)
-            out.certain = angle_between(light.exits[k].direction, out.light.exits[k].direction) < 1e-4 &&
-                          std::abs(light.exits[k].energy - out.light.exits[k].energy) < 1e-4;
+        std::size_t same = 0;
+        for (; same < out.certain; ++same) {
+            const bool here = same < out.light.exits.size(), there = same < light.exits.size();
+            if (here != there) break;
+            if (!here) continue;
+            const MeshExit &a = light.exits[same], &b = out.light.exits[same];
+            if (angle_between(a.direction, b.direction) > 1e-4 || std::abs(a.energy - b.energy) > 1e-4) break;
+        }
+        out.certain = same;
     }
     return out;
 }
@@ -146,41 +150,38 @@ struct MeshCase {
 };
 
 TEST_P(LibraryMesh, PathsAgreeWithTheOracle) {
-    constexpr int exits = 4;
+    constexpr std::size_t exits = 4;
     const MeshCase cases[] = {{"ball", Sphere{}, 1.5F, false, 0.02},
                               {"curved ball", Sphere{}, 1.5F, true, 0.02},
-                              {"box", Box{1, 1, 1}, 1.33F, false, 0.02},
-                              {"torus", Torus{}, 1.5F, false, 0.05},
-                              {"teapot", Teapot{}, 1.5F, true, 0.1}};
+                              {"box", Box{1, 1, 1}, 1.33F, false, 0.01},
+                              {"torus", Torus{}, 1.5F, false, 0.03},
+                              {"teapot", Teapot{}, 1.5F, false, 0.15}};
     for (const MeshCase& test : cases) {
         SCOPED_TRACE(test.name);
         use(test.shape);
         const MeshTracer mesh(corners, indices);
         const MeshNormals normals = test.interpolated ? MeshNormals{directions, indices} : MeshNormals{};
-        const auto arguments = view(48, test.n);
-        std::array<std::vector<glm::vec4>, exits> out;
-        const std::string begin = std::string("SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, ") +
-                                  (test.interpolated ? "true" : "false") + ");\n";
-        for (int k = 0; k < exits; ++k)
-            out[static_cast<std::size_t>(k)] =
-                run(include,
-                    begin + "float met = 0.;\nfor (int i = 0; i <= int(c.x); ++i) if (snellMeshNext(s)) met += 1.;\n" +
-                        "return vec4(s.direction, met > c.x ? s.energy : -1.);",
-                    [&] {
-                        auto at = arguments;
-                        for (Arguments& each : at) each.c.x = static_cast<float>(k);
-                        return at;
-                    }());
-        int met = 0, uncertain = 0, compared = 0;
-        for (std::size_t i = 0; i < arguments.size(); ++i) {
-            const Ray ray{vec(arguments[i].a), vec(arguments[i].b)};
+        const auto pixels = view(36, test.n);
+        std::vector<Arguments> arguments;
+        for (std::size_t k = 0; k < exits; ++k)
+            for (Arguments pixel : pixels) {
+                pixel.c = {static_cast<float>(k), test.interpolated ? 1 : 0, 0, 0};
+                arguments.push_back(pixel);
+            }
+        const auto out = run(include,
+                             "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, c.y > 0.);\nfloat exits = 0.;\n"
+                             "for (int i = 0; i <= int(c.x); ++i) if (snellMeshNext(s)) exits += 1.;\n"
+                             "return vec4(s.direction, exits > c.x ? s.energy : -1.);",
+                             arguments);
+        std::size_t met = 0, certain = 0, compared = 0;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const Ray ray{vec(pixels[i].a), vec(pixels[i].b)};
             if (!mesh.nearest(ray)) continue;
             ++met;
             const Judged truth = judge(mesh, ray, test.n, normals, exits);
-            uncertain += !truth.certain;
-            if (!truth.certain) continue;
-            for (std::size_t k = 0; k < exits; ++k) {
-                const glm::vec4& found = out[k][i];
+            certain += truth.certain;
+            for (std::size_t k = 0; k < truth.certain; ++k) {
+                const glm::vec4& found = out[k * pixels.size() + i];
                 ASSERT_EQ(found.w >= 0, k < truth.light.exits.size()) << "pixel " << i << " exit " << k;
                 if (found.w < 0) continue;
                 EXPECT_LT(angle_between(vec(found), truth.light.exits[k].direction), 1e-4) << i << " exit " << k;
@@ -188,8 +189,8 @@ TEST_P(LibraryMesh, PathsAgreeWithTheOracle) {
                 ++compared;
             }
         }
-        EXPECT_GT(compared, 1000);
-        EXPECT_LE(uncertain, test.uncertain * met) << met;
+        EXPECT_GT(compared, 1000U);
+        EXPECT_GE(static_cast<double>(certain), (1 - test.uncertain) * static_cast<double>(met * exits)) << met;
     }
 }
 
@@ -204,7 +205,7 @@ TEST_P(LibraryMesh, AllLightIsAccountedFor) {
                               "float sum = 0., open = 0., count = 0.;\n"
                               "for (int i = 0; i < 200; ++i) { if (!snellMeshNext(s)) break; sum += s.energy; count += "
                               "1.; open += s.closed ? 0. : 1.; }\nreturn vec4(sum, s.inside, open, count);",
-                              view(32, test.n));
+                              view(24, test.n));
         float most = 0;
         for (const glm::vec4& r : sums) {
             ASSERT_TRUE(finite(r));
@@ -220,11 +221,11 @@ TEST_P(LibraryMesh, AllLightIsAccountedFor) {
 TEST_P(LibraryMesh, SpecialValuesGiveDirections) {
     use(Torus{.outer = 1, .inner = .5, .sides = 8, .rings = 12});
     const auto arguments = special_arguments(4000);
-    const auto results = run(include,
-                             "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, a.w, b.w, c.x > 0.);\n"
-                             "float sum = 0.;\nfor (int i = 0; i < 4; ++i) if (snellMeshNext(s)) sum += s.energy;\n"
-                             "return vec4(s.direction, sum);",
-                             arguments);
+    const std::string body =
+        "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, a.w, b.w, c.x > 0.);\n"
+        "float sum = 0.;\nfor (int i = 0; i < 4; ++i) if (snellMeshNext(s)) sum += s.energy;\n"
+        "return vec4(s.direction, sum);";
+    const auto results = run(include, body, arguments);
     int bad = 0;
     for (const glm::vec4& r : results)
         bad += !finite(r) || std::abs(glm::length(vec(r)) - 1) > 1e-5 || r.w < 0 || r.w > 1.00001F;
@@ -232,10 +233,7 @@ TEST_P(LibraryMesh, SpecialValuesGiveDirections) {
     // Degenerate meshes, and none at all.
     content::Mesh mesh;
     use(mesh);
-    const std::vector<Arguments> one{{{0, 0, 5, 1.5F}, {0.01F, 0.02F, -1, 0}, {}}};
-    const std::string body =
-        "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, true); float energy = snellMeshNext(s) ? s.energy : 0.;\n"
-        "return vec4(s.direction, energy);";
+    const std::vector<Arguments> one{{{0, 0, 5, 1}, {0.01F, 0.02F, -1, 1.5F}, {1, 0, 0, 0}}};
     EXPECT_NEAR(run(include, body, one)[0].w, 1, 1e-6) << "passes by";
     mesh.positions = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1e30F, 0, 0}, {0, 1e30F, 0}, {1e-30F, 1e-30F, 0}};
     mesh.indices = {0, 1, 2, 0, 3, 4, 0, 2, 5};
