@@ -36,6 +36,6 @@ void main()
     if( uView == 1 )
         color = light;
     if( uView == 2 )
-        color = .5 + 8. * ( light - snellIrradianceQuadrature( uAround, N, 256 ) );
+        color = .5 + 2. * ( light - snellIrradianceQuadrature( uAround, N, 256 ) );
     outColor = vec4( color, 1. );
 }
