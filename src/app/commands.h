@@ -10,12 +10,22 @@ namespace snell::app {
 enum Exit { exit_fine = 0, exit_input = 1, exit_usage = 2, exit_graphics = 3 };
 
 struct RenderOptions {
-    std::string scene, output, stats;
+    std::vector<std::string> scenes;
+    std::string output;       // a pattern: src/app/shots.h
+    std::string stats, json;  // of one scene; of every picture
+    std::string sheet;        // all pictures on one
+    bool labels = true;       // below them
     std::optional<std::pair<int, int>> size;
     double time = 0;
+    std::vector<std::string> over;  // what varies: src/app/shots.h
+    std::string shard;              // "", or as parse_shard takes it
+    bool skip_existing = false;
     std::vector<std::string> sets, ladders;
     int samples = 1;
     bool axes = false;
+    bool count_non_finite = false;  // pixels that are no numbers: said, and in the statistics
+    int frames = 0;                 // frame k is at time + k / fps; 0: no animation
+    double fps = 25;
     std::string context;  // "", "3.3", "4.1", "4.5", "es3.2" …
     bool quiet = false;
 };
@@ -28,6 +38,21 @@ struct CheckOptions {
     bool lint = true;  // also what is probably not meant
 };
 int check(const CheckOptions& options);
+
+struct AccuracyOptions {
+    std::vector<std::string> scenes;
+    std::string html, svg, json, csv;
+    std::vector<std::string> ladders, knobs;  // none of both: all that there are
+    std::string from = "reference";           // "scene", "lattice"
+    std::vector<std::string> sets, choices;   // uniform=value, ladder=rung
+    std::optional<std::pair<int, int>> size;
+    int rounds = 31;
+    double budget = 120;  // seconds, of all sweeps
+    double time = 0;
+    bool no_time = false;  // errors only
+    std::string context;
+};
+int accuracy(const AccuracyOptions& options);
 
 int print_commands(bool json);
 int print_info(const std::string& context);

@@ -8,6 +8,7 @@
 
 #include "src/app/commands.h"
 #include "src/app/headless.h"
+#include "src/app/shots.h"
 #include "src/app/window.h"
 
 namespace {
@@ -19,6 +20,7 @@ constexpr const char* examples = R"(Examples:
   snell render room.glib -o room.png                       draw it to a picture, without a display
   snell render room.glib -o room.png --set uEta=1.5        … with a slider moved
   snell render room.glib -o room.exr --size 1920x1080 --time 2.5 --samples 4
+  snell sweep room.glib --over uEta=1:2.5:16 --over uMix=0,.5,1 -o 'out/{uEta}_{uMix}.png' --sheet all.png
   snell check room.glib                                    say all that is wrong with it
   snell commands                                           list the commands of the language
 
@@ -48,6 +50,15 @@ std::string check_finite(const std::string& text) {
     return *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
 }
 
+std::string check_rate(const std::string& text) {
+    const std::string error = check_finite(text);
+    return !error.empty() || std::strtod(text.c_str(), nullptr) > 0 ? error : "'" + text + "' is not more than 0";
+}
+
+std::string check_shard(const std::string& text) {
+    return app::parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
+}
+
 struct CommandLine {
     CLI::App app{"snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture."};
     WindowOptions window;
@@ -56,7 +67,8 @@ struct CommandLine {
     app::CheckOptions check;
     bool commands_json = false;
     std::string info_context;
-    CLI::App *render_command = nullptr, *check_command = nullptr, *commands_command = nullptr, *info_command = nullptr;
+    CLI::App *render_command = nullptr, *check_command = nullptr, *commands_command = nullptr, *info_command = nullptr,
+             *sweep_command = nullptr;
 
     CommandLine() {
         app.footer(examples);
@@ -68,6 +80,7 @@ struct CommandLine {
         app.add_option("--state", window.state_file)->group("");
         app.add_option("--exit-after", window.exit_after)->group("");
         add_render();
+        add_sweep();
         add_check();
         commands_command = app.add_subcommand("commands", "list the commands of the language");
         commands_command->add_flag("--json", commands_json, "as JSON");
@@ -76,26 +89,63 @@ struct CommandLine {
             ->check(check_context);
     }
 
-    void add_render() {
-        render_command = app.add_subcommand("render", "draw a scene to a picture, without a display");
-        render_command->footer(examples);
-        render_command->add_option("SCENE", render.scene)->required();
-        render_command->add_option("-o,--output", render.output, "the picture; its extension says the format")
-            ->required();
-        render_command->add_option("--size", render_size, "WIDTHxHEIGHT (default: the scene's)")->check(check_size);
-        render_command->add_option("--time", render.time, "seconds since the scene began")->check(check_finite);
-        render_command->add_option("--set", render.sets, "uniform=value or Program.uniform=value; may be repeated")
+    // What render and sweep have in common.
+    void add_drawing(CLI::App& command) {
+        command.footer(examples);
+        command.add_option("--size", render_size, "WIDTHxHEIGHT (default: the scene's)")->check(check_size);
+        command.add_option("--time", render.time, "seconds since the scene began")->check(check_finite);
+        command.add_option("--set", render.sets, "uniform=value or Program.uniform=value; may be repeated")
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-        render_command->add_option("--ladder", render.ladders, "ladder=rung; may be repeated")
+        command.add_option("--ladder", render.ladders, "ladder=rung; may be repeated")
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-        render_command->add_option("--samples", render.samples, "samples a pixel")->check(CLI::Range(1, 64));
-        render_command->add_option("--stats", render.stats, "write timings and counters as JSON");
-        render_command->add_flag("--axes", render.axes, "draw the axes");
-        render_command->add_flag("-q,--quiet", render.quiet, "print errors only, no warnings");
-        render_command->add_option("--context", render.context, "ask for an OpenGL version: 3.3, 4.5, es3.2")
+        command.add_option("--samples", render.samples, "samples a pixel")->check(CLI::Range(1, 64));
+        command.add_option("--shard", render.shard, "I/N: draw only the pictures of part I of N, 0/N to N-1/N")
+            ->check(check_shard);
+        command.add_flag("--skip-existing", render.skip_existing, "draw only the pictures that are not there yet");
+        command.add_option("--json", render.json, "write what each picture is, with its hash, as JSON");
+        command.add_option("--sheet", render.sheet, "write all pictures on one");
+        command.add_flag("!--no-labels", render.labels, "write no values below the pictures of the sheet");
+        command.add_option("--stats", render.stats, "write timings and counters of the one scene as JSON");
+        command.add_flag("--axes", render.axes, "draw the axes");
+        command.add_flag("--count-non-finite", render.count_non_finite,
+                         "say how many pixels are NaN or infinite before they are clamped");
+        command.add_flag("-q,--quiet", render.quiet, "print errors only, no warnings");
+        command.add_option("--context", render.context, "ask for an OpenGL version: 3.3, 4.5, es3.2")
             ->check(check_context);
+    }
+
+    void add_render() {
+        render_command = app.add_subcommand("render", "draw scenes to pictures, without a display");
+        render_command->add_option("SCENE", render.scenes)->required();
+        render_command
+            ->add_option("-o,--output", render.output,
+                         "the picture; its extension says the format; {stem} is the scene's name, {frame:04} the "
+                         "frame's number")
+            ->required();
+        render_command
+            ->add_option("--frames", render.frames, "draw so many pictures, named NAME-0000 and so on without {frame}")
+            ->check(CLI::Range(1, static_cast<int>(app::max_pictures)));
+        render_command->add_option("--fps", render.fps, "pictures a second: picture k is at TIME + k / FPS")
+            ->check(check_rate);
+        add_drawing(*render_command);
+    }
+
+    void add_sweep() {
+        sweep_command = app.add_subcommand("sweep", "draw a scene for many values of what can be set");
+        sweep_command->add_option("SCENE", render.scenes)->required()->expected(1);
+        sweep_command
+            ->add_option("--over", render.over,
+                         "NAME=FIRST:LAST:COUNT or NAME=A,B,C, of a uniform, a ladder or time; may be repeated: every "
+                         "combination is drawn")
+            ->required()
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        sweep_command
+            ->add_option("-o,--output", render.output, "the pictures: {NAME}, {NAME:.2f}, {index:04} and {stem} in it")
+            ->required();
+        add_drawing(*sweep_command);
     }
 
     void add_check() {
@@ -111,7 +161,7 @@ struct CommandLine {
     int run() {
         if (!render_size.empty()) parse_size(render_size, render.size.emplace());
         if (!window_size.empty()) parse_size(window_size, window.size.emplace());
-        if (render_command->parsed()) return app::render(render);
+        if (render_command->parsed() || sweep_command->parsed()) return app::render(render);
         if (check_command->parsed()) return app::check(check);
         if (commands_command->parsed()) return app::print_commands(commands_json);
         if (info_command->parsed()) return app::print_info(info_context);

@@ -1,166 +1,119 @@
+// Pictures without a display: one, the frames of an animation, a sweep, or many scenes.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "src/app/batch.h"
 #include "src/app/commands.h"
-#include "src/app/document.h"
-#include "src/app/headless.h"
-#include "src/content/image.h"
-#include "src/gl/target.h"
+#include "src/app/reports.h"
+#include "src/app/sheet.h"
 
 namespace snell::app {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double milliseconds(Clock::time_point from, Clock::time_point to) {
-    return std::chrono::duration<double, std::milli>(to - from).count();
+bool complain(const std::string& what) {
+    fmt::print(stderr, "snell: error: {}\n", what);
+    return false;
 }
 
-struct Timings {
-    double context = 0, load = 0, frame = 0, write = 0;
-};
-
-nlohmann::ordered_json stats_json(const Document& document, const gl::Caps& caps, const RenderOptions& options,
-                                  const gl::Target& target, const Timings& timings) {
-    const Counters& c = document.runtime->counters();
-    nlohmann::ordered_json json;
-    json["scene"] = options.scene;
-    json["output"] = options.output;
-    json["size"] = {target.width, target.height};
-    json["samples"] = target.samples;
-    json["time"] = options.time;
-    json["renderer"] = caps.renderer;
-    json["gl"] = caps.version;
-    json["glsl"] = caps.glsl;
-    json["milliseconds"] = {
-        {"context", timings.context}, {"load", timings.load}, {"frame", timings.frame}, {"write", timings.write}};
-    json["errors"] = document.diagnostics.errors();
-    json["warnings"] = document.diagnostics.warnings();
-    json["counters"] = {{"files_opened", c.files_opened},
-                        {"bytes_read", c.bytes_read},
-                        {"images_decoded", c.images_decoded},
-                        {"bytes_decoded", c.bytes_decoded},
-                        {"bytes_uploaded", c.bytes_uploaded},
-                        {"textures", c.textures},
-                        {"buffers", c.buffers},
-                        {"programs_compiled", c.programs_compiled},
-                        {"targets", c.targets},
-                        {"frames", c.frames},
-                        {"passes", c.passes},
-                        {"draws", c.draws},
-                        {"triangles", c.triangles},
-                        {"trees", c.trees},
-                        {"uniform_uploads", c.uniform_uploads},
-                        {"state_changes", c.state_changes},
-                        {"gpu_bytes", c.gpu_bytes}};
-    return json;
+std::optional<Shots> shots_of(const RenderOptions& options) {
+    std::vector<Axis> axes;
+    std::string error;
+    for (const std::string& text : options.over) {
+        auto axis = parse_axis(text, error);
+        if (!axis) {
+            complain(error);
+            return std::nullopt;
+        }
+        axes.push_back(std::move(*axis));
+    }
+    if (options.frames > 0) axes.push_back(frames_axis(static_cast<std::size_t>(options.frames)));
+    auto shots = plan_shots(options.scenes, std::move(axes), options.output, error);
+    if (!shots) complain(error);
+    return shots;
 }
 
-// Opaque pictures have three channels: what blending left in the alpha channel is nobody's.
-content::Image opaque_picture(const std::vector<std::byte>& rgba, int width, int height) {
-    content::Image image;
-    image.width = width;
-    image.height = height;
-    image.channels = 3;
-    image.type = content::PixelType::u8;
-    image.pixels.resize(static_cast<size_t>(width) * static_cast<size_t>(height) * 3);
-    for (size_t i = 0; i < image.pixels.size() / 3; ++i) std::memcpy(&image.pixels[i * 3], &rgba[i * 4], 3);
-    return image;
-}
-
-// Said before anything is drawn: a name that can't be written should not cost a rendering.
-bool check_output(const std::string& path) {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+bool is_folder(const std::string& folder) {
     std::error_code error;
-    if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
-        fmt::print(stderr, "snell: error: can't write '{}': there is no folder '{}'\n", path, folder.string());
-        return false;
+    return folder.empty() || std::filesystem::is_directory(folder, error);
+}
+
+bool folder_is_there(const std::string& file, const std::string& folder) {
+    return is_folder(folder) || complain(fmt::format("can't write '{}': there is no folder '{}'", file, folder));
+}
+
+// Said before anything is drawn: a name that can't be written should not cost a rendering. Folders that are named by
+// values are made.
+bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard) {
+    if (!folder_is_there(options.output, fixed_folder(options.output))) return false;
+    for (const std::string& file : {options.sheet, options.json, options.stats})
+        if (!folder_is_there(file, std::filesystem::path(file).parent_path().string())) return false;
+    for (std::size_t i = 0; i < shots.files.size(); ++i) {
+        const std::filesystem::path folder = std::filesystem::path(shots.files[i]).parent_path();
+        if (!shard.has(i) || is_folder(folder.string())) continue;
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error) return complain(fmt::format("can't make the folder '{}': {}", folder.string(), error.message()));
     }
     return true;
 }
 
-void print_diagnostics(const Document& document, bool quiet) {
-    const bool verbose = !quiet && document.runtime && document.scene().verbose;
-    if (verbose) fmt::print(stderr, "{}", verbose_report(document));
-    Diagnostics shown;
-    for (const Diagnostic& diagnostic : document.diagnostics.items()) {
-        const bool wanted = diagnostic.severity == Severity::note ? verbose : !quiet;
-        if (diagnostic.severity == Severity::error || wanted) shown.add(diagnostic);
-    }
-    const std::string text = snell::render(shown, document.sources);
-    std::fwrite(text.data(), 1, text.size(), stderr);
-    if (!document.runtime) return;
-    for (const Message& message : document.scene().messages) fmt::print(stderr, "{}\n", message.text);
+bool usable(const RenderOptions& options, const Shots& shots) {
+    if (!options.stats.empty() && shots.scenes.size() > 1)
+        return complain("--stats tells of one scene; --json lists the pictures of many");
+    for (const std::string& file : shots.files)
+        if (file == options.sheet || file == options.json || file == options.stats)
+            return complain(fmt::format("'{}' would be a picture and something else", file));
+    if (!options.sheet.empty() && shots.files.size() > max_tiles)
+        return complain(
+            fmt::format("a contact sheet takes at most {} pictures, not {}", max_tiles, shots.files.size()));
+    return true;
 }
 
-bool apply_sets(Document& document, const std::vector<std::string>& sets) {
-    Diagnostics problems;
-    for (const std::string& set : sets) set_control(document.controls, document.scene(), set, problems);
-    const std::string text = snell::render(problems, document.sources);
-    std::fwrite(text.data(), 1, text.size(), stderr);
-    return !problems.has_errors();
+// Rows are the values of the axis that varies fastest, where all of them are there.
+std::size_t columns_of(const Shots& shots, std::size_t count) {
+    constexpr std::size_t widest = 64;
+    if (shots.axes.size() > 1 && count == shots.files.size() && shots.axes.back().values.size() <= widest)
+        return shots.axes.back().values.size();
+    return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+}
+
+bool write_sheet(const Batch& batch, const RenderOptions& options, const Shots& shots) {
+    std::vector<Tile> tiles;
+    for (std::size_t i = 0; i < batch.records().size(); ++i)
+        tiles.push_back({batch.written()[i].tile, shots.label(batch.records()[i].shot)});
+    const std::string error =
+        content::write_image(options.sheet, contact_sheet(tiles, columns_of(shots, tiles.size()), options.labels));
+    return error.empty() || complain(fmt::format("can't write '{}': {}", options.sheet, error));
+}
+
+bool write_reports(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard) {
+    bool good = true;
+    if (!options.stats.empty() && batch.has_stats())
+        if (const std::string error = write_json(options.stats, batch.stats()); !error.empty()) good = complain(error);
+    if (!options.json.empty())
+        if (const std::string error = write_json(options.json, pictures_json(batch, options, shots, shard));
+            !error.empty())
+            good = complain(error);
+    if (!options.sheet.empty() && !batch.records().empty()) good = write_sheet(batch, options, shots) && good;
+    return good;
 }
 
 }  // namespace
 
 int render(const RenderOptions& options) {
-    if (!check_output(options.output)) return exit_input;
-    const auto start = Clock::now();
-    auto context = headless_context(options.context);
-    if (!context) return exit_graphics;
-    const gl::Caps caps = gl::query_caps();
-    const auto context_made = Clock::now();
-
-    Diagnostics unknown;
-    auto document = open_document(options.scene, caps, [&](const Scene& scene, Rungs& rungs) {
-        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, unknown);
-    });
-    print_diagnostics(*document, options.quiet);
-    fmt::print(stderr, "{}", snell::render(unknown, document->sources));
-    if (!document->runtime || unknown.has_errors() || !apply_sets(*document, options.sets)) return exit_input;
-    const auto loaded = Clock::now();
-
-    const auto [width, height] =
-        options.size.value_or(std::pair(document->scene().window_size[0], document->scene().window_size[1]));
-    if (width > caps.max_texture || height > caps.max_texture) {
-        fmt::print(stderr, "snell: error: {}x{} is more than this OpenGL draws ({})\n", width, height,
-                   caps.max_texture);
-        return exit_input;
-    }
-    const gl::Target target = gl::make_target(width, height, options.samples);
-    if (!target.framebuffer) {
-        fmt::print(stderr, "snell: error: this OpenGL gives no picture of {}x{} with {} samples\n", width, height,
-                   options.samples);
-        return exit_graphics;
-    }
-    View view;
-    view.axes = options.axes;
-    document->runtime->draw({options.time, view, document->controls}, {target.framebuffer.get(), width, height});
-    const auto pixels = gl::read_rgba8(target.framebuffer.get(), width, height, target.samples);
-    const auto drawn = Clock::now();
-    if (const std::string error = content::write_image(options.output, opaque_picture(pixels, width, height));
-        !error.empty()) {
-        fmt::print(stderr, "snell: error: can't write '{}': {}\n", options.output, error);
-        return exit_input;
-    }
-    if (!options.stats.empty()) {
-        const Timings timings{milliseconds(start, context_made), milliseconds(context_made, loaded),
-                              milliseconds(loaded, drawn), milliseconds(drawn, Clock::now())};
-        std::ofstream file(options.stats);
-        file << stats_json(*document, caps, options, target, timings).dump(2) << '\n';
-        if (!file.flush()) {
-            fmt::print(stderr, "snell: error: can't write '{}'\n", options.stats);
-            return exit_input;
-        }
-    }
-    return document->diagnostics.has_errors() ? exit_input : exit_fine;
+    const auto shots = shots_of(options);
+    if (!shots || !usable(options, *shots)) return exit_usage;
+    const Shard shard = parse_shard(options.shard).value_or(Shard{});
+    if (!ready_folders(options, *shots, shard)) return exit_input;
+    Batch batch(options, *shots, shard);
+    const Exit status = batch.run();
+    if (status == exit_graphics) return status;
+    return write_reports(batch, options, *shots, shard) ? status : std::max(status, exit_input);
 }
 
 }  // namespace snell::app

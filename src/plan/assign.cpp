@@ -84,6 +84,25 @@ std::vector<Control*> named(Controls& controls, const Scene& scene, std::string_
     return found;
 }
 
+// ".g" of "uColor.g": which component of a vector; nullopt for other names.
+std::optional<std::size_t> component_of(std::string_view name) {
+    if (name.size() < 3 || name[name.size() - 2] != '.') return std::nullopt;
+    for (const std::string_view letters : {"xyzw", "rgba"})
+        if (const std::size_t at = letters.find(name.back()); at != std::string_view::npos) return at;
+    return std::nullopt;
+}
+
+// The vectors that have such a component.
+std::vector<Control*> named_vectors(Controls& controls, const Scene& scene, std::string_view name) {
+    std::vector<Control*> found = named(controls, scene, name.substr(0, name.size() - 2));
+    const std::size_t component = *component_of(name);
+    std::erase_if(found, [&](const Control* control) {
+        return control->type == ValueType::matrix || control->array_size > 1 || control->components < 2 ||
+               component >= control->value.size();
+    });
+    return found;
+}
+
 void report_unknown(const Controls& controls, const Scene& scene, std::string_view name, Diagnostics& diagnostics) {
     std::vector<std::string> full;
     for (const Control& control : controls.items) {
@@ -148,6 +167,8 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
         return false;
     }
     std::vector<Control*> targets = named(controls, scene, name);
+    const std::optional<std::size_t> component = targets.empty() ? component_of(name) : std::nullopt;
+    if (component) targets = named_vectors(controls, scene, name);
     if (targets.empty()) {
         report_unknown(controls, scene, name, diagnostics);
         return false;
@@ -167,7 +188,15 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
     }
     std::vector<std::vector<double>> each;
     for (const Control* control : targets) {
-        std::optional<std::vector<double>> fit = fitted(*control, *values, diagnostics);
+        std::vector<double> wanted = *values;
+        if (component && wanted.size() == 1) {
+            wanted = control->value;
+            wanted[*component] = values->front();
+        } else if (component) {
+            diagnostics.error("uniform-value-count", fmt::format("'{}' takes 1 number, not {}", name, values->size()));
+            return false;
+        }
+        std::optional<std::vector<double>> fit = fitted(*control, std::move(wanted), diagnostics);
         if (!fit) return false;
         each.push_back(std::move(*fit));
     }

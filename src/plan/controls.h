@@ -56,8 +56,8 @@ struct Controls {
 Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
                        Diagnostics& diagnostics);
 
-// "uEta=1.3", "Glass.uEta=1.3", "uColor=1,.5,0", "uOn=true". False, with an error that suggests the nearest
-// name, when there is no such uniform or the value does not fit.
+// "uEta=1.3", "Glass.uEta=1.3", "uColor=1,.5,0", "uColor.g=.5", "uOn=true". False, with an error that suggests the
+// nearest name, when there is no such uniform or the value does not fit.
 bool set_control(Controls& controls, const Scene& scene, std::string_view assignment, Diagnostics& diagnostics);
 
 // The values of `from` for every control that both have (same program name, name and type); `to` keeps its

@@ -1,40 +1,16 @@
 // The program itself, as a user or a grader calls it.
-#include <sys/wait.h>
-
 #include <chrono>
-#include <cstdio>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "src/content/image.h"
+#include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {
 
 namespace {
-
-struct Outcome {
-    int status = -1;
-    std::string output;  // both streams
-};
-
-Outcome snell(const std::string& arguments, const std::string& environment = "") {
-    const std::string command =
-        "env -u DISPLAY -u WAYLAND_DISPLAY " + environment + " " SNELL_BIN "/snell " + arguments + " 2>&1";
-    Outcome outcome;
-    FILE* pipe = popen(command.c_str(), "r");
-    std::array<char, 4096> buffer{};
-    for (size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) outcome.output.append(buffer.data(), n);
-    outcome.status = WEXITSTATUS(pclose(pipe));
-    return outcome;
-}
-
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 class CommandLine : public testing::Test {
 protected:
@@ -100,6 +76,40 @@ TEST_F(CommandLine, TheSameFrameIsTheSameBytes) {
     snell("render " + at("good.glib") + " -o " + at("b.png") + " --time 1.5");
     EXPECT_FALSE(bytes_of(at("a.png")).empty());
     EXPECT_EQ(bytes_of(at("a.png")), bytes_of(at("b.png")));
+}
+
+TEST_F(CommandLine, PixelsThatAreNoNumbersAreCountedWhenAsked) {
+    folder.write(
+        "nan.frag",
+        "void main() { gl_FragColor = vec4(gl_FragCoord.x < 2. ? sqrt(-gl_FragCoord.x) : gl_FragCoord.x < 3. ? "
+        "1. / (gl_FragCoord.x - gl_FragCoord.x) : 0., 0., 0., 1.); }\n");
+    folder.write("nan.glib", "Ortho -1 1 -1 1\nVertex plain.vert\nFragment nan.frag\nProgram N\nQuadXY\n");
+    const std::string command =
+        "render " + at("nan.glib") + " -o " + at("o.png") + " --size 8x8 --stats " + at("s.json");
+    EXPECT_EQ(snell(command).output, "");
+    EXPECT_FALSE(nlohmann::json::parse(bytes_of(at("s.json"))).contains("non_finite"));
+    const Outcome counted = snell(command + " --count-non-finite");
+    EXPECT_EQ(counted.status, 0);
+    EXPECT_NE(counted.output.find("16 pixels are NaN and 8 are infinite"), std::string::npos) << counted.output;
+    const auto stats = nlohmann::json::parse(bytes_of(at("s.json")));
+    EXPECT_EQ(stats["non_finite"]["nan"], 16);
+    EXPECT_EQ(stats["non_finite"]["infinite"], 8);
+    EXPECT_EQ(snell("render " + at("good.glib") + " -o " + at("o.png") + " --size 8x8 --count-non-finite").output, "");
+}
+
+TEST_F(CommandLine, FramesAreAtTheirTimes) {
+    folder.write("timer.frag", "uniform float Timer;\nvoid main() { gl_FragColor = vec4(Timer, 0., 0., 1.); }\n");
+    folder.write("timer.glib", "Timer 1\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment timer.frag\nProgram T\nQuadXY\n");
+    const std::string command = "render " + at("timer.glib") + " --size 4x4 -o ";
+    EXPECT_EQ(snell(command + at("f.png") + " --frames 3 --fps 29.97 --time .25").status, 0);
+    for (int k = 0; k < 3; ++k) {
+        const std::string name = "f-000" + std::to_string(k) + ".png";
+        EXPECT_NEAR(std::to_integer<int>(picture(name).pixels.at(0)), 255 * (.25 + k / 29.97), .51) << name;
+        snell(command + at("one.png") + " --time " + std::to_string(.25 + k / 29.97));
+        EXPECT_EQ(bytes_of(at("one.png")), bytes_of(at(name))) << "drawn alone";
+    }
+    EXPECT_FALSE(std::filesystem::exists(at("f.png")));
+    EXPECT_EQ(snell(command + at("f.png") + " --frames 2 --fps 0").status, 2);
 }
 
 TEST_F(CommandLine, SettingAUniformChangesThePicture) {
@@ -171,6 +181,19 @@ TEST_F(CommandLine, EveryFormatOfTheModuleIsWritten) {
         const content::Image image = picture(name);
         EXPECT_EQ(image.width, 16) << name;
         EXPECT_EQ(image.height, 8) << name;
+    }
+}
+
+TEST_F(CommandLine, PicturesOfFloatsAreExact) {
+    folder.write("float.frag", "void main() { gl_FragColor = vec4(2.5, -1., 1. / 1024., 1.); }\n");
+    folder.write("float.glib", "Ortho -1 1 -1 1\nVertex plain.vert\nFragment float.frag\nProgram F\nQuadXY\n");
+    ASSERT_EQ(snell("render " + at("float.glib") + " -o " + at("o.exr") + " --size 8x8 --samples 4").status, 0);
+    const content::Image image = picture("o.exr");
+    ASSERT_EQ(image.type, content::PixelType::f16);
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::uint16_t half = 0;
+        std::memcpy(&half, &image.pixels[c * 2], 2);
+        EXPECT_EQ(content::half_to_float(half), (std::array{2.5F, -1.F, 1 / 1024.F})[c]);
     }
 }
 

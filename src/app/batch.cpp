@@ -1,0 +1,260 @@
+#include "src/app/batch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "src/app/picture.h"
+#include "src/runtime/uniforms.h"
+
+namespace snell::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point from) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
+}
+
+void print_all(const Document& document, bool quiet) {
+    const bool verbose = !quiet && document.runtime && document.scene().verbose;
+    if (verbose) fmt::print(stderr, "{}", verbose_report(document));
+    Diagnostics shown;
+    for (const Diagnostic& diagnostic : document.diagnostics.items()) {
+        const bool wanted = diagnostic.severity == Severity::note ? verbose : !quiet;
+        if (diagnostic.severity == Severity::error || wanted) shown.add(diagnostic);
+    }
+    const std::string text = snell::render(shown, document.sources);
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    if (!document.runtime) return;
+    for (const Message& message : document.scene().messages) fmt::print(stderr, "{}\n", message.text);
+}
+
+bool exists(const std::string& file) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error);
+}
+
+std::string assignment(const Axis& axis, const AxisValue& value) { return axis.name + "=" + value.written; }
+
+}  // namespace
+
+Batch::Batch(const RenderOptions& options, const Shots& shots, Shard shard)
+    : options_(options), shots_(shots), shard_(shard), writer_({!options.json.empty(), !options.sheet.empty()}) {}
+
+Exit Batch::run() {
+    for (std::size_t i = 0; i < shots_.scenes.size() && !refused_; ++i) {
+        std::vector<std::size_t> indices;
+        for (std::size_t k = i * shots_.per_scene(); k < (i + 1) * shots_.per_scene(); ++k)
+            if (shard_.has(k)) indices.push_back(k);
+        if (!indices.empty()) scene(i, indices);
+    }
+    written_ = &writer_.finish();
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+        timings_.write += written()[i].milliseconds;
+        if (written()[i].error.empty()) continue;
+        fmt::print(stderr, "snell: error: can't write '{}': {}\n", shots_.files[records_[i].shot.index],
+                   written()[i].error);
+        fail();
+    }
+    if (non_finite_ && non_finite_->nan + non_finite_->infinite > 0)
+        fmt::print(stderr,
+                   "snell: warning: {} pixels are NaN and {} are infinite before they are clamped [non-finite]\n",
+                   non_finite_->nan, non_finite_->infinite);
+    return status_;
+}
+
+bool Batch::ready_context() {
+    if (context_) return true;
+    const auto start = Clock::now();
+    context_ = headless_context(options_.context);
+    if (!context_) {
+        refused_ = true;
+        fail(exit_graphics);
+        return false;
+    }
+    caps_ = gl::query_caps();
+    timings_.context = milliseconds_since(start);
+    return true;
+}
+
+void Batch::scene(std::size_t scene, const std::vector<std::size_t>& indices) {
+    said_.clear();
+    // A scene of which all pictures are there is not even read.
+    Open opened;
+    bool tried = false, usable = false;
+    for (const std::size_t index : indices) {
+        const Shot shot = shots_.shot(index);
+        if (options_.skip_existing && exists(shots_.files[index])) {
+            skip(shot);
+            continue;
+        }
+        if (!tried) {
+            tried = true;
+            usable = ready_context() && open(opened, shots_.scenes[scene]) && check_values(opened) &&
+                     ready_target(*opened.document);
+            if (!usable) fail();
+        }
+        if (usable) draw(opened, shot);
+    }
+    if (opened.document && opened.document->runtime) last_ = std::move(opened.document);
+}
+
+void Batch::skip(const Shot& shot) {
+    records_.push_back({shot, true});
+    writer_.add(shots_.files[shot.index], std::nullopt);
+}
+
+bool Batch::open(Open& open, const std::string& path) {
+    const auto start = Clock::now();
+    Diagnostics unknown;
+    open.document = open_document(path, caps_, [&](const Scene& scene, Rungs& rungs) {
+        for (const std::string& ladder : options_.ladders) choose_rung(rungs, scene, ladder, unknown);
+    });
+    print_all(*open.document, options_.quiet);
+    say(unknown, open.document->sources);
+    timings_.load += milliseconds_since(start);
+    if (open.document->diagnostics.has_errors()) fail();
+    if (!open.document->runtime || unknown.has_errors()) return false;
+    open.rungs = open.document->runtime->rungs();
+    find_roles(open);
+    return true;
+}
+
+void Batch::find_roles(Open& open) const {
+    const std::vector<Ladder>& ladders = open.document->scene().ladders;
+    for (const Axis& axis : shots_.axes)
+        open.roles.push_back(axis.frames                                                             ? Role::frame
+                             : axis.name == "time"                                                   ? Role::time
+                             : std::ranges::find(ladders, axis.name, &Ladder::name) != ladders.end() ? Role::ladder
+                                                                                                     : Role::uniform);
+}
+
+// Before the first picture, so that a wrong value does not cost the ones before it.
+bool Batch::check_values(const Open& open) {
+    const Document& document = *open.document;
+    Controls controls = document.controls;
+    Rungs rungs = open.rungs;
+    Diagnostics problems;
+    for (const std::string& set : options_.sets) set_control(controls, document.scene(), set, problems);
+    for (std::size_t i = 0; i < shots_.axes.size(); ++i)
+        for (const AxisValue& value : shots_.axes[i].values) {
+            const std::string text = assignment(shots_.axes[i], value);
+            bool good = true;
+            if (open.roles[i] == Role::time && !value.number)
+                problems.error("bad-value", fmt::format("'time' is given '{}', which is no number", value.written));
+            if (open.roles[i] == Role::ladder) good = choose_rung(rungs, document.scene(), text, problems);
+            if (open.roles[i] == Role::uniform) good = set_control(controls, document.scene(), text, problems);
+            if (!good) break;
+        }
+    say(problems, document.sources);
+    return !problems.has_errors();
+}
+
+// The picture is that of a process that opens the scene with these rungs. Where a program fails, the runtime keeps
+// what was before: then the scene is read again.
+bool Batch::take_rungs(Open& open, const Shot& shot) {
+    Rungs rungs = open.rungs;
+    Diagnostics problems;
+    for (std::size_t i = 0; i < shots_.axes.size(); ++i)
+        if (open.roles[i] == Role::ladder)
+            choose_rung(rungs, open.document->scene(), assignment(shots_.axes[i], shots_.value(shot, i)), problems);
+    if (rungs == open.document->runtime->rungs()) return true;
+    if (!open.document->diagnostics.has_errors()) {
+        open.document->controls.rungs = rungs;
+        follow_rungs(*open.document);
+        const Diagnostics& found = open.document->runtime->ladder_problems();
+        if (!found.has_errors()) {
+            say(found, open.document->sources);
+            return true;
+        }
+    }
+    open.document = open_document(shots_.scenes[shot.scene], caps_, [&](const Scene& scene, Rungs& chosen) {
+        if (scene.ladders.size() == rungs.size()) chosen = rungs;
+    });
+    say(open.document->diagnostics, open.document->sources);
+    if (open.document->diagnostics.has_errors()) fail();
+    return open.document->runtime.has_value();
+}
+
+std::optional<Controls> Batch::controls_of(const Open& open, const Shot& shot) {
+    const Document& document = *open.document;
+    Controls controls = document.controls;
+    Diagnostics problems;
+    for (const std::string& set : options_.sets) set_control(controls, document.scene(), set, problems);
+    for (std::size_t i = 0; i < shots_.axes.size(); ++i)
+        if (open.roles[i] == Role::uniform)
+            set_control(controls, document.scene(), assignment(shots_.axes[i], shots_.value(shot, i)), problems);
+    say(problems, document.sources);
+    if (problems.has_errors()) return std::nullopt;
+    return controls;
+}
+
+double Batch::time_of(const Open& open, const Shot& shot) const {
+    double time = options_.time;
+    for (std::size_t i = 0; i < shots_.axes.size(); ++i) {
+        const AxisValue& value = shots_.value(shot, i);
+        if (open.roles[i] == Role::frame) time = options_.time + runtime::frame_time(shot.at[i], options_.fps);
+        if (open.roles[i] == Role::time) time = value.number.value_or(0);
+    }
+    return time;
+}
+
+// The one before serves again if it can.
+bool Batch::ready_target(const Document& document) {
+    const auto [width, height] =
+        options_.size.value_or(std::pair(document.scene().window_size[0], document.scene().window_size[1]));
+    if (target_.framebuffer && target_.width == width && target_.height == height) return true;
+    if (width > caps_.max_texture || height > caps_.max_texture) {
+        fmt::print(stderr, "snell: error: {}x{} is more than this OpenGL draws ({})\n", width, height,
+                   caps_.max_texture);
+        return false;
+    }
+    floats_ = holds_floats(options_.output);
+    target_ = gl::make_target(width, height, options_.samples, floats_ ? gl::Pixels::rgba32f : gl::Pixels::rgba8);
+    if (target_.framebuffer) return true;
+    fmt::print(stderr, "snell: error: this OpenGL gives no picture of {}x{} with {} samples\n", width, height,
+               options_.samples);
+    fail(exit_graphics);
+    return false;
+}
+
+void Batch::draw(Open& open, const Shot& shot) {
+    if (!open.document->runtime || !take_rungs(open, shot)) return;
+    const auto controls = controls_of(open, shot);
+    if (!controls) return fail();
+    const auto start = Clock::now();
+    View view;
+    view.axes = options_.axes;
+    Runtime& runtime = *open.document->runtime;
+    const Frame frame{time_of(open, shot), view, *controls};
+    runtime.draw(frame, {target_.framebuffer.get(), target_.width, target_.height});
+    content::Image picture = read_picture(target_, floats_);
+    records_.push_back({shot, false, frame.time, milliseconds_since(start)});
+    timings_.frame += records_.back().milliseconds;
+    writer_.add(shots_.files[shot.index], std::move(picture));
+    if (!options_.count_non_finite) return;
+    const auto found = count_non_finite(runtime, frame, target_.width, target_.height);
+    if (!found) fmt::print(stderr, "snell: warning: this OpenGL has no pictures of floats: nothing is counted\n");
+    if (found) {
+        non_finite_ = non_finite_.value_or(NonFinite{});
+        non_finite_->nan += found->nan;
+        non_finite_->infinite += found->infinite;
+    }
+}
+
+// Each once for a scene, however many pictures show it.
+void Batch::say(const Diagnostics& diagnostics, const Sources& sources) {
+    for (const Diagnostic& diagnostic : diagnostics.items()) {
+        if (diagnostic.severity == Severity::note || (options_.quiet && diagnostic.severity != Severity::error))
+            continue;
+        const std::string text = snell::render(diagnostic, sources);
+        if (said_.insert(text).second) std::fwrite(text.data(), 1, text.size(), stderr);
+    }
+}
+
+}  // namespace snell::app
