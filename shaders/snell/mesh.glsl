@@ -272,7 +272,7 @@ void snellMeshSplit(inout SnellMesh s, SnellMeshHit hit, vec3 along, float energ
 // The next exit. False, and s.energy as it was: no ray has SNELL_SERIES_END of the light any more, or light has met
 // the mesh as often as it does in the SNELL_ORDERS exits of a ball.
 bool snellMeshNext(inout SnellMesh s) {
-    for (int step = 0; step < 2 * SNELL_ORDERS + 3; ++step) {
+    for (int segment = 0; segment < 2 * SNELL_ORDERS + 3; ++segment) {
         bool outside = s.outEnergy > 0.0, first = s.met == 0;
         bool ended = s.met > SNELL_ORDERS;
         int strongest = 0;

@@ -42,7 +42,7 @@ const Row rows[] = {
     {"refractivity", {{{"BEND=single", "FRESNEL=power"}, {}}, {{}, {"uView=3"}}, {{"MAP=off"}, {}}}},
     {"spectrum", {{{"ORDER=as_told"}, {}}, {{"COLOURS=three"}, {}}, {{}, {"uView=1"}}}},
     {"crystal",
-     {{{"FRESNEL=swapped", "SPREAD=steps", "BODY=unused"}, {}}, {{"FRESNEL=swapped"}, {"uView=1"}}, {{}, {"uView=1"}}}},
+     {{{"FRESNEL=swapped", "SPREAD=steps", "BODY=unused"}, {}}, {{"FRESNEL=swapped"}, {"uView=1"}}, {{"BEND=mesh"}, {"uBody=0"}}}},
     {"ambient", {{{"AMBIENT=constant"}, {}}, {{"AMBIENT=small_map"}, {}}, {{"AMBIENT=small_map"}, {"uView=2"}}}},
     {"carousel", {{{"MAP=still", "NEAR=infinite"}, {}}, {{"NEAR=infinite"}, {}}}},
     {"metals", {{{"ROUGH=mirror", "FRESNEL=f0"}, {}}, {{}, {"uView=1"}}, {{}, {"uRoughness=.45"}}}},
@@ -114,17 +114,17 @@ TEST_F(LightPictures, ShowEachSceneAsItIsOpened) {
         ASSERT_EQ(stored.width, image.width);
         ASSERT_EQ(stored.height, image.height);
         const Picture drawn = panel(*document, {});
+        // Brightness alone: JPEG keeps colours by blocks. Its loss is .01 to .02.
         double squares = 0;
         for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const double a =
-                        std::to_integer<int>(stored.pixels[place(image, row.panels.size(), x, y) / 3 * 4 + c]);
-                    const double b = drawn.at(x, y)[c];
-                    squares += (a - b) * (a - b);
-                }
-        // JPEG's own loss is .01 to .02.
-        EXPECT_LE(std::sqrt(squares / (3.0 * side * side)) / 255, .035);
+            for (int x = 0; x < side; ++x) {
+                double off = 0;
+                for (std::size_t c = 0; c < 3; ++c)
+                    off += std::to_integer<int>(stored.pixels[place(image, row.panels.size(), x, y) / 3 * 4 + c]) -
+                           drawn.at(x, y)[c];
+                squares += off * off / 9;
+            }
+        EXPECT_LE(std::sqrt(squares) / side / 255, .035);
     }
 }
 

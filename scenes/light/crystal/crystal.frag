@@ -1,6 +1,9 @@
 #version 330
 
 #include <snell/refraction.glsl>
+#if BEND == BEND_mesh
+#include <snell/mesh.glsl>
+#endif
 #include "../show.glsl"
 
 layout(location = 0) out vec4 o_color;
@@ -16,6 +19,11 @@ uniform float uIndex, uSpread;
 uniform float uBody;
 uniform vec3 uBodyColor;
 uniform int uView;
+
+#if BEND == BEND_mesh
+uniform mat4 u_model_mat;
+uniform vec3 u_camera_position;
+#endif
 
 vec3 look( vec3 direction )
 {
@@ -54,6 +62,25 @@ void main(void)
 #endif
 
     vec3 color = mix( transmitted, look( reflect( I, N ) ), share );
+#if BEND == BEND_mesh
+    // In the teapot's own coordinates, which are only turned.
+    mat3 turn = mat3( u_model_mat );
+    vec3 eye = transpose( turn ) * ( u_camera_position - u_model_mat[3].xyz );
+    SnellMesh s = snellMeshBegin( eye, transpose( turn ) * I, 1., n.g, true );
+    vec3 sum = vec3( 0. );
+    float shares = 0.;
+    while( shares < .96 && s.order < 12 && snellMeshNext( s ) )
+    {
+        vec3 seen = look( turn * s.direction );
+#if BODY == BODY_irradiance
+        if( s.through )
+            seen = mix( seen, uBodyColor * texture( u_irradiance, N ).rgb, uBody );
+#endif
+        sum += s.energy * seen;
+        shares += s.energy;
+    }
+    color = shares > 0. ? sum / shares : color;
+#endif
     if( uView == 1 )
         color = showShare( share );
     if( uView == 2 )
