@@ -113,6 +113,27 @@ TEST_P(LibraryMesh, LetsNothingSlipThrough) {
     for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_NEAR(hits[i].x, hits[i].y, 2e-6) << i;
 }
 
+TEST_P(LibraryMesh, NormalsAreTheMeshs) {
+    use(Torus{});
+    const MeshTracer mesh(corners, indices);
+    const auto arguments = view(36, 1);
+    const std::string found = "SnellMeshHit hit; if (!snellMeshHit(a.xyz, b.xyz, SNELL_FRONT, hit)) return vec4(0.);\n";
+    const auto flat = run(include, found + "return vec4(snellMeshFaceNormal(hit.triangle), 1.);", arguments);
+    const auto curved = run(include, found + "return vec4(snellMeshNormal(hit.triangle, hit.weights), 1.);", arguments);
+    int compared = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const auto hit = mesh.nearest({vec(arguments[i].a), vec(arguments[i].b)}, 0, Facing::front);
+        if (!hit || flat[i].w == 0 || std::min({hit->weights.x, hit->weights.y, hit->weights.z}) < 1e-4) continue;
+        glm::dvec3 normal(0);
+        for (int k = 0; k < 3; ++k)
+            normal += hit->weights[k] * directions[indices[hit->triangle * 3 + static_cast<std::size_t>(k)]];
+        EXPECT_LT(angle_between(vec(flat[i]), mesh.face_normal(hit->triangle)), 1e-5) << i;
+        EXPECT_LT(angle_between(vec(curved[i]), normal), 1e-5) << i;
+        ++compared;
+    }
+    EXPECT_GT(compared, 400);
+}
+
 // What the oracle says of a ray, and of how many exits in a row that is certain in floats. Three bands are not, and
 // are left out: edges, where a ray within a rounding of one meets another triangle than its neighbour; the critical
 // angle, where the transmitted direction turns infinitely fast; and what many bounces off curved walls have spread.

@@ -147,6 +147,26 @@ TEST(MeshPath, WaysBackAreTheSame) {
     EXPECT_GT(compared, 100);
 }
 
+// The same of the ball's closed form, exit by exit.
+TEST(MeshPath, WaysBackThroughABallAreTheSame) {
+    int compared = 0;
+    for (double n : {1.33, 1.5, 2.42})
+        for (double b = 0.05; b < 1; b += 0.05) {
+            const glm::dvec3 normal(b, 0, std::sqrt(1 - b * b)), along(0, 0, -1);
+            for (const Exit& exit : through_sphere(along, normal, 1, n).exits) {
+                if (exit.order == 0) continue;
+                const auto back = through_sphere(-exit.direction, exit.normal, 1, n);
+                const auto same = static_cast<std::size_t>(exit.order);
+                ASSERT_GT(back.exits.size(), same);
+                EXPECT_LT(angle_between(back.exits[same].direction, -along), 1e-12);
+                EXPECT_LT(glm::length(back.exits[same].normal - normal), 1e-12);
+                EXPECT_NEAR(back.exits[same].energy, exit.energy, 1e-13);
+                ++compared;
+            }
+        }
+    EXPECT_GT(compared, 100);
+}
+
 TEST(MeshPath, MeetsATorusAgain) {
     const Triangles torus = torus_mesh(60, 40, 0.3);
     const MeshTracer mesh(torus.positions, torus.indices);
