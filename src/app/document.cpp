@@ -41,7 +41,7 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
 std::string scene_folder(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
 
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps, const RungChooser& choose,
-                                        const PlanReader& planned) {
+                                        const PlanReader& planned, const RuntimeOptions& options) {
     auto document = std::make_unique<Document>();
     document->path = path;
     document->files = std::make_unique<Files>(scene_folder(path));
@@ -50,7 +50,8 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
     Plan plan = make_plan(std::move(parsed->scene), *document->files, document->sources, document->diagnostics);
     if (choose) choose(plan.scene, plan.rungs);
     if (planned) planned(plan, *document);
-    document->runtime.emplace(std::move(plan), *document->files, document->sources, caps, document->diagnostics);
+    document->runtime.emplace(std::move(plan), *document->files, document->sources, caps, document->diagnostics,
+                              options);
     document->controls =
         make_controls(document->runtime->scene(), document->runtime->active_uniforms(), document->diagnostics);
     document->controls.rungs = document->runtime->rungs();

@@ -46,7 +46,8 @@ using PlanReader = std::function<void(const Plan& plan, Document& document)>;
 
 // Never throws; what is wrong is in `diagnostics`. Needs a current context.
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps,
-                                        const RungChooser& choose = nullptr, const PlanReader& planned = nullptr);
+                                        const RungChooser& choose = nullptr, const PlanReader& planned = nullptr,
+                                        const RuntimeOptions& options = {});
 
 // Compiles what the rungs of `controls` need; the controls are then those of the programs as they are now, with
 // the values they had. True: they may be others.

@@ -75,23 +75,7 @@ Json Batch::stats() const {
     if (non_finite_) json["non_finite"] = {{"nan", non_finite_->nan}, {"infinite", non_finite_->infinite}};
     json["errors"] = last_->diagnostics.errors();
     json["warnings"] = last_->diagnostics.warnings();
-    json["counters"] = {{"files_opened", c.files_opened},
-                        {"bytes_read", c.bytes_read},
-                        {"images_decoded", c.images_decoded},
-                        {"bytes_decoded", c.bytes_decoded},
-                        {"bytes_uploaded", c.bytes_uploaded},
-                        {"textures", c.textures},
-                        {"buffers", c.buffers},
-                        {"programs_compiled", c.programs_compiled},
-                        {"targets", c.targets},
-                        {"frames", c.frames},
-                        {"passes", c.passes},
-                        {"draws", c.draws},
-                        {"triangles", c.triangles},
-                        {"trees", c.trees},
-                        {"uniform_uploads", c.uniform_uploads},
-                        {"state_changes", c.state_changes},
-                        {"gpu_bytes", c.gpu_bytes}};
+    for (const CounterName& counter : counter_names()) json["counters"][std::string(counter.name)] = c.*counter.value;
     return json;
 }
 

@@ -33,9 +33,12 @@ Session::Session(std::string path, gl::Caps caps) : path_(std::move(path)), caps
 
 void Session::reload() {
     ++revision_;
-    take(open_document(path_, caps_, [&](const Scene& scene, Rungs& rungs) {
+    const auto choose = [&](const Scene& scene, Rungs& rungs) {
         if (shown_) carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
-    }));
+    };
+    RuntimeOptions options;
+    options.previous = shown_ ? &*shown_->runtime : nullptr;
+    take(open_document(path_, caps_, choose, nullptr, options));
 }
 
 bool Session::reload_if_saved() {

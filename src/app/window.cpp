@@ -212,7 +212,10 @@ private:
         next_.time = document->runtime->animated() ? window_->now() - began_ : 0;
         next_.view = view_;
         gather(document->controls, next_.values);
-        if (next_ == drawn_ && document->runtime->settled()) return false;
+        if (next_ == drawn_ && document->runtime->settled()) {
+            document->runtime->skip_frame();
+            return false;
+        }
         if (!canvas_.resize(next_.width, next_.height, samples)) return false;
         const double start = window_->now();
         document->runtime->draw({next_.time, view_, document->controls, true},

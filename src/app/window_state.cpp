@@ -46,8 +46,8 @@ void write_window_state(const std::string& file, const WindowCounters& counters,
     if (const Document* document = session.document()) {
         const Counters& drawn = document->runtime->counters();
         state["controls"] = controls_of(*document);
-        state["programs_compiled"] = drawn.programs_compiled;
-        state["bytes_uploaded"] = drawn.bytes_uploaded;
+        for (const CounterName& counter : counter_names())
+            state["counters"][std::string(counter.name)] = drawn.*counter.value;
     }
     json widgets = json::object();
     for (const ui::Placed& placed : layout.items())

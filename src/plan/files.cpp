@@ -244,11 +244,16 @@ std::optional<std::string> Files::read(const std::string& path, std::string& err
     if (!read_all(file.get(), static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)), bytes, error)) {
         return std::nullopt;
     }
+    keep(path);
     const std::scoped_lock lock(mutex_);
     ++counters_.opened;
     counters_.bytes += bytes.size();
-    if (std::find(read_paths_.begin(), read_paths_.end(), path) == read_paths_.end()) read_paths_.push_back(path);
     return bytes;
+}
+
+void Files::keep(const std::string& path) {
+    const std::scoped_lock lock(mutex_);
+    if (std::find(read_paths_.begin(), read_paths_.end(), path) == read_paths_.end()) read_paths_.push_back(path);
 }
 
 FileCounters Files::counters() const {

@@ -44,8 +44,10 @@ public:
     // nullopt: can't be read (`error` says why). Regular files only: a pipe or a device is refused before
     // it is opened, so that reading never waits.
     std::optional<std::string> read(const std::string& path, std::string& error);
+    // The file is in use although what was read of it earlier serves again: to be watched like one that was read.
+    void keep(const std::string& path);
     FileCounters counters() const;
-    // Every path that was read, once each in the order of first reading, for watching.
+    // Every path that was read or kept, once each in the order of first reading, for watching.
     std::vector<std::string> read_paths() const;
 
 private:

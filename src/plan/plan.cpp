@@ -5,43 +5,11 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "src/plan/identity.h"
 #include "src/plan/locate.h"
 
 namespace snell {
 namespace {
-
-// Extends a key by the bytes of values.
-template <class... Values>
-void put(std::string& key, Values... values) {
-    (key.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
-}
-
-// Equal keys are equal meshes.
-struct MeshKey {
-    const std::vector<std::string>& file_keys;  // by Scene::files
-    std::string key;
-
-    void operator()(const Sphere& s) { put(key, s.radius, s.slices, s.stacks); }
-    void operator()(const Torus& t) { put(key, t.outer, t.inner, t.sides, t.rings); }
-    void operator()(const Cone& c) { put(key, c.radius, c.height, c.slices, c.stacks); }
-    void operator()(const Cylinder& c) { put(key, c.radius, c.height, c.slices, c.stacks); }
-    void operator()(const Box& b) { put(key, b.dx, b.dy, b.dz); }
-    void operator()(const Teapot&) {}
-    void operator()(const Disk& d) { put(key, d.z, d.radius, d.slices, d.rings); }
-    void operator()(const Quad& q) { put(key, q.plane, q.offset, q.size, q.n1, q.n2); }
-    void operator()(const QuadBox& q) { put(key, q.n); }
-    void operator()(const Soccerball& s) { put(key, s.radius); }
-    void operator()(const PointCloud& p) { put(key, p.nx, p.ny, p.nz, p.jitter); }
-    void operator()(const Xarrow& x) { put(key, x.n); }
-    void operator()(const ObjFile& o) {
-        put(key, o.as);
-        if (o.file < file_keys.size()) key += file_keys[o.file];
-    }
-    void operator()(const ShpFile& s) {
-        if (s.file < file_keys.size()) key += file_keys[s.file];
-    }
-    void operator()(const VertexList& v) { put(key, v.list); }
-};
 
 Index file_of(const Shape& shape) {
     if (const auto* obj = std::get_if<ObjFile>(&shape)) return obj->file;
@@ -102,16 +70,11 @@ private:
 
     void plan_meshes() {
         const Scene& scene = plan_.scene;
-        std::vector<std::string> file_keys(scene.files.size());
-        for (std::size_t i = 0; i < file_keys.size(); ++i) file_keys[i] = scene.files[i].name;
         std::unordered_map<std::string, Index> known;
-        MeshKey key{file_keys, {}};
         plan_.draw_mesh.reserve(scene.draws.size());
         for (const Draw& draw : scene.draws) {
-            key.key.clear();
-            put(key.key, static_cast<std::uint8_t>(draw.shape.index()), draw.wire);
-            std::visit(key, draw.shape);
-            const auto [entry, added] = known.try_emplace(key.key, static_cast<Index>(plan_.meshes.size()));
+            const auto [entry, added] =
+                known.try_emplace(shape_key(scene, draw.shape, draw.wire), static_cast<Index>(plan_.meshes.size()));
             if (added) {
                 plan_.meshes.push_back({draw.shape, draw.wire, draw.span});
                 check_mesh_file(draw.shape);
@@ -135,8 +98,7 @@ private:
                 plan_.same_pixels.push_back(index);
                 continue;
             }
-            std::string key;
-            put(key, texture.target);
+            std::string key(1, static_cast<char>(texture.target));
             for (const TextureFile& file : locate_texture(texture, files_, diagnostics_)) {
                 (key += file.path.empty() ? file.name : file.path) += '\0';
             }

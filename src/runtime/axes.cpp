@@ -65,7 +65,7 @@ void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
     raster.line_width = context.line_width = 3;
     const runtime::Variant variant{false, caps.max_line_width < 3};
     auto& slot = programs[{none, variant}];
-    if (!slot) slot = runtime::link_builtin(variant, caps);
+    if (!slot) slot = runtime::link_builtin(variant, caps, store.get(), counters);
     runtime::LinkedProgram& builtin = *slot;
     state.raster(raster, true);
     state.program(builtin.program.get());

@@ -7,20 +7,11 @@
 
 namespace snell {
 
-using runtime::BoundTexture;
 using runtime::LinkedProgram;
 using runtime::ReadyDraw;
 using runtime::ReadyPass;
-using runtime::SamplerUniform;
 
 namespace {
-
-// The dimensions of the built-in noise that stands on this sampler, 0 for none.
-int noise_dimensions(const SamplerUniform& sampler, bool named, int unit) {
-    if (sampler.target == TextureTarget::d2 && ((sampler.name == "Noise2" && !named) || unit == 2)) return 2;
-    if (sampler.target == TextureTarget::d3 && ((sampler.name == "Noise3" && !named) || unit == 3)) return 3;
-    return 0;
-}
 
 GLenum input_of(Topology topology) {
     switch (topology) {
@@ -63,23 +54,36 @@ std::string_view input_name(GLenum input) {
     }
 }
 
-constexpr std::array<std::string_view, 4> target_names{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
-
 int outputs_of(const Pass& pass, const gl::Caps& caps) {
     if (pass.kind != Pass::Kind::textures) return 1;
     return std::clamp(static_cast<int>(pass.textures.size()), 1, std::max(1, static_cast<int>(caps.max_draw_buffers)));
 }
 
+// A mesh for each draw.
+void own_meshes(Plan& plan) {
+    std::vector<MeshRequest> meshes;
+    for (Index& mesh : plan.draw_mesh) {
+        if (mesh == none) continue;
+        meshes.push_back(plan.meshes[mesh]);
+        mesh = static_cast<Index>(meshes.size() - 1);
+    }
+    plan.meshes = std::move(meshes);
+}
+
 }  // namespace
 
-Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics& diagnostics)
+Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics& diagnostics,
+                    const RuntimeOptions& options)
     : plan(std::move(p)),
       caps(c),
       files(&f),
       sources(&s),
       working(plan.scene.programs.size()),
-      textures(plan.scene, f, caps, diagnostics),
+      savings(options.savings),
+      store(options.previous ? options.previous->impl_->store : std::make_shared<runtime::Store>()),
+      textures(plan.scene, f, caps, counters, store, savings, diagnostics),
       state(caps) {
+    if (!savings) own_meshes(plan);
     prepare(diagnostics);
     if (!plan.scene.ladders.empty()) said = diagnostics.items();
 }
@@ -90,41 +94,36 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     link_programs(loading);
     Diagnostics unheard;  // who asks for the controls hears of them
     given = make_controls(plan.scene, active, unheard);
+    passes.assign(plan.scene.passes.size(), {});
+    find_live_passes(loading);
     ready_passes(loading);
-    drop_unread_passes(diagnostics);
+    if (!savings) load_all(loading);
     textures.finish();
-    count_textures();
+    store->prune();
     counters.targets = targets.size();
     counters.files_opened = files->counters().opened;
     counters.bytes_read = files->counters().bytes;
-}
-
-void Runtime::Impl::count_textures() {
-    const runtime::TextureCounters& t = textures.counters();
-    counters.images_decoded = t.decoded;
-    counters.bytes_decoded = t.bytes_decoded;
-    counters.bytes_uploaded += t.bytes_uploaded - counted.bytes_uploaded;
-    counters.textures = t.textures;
-    counters.gpu_bytes += t.gpu_bytes - counted.gpu_bytes;
-    counters.convolutions = t.convolutions;
-    counted = t;
 }
 
 LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& variant, Loading& loading) {
     const auto [slot, fresh] = programs.try_emplace({program, variant});
     Diagnostics& problems_of = program_problems[slot->first];
     if (fresh) {
+        runtime::Store* from = savings ? store.get() : nullptr;
         if (program == none || (plan.programs[program].readable && plan.programs[program].stages.empty())) {
-            slot->second = runtime::link_builtin(variant, caps);
+            slot->second = runtime::link_builtin(variant, caps, from, counters);
         } else if (plan.programs[program].readable) {
+            const bool another = std::ranges::any_of(
+                programs, [&](const auto& other) { return other.first.first == program && other.second; });
+            const std::uint64_t compiled = counters.programs_compiled;
             slot->second =
                 runtime::link_program(plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders,
-                                      variant, caps, loading.files, loading.sources, problems_of);
+                                      variant, caps, loading.files, loading.sources, from, counters, problems_of);
+            if (another) counters.variants += counters.programs_compiled - compiled;
         }
-        counters.programs_compiled += slot->second ? 1 : 0;
     }
     if (loading.reported.insert(&problems_of).second) loading.diagnostics.append(problems_of);
-    return slot->second ? &*slot->second : nullptr;
+    return slot->second.get();
 }
 
 // A program that nothing draws with is compiled all the same: its sliders and its errors are the user's.
@@ -151,16 +150,78 @@ void Runtime::Impl::link_programs(Loading& loading) {
     }
 }
 
+// Passes off-screen that the window shows something of, by however many others. Nothing of the others is loaded.
+void Runtime::Impl::find_live_passes(Loading& loading) {
+    const Scene& scene = plan.scene;
+    std::vector<Index> open;
+    const auto visit = [&](Index pass) {
+        if (passes[pass].live) return;
+        passes[pass].live = true;
+        open.push_back(pass);
+    };
+    const auto read = [&](Index texture) {
+        if (texture == none) return;
+        for (Index pass = 0; pass < passes.size(); ++pass)
+            for (const Index drawn : scene.passes[pass].textures)
+                if (drawn != none && textures.first(drawn) == textures.first(texture)) visit(pass);
+    };
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        if (!savings || scene.passes[pass].kind == Pass::Kind::window) visit(pass);
+    while (!open.empty()) {
+        const Index pass = open.back();
+        open.pop_back();
+        for (const Item& item : scene.passes[pass].items) {
+            if (item.kind != Item::Kind::draw) continue;
+            const Draw& draw = scene.draws[item.index];
+            const LinkedProgram* program = link(draw.program, variant_of(pass, draw), loading);
+            if (!program) continue;
+            for (const Index texture : read_by(draw, *program)) read(texture);
+        }
+    }
+    for (Index pass = 0; pass < passes.size() && scene.ladders.empty(); ++pass)  // else another rung may read it
+        if (!passes[pass].live)
+            loading.diagnostics.add({Severity::note,
+                                     "unread-pass",
+                                     scene.passes[pass].span,
+                                     "nothing reads what is rendered here: the pass is not drawn",
+                                     "",
+                                     {},
+                                     true});
+}
+
+runtime::Variant Runtime::Impl::variant_of(Index pass, const Draw& draw) const {
+    runtime::Variant variant{
+        plan.scene.rasters[draw.raster].flat, false, outputs_of(plan.scene.passes[pass], caps), {}};
+    if (draw.program != none) variant.rungs = working[draw.program].value_or(rungs_of(draw.program));
+    return variant;
+}
+
 void Runtime::Impl::ready_passes(Loading& loading) {
     meshes.resize(plan.meshes.size());
     trees.resize(plan.meshes.size());
-    passes.assign(plan.scene.passes.size(), {});
     for (Index pass = 0; pass < plan.scene.passes.size(); ++pass) {
+        if (!passes[pass].live) continue;
         ready_target(pass, loading.diagnostics);
         for (const Item& item : plan.scene.passes[pass].items)
             passes[pass].items.push_back(item.kind == Item::Kind::draw ? ready_draw(pass, item.index, loading)
                                                                        : std::nullopt);
     }
+}
+
+// All that is declared, read or not.
+void Runtime::Impl::load_all(Loading& loading) {
+    Diagnostics unheard;  // who does not see it need not hear of it
+    textures.resume(loading.files, unheard);
+    for (Index texture = 0; texture < plan.scene.textures.size(); ++texture) textures.realise(texture);
+    textures.noise(2);
+    textures.noise(3);
+    const std::array<bool, runtime::tree_parts> all{true, true, true};
+    Diagnostics heard_before;
+    for (const auto& pass : passes)
+        for (const auto& ready : pass.items)
+            if (ready && caps.max_texture_buffer > 0)
+                make_tree(*trees[ready->mesh], load_mesh(plan, ready->mesh, loading.files, heard_before), all,
+                          ready->draw, unheard);
 }
 
 void Runtime::Impl::ready_target(Index pass, Diagnostics& diagnostics) {
@@ -203,19 +264,12 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     ReadyDraw ready;
     ready.draw = index;
     ready.mesh = plan.draw_mesh[index];
-    runtime::Variant variant{raster.flat, false, outputs_of(plan.scene.passes[pass], caps), {}};
-    if (draw.program != none) variant.rungs = working[draw.program].value_or(rungs_of(draw.program));
+    runtime::Variant variant = variant_of(pass, draw);
     ready.program = link(draw.program, variant, loading);
     if (!ready.program || ready.mesh == none) return std::nullopt;
-    auto& mesh = meshes[ready.mesh];
     std::optional<content::Mesh> loaded;
-    if (!mesh) {
-        loaded = load_mesh(plan, ready.mesh, loading.files, loading.diagnostics);
-        mesh = runtime::upload(*loaded);
-        counters.bytes_uploaded += mesh->bytes;
-        counters.gpu_bytes += mesh->bytes;
-        counters.buffers += mesh->bytes ? 2 : 0;
-    }
+    ready_mesh(ready.mesh, loaded, loading);
+    const auto& mesh = meshes[ready.mesh];
     variant.wide = raster.line_width > static_cast<double>(caps.max_line_width) &&
                    input_of(mesh->topology) == GL_LINES && !ready.program->geometry_input &&
                    !ready.program->tessellates;
@@ -261,125 +315,6 @@ bool Runtime::Impl::match_topology(ReadyDraw& ready, const runtime::GpuMesh& mes
                       fmt::format("the geometry shader takes {}, but this draws {}", input_name(program.geometry_input),
                                   input_name(input)));
     return false;
-}
-
-// The cube map of the last Irradiance before the draw, or of the text's last one, as with all that is bound.
-void Runtime::Impl::bind_harmonics(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
-    if (!ready.program->reads(glsl::System::harmonics)) return;
-    const Scene& scene = plan.scene;
-    const auto& bound = scene.bindings[scene.draws[ready.draw].bindings].entries;
-    Index last = none;
-    const auto consider = [&](Index texture) {
-        if (scene.textures[texture].computed == Computed::irradiance && (last == none || texture > last))
-            last = texture;
-    };
-    for (const Bindings::Entry& entry : bound) consider(entry.texture);
-    for (Index i = 0; last == none && i < scene.textures.size(); ++i)
-        consider(static_cast<Index>(scene.textures.size() - 1 - i));
-    if (last == none) {
-        diagnostics.warning("no-harmonics", scene.draws[ready.draw].span,
-                            "the program reads uHarmonics, but no Irradiance names a cube map",
-                            "name one: Irradiance 7 6");
-        return;
-    }
-    const Index source = scene.textures[last].source;
-    if (auto problem = feedback_error(scene, pass, ready.draw, source)) {
-        diagnostics.add(std::move(*problem));
-        return;
-    }
-    ready.sources.push_back(source);
-    if (scene.textures[source].files.empty()) textures.realise(source);
-    ready.harmonics = textures.harmonics(source);
-}
-
-void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
-    const Scene& scene = plan.scene;
-    const Draw& draw = scene.draws[ready.draw];
-    if (draw.program == none) return;
-    const Program& program = scene.programs[draw.program];
-    const bool clamp = scene.rasters[draw.raster].clamp;
-    for (const SamplerUniform& sampler : ready.program->samplers) {
-        if (!sampler.target) continue;
-        const bool cube = sampler.target == TextureTarget::cube;
-        // What the Program line says of a sampler is read as every other value is.
-        const Control* control = given.find(draw.program, sampler.name);
-        const bool named = control && control->listed;
-        for (int element = 0; element < sampler.size; ++element) {
-            const auto at = static_cast<size_t>(element);
-            const int unit = control && at < control->value.size() ? static_cast<int>(control->value[at])
-                             : at < sampler.initial.size()         ? sampler.initial[at]
-                                                                   : 0;
-            const int noise = noise_dimensions(sampler, named, unit);
-            const bool by_name = noise && !named;
-            Index found = find_texture(scene, draw, by_name ? noise : unit, *sampler.target);
-            // OpenGL ES has no 1D textures: they are 2D ones of one row.
-            if (found == none && caps.es && sampler.target == TextureTarget::d2)
-                found = find_texture(scene, draw, unit, TextureTarget::d1);
-            const runtime::GpuTexture* gpu = nullptr;
-            Filter filter;
-            if (found != none) {
-                // What is computed from the target would show the frame before.
-                const Index source = scene.textures[found].source;
-                auto problem = feedback_error(scene, pass, ready.draw, found);
-                if (!problem) problem = feedback_error(scene, pass, ready.draw, source);
-                if (problem) {
-                    diagnostics.add(std::move(*problem));
-                    continue;
-                }
-                if (source != none) ready.sources.push_back(source);
-                gpu = textures.realise(found);
-                filter = scene.textures[found].filter;
-            } else if (noise) {
-                gpu = textures.noise(noise);
-            } else {
-                diagnostics.warning(
-                    "unbound-texture", draw.span,
-                    fmt::format("no {} stands on unit {}, which '{}' of program '{}' reads",
-                                target_names[static_cast<size_t>(*sampler.target)], unit, sampler.name, program.name),
-                    "it reads as black");
-            }
-            if (gpu)
-                ready.textures.push_back({sampler.first_unit + element, gpu->target, gpu->texture.get(),
-                                          textures.sampler(filter, clamp, cube)});
-        }
-    }
-}
-
-// A pass that nothing reads is not drawn. What reads it may itself be unread, so this repeats until nothing
-// changes.
-void Runtime::Impl::drop_unread_passes(Diagnostics& diagnostics) {
-    for (bool changed = true; changed;) {
-        changed = false;
-        std::set<GLuint> read;
-        std::set<Index> sources;
-        for (const ReadyPass& pass : passes)
-            if (pass.live)
-                for (const auto& item : pass.items)
-                    if (item) {
-                        for (const BoundTexture& texture : item->textures) read.insert(texture.texture);
-                        sources.insert(item->sources.begin(), item->sources.end());
-                    }
-        for (Index i = 0; i < passes.size(); ++i) {
-            ReadyPass& pass = passes[i];
-            if (!pass.live || plan.scene.passes[i].kind == Pass::Kind::window) continue;
-            const bool wanted = std::ranges::any_of(pass.textures, [&](Index texture) {
-                const auto* gpu = textures.find(texture);
-                return gpu && (read.contains(gpu->texture.get()) || sources.contains(texture));
-            });
-            if (wanted) continue;
-            pass.live = false;
-            changed = true;
-            if (!plan.scene.ladders.empty()) continue;  // another rung may read it
-            Diagnostic note{Severity::note,
-                            "unread-pass",
-                            plan.scene.passes[i].span,
-                            "nothing reads what is rendered here: the pass is not drawn",
-                            "",
-                            {},
-                            true};
-            diagnostics.add(std::move(note));
-        }
-    }
 }
 
 }  // namespace snell

@@ -2,6 +2,7 @@
 // into their source changed.
 #include <algorithm>
 
+#include "src/plan/identity.h"
 #include "src/runtime/textures.h"
 
 namespace snell::runtime {
@@ -57,7 +58,7 @@ int Textures::computed_size(const Texture& declared, int source_size) const {
 }
 
 std::vector<content::CubeLight> Textures::compute(const Texture& declared, const content::CubeLight& light) {
-    ++counters_.convolutions;
+    ++counters_->convolutions;
     const int size = computed_size(declared, light.size);
     if (declared.computed == Computed::irradiance) return {content::irradiance(light, size)};
     return content::prefiltered(light, size);
@@ -87,13 +88,22 @@ GpuTexture Textures::make_computed(const Texture& declared) {
 const content::Harmonics* Textures::harmonics(Index texture) {
     const Index source = same_[texture];
     auto& harmonics = harmonics_[source];
-    if (!harmonics) {
-        harmonics = std::make_unique<content::Harmonics>();
-        if (!scene_->textures[source].files.empty()) {
-            *harmonics = content::harmonics(content::cube_light(faces(source)));
-            ++counters_.convolutions;
-        }
+    if (harmonics) return harmonics.get();
+    Identity identity;
+    if (savings_ && !drawn_to_[source]) identity = texture_identity(*scene_, source, *files_);
+    if (!identity.key.empty()) identity.key += 'h';
+    const std::vector<Span> at = places(source);
+    if ((harmonics = store_->harmonics.take(identity.key, at, *diagnostics_))) {
+        for (const std::string& path : identity.files) files_->keep(path);
+        return harmonics.get();
     }
+    const std::size_t said = diagnostics_->items().size();
+    harmonics = std::make_shared<content::Harmonics>();
+    if (!scene_->textures[source].files.empty()) {
+        *harmonics = content::harmonics(content::cube_light(faces(source)));
+        ++counters_->convolutions;
+    }
+    store_->harmonics.put(identity.key, harmonics, at, *diagnostics_, said);
     return harmonics.get();
 }
 
@@ -111,11 +121,11 @@ void Textures::refresh(Index source) {
             continue;
         const Levels levels = levels_of(compute(declared, now()));
         gl::replace_cube_levels(textures_[i]->texture.get(), levels.texels);
-        counters_.bytes_uploaded += levels.bytes;
+        counters_->bytes_uploaded += levels.bytes;
     }
     if (const auto found = harmonics_.find(source); found != harmonics_.end()) {
         *found->second = content::harmonics(now());
-        ++counters_.convolutions;
+        ++counters_->convolutions;
     }
 }
 

@@ -176,7 +176,7 @@ bool Runtime::Impl::reads_other_passes(const ReadyPass& pass) const {
 void Runtime::Impl::draw_cube(Index pass, const Frame& frame) {
     ReadyPass& ready = passes[pass];
     const std::vector<double> seen = seen_by(pass, frame);
-    const bool all = reads_other_passes(ready);
+    const bool all = !savings || reads_other_passes(ready);
     const bool fresh = ready.cube_seen[0].empty();
     int budget = frame.paced && !all && !fresh ? plan.scene.passes[pass].faces_per_frame : 6;
     const int first = ready.next_face;
@@ -221,7 +221,6 @@ void Runtime::Impl::finish_pass(Index pass) {
             gl::generate_mipmaps(ready.remake_mipmaps[i], textures.find(ready.textures[i])->texture.get());
         textures.refresh(ready.textures[i]);
     }
-    count_textures();
     state.forget();
     ++counters.passes;
 }
@@ -241,25 +240,34 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, const PassView& v
 void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, const PassView& view) {
     const Draw& draw = plan.scene.draws[ready.draw];
     LinkedProgram& program = *ready.program;
+    if (!savings) state.forget();
     state.program(program.program.get());
     DrawContext values = context(draw, frame, view);
     values.harmonics = ready.harmonics;
-    const int uploads = runtime::set_system(program, values) +
-                        (draw.program == none ? 0 : runtime::set_user(program, draw.program, frame.controls));
+    const int uploads = runtime::set_system(program, values, !savings) +
+                        (draw.program == none ? 0 : runtime::set_user(program, draw.program, frame.controls, !savings));
     counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
     for (const runtime::BoundTexture& texture : ready.textures)
         state.texture(texture.unit, texture.target, texture.texture, texture.sampler);
     const Vec4& color = draw.color == none ? Vec4{1, 1, 1, 1} : plan.scene.colors[draw.color];
-    const bool opaque = program.opaque || (draw.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color);
+    const bool opaque =
+        savings && (program.opaque || (draw.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color));
     RasterState raster = plan.scene.rasters[draw.raster];
     if (program.wide) {  // they are lines all the same: not outlined, and neither side is their back
         raster.wireframe = false;
         raster.cull = CullFace::none;
     }
-    state.raster(raster, opaque);
+    counters.blended_draws += state.raster(raster, opaque) ? 1 : 0;
     state.vertex_array(meshes[ready.mesh]->array.get());
     state.color(color);
     draw_mesh(ready);
+}
+
+void Runtime::Impl::count_draw(Topology topology, std::uint32_t count) {
+    ++counters.draws;
+    counters.triangles += runtime::triangle_count(topology, count);
+    counters.lines += runtime::line_count(topology, count);
+    counters.points += topology == Topology::points ? count : 0;
 }
 
 void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
@@ -269,8 +277,7 @@ void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
     const auto elements = [&](std::uint32_t first, std::uint32_t count) {
         glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));
-        ++counters.draws;
-        counters.triangles += runtime::triangle_count(mesh.topology, count);
+        count_draw(mesh.topology, count);
     };
     if (mesh.parts.empty() || !program.reads(glsl::System::face_index)) {
         elements(0, mesh.count);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -25,6 +26,15 @@ struct BoundTexture {
     GLuint texture = 0, sampler = 0;
 };
 
+// What an element of a sampler reads: a texture of the scene (else none), or noise of so many dimensions (else 0).
+struct Sampled {
+    const SamplerUniform* sampler = nullptr;
+    int element = 0;
+    int unit = 0;  // the scene's
+    Index texture = none;
+    int noise = 0;
+};
+
 // A draw that was found possible.
 struct ReadyDraw {
     Index draw = none;
@@ -38,7 +48,7 @@ struct ReadyDraw {
 };
 
 struct ReadyPass {
-    bool live = true;  // false: nothing reads what it renders
+    bool live = false;  // something reads what it renders
     std::vector<Index> textures;
     int width = 0, height = 0;                     // of off-screen targets
     std::vector<GLenum> remake_mipmaps;            // targets, as `textures`; 0: none
@@ -50,7 +60,8 @@ struct ReadyPass {
 }  // namespace runtime
 
 struct Runtime::Impl {
-    Impl(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics);
+    Impl(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics,
+         const RuntimeOptions& options);
 
     // build.cpp
     struct Loading {  // what only the building needs
@@ -62,14 +73,25 @@ struct Runtime::Impl {
     void prepare(Diagnostics& diagnostics);
     void link_programs(Loading& loading);
     runtime::LinkedProgram* link(Index program, const runtime::Variant& variant, Loading& loading);
+    void find_live_passes(Loading& loading);
     void ready_passes(Loading& loading);
-    void count_textures();
-    void drop_unread_passes(Diagnostics& diagnostics);
+    void load_all(Loading& loading);
     std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Loading& loading);
-    void bind_harmonics(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
-    void bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
+    runtime::Variant variant_of(Index pass, const Draw& draw) const;
     bool match_topology(runtime::ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics);
     void ready_target(Index pass, Diagnostics& diagnostics);
+
+    // bind.cpp
+    std::vector<runtime::Sampled> sampled_by(const Draw& draw, const runtime::LinkedProgram& program) const;
+    // Textures of the scene, and what they are computed from.
+    std::vector<Index> read_by(const Draw& draw, const runtime::LinkedProgram& program) const;
+    // The source of the harmonics that the program reads.
+    Index harmonics_of(const Draw& draw, const runtime::LinkedProgram& program) const;
+    void bind_harmonics(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
+    void bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
+
+    // mesh.cpp
+    void ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading);
 
     // tree.cpp
     void bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);
@@ -100,6 +122,7 @@ struct Runtime::Impl {
     void draw_items(Index pass, const Frame& frame, const PassView& view);
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, const PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
+    void count_draw(Topology topology, std::uint32_t count);
     bool reads_other_passes(const runtime::ReadyPass& pass) const;
     void draw_axes(const Frame& frame, const Surface& surface);
     void ready_axes();
@@ -116,23 +139,24 @@ struct Runtime::Impl {
     gl::Caps caps;
     Files* files;
     Sources* sources;
-    // By Scene::programs (none: the built-in one) and variant; empty where it failed. Nodes stay where they are.
-    std::map<std::pair<Index, runtime::Variant>, std::optional<runtime::LinkedProgram>> programs;
+    // By Scene::programs (none: the built-in one) and variant; null where it failed.
+    std::map<std::pair<Index, runtime::Variant>, std::shared_ptr<runtime::LinkedProgram>> programs;
     std::map<std::pair<Index, runtime::Variant>, Diagnostics> program_problems;
     std::vector<std::optional<Rungs>> working;       // by Scene::programs: the last rungs that linked
     std::vector<Diagnostic> said;                    // when the runtime was made
     Diagnostics problems;                            // of the rungs chosen since
     std::vector<std::vector<ActiveUniform>> active;  // by Scene::programs
     Controls given;                                  // the values of the scene's text
-    std::vector<std::optional<runtime::GpuMesh>> meshes;
-    std::vector<runtime::GpuTree> trees;  // as `meshes`; what no program reads is not there
+    std::vector<std::shared_ptr<runtime::GpuMesh>> meshes;
+    std::vector<std::shared_ptr<runtime::GpuTree>> trees;  // as `meshes`; what no program reads is not there
     std::optional<runtime::GpuMesh> axes;
+    Counters counters;
+    bool savings = true;
+    std::shared_ptr<runtime::Store> store;  // shared with the runtimes that this one took over from
     runtime::Textures textures;
     std::vector<runtime::ReadyPass> passes;
     std::map<std::vector<Index>, std::vector<gl::TextureTarget>> targets;  // by the textures rendered to
     runtime::State state;
-    Counters counters;
-    runtime::TextureCounters counted;  // that `counters` has
     bool animated = false, mouse = false;
     bool settled = true;  // as of the last frame
 };

@@ -27,5 +27,6 @@ GpuMesh upload(const content::Mesh& mesh);
 GLenum gl_mode(Topology topology);
 // How many triangles `count` indices make; 0 for points and lines.
 std::uint64_t triangle_count(Topology topology, std::uint32_t count);
+std::uint64_t line_count(Topology topology, std::uint32_t count);
 
 }  // namespace snell::runtime

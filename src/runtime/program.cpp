@@ -133,8 +133,8 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
             linked.system.push_back({system->system, uniform.location, uniform.size, {}});
         } else {
             active.system = ours && uniform.name.starts_with("snell_");
-            linked.user.push_back(
-                {uniform.name, type, uniform.location, active.components, uniform.size, active.initial});
+            linked.user.push_back({uniform.name, type, active.type, uniform.location, active.components, uniform.size,
+                                   active.initial, active.initial});
         }
         linked.active.push_back(std::move(active));
     }
@@ -190,6 +190,10 @@ void take_defaults(LinkedProgram& linked, const glsl::Translation& translation) 
             if (is(active.name, value.name))
                 std::copy_n(value.values.begin(), std::min(value.values.size(), active.initial.size()),
                             active.initial.begin());
+        for (UserUniform& user : linked.user)
+            if (is(user.name, value.name))
+                std::copy_n(value.values.begin(), std::min(value.values.size(), user.initial.size()),
+                            user.initial.begin());
         for (SamplerUniform& sampler : linked.samplers)
             if (is(sampler.name, value.name)) sampler.initial.assign(value.values.begin(), value.values.end());
     }
@@ -226,6 +230,40 @@ void note_geometry(LinkedProgram& linked, const glsl::Translation& translation) 
     }
 }
 
+// All that a linked program is made from: what the driver sees, and what the scene calls its uniforms.
+std::string key_of(const Program& program, const glsl::Translation& translation) {
+    std::string key;
+    const auto add = [&key](std::string_view text) { (key += text) += '\0'; };
+    for (const glsl::StageOutput& stage : translation.stages)
+        add(std::to_string(static_cast<int>(stage.stage)) + stage.text);
+    for (const glsl::UniformDefault& value : translation.defaults) {
+        add(value.name);
+        for (const double number : value.values) add(fmt::format("{}", number));
+    }
+    for (const glsl::RenamedUniform& renamed : translation.renamed) add(renamed.name + '=' + renamed.shader_name);
+    add(fmt::format("{}{}", translation.uses_alpha, translation.plain_depth));
+    std::vector<std::string_view> names;
+    for (const UniformValue& uniform : program.uniforms) names.push_back(uniform.name);
+    std::ranges::sort(names);
+    for (const std::string_view name : names) add(name);
+    return key;
+}
+
+// Null when it failed.
+std::shared_ptr<gl::Shader> compile(const glsl::StageOutput& stage, Store* store, Counters& counters,
+                                    std::string& log) {
+    const std::string key = std::to_string(static_cast<int>(stage.stage)) + stage.text;
+    Diagnostics said;
+    if (auto known = store ? store->shaders.take(key, {}, said) : nullptr) return known;
+    gl::Compiled compiled = gl::compile(gl_stage(stage.stage), stage.text);
+    log = std::move(compiled.log);
+    if (!compiled.shader) return nullptr;
+    ++counters.shaders_compiled;
+    auto shader = std::make_shared<gl::Shader>(std::move(compiled.shader));
+    if (store) store->shaders.put(key, shader, {}, said, 0);
+    return shader;
+}
+
 }  // namespace
 
 glsl::IncludeReader include_reader(Files& files) {
@@ -247,10 +285,11 @@ bool LinkedProgram::reads(glsl::System which) const {
     return std::ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
 }
 
-std::optional<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
-                                          std::span<const Ladder> ladders, const Variant& variant, const gl::Caps& caps,
-                                          Files& files, Sources& sources, Diagnostics& diagnostics) {
-    if (!stages_supported(stages, program, caps, diagnostics)) return std::nullopt;
+std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
+                                            std::span<const Ladder> ladders, const Variant& variant,
+                                            const gl::Caps& caps, Files& files, Sources& sources, Store* store,
+                                            Counters& counters, Diagnostics& diagnostics) {
+    if (!stages_supported(stages, program, caps, diagnostics)) return nullptr;
     glsl::Options options;
     options.target = {caps.glsl, caps.es, caps.fp64};
     options.geometry_input = program.geometry_input;
@@ -261,42 +300,46 @@ std::optional<LinkedProgram> link_program(const Program& program, const std::vec
     options.defines = ladder_defines(ladders, variant.rungs);
     options.color_outputs = variant.outputs;
     const glsl::Translation translation = glsl::translate(stages, sources, options, diagnostics);
-    if (!translation.ok) return std::nullopt;
+    if (!translation.ok) return nullptr;
+    const std::string key = key_of(program, translation);
+    Diagnostics none_said;
+    if (auto known = store ? store->programs.take(key, {}, none_said) : nullptr) return known;
 
-    std::vector<gl::Shader> shaders;
-    bool ok = true;
+    auto linked = std::make_shared<LinkedProgram>();
     for (const glsl::StageOutput& stage : translation.stages) {
-        gl::Compiled compiled = gl::compile(gl_stage(stage.stage), stage.text);
-        if (!compiled.shader) {
-            glsl::explain_log(compiled.log, translation, &stage, program.span, program.name, sources, diagnostics);
-            ok = false;
-        }
-        shaders.push_back(std::move(compiled.shader));
+        std::string log;
+        auto shader = compile(stage, store, counters, log);
+        if (shader)
+            linked->shaders.push_back(std::move(shader));
+        else
+            glsl::explain_log(log, translation, &stage, program.span, program.name, sources, diagnostics);
     }
-    if (!ok) return std::nullopt;
+    if (linked->shaders.size() < translation.stages.size()) return nullptr;
 
     std::vector<const gl::Shader*> parts;
-    for (const gl::Shader& shader : shaders) parts.push_back(&shader);
+    for (const auto& shader : linked->shaders) parts.push_back(shader.get());
     const auto names = glsl::attribute_names();
     gl::Linked result = gl::link(parts, attribute_locations(names));
     if (!result.program) {
         glsl::explain_log(result.log, translation, nullptr, program.span, program.name, sources, diagnostics);
-        return std::nullopt;
+        return nullptr;
     }
-    LinkedProgram linked;
-    linked.program = std::move(result.program);
-    linked.opaque = !translation.uses_alpha;
-    linked.plain_depth = translation.plain_depth;
-    linked.wide = variant.wide;
-    note_geometry(linked, translation);
-    introspect(linked, program, translation, caps);
-    assign_units(linked);
-    set_fixed_function_defaults(linked);
-    take_defaults(linked, translation);
+    ++counters.programs_compiled;
+    linked->program = std::move(result.program);
+    linked->opaque = !translation.uses_alpha;
+    linked->plain_depth = translation.plain_depth;
+    linked->wide = variant.wide;
+    note_geometry(*linked, translation);
+    introspect(*linked, program, translation, caps);
+    assign_units(*linked);
+    set_fixed_function_defaults(*linked);
+    take_defaults(*linked, translation);
+    if (store) store->programs.put(key, linked, {}, none_said, 0);
     return linked;
 }
 
-LinkedProgram link_builtin(const Variant& variant, const gl::Caps& caps) {
+std::shared_ptr<LinkedProgram> link_builtin(const Variant& variant, const gl::Caps& caps, Store* store,
+                                            Counters& counters) {
     Sources sources;
     Diagnostics diagnostics;
     Files files("");
@@ -306,9 +349,9 @@ LinkedProgram link_builtin(const Variant& variant, const gl::Caps& caps) {
     for (const auto& [stage, name] :
          {std::pair(Stage::vertex, "builtin/color.vert"), std::pair(Stage::fragment, "builtin/color.frag")})
         stages.push_back({stage, sources.add(name, std::string(embedded_shader(name))), {}});
-    auto linked = link_program(program, stages, {}, variant, caps, files, sources, diagnostics);
+    auto linked = link_program(program, stages, {}, variant, caps, files, sources, store, counters, diagnostics);
     if (!linked) throw std::runtime_error("the built-in program failed:\n" + render(diagnostics, sources));
-    return std::move(*linked);
+    return linked;
 }
 
 }  // namespace snell::runtime

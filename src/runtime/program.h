@@ -1,6 +1,7 @@
 // A program of the scene, compiled and linked, and what it asks of the runtime.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,8 @@
 #include "src/glsl/glsl.h"
 #include "src/plan/controls.h"
 #include "src/plan/plan.h"
+#include "src/runtime/runtime.h"
+#include "src/runtime/store.h"
 
 namespace snell::runtime {
 
@@ -27,9 +30,11 @@ struct SystemUniform {
 struct UserUniform {
     std::string name;
     std::string_view glsl_type;  // static text
+    ValueType type = ValueType::float_;
     GLint location = -1;
     int components = 1, size = 1;
-    std::vector<double> last;  // what the program holds
+    std::vector<double> last;     // what the program holds
+    std::vector<double> initial;  // what it holds where nothing sets it
 };
 
 // A sampler and the GL texture units that it was given for good; the scene's own units are only names.
@@ -43,6 +48,7 @@ struct SamplerUniform {
 
 struct LinkedProgram {
     gl::Program program;
+    std::vector<std::shared_ptr<gl::Shader>> shaders;  // for others that have the same stage
     std::vector<ActiveUniform> active;
     std::vector<SystemUniform> system;
     std::vector<UserUniform> user;
@@ -65,16 +71,18 @@ struct Variant {
     auto operator<=>(const Variant&) const = default;
 };
 
-// `ladders`: as Variant::rungs. Nothing when it failed; why is in `diagnostics`, at the program's statement or in its
-// shaders.
-std::optional<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
-                                          std::span<const Ladder> ladders, const Variant& variant, const gl::Caps& caps,
-                                          Files& files, Sources& sources, Diagnostics& diagnostics);
+// `ladders`: as Variant::rungs. What the store has is not compiled again; null: everything is. Null when it failed; why
+// is in `diagnostics`, at the program's statement or in its shaders.
+std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
+                                            std::span<const Ladder> ladders, const Variant& variant,
+                                            const gl::Caps& caps, Files& files, Sources& sources, Store* store,
+                                            Counters& counters, Diagnostics& diagnostics);
 
 // What the shaders of a scene include: the library for angle brackets, else files.
 glsl::IncludeReader include_reader(Files& files);
 
 // Draws the current colour, unlit. Throws when it fails: nothing can be drawn in a context where that is so.
-LinkedProgram link_builtin(const Variant& variant, const gl::Caps& caps);
+std::shared_ptr<LinkedProgram> link_builtin(const Variant& variant, const gl::Caps& caps, Store* store,
+                                            Counters& counters);
 
 }  // namespace snell::runtime

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "parser/diagnostic.h"
@@ -36,21 +38,51 @@ struct Surface {
     int width = 0, height = 0;
 };
 
-// Since the runtime was made; exact, always on.
+// Since the runtime was made; exact, always on. Sums, but for gpu_bytes.
 struct Counters {
-    std::uint64_t files_opened = 0, bytes_read = 0, images_decoded = 0, bytes_decoded = 0, bytes_uploaded = 0;
-    std::uint64_t textures = 0, buffers = 0, trees = 0, programs_compiled = 0, targets = 0;
-    std::uint64_t frames = 0, passes = 0, draws = 0, triangles = 0, uniform_uploads = 0, state_changes = 0;
+    // Loading.
+    std::uint64_t files_opened = 0, bytes_read = 0;       // by this scene, its text and shaders included
+    std::uint64_t images_decoded = 0, bytes_decoded = 0;  // of pixels
+    std::uint64_t bytes_uploaded = 0;
+    std::uint64_t textures = 0, mip_chains = 0, noise_bytes = 0;
+    std::uint64_t meshes = 0, buffers = 0, trees = 0;  // trees: that rays in shaders go through
+    std::uint64_t programs_compiled = 0, shaders_compiled = 0;
+    std::uint64_t variants = 0;  // of these programs, those that are another form of one before
+    std::uint64_t targets = 0;   // off-screen
+    // Drawing.
+    std::uint64_t frames = 0, frames_skipped = 0;  // skipped: the last picture still stood
+    std::uint64_t passes = 0, draws = 0, triangles = 0, lines = 0, points = 0;
+    std::uint64_t blended_draws = 0;
+    std::uint64_t uniform_uploads = 0, state_changes = 0;
     std::uint64_t cube_faces = 0;    // drawn by RenderToCube
     std::uint64_t convolutions = 0;  // irradiance maps, prefiltered chains and sets of harmonics computed
     std::uint64_t gpu_bytes = 0;     // estimated, of what is held now
+};
+
+// The counters by name, for reports. `three`: what three.js's renderer.info calls the same; "" where it has no such.
+struct CounterName {
+    std::string_view name, three;
+    std::uint64_t Counters::*value;
+};
+std::span<const CounterName> counter_names();
+
+// How a runtime goes about it; the pictures are the same.
+class Runtime;
+struct RuntimeOptions {
+    // Of an older reading of the scene, in the same context: what did not change is taken over from it, and still its
+    // own. None: all is made.
+    const Runtime* previous = nullptr;
+    // False: everything that is declared is loaded, and everything is set and drawn again for every frame. For tests
+    // of what the savings save.
+    bool savings = true;
 };
 
 class Runtime {
 public:
     // Compiles the programs, then realises what their active uniforms and the draws call for. Problems go to
     // `diagnostics`; a draw whose program failed is left out. `files` and `sources` outlive the runtime.
-    Runtime(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics);
+    Runtime(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics,
+            const RuntimeOptions& options = {});
     ~Runtime();
     Runtime(Runtime&&) noexcept;
     Runtime& operator=(Runtime&&) noexcept;
@@ -73,6 +105,8 @@ public:
     // Chooses the rungs of `frame.controls` first. Uniforms that only these have get the values of controls that were
     // made from what they made active.
     void draw(const Frame& frame, const Surface& surface);
+    // What the last frame drew still stands: counted.
+    void skip_frame();
     // False after a paced frame whose cube maps still show something older: the same frame again would be another.
     bool settled() const;
     const Counters& counters() const;

@@ -52,7 +52,7 @@ void State::forget() {
     units_.clear();
 }
 
-void State::blend(const RasterState& wanted, bool opaque) {
+bool State::blend(const RasterState& wanted, bool opaque) {
     const bool on = wanted.blend && !(opaque && is_plain_alpha(wanted));
     if (blending_ != on) {
         toggle(GL_BLEND, on);
@@ -63,12 +63,13 @@ void State::blend(const RasterState& wanted, bool opaque) {
         glBlendFunc(factor(wanted.src), factor(wanted.dst));
         ++changes_;
     }
+    return on;
 }
 
-void State::raster(const RasterState& wanted, bool opaque) {
-    blend(wanted, opaque);
+bool State::raster(const RasterState& wanted, bool opaque) {
+    const bool blends = blend(wanted, opaque);
     const bool all = !raster_;
-    if (!all && *raster_ == wanted) return;
+    if (!all && *raster_ == wanted) return blends;
     const RasterState old = raster_.value_or(RasterState{});
     if (all || old.cull != wanted.cull) {
         toggle(GL_CULL_FACE, wanted.cull != CullFace::none);
@@ -96,6 +97,7 @@ void State::raster(const RasterState& wanted, bool opaque) {
         ++changes_;
     }
     raster_ = wanted;
+    return blends;
 }
 
 void State::color(const Vec4& wanted) {

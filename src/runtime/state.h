@@ -17,7 +17,8 @@ public:
 
     // Somebody else (the user interface, an upload) may have touched the context: believe nothing.
     void forget();
-    void raster(const RasterState& wanted, bool opaque);
+    // True: what is drawn blends.
+    bool raster(const RasterState& wanted, bool opaque);
     void color(const Vec4& wanted);
     void program(GLuint program);
     void vertex_array(GLuint array);
@@ -30,7 +31,7 @@ private:
         GLuint texture = 0, sampler = 0;
         bool operator==(const Unit&) const = default;
     };
-    void blend(const RasterState& wanted, bool opaque);
+    bool blend(const RasterState& wanted, bool opaque);
     void toggle(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
 
     const gl::Caps* caps_;

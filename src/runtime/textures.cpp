@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "src/content/image.h"
-#include "src/plan/plan.h"
+#include "src/plan/identity.h"
 
 namespace snell::runtime {
 
@@ -34,6 +34,13 @@ gl::Sampling sampling(const Filter& filter, bool clamp) {
 
 bool mipmapped(const Filter& filter) {
     return filter.mode == Filter::Mode::mipmap || filter.mode == Filter::Mode::anisotropic;
+}
+
+// How many levels a texture has; how it is filtered and wrapped, samplers say.
+gl::Sampling storage(const Texture& declared, const GpuTexture& gpu) {
+    gl::Sampling result = sampling(declared.filter, declared.target == TextureTarget::cube);
+    if (gpu.mipmapped && !mipmapped(declared.filter)) result.mode = gl::Sampling::Mode::mipmap;
+    return result;
 }
 
 gl::Pixels pixels(content::PixelType type) {
@@ -82,14 +89,26 @@ std::size_t with_levels(std::size_t bytes, bool levels) { return levels ? bytes 
 
 }  // namespace
 
-Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Diagnostics& diagnostics)
-    : scene_(&scene), files_(&files), caps_(&caps), diagnostics_(&diagnostics), textures_(scene.textures.size()) {
+Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Counters& counters,
+                   std::shared_ptr<Store> store, bool savings, Diagnostics& diagnostics)
+    : scene_(&scene),
+      files_(&files),
+      caps_(&caps),
+      counters_(&counters),
+      store_(std::move(store)),
+      savings_(savings),
+      diagnostics_(&diagnostics),
+      textures_(scene.textures.size()),
+      drawn_to_(scene.textures.size(), false) {
+    for (const Pass& pass : scene.passes)
+        for (const Index texture : pass.textures)
+            if (texture < drawn_to_.size()) drawn_to_[texture] = true;
     std::map<std::pair<int, std::string>, std::vector<Index>> candidates;
     for (Index i = 0; i < scene.textures.size(); ++i) {
         const Texture& texture = scene.textures[i];
         same_.push_back(i);
         const bool computed = texture.computed != Computed::no;
-        if (texture.files.empty() && !computed) continue;
+        if (!savings || (texture.files.empty() && !computed)) continue;
         auto& others = candidates[{static_cast<int>(texture.target), computed ? "" : texture.files[0].name}];
         const auto twin =
             std::ranges::find_if(others, [&](Index other) { return same_declaration(scene.textures[other], texture); });
@@ -101,13 +120,17 @@ Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Diagn
 }
 
 void Textures::finish() {
-    const ImageCache::Stats stats = images_.stats();
-    counters_.decoded += stats.images;
-    counters_.bytes_decoded += stats.bytes;
-    images_.clear();
+    empty_image_cache();
     faces_.clear();
     files_ = nullptr;
     diagnostics_ = nullptr;
+}
+
+void Textures::empty_image_cache() {
+    const ImageCache::Stats stats = images_.stats();
+    counters_->images_decoded += stats.images;
+    counters_->bytes_decoded += stats.bytes;
+    images_.clear();
 }
 
 void Textures::resume(Files& files, Diagnostics& diagnostics) {
@@ -123,8 +146,39 @@ const GpuTexture* Textures::find(Index texture) const {
 const GpuTexture* Textures::realise(Index texture) {
     if (texture >= textures_.size()) return nullptr;
     auto& slot = textures_[same_[texture]];
-    if (!slot) slot = std::make_unique<GpuTexture>(make(same_[texture]));
+    if (!slot) slot = take_or_make(same_[texture]);
     return slot->texture ? slot.get() : nullptr;
+}
+
+// Where what is said of a texture may point to.
+std::vector<Span> Textures::places(Index texture) const {
+    const Texture& declared = scene_->textures[texture];
+    std::vector<Span> result{declared.span};
+    if (declared.computed != Computed::no) result = places(declared.source);
+    for (const FileName& file : declared.files) result.push_back(file.span);
+    return result;
+}
+
+std::shared_ptr<GpuTexture> Textures::take_or_make(Index texture) {
+    const Texture& declared = scene_->textures[texture];
+    Identity identity;
+    const bool own = drawn_to_[texture] || (declared.source != none && drawn_to_[declared.source]);
+    if (savings_ && !own) identity = texture_identity(*scene_, texture, *files_);
+    if (!identity.key.empty()) identity.key += mipmapped(declared.filter) ? 'm' : '-';
+    const std::vector<Span> at = places(texture);
+    if (auto known = store_->textures.take(identity.key, at, *diagnostics_)) {
+        for (const std::string& path : identity.files) files_->keep(path);
+        counters_->gpu_bytes += known->bytes;
+        return known;
+    }
+    const std::size_t said = diagnostics_->items().size();
+    auto made = std::make_shared<GpuTexture>(make(texture));
+    store_->textures.put(identity.key, made, at, *diagnostics_, said);
+    if (!savings_) {
+        empty_image_cache();
+        faces_.clear();
+    }
+    return made;
 }
 
 GpuTexture Textures::make(Index texture) {
@@ -148,9 +202,10 @@ bool Textures::fits(const Texture& declared, std::array<int, 3> size) {
 }
 
 void Textures::count(const GpuTexture& texture, bool uploaded) {
-    ++counters_.textures;
-    counters_.gpu_bytes += texture.bytes;
-    if (uploaded) counters_.bytes_uploaded += texture.bytes;
+    ++counters_->textures;
+    counters_->mip_chains += texture.mipmapped ? 1 : 0;
+    counters_->gpu_bytes += texture.bytes;
+    if (uploaded) counters_->bytes_uploaded += texture.bytes;
 }
 
 GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
@@ -161,8 +216,8 @@ GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     gpu.size = {image.width, image.height, image.depth};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = gl_target(declared.target, *caps_);
-    gpu.mipmapped = mipmapped(declared.filter);
-    gpu.texture = gl::make_texture(gpu.target, texels(image), sampling(declared.filter, false));
+    gpu.mipmapped = mipmapped(declared.filter) || !savings_;
+    gpu.texture = gl::make_texture(gpu.target, texels(image), storage(declared, gpu));
     gpu.bytes = with_levels(image.bytes(), gpu.mipmapped);
     count(gpu, true);
     return gpu;
@@ -189,8 +244,8 @@ GpuTexture Textures::make_cube(const Texture& declared, Index texture) {
     gpu.size = {all[0].width, all[0].height, 1};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = GL_TEXTURE_CUBE_MAP;
-    gpu.mipmapped = mipmapped(declared.filter);
-    gpu.texture = gl::make_cube(uploads, sampling(declared.filter, true));
+    gpu.mipmapped = mipmapped(declared.filter) || !savings_;
+    gpu.texture = gl::make_cube(uploads, storage(declared, gpu));
     gpu.bytes = with_levels(bytes, gpu.mipmapped);
     count(gpu, true);
     return gpu;
@@ -205,18 +260,19 @@ GpuTexture Textures::make_empty(const Texture& declared) {
     if (declared.target != TextureTarget::d3) gpu.size[2] = 1;
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = gl_target(declared.target, *caps_);
-    gpu.mipmapped = mipmapped(declared.filter);
+    gpu.mipmapped = mipmapped(declared.filter) || !savings_;
     // Zeros rather than nothing: reading what was never written must not show old memory.
-    const std::size_t bytes = 4 * static_cast<std::size_t>(gpu.size[0]) * static_cast<std::size_t>(gpu.size[1]) *
+    const gl::Pixels pixels = declared.bits == 16 ? gl::Pixels::rgba16f : gl::Pixels::rgba8;
+    const std::size_t bytes = gl::texel_bytes(pixels) * static_cast<std::size_t>(gpu.size[0]) * static_cast<std::size_t>(gpu.size[1]) *
                               static_cast<std::size_t>(gpu.size[2]);
     const std::vector<std::byte> zeros(bytes);
-    gl::Texels texels{gl::Pixels::rgba8, gpu.size[0], gpu.size[1], gpu.size[2], zeros.data()};
+    gl::Texels texels{pixels, gpu.size[0], gpu.size[1], gpu.size[2], zeros.data()};
     if (cube) {
         std::array<gl::Texels, 6> faces;
         faces.fill(texels);
-        gpu.texture = gl::make_cube(faces, sampling(declared.filter, true));
+        gpu.texture = gl::make_cube(faces, storage(declared, gpu));
     } else {
-        gpu.texture = gl::make_texture(gpu.target, texels, sampling(declared.filter, false));
+        gpu.texture = gl::make_texture(gpu.target, texels, storage(declared, gpu));
     }
     gpu.bytes = with_levels(bytes * (cube ? 6 : 1), gpu.mipmapped);
     count(gpu, false);
@@ -224,20 +280,33 @@ GpuTexture Textures::make_empty(const Texture& declared) {
 }
 
 const GpuTexture* Textures::noise(int dimensions) {
-    auto found = noise_.find(dimensions);
-    if (found == noise_.end()) {
-        const int size = dimensions == 3 ? scene_->noise3d : scene_->noise2d;
-        content::Image image = content::to_rgba(load_noise(dimensions, size, *files_, *diagnostics_));
-        if (!image.bottom_first) image = content::flipped(image);
-        GpuTexture gpu;
-        gpu.target = dimensions == 3 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
-        gpu.size = {image.width, image.height, image.depth};
-        gpu.texture = gl::make_texture(gpu.target, texels(image), {});
-        gpu.bytes = image.bytes();
-        count(gpu, true);
-        found = noise_.emplace(dimensions, std::move(gpu)).first;
+    auto& slot = noise_[dimensions];
+    if (slot) return slot.get();
+    const int size = dimensions == 3 ? scene_->noise3d : scene_->noise2d;
+    const Identity identity = savings_ ? noise_identity(dimensions, size, *files_) : Identity{};
+    if ((slot = store_->textures.take(identity.key, {}, *diagnostics_))) {
+        for (const std::string& path : identity.files) files_->keep(path);
+        counters_->gpu_bytes += slot->bytes;
+        return slot.get();
     }
-    return &found->second;
+    const std::size_t said = diagnostics_->items().size();
+    slot = std::make_shared<GpuTexture>(make_noise(dimensions));
+    store_->textures.put(identity.key, slot, {}, *diagnostics_, said);
+    return slot.get();
+}
+
+GpuTexture Textures::make_noise(int dimensions) {
+    const int size = dimensions == 3 ? scene_->noise3d : scene_->noise2d;
+    content::Image image = content::to_rgba(load_noise(dimensions, size, *files_, *diagnostics_));
+    if (!image.bottom_first) image = content::flipped(image);
+    GpuTexture gpu;
+    gpu.target = dimensions == 3 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+    gpu.size = {image.width, image.height, image.depth};
+    gpu.texture = gl::make_texture(gpu.target, texels(image), {});
+    gpu.bytes = image.bytes();
+    counters_->noise_bytes += gpu.bytes;
+    count(gpu, true);
+    return gpu;
 }
 
 GLuint Textures::sampler(const Filter& filter, bool clamp, bool cube) {

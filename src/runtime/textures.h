@@ -15,6 +15,8 @@
 #include "src/gl/texture.h"
 #include "src/plan/files.h"
 #include "src/plan/plan.h"
+#include "src/runtime/runtime.h"
+#include "src/runtime/store.h"
 
 namespace snell::runtime {
 
@@ -26,14 +28,11 @@ struct GpuTexture {
     std::size_t bytes = 0;
 };
 
-struct TextureCounters {
-    std::uint64_t decoded = 0, bytes_decoded = 0, bytes_uploaded = 0, textures = 0, gpu_bytes = 0;
-    std::uint64_t convolutions = 0;
-};
-
 class Textures {
 public:
-    Textures(const Scene& scene, Files& files, const gl::Caps& caps, Diagnostics& diagnostics);
+    // All outlive this but the store and the diagnostics. Without savings every texture is its own.
+    Textures(const Scene& scene, Files& files, const gl::Caps& caps, Counters& counters, std::shared_ptr<Store> store,
+             bool savings, Diagnostics& diagnostics);
 
     // Null when it can't be had (too large for this OpenGL; an error was given).
     const GpuTexture* realise(Index texture);
@@ -45,14 +44,19 @@ public:
     void refresh(Index source);
     // Null when it was not realised.
     const GpuTexture* find(Index texture) const;
-    const TextureCounters& counters() const { return counters_; }
+    // The first texture that is declared just so, and shares everything with this one.
+    Index first(Index texture) const { return same_[texture]; }
     // The files and their decoded pictures are needed only while textures are realised.
     void finish();
     // Makes realise() possible again, until the next finish().
     void resume(Files& files, Diagnostics& diagnostics);
 
 private:
+    std::shared_ptr<GpuTexture> take_or_make(Index texture);
     GpuTexture make(Index texture);
+    GpuTexture make_noise(int dimensions);
+    std::vector<Span> places(Index texture) const;
+    void empty_image_cache();
     GpuTexture make_from_image(const Texture& declared, Index texture);
     GpuTexture make_cube(const Texture& declared, Index texture);
     GpuTexture make_empty(const Texture& declared);
@@ -66,15 +70,18 @@ private:
     const Scene* scene_;
     Files* files_;
     const gl::Caps* caps_;
+    Counters* counters_;
+    std::shared_ptr<Store> store_;
+    bool savings_ = true;
     Diagnostics* diagnostics_;
-    std::vector<std::unique_ptr<GpuTexture>> textures_;  // by Scene::textures
-    std::vector<Index> same_;  // the first texture that is declared just so; empty ones are all different
-    std::map<int, GpuTexture> noise_;
+    std::vector<std::shared_ptr<GpuTexture>> textures_;  // by Scene::textures
+    std::vector<Index> same_;     // the first texture that is declared just so; empty ones are all different
+    std::vector<bool> drawn_to_;  // by Scene::textures: what they show is this runtime's own
+    std::map<int, std::shared_ptr<GpuTexture>> noise_;
     std::map<std::tuple<int, int, bool, bool>, gl::Sampler> samplers_;
     ImageCache images_;
     std::map<Index, content::CubeFaces> faces_;  // by the first texture that is declared just so
-    std::map<Index, std::unique_ptr<content::Harmonics>> harmonics_;
-    TextureCounters counters_;
+    std::map<Index, std::shared_ptr<content::Harmonics>> harmonics_;
 };
 
 }  // namespace snell::runtime

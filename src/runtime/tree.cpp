@@ -46,7 +46,7 @@ std::array<std::vector<content::Float4>, tree_parts> texels(content::Tree tree, 
 // loaded; null: it is loaded again, and said what there was to say.
 void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading) {
     const auto read = runtime::parts_read(*ready.program);
-    runtime::GpuTree& tree = trees[ready.mesh];
+    runtime::GpuTree& tree = *trees[ready.mesh];
     bool missing = false;
     for (std::size_t i = 0; i < read.size(); ++i) missing = missing || (read[i] && !tree.parts[i].texture);
     if (missing) {
@@ -81,6 +81,7 @@ void Runtime::Impl::make_tree(runtime::GpuTree& tree, const content::Mesh& mesh,
                             "the program traces rays through what it draws, but this draws no triangles",
                             "rays meet nothing");
     if (unfit) made = content::make_tree({});
+    tree.at_fault = unfit || made.triangles.empty();
     counters.trees += tree.built ? 0 : 1;
     tree.built = true;
     const auto all = runtime::texels(std::move(made), mesh, unfit);

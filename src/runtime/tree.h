@@ -20,6 +20,7 @@ std::optional<TreePart> tree_part(std::string_view sampler);
 struct GpuTree {
     std::array<gl::BufferTexture, tree_parts> parts;
     bool built = false;
+    bool at_fault = false;  // something was said of it, and is to be said again
 };
 
 }  // namespace snell::runtime

@@ -247,12 +247,12 @@ double timer_value(double time, double period) {
     return std::min(phase, static_cast<double>(std::nextafter(1.0F, 0.0F)));
 }
 
-int set_system(LinkedProgram& program, const DrawContext& context) {
+int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
     int uploads = 0;
     for (SystemUniform& uniform : program.system) {
         if (uniform.system == System::face_index) continue;
         std::vector<float> value = value_of(uniform.system, context, uniform.size);
-        if (value.empty() || value == uniform.last) continue;
+        if (value.empty() || (value == uniform.last && !all)) continue;
         upload(uniform, value);
         uniform.last = std::move(value);
         ++uploads;
@@ -260,14 +260,16 @@ int set_system(LinkedProgram& program, const DrawContext& context) {
     return uploads;
 }
 
-int set_user(LinkedProgram& program, Index index, const Controls& controls) {
+int set_user(LinkedProgram& program, Index index, const Controls& controls, bool all) {
     int uploads = 0;
     for (UserUniform& uniform : program.user) {
         const Control* control = controls.find(index, uniform.name);
-        if (!control || !control->active || control->value.size() != uniform.last.size()) continue;
-        if (control->value == uniform.last) continue;
-        upload(uniform, control->type, control->value);
-        uniform.last = control->value;
+        const bool usable = control && control->active && control->value.size() == uniform.last.size();
+        // Another draw with the same program may have set what this one leaves alone.
+        const std::vector<double>& value = usable ? control->value : uniform.initial;
+        if (value == uniform.last && !(all && usable)) continue;
+        upload(uniform, uniform.type, value);
+        uniform.last = value;
         ++uploads;
     }
     return uploads;

@@ -36,9 +36,9 @@ inline double frame_time(std::uint64_t frame, double frames_per_second) {
     return static_cast<double>(frame) / frames_per_second;
 }
 
-// The program must be in use. Both return how many uniforms were uploaded.
-int set_system(LinkedProgram& program, const DrawContext& context);
-int set_user(LinkedProgram& program, Index index, const Controls& controls);
+// The program must be in use. Both return how many uniforms were uploaded; `all`: those that did not change, too.
+int set_system(LinkedProgram& program, const DrawContext& context, bool all = false);
+int set_user(LinkedProgram& program, Index index, const Controls& controls, bool all = false);
 int set_face_index(LinkedProgram& program, int face);
 
 }  // namespace snell::runtime

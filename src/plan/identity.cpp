@@ -1,0 +1,122 @@
+#include "src/plan/identity.h"
+
+#include <sys/stat.h>
+
+#include "src/content/noise.h"
+#include "src/plan/locate.h"
+
+namespace snell {
+namespace {
+
+// Extends a key by the bytes of values without padding.
+template <class... Values>
+void put(std::string& key, Values... values) {
+    (key.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
+}
+
+struct ShapeKey {
+    const Scene& scene;
+    std::string key;
+
+    void operator()(const Sphere& s) { put(key, s.radius, s.slices, s.stacks); }
+    void operator()(const Torus& t) { put(key, t.outer, t.inner, t.sides, t.rings); }
+    void operator()(const Cone& c) { put(key, c.radius, c.height, c.slices, c.stacks); }
+    void operator()(const Cylinder& c) { put(key, c.radius, c.height, c.slices, c.stacks); }
+    void operator()(const Box& b) { put(key, b.dx, b.dy, b.dz); }
+    void operator()(const Teapot&) {}
+    void operator()(const Disk& d) { put(key, d.z, d.radius, d.slices, d.rings); }
+    void operator()(const Quad& q) { put(key, q.plane, q.offset, q.size, q.n1, q.n2); }
+    void operator()(const QuadBox& q) { put(key, q.n); }
+    void operator()(const Soccerball& s) { put(key, s.radius); }
+    void operator()(const PointCloud& p) { put(key, p.nx, p.ny, p.nz, p.jitter); }
+    void operator()(const Xarrow& x) { put(key, x.n); }
+    void operator()(const ObjFile& o) {
+        put(key, o.as);
+        if (o.file < scene.files.size()) key += scene.files[o.file].name;
+    }
+    void operator()(const ShpFile& s) {
+        if (s.file < scene.files.size()) key += scene.files[s.file].name;
+    }
+    void operator()(const VertexList& v) { put(key, v.list); }
+};
+
+// The file as it is on disk now. False: it is not there.
+bool put_file(Identity& identity, const std::string& path) {
+    struct stat status {};
+    if (path.empty() || stat(path.c_str(), &status) != 0) return false;
+    identity.key += path;
+    identity.key += '\0';
+    put(identity.key, status.st_size, status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+    identity.files.push_back(path);
+    return true;
+}
+
+Index file_of(const Shape& shape) {
+    if (const auto* obj = std::get_if<ObjFile>(&shape)) return obj->file;
+    if (const auto* shp = std::get_if<ShpFile>(&shape)) return shp->file;
+    return none;
+}
+
+void put_list(std::string& key, const VertexListData& list) {
+    put(key, list.topology, list.patch_vertices, list.has_color);
+    for (const ListVertex& vertex : list.vertices)
+        put(key, vertex.position, vertex.normal, vertex.texcoord, vertex.color);
+}
+
+}  // namespace
+
+std::string shape_key(const Scene& scene, const Shape& shape, bool wire) {
+    ShapeKey key{scene, {}};
+    put(key.key, static_cast<std::uint8_t>(shape.index()), wire);
+    std::visit(key, shape);
+    return std::move(key.key);
+}
+
+Identity mesh_identity(const Plan& plan, Index mesh, const Files& files) {
+    if (mesh >= plan.meshes.size()) return {};
+    const MeshRequest& request = plan.meshes[mesh];
+    const Scene& scene = plan.scene;
+    Identity identity{"mesh " + shape_key(scene, request.shape, request.wire), {}};
+    if (const auto* list = std::get_if<VertexList>(&request.shape); list && list->list < scene.vertex_lists.size())
+        put_list(identity.key, scene.vertex_lists[list->list]);
+    const Index file = file_of(request.shape);
+    Diagnostics unheard;  // they are said when the mesh is loaded
+    if (file < scene.files.size() &&
+        !put_file(identity, locate(scene.files[file], mesh_extensions(request.shape), files, unheard)))
+        return {};
+    return identity;
+}
+
+std::vector<Span> mesh_places(const Plan& plan, Index mesh) {
+    std::vector<Span> places{plan.meshes[mesh].span};
+    const Index file = file_of(plan.meshes[mesh].shape);
+    if (file < plan.scene.files.size()) places.push_back(plan.scene.files[file].span);
+    return places;
+}
+
+Identity texture_identity(const Scene& scene, Index index, const Files& files) {
+    if (index >= scene.textures.size()) return {};
+    const Texture& texture = scene.textures[index];
+    Identity identity;
+    if (texture.computed != Computed::no) {
+        identity = texture_identity(scene, texture.source, files);
+        if (identity.key.empty()) return {};
+        put(identity.key, 'c', texture.computed, texture.size);
+        return identity;
+    }
+    if (texture.files.empty()) return {};
+    put(identity.key, 't', texture.target, texture.bits);
+    Diagnostics unheard;
+    for (const TextureFile& file : locate_texture(texture, files, unheard))
+        if (!put_file(identity, file.path)) return {};
+    return identity;
+}
+
+Identity noise_identity(int dimensions, int size, const Files& files) {
+    Identity identity;
+    put(identity.key, 'n', dimensions, size);
+    put_file(identity, files.resolve(content::noise_file_name(dimensions, size)).path);
+    return identity;
+}
+
+}  // namespace snell

@@ -1,0 +1,132 @@
+// What each draw reads: textures by the units of its samplers, noise, harmonics.
+#include <fmt/format.h>
+
+#include "src/runtime/impl.h"
+
+namespace snell {
+
+using runtime::LinkedProgram;
+using runtime::ReadyDraw;
+using runtime::Sampled;
+using runtime::SamplerUniform;
+
+namespace {
+
+// The dimensions of the built-in noise that stands on this sampler, 0 for none.
+int noise_dimensions(const SamplerUniform& sampler, bool named, int unit) {
+    if (sampler.target == TextureTarget::d2 && ((sampler.name == "Noise2" && !named) || unit == 2)) return 2;
+    if (sampler.target == TextureTarget::d3 && ((sampler.name == "Noise3" && !named) || unit == 3)) return 3;
+    return 0;
+}
+
+constexpr std::array<std::string_view, 4> target_names{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
+
+}  // namespace
+
+std::vector<Sampled> Runtime::Impl::sampled_by(const Draw& draw, const LinkedProgram& program) const {
+    std::vector<Sampled> result;
+    if (draw.program == none) return result;
+    for (const SamplerUniform& sampler : program.samplers) {
+        if (!sampler.target) continue;
+        // What the Program line says of a sampler is read as every other value is.
+        const Control* control = given.find(draw.program, sampler.name);
+        const bool named = control && control->listed;
+        for (int element = 0; element < sampler.size; ++element) {
+            const auto at = static_cast<size_t>(element);
+            const int unit = control && at < control->value.size() ? static_cast<int>(control->value[at])
+                             : at < sampler.initial.size()         ? sampler.initial[at]
+                                                                   : 0;
+            const int noise = noise_dimensions(sampler, named, unit);
+            const bool by_name = noise && !named;
+            Index found = find_texture(plan.scene, draw, by_name ? noise : unit, *sampler.target);
+            // OpenGL ES has no 1D textures: they are 2D ones of one row.
+            if (found == none && caps.es && sampler.target == TextureTarget::d2)
+                found = find_texture(plan.scene, draw, unit, TextureTarget::d1);
+            result.push_back({&sampler, element, unit, found, found == none ? noise : 0});
+        }
+    }
+    return result;
+}
+
+// The cube map of the last Irradiance before the draw, or of the text's last one, as with all that is bound.
+Index Runtime::Impl::harmonics_of(const Draw& draw, const LinkedProgram& program) const {
+    const Scene& scene = plan.scene;
+    if (!program.reads(glsl::System::harmonics)) return none;
+    Index last = none;
+    const auto consider = [&](Index texture) {
+        if (scene.textures[texture].computed == Computed::irradiance && (last == none || texture > last))
+            last = texture;
+    };
+    for (const Bindings::Entry& entry : scene.bindings[draw.bindings].entries) consider(entry.texture);
+    for (Index i = 0; last == none && i < scene.textures.size(); ++i)
+        consider(static_cast<Index>(scene.textures.size() - 1 - i));
+    return last == none ? none : scene.textures[last].source;
+}
+
+std::vector<Index> Runtime::Impl::read_by(const Draw& draw, const LinkedProgram& program) const {
+    std::vector<Index> result{harmonics_of(draw, program)};
+    for (const Sampled& sampled : sampled_by(draw, program)) {
+        result.push_back(sampled.texture);
+        if (sampled.texture != none) result.push_back(plan.scene.textures[sampled.texture].source);
+    }
+    std::erase(result, none);
+    return result;
+}
+
+void Runtime::Impl::bind_harmonics(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
+    if (!ready.program->reads(glsl::System::harmonics)) return;
+    const Scene& scene = plan.scene;
+    const Draw& draw = scene.draws[ready.draw];
+    const Index source = harmonics_of(draw, *ready.program);
+    if (source == none) {
+        diagnostics.warning("no-harmonics", draw.span,
+                            "the program reads uHarmonics, but no Irradiance names a cube map",
+                            "name one: Irradiance 7 6");
+        return;
+    }
+    if (auto problem = feedback_error(scene, pass, ready.draw, source)) {
+        diagnostics.add(std::move(*problem));
+        return;
+    }
+    ready.sources.push_back(source);
+    if (scene.textures[source].files.empty()) textures.realise(source);
+    ready.harmonics = textures.harmonics(source);
+}
+
+void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
+    const Scene& scene = plan.scene;
+    const Draw& draw = scene.draws[ready.draw];
+    const bool clamp = scene.rasters[draw.raster].clamp;
+    for (const Sampled& sampled : sampled_by(draw, *ready.program)) {
+        const SamplerUniform& sampler = *sampled.sampler;
+        const runtime::GpuTexture* gpu = nullptr;
+        Filter filter;
+        if (sampled.texture != none) {
+            // What is computed from the target would show the frame before.
+            const Index source = scene.textures[sampled.texture].source;
+            auto problem = feedback_error(scene, pass, ready.draw, sampled.texture);
+            if (!problem) problem = feedback_error(scene, pass, ready.draw, source);
+            if (problem) {
+                diagnostics.add(std::move(*problem));
+                continue;
+            }
+            if (source != none) ready.sources.push_back(source);
+            gpu = textures.realise(sampled.texture);
+            filter = scene.textures[sampled.texture].filter;
+        } else if (sampled.noise) {
+            gpu = textures.noise(sampled.noise);
+        } else {
+            diagnostics.warning("unbound-texture", draw.span,
+                                fmt::format("no {} stands on unit {}, which '{}' of program '{}' reads",
+                                            target_names[static_cast<size_t>(*sampler.target)], sampled.unit,
+                                            sampler.name, scene.programs[draw.program].name),
+                                "it reads as black");
+        }
+        const bool cube = sampler.target == TextureTarget::cube;
+        if (gpu)
+            ready.textures.push_back({sampler.first_unit + sampled.element, gpu->target, gpu->texture.get(),
+                                      textures.sampler(filter, clamp, cube)});
+    }
+}
+
+}  // namespace snell
