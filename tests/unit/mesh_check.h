@@ -66,23 +66,23 @@ inline std::vector<int> places(const Mesh& m) {
     return result;
 }
 
-// Every edge belongs to exactly two triangles, which run along it in opposite directions: closed, without
-// T-junctions, consistently wound.
-inline void expect_closed(const Mesh& m) {
+// Edges that do not belong to exactly two triangles, which run along it in opposite directions.
+inline int unpaired_edges(const Mesh& m) {
     const std::vector<int> place = places(m);
     std::map<std::pair<int, int>, int> halves;
     for (std::size_t i = 0; i < m.indices.size(); i += 3)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = place[m.indices[i + k]], b = place[m.indices[i + (k + 1) % 3]];
-            ASSERT_NE(a, b) << "degenerate triangle " << i / 3;
-            ++halves[{a, b}];
-        }
+        for (std::size_t k = 0; k < 3; ++k) ++halves[{place[m.indices[i + k]], place[m.indices[i + (k + 1) % 3]]}];
     int wrong = 0;
     for (const auto& [edge, count] : halves) {
         const auto other = halves.find({edge.second, edge.first});
-        wrong += count != 1 || other == halves.end() || other->second != 1;
+        wrong += count != 1 || other == halves.end() || other->second != 1 || edge.first == edge.second;
     }
-    EXPECT_EQ(wrong, 0) << "edges not shared by exactly two triangles in opposite directions";
+    return wrong;
+}
+
+// Closed, without T-junctions and degenerate triangles, consistently wound.
+inline void expect_closed(const Mesh& m) {
+    EXPECT_EQ(unpaired_edges(m), 0) << "edges not shared by exactly two triangles in opposite directions";
 }
 
 // Unit normals on the outer side of the triangles, no index out of range, bounds right, all numbers finite.
