@@ -85,7 +85,8 @@ Inputs that break naive code, and what snell does with them. Every row is a test
 *naive* is what the textbook's formula or the driver's own function gives (– where it gives nothing that could be
 shown: it crashes, hangs, or loses something that has no size), *snell* is our result, the largest of all contexts
 named. A test fails when ours leaves the tolerance, and when naive code stays within it. The shaders' results are
-those of Mesa's llvmpipe.
+those of Mesa's llvmpipe, which gives a context of 4.5 where 3.3 is asked for: the tests then keep to GLSL 3.30 and to
+what 3.3 has.
 
 To make this page anew after adding a case: `./dev stability`. How a test declares a case: `tests/hard_case.h`.
 )";
