@@ -241,7 +241,7 @@ TEST_P(LibraryMesh, AllLightIsAccountedFor) {
 
 TEST_P(LibraryMesh, SpecialValuesGiveDirections) {
     use(Torus{.outer = 1, .inner = .5, .sides = 8, .rings = 12});
-    const auto arguments = special_arguments(4000);
+    const auto arguments = special_arguments(1000);
     const std::string body =
         "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, a.w, b.w, c.x > 0.);\n"
         "float sum = 0.;\nfor (int i = 0; i < 4; ++i) if (snellMeshNext(s)) sum += s.energy;\n"
