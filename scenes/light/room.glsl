@@ -8,15 +8,18 @@
 
 uniform samplerCube uRoom;
 
+#ifdef LOCALITY_impostor    // not every scene has this rung
 #if LOCALITY == LOCALITY_impostor
+#define BY_DISTANCES
 uniform samplerCube uDistances;     // in tenths of a unit, so that eight bits hold them
+#endif
 #endif
 
 vec3 room( vec3 from, vec3 direction )
 {
 #if LOCALITY == LOCALITY_infinite
     vec3 look = snellInfiniteDirection( direction );
-#elif LOCALITY == LOCALITY_impostor
+#elif defined( BY_DISTANCES )
     vec3 look = snellImpostorDirection( uDistances, from * .1, direction, 2 );
 #else
     vec3 look = snellBoxDirection( from, direction, vec3( 5. ), vec3( 0. ) );
