@@ -115,6 +115,7 @@ void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& s
     view.depth = fitted_depth(frame, surface);
     view.shift = frame.shift;
     if (first) clear(view.background);
+    if (passes[pass].items.empty()) return;
     state.forget();
     draw_items(pass, frame, view);
     ++counters.passes;
