@@ -16,5 +16,6 @@ vec3 showDirection( vec3 direction )
 vec3 showDegrees( float angle )
 {
     float x = clamp( angle / 60., 0., 1. );
-    return clamp( vec3( 3. * x, 3. * x - 1., x < .33 ? 1.5 * x : 3. * x - 2. + .5 * ( 1. - x ) * step( x, .5 ) ), 0., 1. );
+    float violet = 1.5 * x * ( 1. - smoothstep( .25, .5, x ) );
+    return clamp( vec3( 3. * x, 3. * x - 1., max( violet, 3. * x - 2. ) ), 0., 1. );
 }

@@ -12,7 +12,8 @@ void main()
     float relief = snellFractalNoise( 9. * d, 4 ), latitude = abs( d.y );
 
     vec3 sea = mix( vec3( .01, .05, .17 ), vec3( .05, .27, .36 ), smoothstep( -.25, .02, height ) );
-    vec3 green = mix( vec3( .06, .20, .05 ), vec3( .55, .44, .22 ), smoothstep( .25, -.25, relief + .9 * ( latitude - .35 ) ) );
+    float dry = 1. - smoothstep( -.25, .25, relief + .9 * ( latitude - .35 ) );
+    vec3 green = mix( vec3( .06, .20, .05 ), vec3( .55, .44, .22 ), dry );
     vec3 land = mix( green, vec3( .33, .27, .23 ), smoothstep( .16, .30, height ) );
     land = mix( land, vec3( .95 ), smoothstep( .34, .40, height + .1 * relief ) );
     vec3 color = mix( sea, land, smoothstep( .015, .03, height ) );

@@ -33,7 +33,8 @@ void main()
 #if FRESNEL == FRESNEL_f0
     vec3 share = f0;
 #elif FRESNEL == FRESNEL_schlick
-    vec3 share = vec3( snellFresnelSchlick5( c, f0.r ), snellFresnelSchlick5( c, f0.g ), snellFresnelSchlick5( c, f0.b ) );
+    vec3 share = vec3( snellFresnelSchlick5( c, f0.r ), snellFresnelSchlick5( c, f0.g ),
+                       snellFresnelSchlick5( c, f0.b ) );
 #else
     vec3 share = right;
 #endif

@@ -20,8 +20,9 @@ void main()
     float spiral = max( abs( cell.x - .5 ), abs( cell.y - .5 ) );
     gold += inside * step( .5, fract( 4.2 * spiral + .25 * cell.x ) );
 
-    float around = 6.2831853 * s;
-    float leaf = snellFractalNoise( 6. * vec3( cos( around ) * sin( 3.14159 * t ), cos( 3.14159 * t ), sin( around ) * sin( 3.14159 * t ) ), 4 );
+    float around = 6.2831853 * s, up = 3.14159 * t;
+    vec3 onBall = vec3( cos( around ) * sin( up ), cos( up ), sin( around ) * sin( up ) );
+    float leaf = snellFractalNoise( 6. * onBall, 4 );
     float away = abs( t - .5 );
     gold += step( .23, away ) * smoothstep( .0, .05, leaf + .25 - away );
     gl_FragColor = vec4( vec3( clamp( gold, 0., 1. ) ), 1. );
