@@ -112,9 +112,11 @@ void Batch::skip(const Shot& shot) {
 bool Batch::open(Open& open, const std::string& path) {
     const auto start = Clock::now();
     Diagnostics unknown;
-    open.document = open_document(path, caps_, [&](const Scene& scene, Rungs& rungs) {
+    const auto choose = [&](const Scene& scene, Rungs& rungs) {
         for (const std::string& ladder : options_.ladders) choose_rung(rungs, scene, ladder, unknown);
-    });
+    };
+    // What the scene before has too, such as snell's own programs, need not be made again.
+    open.document = open_document(path, caps_, choose, nullptr, {.previous = last_ ? &*last_->runtime : nullptr});
     print_all(*open.document, options_.quiet);
     say(unknown, open.document->sources);
     timings_.load += milliseconds_since(start);
