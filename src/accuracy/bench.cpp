@@ -37,9 +37,32 @@ bool names(std::string_view text, std::string_view word) {
     return false;
 }
 
-bool any_stage_names(const PlannedProgram& program, const Sources& sources, std::string_view word) {
-    return std::ranges::any_of(program.stages,
-                               [&](const glsl::StageInput& s) { return names(sources.text(s.file), word); });
+// Of the files that a shader includes by name; snell's own name no ladders.
+std::vector<std::string> included(std::string_view text) {
+    std::vector<std::string> files;
+    constexpr std::string_view directive = "#include \"";
+    for (std::size_t at = text.find(directive); at != std::string_view::npos; at = text.find(directive, at + 1)) {
+        const std::size_t begin = at + directive.size(), end = text.find_first_of("\"\n", begin);
+        if (end != std::string_view::npos && text[end] == '"') files.emplace_back(text.substr(begin, end - begin));
+    }
+    return files;
+}
+
+bool file_names(std::string_view path, std::string_view text, std::string_view word, Files& files, int depth) {
+    if (names(text, word)) return true;
+    constexpr int deepest = 8;
+    return depth < deepest && std::ranges::any_of(included(text), [&](const std::string& file) {
+               const std::string found = files.resolve_beside(path, file).path;
+               std::string error;
+               const auto inner = found.empty() ? std::nullopt : files.read(found, error);
+               return inner && file_names(found, *inner, word, files, depth + 1);
+           });
+}
+
+bool any_stage_names(const PlannedProgram& program, const Sources& sources, Files& files, std::string_view word) {
+    return std::ranges::any_of(program.stages, [&](const glsl::StageInput& stage) {
+        return file_names(sources.name(stage.file), sources.text(stage.file), word, files, 0);
+    });
 }
 
 // Every program sees one more ladder, ahead of the scene's own: what it is to show.
@@ -91,8 +114,8 @@ struct Bench::Stage {
 
 Bench::Bench(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, BenchSettings settings)
     : plan_(std::move(plan)), files_(&files), sources_(&sources), caps_(caps), settings_(std::move(settings)) {
-    directions_ = std::ranges::any_of(plan_.programs,
-                                      [&](const PlannedProgram& p) { return any_stage_names(p, sources, output); });
+    directions_ = std::ranges::any_of(
+        plan_.programs, [&](const PlannedProgram& p) { return any_stage_names(p, sources, files, output); });
 }
 
 Bench::~Bench() = default;
@@ -100,8 +123,9 @@ Bench::~Bench() = default;
 std::vector<bool> Bench::draws_of(std::size_t ladder) const {
     std::vector<bool> own;
     for (const Draw& draw : plan_.scene.draws)
-        own.push_back(draw.program != none && ladder < plan_.scene.programs[draw.program].ladders &&
-                      any_stage_names(plan_.programs[draw.program], *sources_, plan_.scene.ladders[ladder].name));
+        own.push_back(
+            draw.program != none && ladder < plan_.scene.programs[draw.program].ladders &&
+            any_stage_names(plan_.programs[draw.program], *sources_, *files_, plan_.scene.ladders[ladder].name));
     return own;
 }
 

@@ -1,5 +1,6 @@
 #include "src/accuracy/front.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace snell::accuracy {
@@ -8,7 +9,10 @@ namespace {
 
 constexpr double same_error = 1e-3, better_error = 1e-2, same_cost = 1.03, widest_control = .05;
 
-bool measured(const Point& point) { return std::isfinite(point.error) && point.error >= 0 && median(point.times) > 0; }
+bool measured(const Point& point) {
+    return std::isfinite(point.error) && point.error >= 0 &&
+           std::ranges::any_of(point.times, [](double t) { return t > 0; });
+}
 
 // Of each pair once; the other way round it is the reciprocal.
 class Ratios {

@@ -11,11 +11,15 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr std::size_t fewest_rounds = 7;          // of which an interval of the median can be told
-constexpr double decorrelated = .5, too_far = 3;  // correlation; degrees
+constexpr std::size_t fewest_rounds = 7;  // of which an interval of the median can be told
+constexpr double too_far = 3;             // degrees
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+const std::vector<double>& times_of(const RungResult& rung, ClockKind clock) {
+    return clock == ClockKind::cpu ? rung.cpu : clock == ClockKind::gpu ? rung.gpu : rung.wall;
 }
 
 class Measurement {
@@ -90,7 +94,8 @@ private:
             if (!frame[i]) continue;
             const double sample = *frame[i] > 500 ? *frame[i] : *frame[i] + std::max(*frame[i], options_.at_least);
             const double all = sample * options_.rounds;
-            if (all > share) result[i] = static_cast<std::size_t>(std::ceil(all / share));
+            const auto most = static_cast<std::size_t>(std::max(options_.rounds / 3, 1));  // three rounds at least
+            if (all > share) result[i] = std::min(static_cast<std::size_t>(std::ceil(all / share)), most);
         }
         return result;
     }
@@ -107,7 +112,10 @@ private:
         const auto start = std::chrono::steady_clock::now();
         std::mt19937_64 random(options_.seed);
         const std::size_t again = frame.size();
-        for (int round = 0; round < options_.rounds; ++round) {
+        // One interval in twenty misses 1 by chance: more rounds tell.
+        for (int round = 0; round < 2 * options_.rounds; ++round) {
+            if (round >= options_.rounds && !still_noisy()) break;
+            if (round >= options_.rounds && seconds_since(start) > options_.seconds) break;
             std::vector<std::size_t> order;
             for (std::size_t i = 0; i < frame.size(); ++i)
                 if (frame[i] && static_cast<std::size_t>(round) % stride[i] == 0) order.push_back(i);
@@ -133,15 +141,16 @@ private:
         }
     }
 
+    bool still_noisy() const {
+        const RungResult& base = result_.rungs[result_.sweep.current];
+        return control(times_of(base, result_.clock), again_, options_.seed).noisy;
+    }
+
     Bench& bench_;
     const MeasureOptions& options_;
     SweepResult result_;
     std::vector<double> again_;
 };
-
-const std::vector<double>& times_of(const RungResult& rung, ClockKind clock) {
-    return clock == ClockKind::cpu ? rung.cpu : clock == ClockKind::gpu ? rung.gpu : rung.wall;
-}
 
 std::vector<double> taken(const std::vector<double>& times) {
     std::vector<double> result;
@@ -209,7 +218,7 @@ void conclude(SweepResult& result, std::span<const double> base_again, std::uint
     bool far = false;
     for (RungResult& rung : result.rungs) {
         const bool by_angle = rung.degrees && rung.degrees->pixels > 0;
-        rung.saturated = rung.drawn && (by_angle ? rung.degrees->mean > too_far : rung.own.correlation < decorrelated);
+        rung.saturated = rung.drawn && (by_angle ? rung.degrees->mean > too_far : rung.own.unrelated);
         far = far || (by_angle && rung.saturated);
     }
     result.metric = all_known && far ? Metric::degrees : Metric::rmse;

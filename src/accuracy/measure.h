@@ -34,6 +34,7 @@ struct RungResult {
 enum class Metric { rmse, degrees };
 
 struct SweepResult {
+    std::string scene;  // as it was named
     Sweep sweep;
     std::vector<RungResult> rungs;
     std::size_t own_pixels = 0;  // 0: no draw of its own is known, and `own` is the whole picture

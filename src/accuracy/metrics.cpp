@@ -33,6 +33,12 @@ struct Correlation {
         if (va <= tiny || vb <= tiny) return va <= tiny && vb <= tiny ? 1 : 0;
         return (ab - a * b / n) / std::sqrt(va * vb);
     }
+    // A constant is no picture of any kind.
+    bool unrelated() const {
+        if (n == 0) return false;
+        const double va = aa - a * a / n, vb = bb - b * b / n;
+        return value() < .5 && va > vb / 4 && vb > va / 4;
+    }
 };
 
 }  // namespace
@@ -78,6 +84,7 @@ Error compare(const Picture& picture, const Picture& reference, const Region& re
     error.rmse = std::sqrt(squares / values);
     error.psnr = psnr(error.rmse);
     error.correlation = correlation.value();
+    error.unrelated = correlation.unrelated();
     return error;
 }
 

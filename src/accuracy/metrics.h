@@ -28,7 +28,10 @@ std::size_t count(const Region& region);
 // in either picture is counted in `nonfinite` and left out of all else.
 struct Error {
     double rmse = 0, psnr = 0, max = 0, mean = 0;  // psnr: dB against a peak of 1; infinite for equal pictures
-    double correlation = 1;                        // of the pictures: near 0, rmse no longer ranks
+    double correlation = 1;                        // of the pictures
+    // As far from the reference as another picture of its kind would be: the two vary alike, and not together. rmse no
+    // longer ranks.
+    bool unrelated = false;
     std::size_t pixels = 0, nonfinite = 0;
 };
 // Precondition: both of one size.

@@ -22,8 +22,9 @@ struct Interval {
     double width() const { return high - low; }
 };
 
-// By `resamples` draws from a generator with that seed: the same values give the same interval. Fewer than two
-// values: no width is known, and the interval is all of 0..infinity around the value.
+// By `resamples` draws from a generator with that seed: the same values give the same interval. Of fewer than five
+// values no interval can be told: it is half as much again as the largest, and less than the smallest, of positive
+// ones, which no quiet machine exceeds. Of no values: nothing but NaN.
 Interval bootstrap_median(std::span<const double> values, std::uint64_t seed = 1, int resamples = 2000);
 
 // Of the quotients a[i] / b[i] of the rounds that both took part in (a value that is not positive is an absent

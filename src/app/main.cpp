@@ -21,6 +21,7 @@ constexpr const char* examples = R"(Examples:
   snell render room.glib -o room.png --set uEta=1.5        … with a slider moved
   snell render room.glib -o room.exr --size 1920x1080 --time 2.5 --samples 4
   snell sweep room.glib --over uEta=1:2.5:16 --over uMix=0,.5,1 -o 'out/{uEta}_{uMix}.png' --sheet all.png
+  snell accuracy ball.glib -o report.html                  what each rung is off by and costs
   snell check room.glib                                    say all that is wrong with it
   snell commands                                           list the commands of the language
 
@@ -65,10 +66,12 @@ struct CommandLine {
     std::string window_size, render_size;
     app::RenderOptions render;
     app::CheckOptions check;
+    app::AccuracyOptions accuracy;
+    std::string accuracy_size;
     bool commands_json = false;
     std::string info_context;
-    CLI::App *render_command = nullptr, *check_command = nullptr, *commands_command = nullptr, *info_command = nullptr,
-             *sweep_command = nullptr;
+    CLI::App *accuracy_command = nullptr, *render_command = nullptr, *check_command = nullptr,
+             *commands_command = nullptr, *info_command = nullptr, *sweep_command = nullptr;
 
     CommandLine() {
         app.footer(examples);
@@ -82,6 +85,7 @@ struct CommandLine {
         add_render();
         add_sweep();
         add_check();
+        add_accuracy();
         commands_command = app.add_subcommand("commands", "list the commands of the language");
         commands_command->add_flag("--json", commands_json, "as JSON");
         info_command = app.add_subcommand("info", "say what OpenGL there is");
@@ -158,9 +162,44 @@ struct CommandLine {
             ->check(CLI::IsMember({"tokens", "statements", "scene", "plan"}));
     }
 
+    void add_accuracy() {
+        CLI::App& command = *app.add_subcommand("accuracy", "measure what each rung is off by and what it costs");
+        accuracy_command = &command;
+        command.footer("Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written.");
+        command.add_option("SCENE", accuracy.scenes, "one report of all of them")->required();
+        command.add_option("--ladders", accuracy.ladders, "only these, such as FRESNEL,REFRACT")->delimiter(',');
+        command.add_option("--knobs", accuracy.knobs, "samples,tessellation,filter,cube-size,cube-precision")
+            ->delimiter(',');
+        command
+            .add_option("--from", accuracy.from,
+                        "where the other ladders stand: reference, scene; or lattice: all combinations")
+            ->check(CLI::IsMember({"reference", "scene", "lattice"}));
+        command.add_option("--size", accuracy_size, "WIDTHxHEIGHT (default: the scene's)")->check(check_size);
+        command.add_option("--reps", accuracy.rounds, "rounds, in each of which every rung is timed once")
+            ->check(CLI::Range(3, 10000));
+        command.add_option("--budget", accuracy.budget, "seconds for all of it; dear rungs sit rounds out")
+            ->check(CLI::Range(1.0, 1e6));
+        command.add_flag("--no-time", accuracy.no_time, "errors only");
+        command.add_option("--time", accuracy.time, "seconds since the scene began")->check(check_finite);
+        command.add_option("--set", accuracy.sets, "uniform=value or Program.uniform=value; may be repeated")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        command.add_option("--ladder", accuracy.choices, "ladder=rung, where the scene stands; may be repeated")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        command.add_option("-o,--output", accuracy.html, "the report, one HTML file");
+        command.add_option("--svg", accuracy.svg, "the plots for a paper: FILE.svg, FILE-2.svg …");
+        command.add_option("--json", accuracy.json, "the numbers as JSON");
+        command.add_option("--csv", accuracy.csv, "the numbers as CSV, a row for each rung");
+        command.add_option("--context", accuracy.context, "ask for an OpenGL version: 3.3, 4.5, es3.2")
+            ->check(check_context);
+    }
+
     int run() {
         if (!render_size.empty()) parse_size(render_size, render.size.emplace());
         if (!window_size.empty()) parse_size(window_size, window.size.emplace());
+        if (!accuracy_size.empty()) parse_size(accuracy_size, accuracy.size.emplace());
+        if (accuracy_command->parsed()) return app::accuracy(accuracy);
         if (render_command->parsed() || sweep_command->parsed()) return app::render(render);
         if (check_command->parsed()) return app::check(check);
         if (commands_command->parsed()) return app::print_commands(commands_json);

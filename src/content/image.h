@@ -62,6 +62,7 @@ std::optional<ImageHeader> read_header(std::string_view first_bytes, std::size_t
 Image checkerboard(int size = 64);
 
 Image flipped(const Image& image);  // rows in the opposite order
+Image to_bytes(const Image& image);  // u8, clamped to 0..1 and rounded; what is not a number becomes 0
 Image to_rgba(const Image& image);  // 4 channels; grey is spread, alpha 1
 float half_to_float(std::uint16_t half);
 std::uint16_t float_to_half(float value);  // round to nearest even; overflow to infinity
@@ -71,6 +72,8 @@ std::uint16_t float_to_half(float value);  // round to nearest even; overflow to
 // `rows` are top first, RGBA. f32 pictures go to float formats unchanged and are clamped and rounded for
 // 8-bit ones.
 std::string write_image(const std::string& path, const Image& image);
+// The file's bytes; empty when there are no pixels. As write_image does for .png.
+std::string encode_png(const Image& image);
 // The extensions that write_image takes need the module except this one.
 bool writes_without_module(std::string_view path);
 

@@ -42,20 +42,6 @@ private:
     bool kept_ = false;
 };
 
-// Clamped to 0..1 and rounded; what is not a number becomes 0.
-Image to_bytes(const Image& image) {
-    if (image.type == PixelType::u8) return image;
-    Image result = image;
-    result.type = PixelType::u8;
-    result.pixels.resize(result.bytes());
-    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-        const float value = value_at(image, i);
-        const float clamped = value > 0 ? std::min(value, 1.0f) : 0.0f;
-        result.pixels[i] = static_cast<std::byte>(std::lround(clamped * 255.0f));
-    }
-    return result;
-}
-
 struct PngOut {
     std::string bytes, error;
     png_structp png = nullptr;
@@ -117,15 +103,21 @@ std::string write_file(const fs::path& path, std::string_view bytes) {
     return close(file) == 0 ? "" : std::strerror(errno);
 }
 
-std::string write_png(const fs::path& path, const Image& picture) {
+// What went wrong, or nothing; the bytes are in `out`.
+std::string encode_rows(PngOut& out, const Image& picture) {
     Image image = to_bytes(picture);
-    PngOut out;
     const std::size_t row = image.row_bytes();
     for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
         out.rows.push_back(reinterpret_cast<png_bytep>(image.pixels.data() + y * row));
     }
     if (!encode(out, image)) return out.error.empty() ? "out of memory" : out.error;
-    return write_file(path, out.bytes);
+    return {};
+}
+
+std::string write_png(const fs::path& path, const Image& picture) {
+    PngOut out;
+    const std::string wrong = encode_rows(out, picture);
+    return wrong.empty() ? write_file(path, out.bytes) : wrong;
 }
 
 std::string write_by_module(const fs::path& path, const std::string& extension, const Image& image) {
@@ -150,6 +142,25 @@ std::string check_place(const fs::path& target) {
 }
 
 }  // namespace
+
+Image to_bytes(const Image& image) {
+    if (image.type == PixelType::u8) return image;
+    Image result = image;
+    result.type = PixelType::u8;
+    result.pixels.resize(result.bytes());
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const float value = value_at(image, i);
+        const float clamped = value > 0 ? std::min(value, 1.0f) : 0.0f;
+        result.pixels[i] = static_cast<std::byte>(std::lround(clamped * 255.0f));
+    }
+    return result;
+}
+
+std::string encode_png(const Image& image) {
+    if (image.width <= 0 || image.height <= 0 || image.pixels.size() != image.bytes()) return {};
+    PngOut out;
+    return encode_rows(out, image.bottom_first ? flipped(image) : image).empty() ? std::move(out.bytes) : "";
+}
 
 bool writes_without_module(std::string_view path) { return extension_of(path) == "png"; }
 

@@ -59,7 +59,7 @@ Plan with_knobs(Plan plan, const Knobs& knobs) {
     }
     for (Texture& texture : plan.scene.textures) {
         if (knobs.filter && !texture.files.empty()) texture.filter = *knobs.filter;
-        if (texture.target != TextureTarget::cube) continue;
+        if (texture.target != TextureTarget::cube || texture.computed != Computed::no) continue;
         if (knobs.cube_size > 0) texture.size[0] = knobs.cube_size;
         if (knobs.cube_bits > 0) texture.bits = knobs.cube_bits;
     }

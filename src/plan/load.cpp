@@ -6,6 +6,7 @@
 #include <map>
 #include <thread>
 
+#include "src/content/convolve.h"
 #include "src/content/noise.h"
 #include "src/plan/locate.h"
 #include "src/plan/plan.h"
@@ -161,6 +162,15 @@ CubeFaces all_checks(int side) {
     return faces;
 }
 
+// To the size and the bits that were asked for, where the files have more.
+void refit(CubeFaces& faces, const Texture& texture) {
+    const bool bytes = faces[0].type == PixelType::u8 || texture.bits == 8;
+    if (texture.size[0] > 0 && texture.size[0] < faces[0].width)
+        faces = content::half_faces(content::resized(content::cube_light(faces), texture.size[0]));
+    if (bytes)
+        for (Image& face : faces) face = content::to_bytes(face);
+}
+
 constexpr int check_side = 64;
 
 CubeFaces six_faces(const std::vector<TextureFile>& files, const std::vector<Picture>& pictures, const Span& span,
@@ -279,6 +289,7 @@ CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& 
                       : located.size() == 1 ? one_file(located[0], pictures[0], diagnostics)
                                             : all_checks(check_side);
     make_alike(faces);
+    refit(faces, texture);
     return faces;
 }
 

@@ -97,6 +97,9 @@ TEST(Metrics, UnrelatedPicturesDoNotCorrelate) {
     }
     EXPECT_NEAR(compare(a, b).correlation, 0, .05);
     EXPECT_GT(compare(a, near).correlation, .95);
+    EXPECT_TRUE(compare(a, b).unrelated);
+    EXPECT_FALSE(compare(a, near).unrelated);
+    EXPECT_FALSE(compare(filled(64, 64, .5F, .5F, .5F), a).unrelated) << "a constant is a poor approximation, but one";
     EXPECT_EQ(compare(filled(2, 2, 1, 1, 1), filled(2, 2, .5F, .5F, .5F)).correlation, 1) << "both are constant";
 }
 

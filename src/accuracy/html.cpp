@@ -1,0 +1,204 @@
+// The report as one file: styles, plots and pictures stand in it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/accuracy/plot.h"
+#include "src/accuracy/report.h"
+#include "src/content/image.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+constexpr std::string_view style = R"(
+:root{color-scheme:light dark;--back:#fff;--text:#1b1f24;--weak:#59636e;--line:#d5dae0;--accent:#0b5cad;--current:#c2410c;--wrong:#b91c1c;--panel:#f6f8fa}
+@media (prefers-color-scheme:dark){:root{--back:#12161b;--text:#e6e9ed;--weak:#9aa5b1;--line:#333b45;--accent:#6cb2ff;--current:#ff9a5c;--wrong:#ff7b7b;--panel:#1a2027}}
+*{box-sizing:border-box}
+body{margin:0 auto;max-width:1100px;padding:1rem;font:16px/1.5 system-ui,sans-serif;background:var(--back);color:var(--text)}
+h1{font-size:1.5rem;margin:.2em 0}h2{font-size:1.2rem;margin:0 0 .3em}
+section{border-top:1px solid var(--line);padding:1.2rem 0}
+.facts{color:var(--weak);font-size:.9rem}.words{max-width:46em}
+.noisy{color:var(--wrong);font-weight:600}
+.plot{width:100%;max-width:760px;height:auto;display:block}
+.plot text{font:11px system-ui,sans-serif;fill:var(--text)}.plot .tick,.plot .title{fill:var(--weak)}.plot .title{font-size:12px}
+.grid,.edge{stroke:var(--line)}.axis,.whisker{stroke:var(--weak)}.leader{stroke:var(--line)}
+.front{fill:none;stroke:var(--accent);stroke-width:1.6}
+.solid{fill:var(--accent);stroke:var(--accent)}.hollow{fill:var(--back);stroke:var(--accent);stroke-width:1.5}
+.solid.current{fill:var(--current);stroke:var(--current)}.hollow.current{stroke:var(--current)}
+.grey,.weak{opacity:.6}.wrong{stroke:var(--wrong)}.step{stroke:var(--weak);stroke-dasharray:4 3}
+.plot .stamp{fill:var(--wrong);font-weight:700}
+.scroll{overflow-x:auto}
+table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums;white-space:nowrap}
+th,td{padding:.25em .6em;text-align:right;border-bottom:1px solid var(--line)}
+th{color:var(--weak);font-weight:600}th:first-child,td:first-child,td:last-child,th:last-child{text-align:left}
+tr.current td:first-child{color:var(--current);font-weight:700}td.far{color:var(--weak);text-decoration:line-through}
+.pictures{display:flex;flex-wrap:wrap;gap:.8rem;margin-top:1rem}
+figure{margin:0;background:var(--panel);padding:.4rem;border-radius:4px}
+figure img{width:144px;height:auto;display:inline-block;image-rendering:auto;vertical-align:top}
+figcaption{font-size:.8rem;max-width:292px}
+@media (max-width:480px){body{padding:.6rem}figure img{width:45%}figcaption{max-width:none}figure{width:100%}}
+@media print{:root{--back:#fff;--text:#000;--weak:#444;--line:#bbb;--accent:#000;--current:#a00;--panel:#fff}body{max-width:none;font-size:11px}section{break-inside:avoid}.scroll{overflow:visible}}
+)";
+
+constexpr int thumbnail_width = 192;
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve(bytes.size() * 4 / 3 + 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        unsigned group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? letters[group >> (18 - 6 * k) & 63U] : '=';
+    }
+    return out;
+}
+
+// Box-filtered to the width of a thumbnail; `value` makes the three components of a pixel of it.
+template <class Value>
+std::string thumbnail(int width, int height, const Value& value) {
+    const int step = std::max(1, (width + thumbnail_width - 1) / thumbnail_width);
+    content::Image image;
+    image.width = width / step;
+    image.height = height / step;
+    image.channels = 3;
+    image.pixels.resize(image.bytes());
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c) {
+                double sum = 0;
+                for (int j = 0; j < step; ++j)
+                    for (int i = 0; i < step; ++i)
+                        sum += value(static_cast<std::size_t>((y * step + j) * width + x * step + i), c);
+                const double mean = std::clamp(sum / (step * step), 0.0, 1.0);
+                image.pixels[static_cast<std::size_t>(y * image.width + x) * 3 + c] =
+                    static_cast<std::byte>(std::lround(255 * (mean > 0 ? mean : 0)));
+            }
+    return "data:image/png;base64," + base64(content::encode_png(image));
+}
+
+// Bright parts of the reference must not burn out; dark pictures stay dark.
+double exposure(const Picture& reference) {
+    std::vector<float> values;
+    for (std::size_t i = 0; i < reference.rgba.size(); i += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (std::isfinite(reference.rgba[i + c])) values.push_back(reference.rgba[i + c]);
+    if (values.empty()) return 1;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 99 / 100);
+    std::nth_element(values.begin(), at, values.end());
+    return *at > 1 ? 1 / static_cast<double>(*at) : 1;
+}
+
+// One factor for all differences of a sweep, a power of two: the middling one is well seen.
+double amplification(const SweepResult& sweep) {
+    std::vector<double> errors;
+    for (const RungResult& rung : sweep.rungs)
+        if (rung.drawn && rung.own.rmse > 0) errors.push_back(rung.own.rmse);
+    if (errors.empty()) return 1;
+    return std::exp2(std::clamp(std::floor(std::log2(.3 / median(errors))), 0.0, 8.0));
+}
+
+std::string pictures(const SweepResult& sweep) {
+    const Picture& reference = sweep.rungs[sweep.sweep.reference].picture;
+    if (reference.rgba.empty()) return {};
+    const double bright = exposure(reference), factor = amplification(sweep);
+    std::string out = "<div class=\"pictures\">";
+    for (const RungResult& rung : sweep.rungs) {
+        if (!rung.drawn) continue;
+        const std::vector<float>& a = rung.picture.rgba;
+        const auto finite = [](float v) { return std::isfinite(v) ? static_cast<double>(v) : 0.0; };
+        const std::string shown = thumbnail(rung.picture.width, rung.picture.height, [&](std::size_t p, std::size_t c) {
+            return bright * finite(a[4 * p + c]);
+        });
+        const std::string off = thumbnail(rung.picture.width, rung.picture.height, [&](std::size_t p, std::size_t c) {
+            return factor * bright * std::abs(finite(a[4 * p + c]) - finite(reference.rgba[4 * p + c]));
+        });
+        out += fmt::format(
+            "<figure><img src=\"{}\" alt=\"{}\"> <img src=\"{}\" alt=\"difference of {} from the reference\">"
+            "<figcaption><b>{}</b>{}, difference × {:g}</figcaption></figure>",
+            shown, escaped(rung.name), off, escaped(rung.name), escaped(rung.name),
+            rung.own.rmse > 0 ? fmt::format(": {:.1f} dB", rung.own.psnr) : ": exact", factor);
+    }
+    return out + "</div>";
+}
+
+std::string decibel(double value) { return std::isfinite(value) ? fmt::format("{:.1f}", value) : "exact"; }
+
+std::string table(const SweepResult& sweep) {
+    const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
+    std::string out =
+        "<div class=\"scroll\"><table><tr><th>rung</th><th>ms</th><th>95 %</th><th>times the current</th>"
+        "<th>RMSE</th><th>PSNR, dB</th><th>largest</th><th>mean</th><th>FLIP</th>";
+    if (degrees) out += "<th>degrees</th>";
+    out += "<th>PSNR of all</th><th>rounds</th><th></th></tr>";
+    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
+        const RungResult& rung = sweep.rungs[i];
+        out += fmt::format("<tr{}><td>{}{}</td>", i == sweep.sweep.current ? " class=\"current\"" : "",
+                           escaped(rung.name), i == sweep.sweep.reference ? " (reference)" : "");
+        if (!rung.drawn) {
+            out += fmt::format("<td colspan=\"{}\">not drawn</td></tr>", degrees ? 12 : 11);
+            continue;
+        }
+        out += rung.rounds > 0 ? fmt::format("<td>{:.3g}</td><td>{:.3g} to {:.3g}</td><td>{}</td>", rung.milliseconds,
+                                             rung.low, rung.high, ratio_text(rung.ratio))
+                               : "<td></td><td></td><td></td>";
+        const char* far = rung.saturated ? " class=\"far\" title=\"decorrelated: RMSE no longer ranks\"" : "";
+        out += fmt::format("<td{0}>{1:.3g}</td><td{0}>{2}</td><td>{3:.3g}</td><td>{4:.3g}</td><td>{5:.3f}</td>", far,
+                           rung.own.rmse, decibel(rung.own.psnr), rung.own.max, rung.own.mean, rung.flip);
+        if (degrees) out += rung.degrees ? fmt::format("<td>{:.3g}</td>", rung.degrees->mean) : "<td></td>";
+        out += fmt::format("<td>{}</td><td>{}</td><td>{}{}{}</td></tr>", decibel(rung.whole.psnr), rung.rounds,
+                           escaped(standing_text(sweep, rung)), rung.cliff ? ", cliff" : "",
+                           rung.below_residual ? ", within the reference's own error" : "");
+    }
+    return out + "</table></div>";
+}
+
+std::string section(const SweepResult& sweep) {
+    const bool timed = std::ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+    std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", escaped(sweep.sweep.name),
+                                  escaped(in_words(sweep)));
+    if (timed) out += plot_svg(sweep);
+    out += table(sweep);
+    out += fmt::format("<p class=\"facts\">{}{}. Reference: {}{}.{}{}</p>", escaped(sweep.scene),
+                       sweep.own_pixels > 0
+                           ? fmt::format(", errors over the {} pixels that the ladder's draws cover", sweep.own_pixels)
+                           : std::string(", errors over the whole picture"),
+                       escaped(sweep.residual_note),
+                       sweep.residual ? fmt::format(", residual RMSE {:.2g}", *sweep.residual) : std::string(),
+                       timed ? fmt::format(" The current rung timed twice: {}; clock: {}.",
+                                           ratio_text(sweep.control.ratio), name(sweep.clock))
+                             : std::string(),
+                       sweep.interrupted ? " Interrupted: rounds are missing." : "");
+    return out + pictures(sweep) + "</section>\n";
+}
+
+}  // namespace
+
+std::string html_text(const Report& report) {
+    const Circumstances& w = report.where;
+    std::string out = fmt::format(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width,initial-scale=1\"><title>What accuracy costs: {}</title><link rel=\"icon\" "
+        "href=\"data:,\"><style>{}</style></head>\n<body><h1>What accuracy costs</h1>",
+        escaped(w.scene), style);
+    out += fmt::format(
+        "<p class=\"facts\">{} · {} × {}, {} rounds, the others from {} · {} · {} ({}) · {}, {} cores, {} · load "
+        "{:.1f} "
+        "before, {:.1f} after · {}</p>",
+        escaped(w.scene), w.width, w.height, w.rounds, w.from, w.date, escaped(w.renderer), escaped(w.gl),
+        escaped(w.cpu), w.cores, escaped(w.os), w.load_before, w.load_after, escaped(w.tool));
+    out +=
+        "<p class=\"words\">Errors are against each ladder's reference, in linear light, before quantisation. Filled: "
+        "on "
+        "the front; hollow: another rung is better; square: where the scene stands; whiskers: where the median lies in "
+        "95 of 100 such measurements.</p>\n";
+    for (const SweepResult& sweep : report.sweeps) out += section(sweep);
+    for (const std::string& problem : report.problems)
+        out += fmt::format("<p class=\"facts\">{}</p>", escaped(problem));
+    return out + "</body></html>\n";
+}
+
+}  // namespace snell::accuracy

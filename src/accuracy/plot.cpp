@@ -1,0 +1,292 @@
+#include "src/accuracy/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "src/accuracy/report.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+constexpr double width = 640, height = 400, left = 64, right = 16, top = 16, bottom = 48;
+constexpr double exact_gap = 34;  // below the axis of errors: where an error of 0 stands
+
+// Logarithmic, with room at both ends.
+class Axis {
+public:
+    Axis(double low, double high, double from, double to) : from_(from), to_(to) {
+        if (!(high > low)) {
+            low /= 1.5;
+            high *= 1.5;
+        }
+        const double room = .06 * std::log(high / low) + .02;
+        low_ = std::log(low) - room;
+        high_ = std::log(high) + room;
+    }
+    double at(double value) const {
+        return from_ + (std::log(std::max(value, 1e-30)) - low_) / (high_ - low_) * (to_ - from_);
+    }
+    bool shows(double value) const { return value > 0 && std::log(value) >= low_ && std::log(value) <= high_; }
+    // 1, 2 and 5 of each decade, or 1 alone where that is too many.
+    std::vector<double> ticks() const {
+        std::vector<double> all;
+        const int first = static_cast<int>(std::floor(low_ / std::log(10))),
+                  last = static_cast<int>(high_ / std::log(10)) + 1;
+        for (int decade = first; decade <= last; ++decade)
+            for (double step : {1., 2., 5.})
+                if (shows(step * std::pow(10, decade)) && (step == 1 || last - first < 5))
+                    all.push_back(step * std::pow(10, decade));
+        return all;
+    }
+
+private:
+    double from_, to_, low_ = 0, high_ = 1;
+};
+
+struct Box {
+    double x0, y0, x1, y1;
+    bool meets(const Box& b) const { return x0 < b.x1 && b.x0 < x1 && y0 < b.y1 && b.y0 < y1; }
+};
+
+struct Mark {
+    std::size_t rung;
+    double x, y;
+};
+
+class Plot {
+public:
+    explicit Plot(const SweepResult& sweep) : sweep_(sweep), x_(time_axis()), y_(error_axis()) {
+        for (std::size_t i = 0; i < sweep.rungs.size(); ++i)
+            if (sweep.rungs[i].drawn && sweep.rungs[i].rounds > 0)
+                marks_.push_back({i, x_.at(sweep.rungs[i].milliseconds), y_at(i)});
+    }
+
+    std::string svg(std::string_view style) {
+        out_ = fmt::format(
+            "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" role=\"img\" "
+            "aria-label=\"{}: "
+            "error over time\">",
+            width, height, escaped(sweep_.sweep.name));
+        if (!style.empty()) out_ += fmt::format("<style>{}</style>", style);
+        axes();
+        if (sweep_.sweep.kind == SweepKind::lattice) edges();
+        if (sweep_.trusted()) front_line();
+        for (const Mark& mark : marks_) whisker(mark);
+        for (const Mark& mark : marks_) symbol(mark);
+        labels();
+        if (!sweep_.trusted())
+            out_ +=
+                fmt::format("<text class=\"stamp\" x=\"{}\" y=\"{}\" text-anchor=\"end\">too noisy: no front</text>",
+                            width - right - 6, top + 18);
+        return out_ + "</svg>";
+    }
+
+private:
+    Axis time_axis() const {
+        double low = 1e30, high = 0;
+        for (const RungResult& rung : sweep_.rungs)
+            if (rung.drawn && rung.rounds > 0) {
+                low = std::min(low, rung.low > 0 ? rung.low : rung.milliseconds);
+                high = std::max(high, std::isfinite(rung.high) ? rung.high : rung.milliseconds);
+            }
+        return high > 0 ? Axis(low, high, left, width - right) : Axis(1, 10, left, width - right);
+    }
+    Axis error_axis() const {
+        double low = 1e30, high = 0;
+        for (const RungResult& rung : sweep_.rungs)
+            if (const double error = sweep_.error(rung); rung.drawn && error > 0) {
+                low = std::min(low, error);
+                high = std::max(high, error);
+            }
+        const double lowest = height - bottom - exact_gap;
+        return high > 0 ? Axis(low, high, lowest, top) : Axis(.01, 1, lowest, top);
+    }
+    double y_at(std::size_t rung) const {
+        const double error = sweep_.error(sweep_.rungs[rung]);
+        return error > 0 ? y_.at(error) : height - bottom - 10;
+    }
+
+    void line(std::string_view kind, double x0, double y0, double x1, double y1) {
+        out_ += fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>", kind, x0,
+                            y0, x1, y1);
+    }
+    void text(std::string_view kind, double x, double y, std::string_view anchor, std::string_view words) {
+        out_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", kind, x, y,
+                            anchor, escaped(words));
+    }
+
+    void axes() {
+        const double base = height - bottom;
+        for (double tick : x_.ticks()) {
+            line("grid", x_.at(tick), top, x_.at(tick), base);
+            text("tick", x_.at(tick), base + 16, "middle", fmt::format("{:g}", tick));
+        }
+        for (double tick : y_.ticks()) {
+            line("grid", left, y_.at(tick), width - right, y_.at(tick));
+            text("tick", left - 6, y_.at(tick) + 4, "end", fmt::format("{:g}", tick));
+        }
+        line("axis", left, base, width - right, base);
+        line("axis", left, top, left, base - exact_gap + 6);
+        text("tick", left - 6, base - 6, "end", "exact");
+        text("title", (left + width) / 2, height - 10, "middle", fmt::format("milliseconds ({})", name(sweep_.clock)));
+        const std::string_view unit = sweep_.metric == Metric::degrees ? "mean error of the direction, degrees"
+                                                                       : "root mean square error, linear light";
+        out_ += fmt::format(
+            "<text class=\"title\" transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+            (top + base) / 2, unit);
+        if (sweep_.metric == Metric::rmse && y_.shows(1 / 255.0)) {
+            line("step", left, y_.at(1 / 255.0), width - right, y_.at(1 / 255.0));
+            text("tick", width - right - 4, y_.at(1 / 255.0) - 4, "end", "one step of an 8-bit display");
+        }
+    }
+
+    // Combinations that differ in one rung; red where the dearer is the worse.
+    void edges() {
+        for (const Mark& a : marks_)
+            for (const Mark& b : marks_) {
+                const auto &s = sweep_.rungs[a.rung].steps, &t = sweep_.rungs[b.rung].steps;
+                std::size_t moved = 0, by = 0;
+                for (std::size_t i = 0; i < s.size(); ++i)
+                    if (s[i] != t[i]) {
+                        ++moved;
+                        by = t[i] - s[i];
+                    }
+                if (moved != 1 || by != 1) continue;
+                const bool wrong = (b.x - a.x) * (b.y - a.y) < 0 &&
+                                   sweep_.error(sweep_.rungs[a.rung]) != sweep_.error(sweep_.rungs[b.rung]);
+                line(wrong ? "edge wrong" : "edge", a.x, a.y, b.x, b.y);
+            }
+    }
+
+    // A staircase: between two rungs there is nothing.
+    void front_line() {
+        std::vector<Mark> front;
+        std::ranges::copy_if(marks_, std::back_inserter(front), [&](const Mark& mark) {
+            return sweep_.rungs[mark.rung].verdict.standing == Standing::front;
+        });
+        std::ranges::sort(front, {}, &Mark::x);
+        std::string path;
+        for (std::size_t i = 0; i < front.size(); ++i)
+            path += i == 0 ? fmt::format("M{:.1f} {:.1f}", front[i].x, front[i].y)
+                           : fmt::format("H{:.1f}V{:.1f}", front[i].x, front[i].y);
+        if (!path.empty()) out_ += fmt::format("<path class=\"front\" d=\"{}\"/>", path);
+    }
+
+    void whisker(const Mark& mark) {
+        const RungResult& rung = sweep_.rungs[mark.rung];
+        if (!(rung.low > 0) || !std::isfinite(rung.high)) return;
+        const double x0 = x_.at(rung.low), x1 = x_.at(rung.high);
+        line("whisker", x0, mark.y, x1, mark.y);
+        line("whisker", x0, mark.y - 3, x0, mark.y + 3);
+        line("whisker", x1, mark.y - 3, x1, mark.y + 3);
+    }
+
+    void symbol(const Mark& mark) {
+        const RungResult& rung = sweep_.rungs[mark.rung];
+        const bool solid = !sweep_.trusted() || rung.verdict.standing == Standing::front;
+        const std::string kind = std::string(solid ? "solid" : "hollow") + (rung.saturated ? " grey" : "");
+        const std::string title = fmt::format("<title>{}: {:.3g} ms, RMSE {:.3g}. {}</title>", escaped(rung.name),
+                                              rung.milliseconds, rung.own.rmse, escaped(standing_text(sweep_, rung)));
+        if (mark.rung == sweep_.sweep.current)
+            out_ +=
+                fmt::format("<rect class=\"{} current\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"11\" height=\"11\">{}</rect>",
+                            kind, mark.x - 5.5, mark.y - 5.5, title);
+        else if (mark.rung == sweep_.sweep.reference)
+            out_ += fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}l6 6l-6 6l-6 -6z\">{}</path>", kind, mark.x,
+                                mark.y - 6, title);
+        else
+            out_ += fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\">{}</circle>", kind, mark.x,
+                                mark.y, title);
+    }
+
+    // Each where it meets no symbol and no other label, near its symbol if it can. Of many combinations only those
+    // that matter.
+    void labels() {
+        std::vector<Box> taken;
+        for (const Mark& m : marks_) taken.push_back({m.x - 7, m.y - 7, m.x + 7, m.y + 7});
+        std::vector<Mark> order = marks_;
+        std::ranges::stable_sort(
+            order, {}, [&](const Mark& m) { return sweep_.rungs[m.rung].verdict.standing == Standing::front ? 0 : 1; });
+        for (const Mark& m : order) {
+            const RungResult& rung = sweep_.rungs[m.rung];
+            const bool special = m.rung == sweep_.sweep.current || m.rung == sweep_.sweep.reference ||
+                                 rung.verdict.standing == Standing::front;
+            if (marks_.size() > 24 && !special) continue;
+            const double w = 6.6 * static_cast<double>(rung.name.size()) + 4;
+            std::optional<Box> best;
+            for (double far : {0., 14., 28., 44., 62., 82., 104.}) {
+                for (const auto& [dx, dy] : {std::pair{9., 0.},
+                                             {-9. - w, 0.},
+                                             {-w / 2, -16.},
+                                             {-w / 2, 16.},
+                                             {9., -12.},
+                                             {9., 12.},
+                                             {-9. - w, -12.},
+                                             {-9. - w, 12.}}) {
+                    const double x = m.x + dx, y = m.y + dy + (dy < 0 ? -far : far);
+                    const Box box{x, y - 7, x + w, y + 6};
+                    const bool inside =
+                        box.x0 > left && box.x1 < width - 2 && box.y0 > 2 && box.y1 < height - bottom + 2;
+                    if (!inside || std::ranges::any_of(taken, [&](const Box& other) { return box.meets(other); }))
+                        continue;
+                    best = box;
+                    break;
+                }
+                if (best) break;
+            }
+            if (!best) continue;
+            taken.push_back(*best);
+            const double x = (best->x0 + best->x1) / 2, y = (best->y0 + best->y1) / 2;
+            if (std::hypot(std::clamp(m.x, best->x0, best->x1) - m.x, y - m.y) > 20)
+                line("leader", m.x, m.y, std::clamp(m.x, best->x0, best->x1), y > m.y ? best->y0 : best->y1);
+            text(special ? "label" : "label weak", x, y + 4, "middle", rung.name);
+        }
+    }
+
+    const SweepResult& sweep_;
+    Axis x_, y_;
+    std::vector<Mark> marks_;
+    std::string out_;
+};
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (char c : text) switch (c) {
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '&':
+                out += "&amp;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    return out;
+}
+
+std::string plot_svg(const SweepResult& sweep, std::string_view style) { return Plot(sweep).svg(style); }
+
+std::string svg_text(const SweepResult& sweep) {
+    return plot_svg(
+               sweep,
+               "text{font:11px sans-serif;fill:#000}.title{font-size:12px}.grid{stroke:#ddd}.axis,.whisker{stroke:#000}"
+               ".front{fill:none;stroke:#000;stroke-width:1.5}.solid{fill:#000;stroke:#000}.hollow{fill:#fff;stroke:#"
+               "000}"
+               ".current{fill:#c00;stroke:#c00}.grey,.weak{opacity:.55}.edge{stroke:#bbb}.wrong{stroke:#c00}"
+               ".step{stroke:#888;stroke-dasharray:4 3}.leader{stroke:#aaa}.stamp{fill:#c00;font-weight:bold}") +
+           "\n";
+}
+
+}  // namespace snell::accuracy

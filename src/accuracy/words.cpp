@@ -1,0 +1,174 @@
+// Tables for a terminal, and sentences: each says what the numbers say, or nothing.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/accuracy/report.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+const RungResult& base_of(const SweepResult& sweep) { return sweep.rungs[sweep.sweep.current]; }
+const RungResult& reference_of(const SweepResult& sweep) { return sweep.rungs[sweep.sweep.reference]; }
+
+std::string error_text(const SweepResult& sweep, const RungResult& rung) {
+    if (sweep.metric == Metric::degrees) return fmt::format("{:.3g}°", sweep.error(rung));
+    return fmt::format("RMSE {:.2g}", rung.own.rmse);
+}
+
+std::string list_text(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+}
+
+std::string price_sentence(const SweepResult& sweep) {
+    const RungResult &base = base_of(sweep), &reference = reference_of(sweep);
+    if (&base == &reference) return "The scene stands at the reference.";
+    if (reference.rounds == 0) return fmt::format("'{}' was not timed.", reference.name);
+    if (equal_cost(reference.ratio))
+        return fmt::format("'{}' costs nothing measurable here: {} times '{}'.", reference.name,
+                           ratio_text(reference.ratio), base.name);
+    return fmt::format("'{}' takes {} times what '{}' does, which is {} off.", reference.name,
+                       ratio_text(reference.ratio), base.name, error_text(sweep, base));
+}
+
+// The cheapest of the rungs on the front that halves the error of the scene's own.
+std::string bargain_sentence(const SweepResult& sweep) {
+    const RungResult& base = base_of(sweep);
+    const RungResult* best = nullptr;
+    for (const RungResult& rung : sweep.rungs) {
+        if (rung.verdict.standing != Standing::front || rung.rounds == 0 || &rung == &reference_of(sweep)) continue;
+        if (sweep.error(rung) > .5 * sweep.error(base)) continue;
+        if (!best || rung.milliseconds < best->milliseconds) best = &rung;
+    }
+    if (!best) return {};
+    return fmt::format("The best bargain is '{}': {} instead of {}, for {} times the time.", best->name,
+                       error_text(sweep, *best), error_text(sweep, base), ratio_text(best->ratio));
+}
+
+std::string standing_sentences(const SweepResult& sweep) {
+    std::string text;
+    for (const Standing standing : {Standing::dominated, Standing::saves_none})
+        for (std::size_t other = 0; other < sweep.rungs.size(); ++other) {
+            std::vector<std::string> names;
+            for (const RungResult& rung : sweep.rungs)
+                if (rung.verdict == Verdict{standing, other}) names.push_back("'" + rung.name + "'");
+            if (names.empty()) continue;
+            const std::string& by = sweep.rungs[other].name;
+            text += standing == Standing::dominated
+                        ? fmt::format(" '{}' beats {}: cheaper, and not worse.", by, list_text(names))
+                        : fmt::format(" {} {} nothing against '{}'.", list_text(names),
+                                      names.size() > 1 ? "save" : "saves", by);
+        }
+    return text;
+}
+
+}  // namespace
+
+std::string ratio_text(const Interval& ratio) {
+    if (!std::isfinite(ratio.middle)) return "?";
+    if (!std::isfinite(ratio.high)) return fmt::format("{:.3g}", ratio.middle);
+    const double width = std::max(ratio.width(), 1e-4);
+    const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(width))) + 1, 0, 3);
+    return fmt::format("{:.{}f} [{:.{}f}, {:.{}f}]", ratio.middle, digits, ratio.low, digits, ratio.high, digits);
+}
+
+std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
+    if (!sweep.trusted()) return "";
+    const std::string by = rung.verdict.by == nobody ? "" : sweep.rungs[rung.verdict.by].name;
+    switch (rung.verdict.standing) {
+        case Standing::front:
+            return "front";
+        case Standing::dominated:
+            return "dominated by " + by;
+        case Standing::saves_none:
+            return "no saving: " + by;
+        case Standing::unknown:
+            return "not measured";
+    }
+    return "";
+}
+
+std::string in_words(const SweepResult& sweep) {
+    std::string text;
+    if (base_of(sweep).rounds == 0)
+        text = "Nothing was timed.";
+    else if (sweep.few_rounds)
+        text = "Too few rounds to say what anything costs.";
+    else if (sweep.control.noisy)
+        text = fmt::format("Too noisy to say what anything costs: '{}' took {} times what it took itself.",
+                           base_of(sweep).name, ratio_text(sweep.control.ratio));
+    else
+        text = price_sentence(sweep);
+    if (sweep.trusted()) {
+        if (const std::string bargain = bargain_sentence(sweep); !bargain.empty()) text += " " + bargain;
+        // Of a lattice the table says it.
+        if (sweep.sweep.kind != SweepKind::lattice) text += standing_sentences(sweep);
+    }
+    std::vector<std::string> far, dear, odd;
+    for (const RungResult& rung : sweep.rungs) {
+        if (rung.saturated) far.push_back("'" + rung.name + "'");
+        if (rung.cliff) dear.push_back("'" + rung.name + "'");
+        if (rung.whole.nonfinite > 0) odd.push_back("'" + rung.name + "'");
+    }
+    if (!far.empty() && sweep.sweep.kind != SweepKind::lattice)
+        text +=
+            fmt::format(" {} {} so far off that RMSE no longer ranks.", list_text(far), far.size() > 1 ? "are" : "is");
+    if (!dear.empty())
+        text += fmt::format(" {} {} dearer than both neighbours: a cliff.", list_text(dear),
+                            dear.size() > 1 ? "are" : "is");
+    if (!odd.empty()) text += fmt::format(" Some pixels of {} are no numbers.", list_text(odd));
+    if (sweep.residual_note.starts_with("not converged")) text += " The reference has not converged.";
+    return text;
+}
+
+std::string header_text(const Report& report) {
+    const Circumstances& w = report.where;
+    return fmt::format(
+        "{}: {}x{}, {} rounds, {}\n{} ({}), {}, {} cores, load {:.1f} before, {:.1f} after\nerrors against the "
+        "reference in linear light, before quantisation; others from {}\n",
+        w.scene, w.width, w.height, w.rounds, w.date, w.renderer, w.gl, w.cpu, w.cores, w.load_before, w.load_after,
+        w.from);
+}
+
+std::string table_text(const SweepResult& sweep) {
+    std::size_t width = 8;
+    for (const RungResult& rung : sweep.rungs) width = std::max(width, rung.name.size());
+    const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
+    std::string text = fmt::format("\n{}", sweep.sweep.name);
+    text += sweep.own_pixels > 0 ? fmt::format(", over the {} pixels that its draws cover\n", sweep.own_pixels)
+                                 : ", over the whole picture\n";
+    text +=
+        fmt::format("  {:<{}}  {:>9}  {:>20}  {:>8}  {:>6}  {:>6}  {:>6}  {}{:>9}  {}\n", "rung", width, "ms",
+                    "times the current", "RMSE", "PSNR", "max", "FLIP", degrees ? " degrees  " : "", "PSNR all", "");
+    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
+        const RungResult& rung = sweep.rungs[i];
+        const char mark = i == sweep.sweep.current ? '*' : ' ';
+        if (!rung.drawn) {
+            text += fmt::format("{} {:<{}}  not drawn\n", mark, rung.name, width);
+            continue;
+        }
+        const auto decibel = [](double value) { return std::isfinite(value) ? fmt::format("{:.1f}", value) : "exact"; };
+        std::string notes = standing_text(sweep, rung);
+        if (rung.saturated) notes += notes.empty() ? "decorrelated" : ", decorrelated";
+        if (rung.cliff) notes += ", cliff";
+        if (rung.below_residual) notes += ", within the reference's own error";
+        text += fmt::format("{} {:<{}}  {:>9}  {:>20}  {:>8.2g}  {:>6}  {:>6.3f}  {:>6.3f}  {}{:>9}  {}\n", mark,
+                            rung.name, width, rung.rounds > 0 ? fmt::format("{:.2f}", rung.milliseconds) : "-",
+                            rung.rounds > 0 ? ratio_text(rung.ratio) : "-", rung.own.rmse, decibel(rung.own.psnr),
+                            rung.own.max, rung.flip,
+                            !degrees       ? ""
+                            : rung.degrees ? fmt::format("{:>8.3g}  ", rung.degrees->mean)
+                                           : "          ",
+                            decibel(rung.whole.psnr), notes);
+    }
+    if (sweep.rungs[sweep.sweep.current].rounds > 0)
+        text += fmt::format("  control: {}, {}\n", ratio_text(sweep.control.ratio), name(sweep.clock));
+    return text + "  " + in_words(sweep) + "\n";
+}
+
+}  // namespace snell::accuracy

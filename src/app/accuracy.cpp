@@ -1,0 +1,234 @@
+// `snell accuracy`: what each rung is off by and what it costs, here and now.
+#include <fmt/format.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include "src/accuracy/report.h"
+#include "src/app/commands.h"
+#include "src/app/document.h"
+#include "src/app/headless.h"
+
+namespace snell::app {
+
+namespace {
+
+using namespace snell::accuracy;
+
+std::atomic<bool> interrupted = false;
+
+// The first Ctrl-C ends the measurement, a second one the program.
+void on_interrupt(int) {
+    interrupted = true;
+    std::signal(SIGINT, SIG_DFL);
+}
+
+std::string cpu_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name")) {
+            const std::size_t colon = line.find(':');
+            return colon == std::string::npos ? line : line.substr(std::min(colon + 2, line.size()));
+        }
+    return "unknown processor";
+}
+
+double load() {
+    double loads[1]{};
+    return getloadavg(loads, 1) == 1 ? loads[0] : 0;
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text;
+}
+
+Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps, const BenchSettings& settings) {
+    Circumstances where;
+    where.scene = fmt::format("{}", fmt::join(options.scenes, ", "));
+    where.tool = std::string("snell ") + SNELL_VERSION;
+    where.date = today();
+    where.cpu = cpu_name();
+    utsname system{};
+    if (uname(&system) == 0) where.os = fmt::format("{} {}", system.sysname, system.release);
+    where.cores = static_cast<int>(std::thread::hardware_concurrency());
+    where.load_before = load();
+    where.renderer = caps.renderer;
+    where.vendor = caps.vendor;
+    where.gl = caps.version;
+    where.width = settings.width;
+    where.height = settings.height;
+    where.rounds = options.rounds;
+    where.time = options.time;
+    where.from = options.from;
+    where.sets = options.sets;
+    return where;
+}
+
+// Named ladders only, named knobs only, or everything that the scene has.
+std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, Diagnostics& diagnostics) {
+    if (options.from == "lattice") return lattice_sweep(plan.scene, plan.rungs, options.ladders, diagnostics);
+    const From from = options.from == "scene" ? From::scene : From::reference;
+    std::vector<Sweep> sweeps;
+    if (!options.ladders.empty() || options.knobs.empty())
+        sweeps = ladder_sweeps(plan.scene, plan.rungs, options.ladders, from, diagnostics);
+    std::vector<std::string> knobs = options.knobs;
+    if (knobs.empty() && options.ladders.empty()) knobs.assign(knob_names.begin(), knob_names.end());
+    for (Sweep& sweep : knob_sweeps(plan.scene, plan.rungs, knobs, from, diagnostics))
+        sweeps.push_back(std::move(sweep));
+    return sweeps;
+}
+
+void show_progress(const Progress& progress, std::size_t sweep, std::size_t sweeps, double later) {
+    if (!isatty(STDERR_FILENO)) return;
+    fmt::print(stderr, "\r\033[K{}/{} {}: {} {:.0f} %, about {:.0f} s left", sweep + 1, sweeps, progress.sweep,
+               progress.doing, 100 * std::min(progress.done, 1.0), progress.seconds_left + later);
+    std::fflush(stderr);
+}
+
+bool write_text(const std::string& path, const std::string& text) {
+    if (path.empty()) return true;
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    if (file.flush()) return true;
+    fmt::print(stderr, "snell: error: can't write '{}'\n", path);
+    return false;
+}
+
+bool write_all(const AccuracyOptions& options, const Report& report) {
+    bool written = write_text(options.csv, csv_text(report)) && write_text(options.json, json_text(report)) &&
+                   write_text(options.html, html_text(report));
+    for (std::size_t i = 0; i < report.sweeps.size() && written && !options.svg.empty(); ++i) {
+        // plot.svg, plot-2.svg …
+        const std::size_t dot = options.svg.rfind('.');
+        const std::string path = i == 0 ? options.svg
+                                        : options.svg.substr(0, dot) + fmt::format("-{}", i + 1) +
+                                              (dot == std::string::npos ? "" : options.svg.substr(dot));
+        written = write_text(path, svg_text(report.sweeps[i]));
+    }
+    return written;
+}
+
+// A scene that was read, and what of it is to be measured.
+struct Subject {
+    std::string path;
+    std::unique_ptr<Files> files;
+    Sources sources;
+    Plan plan;
+    std::vector<Sweep> sweeps;
+};
+
+// Null, with its reasons printed, where there is nothing to measure.
+std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool& errors) {
+    auto subject = std::make_unique<Subject>();
+    subject->path = path;
+    subject->files = std::make_unique<Files>(scene_folder(path));
+    Diagnostics diagnostics;
+    if (auto parsed = parse_document(path, *subject->files, subject->sources, diagnostics)) {
+        subject->plan = make_plan(std::move(parsed->scene), *subject->files, subject->sources, diagnostics);
+        for (const std::string& choice : options.choices)
+            choose_rung(subject->plan.rungs, subject->plan.scene, choice, diagnostics);
+        subject->sweeps = sweeps_for(options, subject->plan, diagnostics);
+    }
+    fmt::print(stderr, "{}", snell::render(diagnostics, subject->sources));
+    errors = errors || diagnostics.has_errors();
+    if (!subject->sweeps.empty()) return subject;
+    if (!diagnostics.has_errors())
+        fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n", path);
+    errors = true;
+    return nullptr;
+}
+
+// Measures one sweep after another, and prints each when it is done. The budget is shared by those to come.
+class Run {
+public:
+    Run(const AccuracyOptions& options, std::size_t sweeps) : options_(options), sweeps_(sweeps) {}
+
+    void measure_all(Bench& bench, const Subject& subject, Report& report) {
+        for (const Sweep& sweep : subject.sweeps) {
+            if (interrupted) return;
+            const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+            const std::size_t left = sweeps_ - done_;
+            const double share = std::max(options_.budget - spent, 0.0) / static_cast<double>(left);
+            MeasureOptions measuring;
+            measuring.rounds = options_.rounds;
+            measuring.seconds = std::max(share, .1);
+            measuring.times = !options_.no_time;
+            measuring.stop = [] { return interrupted.load(); };
+            measuring.report = [&](const Progress& progress) {
+                show_progress(progress, done_, sweeps_, share * static_cast<double>(left - 1));
+            };
+            SweepResult result = measure(bench, sweep, measuring);
+            result.scene = subject.path;
+            if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+            fmt::print("{}", table_text(result));
+            std::fflush(stdout);
+            report.sweeps.push_back(std::move(result));
+            ++done_;
+        }
+    }
+
+private:
+    const AccuracyOptions& options_;
+    std::size_t sweeps_, done_ = 0;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+bool note_problems(const Bench& bench, const Sources& sources, Report& report) {
+    Diagnostics wrong;
+    for (const Diagnostic& problem : bench.problems().items()) {
+        report.problems.push_back(problem.message);
+        if (problem.severity == Severity::error) wrong.add(problem);
+    }
+    fmt::print(stderr, "{}", snell::render(wrong, sources));
+    return wrong.has_errors();
+}
+
+}  // namespace
+
+int accuracy(const AccuracyOptions& options) {
+    auto context = headless_context(options.context);
+    if (!context) return exit_graphics;
+    const gl::Caps caps = gl::query_caps();
+    bool errors = false;
+    std::vector<std::unique_ptr<Subject>> subjects;
+    std::size_t sweeps = 0;
+    for (const std::string& path : options.scenes)
+        if (auto subject = read_subject(path, options, errors)) {
+            sweeps += subject->sweeps.size();
+            subjects.push_back(std::move(subject));
+        }
+    if (subjects.empty()) return exit_input;
+    const std::array<int, 2> window = subjects.front()->plan.scene.window_size;
+    const auto [width, height] = options.size.value_or(std::pair(window[0], window[1]));
+    const BenchSettings settings{width, height, options.time, options.sets};
+    Report report{circumstances(options, caps, settings), {}, {}};
+    interrupted = false;
+    const auto before = std::signal(SIGINT, on_interrupt);
+    Run run(options, sweeps);
+    for (const auto& subject : subjects) {
+        Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
+        run.measure_all(bench, *subject, report);
+        report.where.query_over_wall = bench.query_over_wall();
+        errors = note_problems(bench, subject->sources, report) || errors;
+    }
+    std::signal(SIGINT, before);
+    report.where.load_after = load();
+    fmt::print("\n{}", header_text(report));
+    if (!write_all(options, report)) return exit_input;
+    return errors ? exit_input : exit_fine;
+}
+
+}  // namespace snell::app
