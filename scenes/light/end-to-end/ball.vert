@@ -1,0 +1,22 @@
+#version 330 compatibility
+// The mesh. Methods that trace the ball have no use for it.
+#include "traced.glsl"
+uniform vec3 camWorldPos;
+out vec3 vPoint, vNormal, vRay;  // in the world; vRay from the eye, not of unit length
+out vec3 vMirror;
+out float vLight;
+
+const vec3 LIGHT = vec3(0., 0., 4.);
+
+void main() {
+    vPoint = gl_Vertex.xyz;
+    vNormal = normalize(gl_Normal);
+    vRay = vPoint - camWorldPos;
+    // The Orange Book's: mirrored, and lit, by vertex.
+    vMirror = reflect(vRay, vNormal);
+    vLight = max(dot(normalize(LIGHT - vPoint), vNormal), 0.);
+    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
+#if TRACED
+    gl_Position = vec4(2., 2., 2., 1.);
+#endif
+}
