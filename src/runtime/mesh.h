@@ -20,6 +20,7 @@ struct GpuMesh {
     bool has_w = false;  // some w is not 1
     content::Float3 min{}, max{};
     std::size_t bytes = 0;
+    double load_ms = 0;
 };
 
 GpuMesh upload(const content::Mesh& mesh);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "shaders/embedded.h"
+#include "src/runtime/stopwatch.h"
 #include "src/runtime/tree.h"
 
 namespace snell::runtime {
@@ -289,6 +290,7 @@ std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::v
                                             std::span<const Ladder> ladders, const Variant& variant,
                                             const gl::Caps& caps, Files& files, Sources& sources, Store* store,
                                             Counters& counters, Diagnostics& diagnostics) {
+    const Stopwatch watch;
     if (!stages_supported(stages, program, caps, diagnostics)) return nullptr;
     glsl::Options options;
     options.target = {caps.glsl, caps.es, caps.fp64};
@@ -334,6 +336,7 @@ std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::v
     assign_units(*linked);
     set_fixed_function_defaults(*linked);
     take_defaults(*linked, translation);
+    linked->load_ms = watch.milliseconds();
     if (store) store->programs.put(key, linked, {}, none_said, 0);
     return linked;
 }

@@ -53,6 +53,7 @@ struct LinkedProgram {
     std::vector<SystemUniform> system;
     std::vector<UserUniform> user;
     std::vector<SamplerUniform> samplers;
+    double load_ms = 0;        // to translate, compile and link
     bool opaque = false;       // writes alpha 1 whatever happens
     bool plain_depth = false;  // as Translation's
     bool tessellates = false;

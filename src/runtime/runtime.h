@@ -15,6 +15,7 @@
 #include "src/plan/files.h"
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
+#include "src/runtime/explain.h"
 
 namespace snell {
 
@@ -110,9 +111,12 @@ public:
     // False after a paced frame whose cube maps still show something older: the same frame again would be another.
     bool settled() const;
     const Counters& counters() const;
+    // Without times of frames: these are for who has a clock.
+    Explanation explain() const;
+
+    struct Impl;
 
 private:
-    struct Impl;
     std::unique_ptr<Impl> impl_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "src/content/image.h"
 #include "src/plan/identity.h"
+#include "src/runtime/stopwatch.h"
 
 namespace snell::runtime {
 
@@ -143,6 +144,11 @@ const GpuTexture* Textures::find(Index texture) const {
     return found && found->texture ? found : nullptr;
 }
 
+const GpuTexture* Textures::find_noise(int dimensions) const {
+    const auto found = noise_.find(dimensions);
+    return found == noise_.end() ? nullptr : found->second.get();
+}
+
 const GpuTexture* Textures::realise(Index texture) {
     if (texture >= textures_.size()) return nullptr;
     auto& slot = textures_[same_[texture]];
@@ -172,7 +178,9 @@ std::shared_ptr<GpuTexture> Textures::take_or_make(Index texture) {
         return known;
     }
     const std::size_t said = diagnostics_->items().size();
+    const Stopwatch watch;
     auto made = std::make_shared<GpuTexture>(make(texture));
+    made->load_ms = watch.milliseconds();
     store_->textures.put(identity.key, made, at, *diagnostics_, said);
     if (!savings_) {
         empty_image_cache();
@@ -263,8 +271,8 @@ GpuTexture Textures::make_empty(const Texture& declared) {
     gpu.mipmapped = mipmapped(declared.filter) || !savings_;
     // Zeros rather than nothing: reading what was never written must not show old memory.
     const gl::Pixels pixels = declared.bits == 16 ? gl::Pixels::rgba16f : gl::Pixels::rgba8;
-    const std::size_t bytes = gl::texel_bytes(pixels) * static_cast<std::size_t>(gpu.size[0]) * static_cast<std::size_t>(gpu.size[1]) *
-                              static_cast<std::size_t>(gpu.size[2]);
+    const std::size_t bytes = gl::texel_bytes(pixels) * static_cast<std::size_t>(gpu.size[0]) *
+                              static_cast<std::size_t>(gpu.size[1]) * static_cast<std::size_t>(gpu.size[2]);
     const std::vector<std::byte> zeros(bytes);
     gl::Texels texels{pixels, gpu.size[0], gpu.size[1], gpu.size[2], zeros.data()};
     if (cube) {
@@ -290,7 +298,9 @@ const GpuTexture* Textures::noise(int dimensions) {
         return slot.get();
     }
     const std::size_t said = diagnostics_->items().size();
+    const Stopwatch watch;
     slot = std::make_shared<GpuTexture>(make_noise(dimensions));
+    slot->load_ms = watch.milliseconds();
     store_->textures.put(identity.key, slot, {}, *diagnostics_, said);
     return slot.get();
 }

@@ -26,6 +26,7 @@ struct GpuTexture {
     std::array<int, 3> size{0, 1, 1};
     bool mipmapped = false;
     std::size_t bytes = 0;
+    double load_ms = 0;
 };
 
 class Textures {
@@ -44,6 +45,7 @@ public:
     void refresh(Index source);
     // Null when it was not realised.
     const GpuTexture* find(Index texture) const;
+    const GpuTexture* find_noise(int dimensions) const;
     // The first texture that is declared just so, and shares everything with this one.
     Index first(Index texture) const { return same_[texture]; }
     // The files and their decoded pictures are needed only while textures are realised.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/runtime/impl.h"
+#include "src/runtime/stopwatch.h"
 
 namespace snell {
 
@@ -62,6 +63,7 @@ void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* me
 
 void Runtime::Impl::make_tree(runtime::GpuTree& tree, const content::Mesh& mesh,
                               const std::array<bool, runtime::tree_parts>& read, Index draw, Diagnostics& diagnostics) {
+    const runtime::Stopwatch watch;
     bool too_large = false;
     content::Tree made = content::make_tree(mesh, &too_large);
     const Span span = plan.scene.draws[draw].span;
@@ -89,10 +91,12 @@ void Runtime::Impl::make_tree(runtime::GpuTree& tree, const content::Mesh& mesh,
         if (!read[i] || tree.parts[i].texture) continue;
         tree.parts[i] = gl::make_buffer_texture(all[i].data(), all[i].size());
         const std::size_t bytes = all[i].size() * sizeof(content::Float4);
+        tree.bytes += bytes;
         counters.bytes_uploaded += bytes;
         counters.gpu_bytes += bytes;
         counters.buffers += 1;
     }
+    tree.load_ms += watch.milliseconds();
 }
 
 }  // namespace snell

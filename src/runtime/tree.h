@@ -20,6 +20,8 @@ std::optional<TreePart> tree_part(std::string_view sampler);
 struct GpuTree {
     std::array<gl::BufferTexture, tree_parts> parts;
     bool built = false;
+    std::size_t bytes = 0;
+    double load_ms = 0;
     bool at_fault = false;  // something was said of it, and is to be said again
 };
 

@@ -1,0 +1,264 @@
+#include "src/runtime/explain.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "parser/text_of.h"
+#include "src/runtime/impl.h"
+
+namespace snell {
+
+namespace {
+
+using Kind = Explanation::Kind;
+using Paid = Explanation::Paid;
+
+std::string_view last_part(std::string_view path) { return path.substr(path.rfind('/') + 1); }
+
+std::string size_text(const std::array<int, 3>& size) {
+    return size[2] > 1 ? fmt::format("{}x{}x{}", size[0], size[1], size[2]) : fmt::format("{}x{}", size[0], size[1]);
+}
+
+std::string statement_of(const Texture& texture) {
+    constexpr std::array<std::string_view, 4> targets{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
+    constexpr std::array<std::string_view, 3> computed{"", "Irradiance", "Prefilter"};
+    const bool made = texture.computed != Computed::no;
+    return fmt::format(
+        "{} {}",
+        made ? computed[static_cast<std::size_t>(texture.computed)] : targets[static_cast<std::size_t>(texture.target)],
+        texture.unit);
+}
+
+std::string plural(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : what.ends_with('s') ? "es" : "s");
+}
+
+}  // namespace
+
+std::string_view name(Explanation::Kind kind) {
+    constexpr std::array<std::string_view, 10> names{"image", "cube map", "empty texture", "computed", "noise",
+                                                     "mesh",  "tree",     "program",       "target",   "pass"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+namespace {
+
+// Gathers what a runtime has. Reads it only.
+class Explainer {
+public:
+    explicit Explainer(const Runtime::Impl& impl) : impl_(impl), scene_(impl.plan.scene) {
+        for (const auto& pass : impl.passes)
+            for (const auto& item : pass.items)
+                if (item) note(*item);
+    }
+
+    Explanation explain() {
+        textures();
+        noise();
+        meshes();
+        programs();
+        passes();
+        unused();
+        unpaid();
+        redraw();
+        return std::move(result_);
+    }
+
+private:
+    const Draw& draw_of(const runtime::ReadyDraw& ready) const { return scene_.draws[ready.draw]; }
+
+    // Who reads what.
+    void note(const runtime::ReadyDraw& ready) {
+        const Draw& draw = draw_of(ready);
+        ++mesh_draws_[ready.mesh];
+        if (draw.program != none) ++program_draws_[draw.program];
+        drawn_with_[ready.draw] = ready.program;
+        for (const runtime::Sampled& sampled : impl_.sampled_by(draw, *ready.program)) {
+            const std::string reader =
+                fmt::format("{} of {}", sampled.sampler->name, scene_.programs[draw.program].name);
+            if (sampled.texture != none) readers_[impl_.textures.first(sampled.texture)].insert(reader);
+            if (sampled.noise) noise_readers_[sampled.noise].insert(reader);
+        }
+        for (const Index source : ready.sources)
+            readers_[impl_.textures.first(source)].insert("what is computed of it");
+    }
+
+    void textures() {
+        for (Index i = 0; i < scene_.textures.size(); ++i) {
+            const runtime::GpuTexture* gpu = impl_.textures.first(i) == i ? impl_.textures.find(i) : nullptr;
+            if (!gpu) continue;
+            const Texture& declared = scene_.textures[i];
+            Paid paid;
+            paid.kind = declared.computed != Computed::no        ? Kind::computed
+                        : declared.files.empty()                 ? Kind::empty_texture
+                        : declared.target == TextureTarget::cube ? Kind::cube_map
+                                                                 : Kind::image;
+            const std::string_view file = declared.files.empty() ? "" : last_part(declared.files[0].name);
+            paid.name = fmt::format("{}{}{} {}{}", statement_of(declared), file.empty() ? "" : " ", file,
+                                    size_text(gpu->size), gpu->mipmapped ? ", with mipmaps" : "");
+            paid.why = readers_[i].empty() ? "rendered to" : fmt::format("read by {}", fmt::join(readers_[i], ", "));
+            std::size_t twins = 0;
+            for (Index other = i + 1; other < scene_.textures.size(); ++other)
+                twins += impl_.textures.first(other) == i;
+            if (twins) paid.why += fmt::format("; once for {} statements", twins + 1);
+            paid.span = declared.span;
+            paid.bytes = gpu->bytes;
+            paid.load_ms = gpu->load_ms;
+            result_.paid.push_back(std::move(paid));
+        }
+    }
+
+    void noise() {
+        for (const auto& [dimensions, readers] : noise_readers_) {
+            Paid paid{Kind::noise, fmt::format("Noise{}", dimensions),
+                      fmt::format("read by {}", fmt::join(readers, ", ")), std::nullopt};
+            if (const auto* gpu = impl_.textures.find_noise(dimensions)) {
+                paid.name += " " + size_text(gpu->size);
+                paid.bytes = gpu->bytes;
+                paid.load_ms = gpu->load_ms;
+            }
+            result_.paid.push_back(std::move(paid));
+        }
+    }
+
+    void meshes() {
+        for (const auto& [mesh, draws] : mesh_draws_) {
+            const runtime::GpuMesh& gpu = *impl_.meshes[mesh];
+            const MeshRequest& request = impl_.plan.meshes[mesh];
+            Paid paid{Kind::mesh, text_of::shape(scene_, request.shape, request.wire), plural(draws, "draw"),
+                      request.span};
+            paid.bytes = gpu.bytes;
+            paid.load_ms = gpu.load_ms;
+            paid.triangles = runtime::triangle_count(gpu.topology, gpu.count);
+            result_.paid.push_back(std::move(paid));
+            const runtime::GpuTree& tree = *impl_.trees[mesh];
+            if (!tree.built) continue;
+            Paid own{Kind::tree, result_.paid.back().name, "rays of a program go through it", request.span};
+            own.bytes = tree.bytes;
+            own.load_ms = tree.load_ms;
+            result_.paid.push_back(std::move(own));
+        }
+    }
+
+    void programs() {
+        for (const auto& [key, linked] : impl_.programs) {
+            const auto& [index, variant] = key;
+            if (!linked || index == none) continue;
+            const Program& program = scene_.programs[index];
+            Paid paid{Kind::program, program.name, "", program.span};
+            paid.load_ms = linked->load_ms;
+            for (const auto& [draw, with] : drawn_with_)
+                if (with == linked.get()) paid.draws.push_back(draw);
+            paid.why =
+                paid.draws.empty() ? "no draw; compiled for its sliders and errors" : plural(paid.draws.size(), "draw");
+            if (variant.wide) paid.name += ", lines widened";
+            if (variant.outputs > 1) paid.name += fmt::format(", {} outputs", variant.outputs);
+            for (std::size_t i = 0; i < variant.rungs.size(); ++i)
+                paid.name += fmt::format(", {} {}", scene_.ladders[i].name, scene_.ladders[i].rungs[variant.rungs[i]]);
+            for (const runtime::SamplerUniform& sampler : linked->samplers) paid.why += "; reads " + sampler.name;
+            result_.paid.push_back(std::move(paid));
+        }
+    }
+
+    void passes() {
+        for (Index i = 0; i < impl_.passes.size(); ++i) {
+            const runtime::ReadyPass& ready = impl_.passes[i];
+            const Pass& pass = scene_.passes[i];
+            const bool window = pass.kind == Pass::Kind::window;
+            if (!ready.live || (window && pass.items.empty())) continue;
+            if (!window) target(ready, pass);
+            Paid paid;
+            paid.kind = Kind::pass;
+            for (const auto& item : ready.items)
+                if (item) {
+                    paid.draws.push_back(item->draw);
+                    paid.triangles +=
+                        runtime::triangle_count(impl_.meshes[item->mesh]->topology, impl_.meshes[item->mesh]->count);
+                }
+            const bool cube = pass.kind == Pass::Kind::cube;
+            paid.name = window ? "window" : cube ? "RenderToCube" : "RenderToTexture";
+            paid.kept = cube && !impl_.reads_other_passes(ready);
+            paid.why =
+                plural(paid.draws.size(), "draw") + (paid.kept ? ", again when what its faces show changed" : "");
+            if (!window) paid.span = pass.span;
+            result_.paid.push_back(std::move(paid));
+        }
+    }
+
+    void target(const runtime::ReadyPass& ready, const Pass& pass) {
+        Paid paid{Kind::target, fmt::format("depth {}x{}", ready.width, ready.height), "drawn to off-screen",
+                  pass.span};
+        paid.bytes = std::size_t{4} * static_cast<std::size_t>(ready.width) * static_cast<std::size_t>(ready.height) *
+                     impl_.targets.at(ready.textures).size();
+        result_.paid.push_back(std::move(paid));
+    }
+
+    void unused() {
+        for (Index i = 0; i < scene_.textures.size(); ++i)
+            if (!impl_.textures.find(i))
+                result_.unused.push_back(
+                    {statement_of(scene_.textures[i]), "no draw samples it", scene_.textures[i].span});
+        for (Index i = 0; i < scene_.programs.size(); ++i) {
+            const Program& program = scene_.programs[i];
+            if (!program_draws_.contains(i))
+                result_.unused.push_back({"Program " + program.name, "nothing is drawn with it", program.span});
+            for (const UniformValue& uniform : program.uniforms)
+                if (std::ranges::none_of(impl_.active[i],
+                                         [&](const ActiveUniform& a) { return uniform.name.starts_with(a.name); }))
+                    result_.unused.push_back({fmt::format("{} of {}", uniform.name, program.name),
+                                              "no stage reads it: it is not active", uniform.span});
+        }
+        for (Index i = 0; i < impl_.passes.size(); ++i)
+            if (!impl_.passes[i].live)
+                result_.unused.push_back(
+                    {"RenderTo", "nothing reads what is rendered there: not drawn", scene_.passes[i].span});
+        for (const Ladder& ladder : scene_.ladders)
+            if (ladder.rungs.size() > 1)
+                result_.unused.push_back(
+                    {"Ladder " + ladder.name,
+                     plural(ladder.rungs.size() - 1, "other rung") + ": compiled when they are chosen", ladder.span});
+    }
+
+    void redraw() {
+        std::set<std::string_view> clocks;
+        for (const auto& [draw, program] : drawn_with_)
+            if (program->reads(glsl::System::timer) || program->reads(glsl::System::time))
+                clocks.insert(scene_.programs[scene_.draws[draw].program].name);
+        result_.redraw = clocks.empty() ? "when input, a file, the size or a value changed something"
+                                        : fmt::format("all the time: {} read the clock", fmt::join(clocks, ", "));
+    }
+
+    void say(std::string_view what, bool paid_for, std::string_view why) {
+        if (!paid_for) result_.unpaid.push_back({std::string(what), std::string(why)});
+    }
+
+    void unpaid() {
+        const Counters& c = impl_.counters;
+        const auto has = [&](Kind kind) { return std::ranges::count(result_.paid, kind, &Paid::kind) > 0; };
+        say("Timer", impl_.animated, "inactive in every drawn program: drawn again when something changed");
+        say("Noise2, Noise3", has(Kind::noise), "inactive");
+        say("off-screen targets", has(Kind::target), "nothing is rendered to textures");
+        say("mipmaps", c.mip_chains > 0, "no Filter asks for them");
+        say("irradiance, prefilter", c.convolutions > 0, "not sampled");
+        say("trees of meshes", has(Kind::tree), "no program traces rays through what it draws");
+        say("blending", c.blended_draws > 0, "no program can write an alpha below 1");
+        say("more samples a pixel", false, "1 sample");
+    }
+
+    const Runtime::Impl& impl_;
+    const Scene& scene_;
+    Explanation result_;
+    std::map<Index, std::set<std::string>> readers_;
+    std::map<int, std::set<std::string>> noise_readers_;
+    std::map<Index, std::size_t> mesh_draws_, program_draws_;
+    std::map<Index, const runtime::LinkedProgram*> drawn_with_;
+};
+
+}  // namespace
+
+Explanation Runtime::explain() const { return Explainer(*impl_).explain(); }
+
+}  // namespace snell
