@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/app/accuracy_view.h"
 #include "src/app/commands.h"
 #include "src/app/session.h"
 #include "src/app/window_state.h"
@@ -29,10 +30,8 @@ constexpr int samples = 4;
 // All that the last picture of the scene was drawn from: while it stays, so does the picture.
 struct Drawn {
     std::uint64_t revision = 0;
-    int width = 0, height = 0;
-    double time = 0;
-    View view;
-    std::vector<double> values;
+    Stand stand;
+    Rungs rungs;
 
     bool operator==(const Drawn&) const = default;
 };
@@ -41,7 +40,6 @@ void gather(const Controls& controls, std::vector<double>& values) {
     values.clear();
     for (const Control& control : controls.items)
         values.insert(values.end(), control.value.begin(), control.value.end());
-    values.insert(values.end(), controls.rungs.begin(), controls.rungs.end());
 }
 
 class App {
@@ -52,6 +50,7 @@ public:
           gui_(window_.get()),
           caps_(gl::query_caps()),
           session_(options.scene, caps_),
+          accuracy_(options.scene, caps_),
           layout_(!options.state_file.empty()) {
         view_.axes = true;
     }
@@ -59,7 +58,7 @@ public:
     void run() {
         report();
         window_->show(first_size());
-        began_ = window_->now();
+        began_ = scene_began_ = window_->now();
         last_input_ = began_;
         while (!window_->closing()) {
             window_->wait(pause());
@@ -85,15 +84,24 @@ private:
                 static_cast<int>(std::clamp(size.height * scale, 240.0, 16384.0))};
     }
 
+    bool held() const { return memory_.accuracy.open && memory_.accuracy.hold_time; }
+
     // Another frame of the same would be another picture.
     bool moving() {
         Document* document = session_.document();
-        return document && (document->runtime->animated() || !document->runtime->settled());
+        return document && ((document->runtime->animated() && !held()) || !document->runtime->settled());
+    }
+
+    // Seconds since the scene began, without those that it was held.
+    double scene_time() {
+        const double now = window_->now();
+        if (held()) scene_began_ = now - counters_.time;
+        return now - scene_began_;
     }
 
     // How long nothing will happen without input.
     double pause() {
-        if (unsettled_ > 0) return 0;
+        if (unsettled_ > 0 || (accuracy_.busy() && visible())) return 0;
         const double now = window_->now();
         double until = next_look_;
         if (moving() && visible()) until = std::min(until, last_picture_ + frame_time);
@@ -124,7 +132,7 @@ private:
             unsettled_ = 0;  // all is drawn again when the window comes back: that is an event
             return;
         }
-        if (!woken) return;
+        if (!woken && !refined()) return;
         // Dear ImGui answers some input one frame late: go on until two frames are equal.
         if (!events.empty()) unsettled_ = 3;
         std::span<const Event> rest(events);
@@ -135,6 +143,13 @@ private:
         } while (!rest.empty());
         unsettled_ = std::max(0, unsettled_ - 1);
         show(repaint);
+    }
+
+    // A step toward a better reference, while there is nothing else to do.
+    bool refined() {
+        if (!accuracy_.step()) return false;
+        unsettled_ = std::max(unsettled_, 1);
+        return true;
     }
 
     // The panels see the input and change controls and view; nothing is drawn yet.
@@ -157,6 +172,7 @@ private:
             report();
             unsettled_ = 3;
         }
+        if (requests.measure) accuracy_.measure(memory_.accuracy);
         if (requests.reload) {
             session_.reload();
             report();
@@ -186,6 +202,7 @@ private:
         facts.frame_ms = counters_.frame_ms;
         facts.samples = canvas_.samples();
         facts.renderer = caps_.renderer;
+        facts.accuracy = accuracy_.facts(memory_.accuracy);
         return facts;
     }
 
@@ -193,13 +210,18 @@ private:
     void show(bool repaint) {
         const PixelSize pixels = window_->framebuffer();
         const bool drew = draw_scene(pixels);
-        if (drew || repaint || interface_ != presented_) {
+        if (Document* document = session_.document())
+            accuracy_.follow(*document, session_.stale(), drawn_.stand, memory_.accuracy);
+        const std::uint64_t beside = accuracy_.revision(memory_.accuracy);
+        if (drew || repaint || interface_ != presented_ || beside != presented_beside_) {
             present(pixels);
             presented_ = interface_;
+            presented_beside_ = beside;
             ++counters_.presents;
         }
         if (!options_.state_file.empty())
-            write_window_state(options_.state_file, counters_, session_, view_, layout_, memory_.scene, pixels);
+            write_window_state(options_.state_file, counters_, session_, view_, layout_, memory_,
+                               accuracy_.facts(memory_.accuracy), pixels);
     }
 
     bool draw_scene(PixelSize pixels) {
@@ -207,24 +229,26 @@ private:
         if (!document) return false;
         const float density = static_cast<float>(pixels.width) / static_cast<float>(std::max(1, window_->size().width));
         next_.revision = session_.stale() ? drawn_.revision : session_.revision();
-        next_.width = std::max(1, static_cast<int>(std::lround(memory_.scene.width * density)));
-        next_.height = std::max(1, static_cast<int>(std::lround(memory_.scene.height * density)));
-        next_.time = document->runtime->animated() ? window_->now() - began_ : 0;
-        next_.view = view_;
-        gather(document->controls, next_.values);
+        Stand& stand = next_.stand;
+        stand.width = std::max(1, static_cast<int>(std::lround(memory_.scene.width * density)));
+        stand.height = std::max(1, static_cast<int>(std::lround(memory_.scene.height * density)));
+        stand.time = document->runtime->animated() ? scene_time() : 0;
+        stand.view = view_;
+        gather(document->controls, stand.values);
+        next_.rungs = document->controls.rungs;
         if (next_ == drawn_ && document->runtime->settled()) {
             document->runtime->skip_frame();
             return false;
         }
-        if (!canvas_.resize(next_.width, next_.height, samples)) return false;
+        if (!canvas_.resize(stand.width, stand.height, samples)) return false;
         const double start = window_->now();
-        document->runtime->draw({next_.time, view_, document->controls, true},
-                                {canvas_.framebuffer(), next_.width, next_.height});
+        document->runtime->draw({stand.time, view_, document->controls, true},
+                                {canvas_.framebuffer(), stand.width, stand.height});
         canvas_.resolve();
         gl::finish();
         last_picture_ = start;
         counters_.frame_ms = (window_->now() - start) * 1e3;
-        counters_.time = next_.time;
+        counters_.time = stand.time;
         ++counters_.frames;
         std::swap(drawn_, next_);
         unsettled_ = std::max(unsettled_, 1);  // the panels show what it cost
@@ -234,7 +258,10 @@ private:
     void present(PixelSize pixels) {
         const ImVec4 around = ui::palette().surround;
         gl::clear_window(pixels.width, pixels.height, around.x, around.y, around.z);
-        if (session_.document()) canvas_.show(0, pixels.height - drawn_.height);
+        if (session_.document()) {
+            canvas_.show(0, pixels.height - drawn_.stand.height);
+            accuracy_.show(pixels.height - drawn_.stand.height, memory_.accuracy);
+        }
         painter_.paint();
         window_->present();
     }
@@ -251,6 +278,7 @@ private:
     ui::Painter painter_;
     gl::Caps caps_;
     Session session_;
+    AccuracyView accuracy_;
     gl::Canvas canvas_;
     View view_;
     ui::Memory memory_;
@@ -259,9 +287,9 @@ private:
     std::vector<char> linked_;
     WindowCounters counters_;
     Drawn drawn_, next_;
-    std::uint64_t interface_ = 0, presented_ = 0;
+    std::uint64_t interface_ = 0, presented_ = 0, presented_beside_ = 0;
     int unsettled_ = 3;
-    double began_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;
+    double began_ = 0, scene_began_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "src/app/session.h"
 #include "src/platform/window.h"
 #include "src/ui/layout.h"
+#include "src/ui/state.h"
 
 namespace snell {
 
@@ -19,6 +20,7 @@ struct WindowCounters {
 
 // The file is replaced as a whole: a reader never sees half of one.
 void write_window_state(const std::string& file, const WindowCounters& counters, Session& session, const View& view,
-                        const ui::Layout& layout, const ui::Rect& scene, PixelSize size);
+                        const ui::Layout& layout, const ui::Memory& memory, const ui::AccuracyFacts* accuracy,
+                        PixelSize size);
 
 }  // namespace snell

@@ -210,11 +210,14 @@ void ladder_row(const Ladder& ladder, std::size_t& rung, Layout& layout) {
 
 }  // namespace
 
-void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
-    const std::vector<Program>& programs = facts.scene->programs;
+void ladders_panel(const Facts& facts, Controls& controls, Layout& layout) {
     const std::vector<Ladder>& ladders = facts.scene->ladders;
     for (std::size_t i = 0; i < ladders.size() && i < controls.rungs.size(); ++i)
         ladder_row(ladders[i], controls.rungs[i], layout);
+}
+
+void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
+    const std::vector<Program>& programs = facts.scene->programs;
     bool slides = false;  // some section so far
     for (Index i = 0; i < programs.size(); ++i) {
         // The first, and if that has nothing to slide, the first that has.

@@ -111,6 +111,8 @@ Requests panel_window(const Facts& facts, const Rect& panel, Controls& controls,
         ImGui::Separator();
         ImGui::BeginChild("##programs", {0, 0});
         if (facts.scene) {
+            ladders_panel(facts, controls, layout);
+            requests.measure = accuracy_section(facts, controls, memory.accuracy, layout);
             programs_panel(facts, controls, memory, layout);
             view_section(view, layout);
         } else {
@@ -124,6 +126,8 @@ Requests panel_window(const Facts& facts, const Rect& panel, Controls& controls,
     ImGui::End();
     return requests;
 }
+
+bool has_ladders(const Facts& facts) { return facts.scene && !facts.scene->ladders.empty(); }
 
 void problem_chip(const Facts& facts, Memory& memory, Layout& layout) {
     const auto errors = std::count_if(facts.problems.begin(), facts.problems.end(),
@@ -159,7 +163,8 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
         const float left = ImGui::GetCursorPosX();
         const std::string cost = fmt::format(
             "{}{:.1f} ms", facts.animated ? fmt::format("t = {:.2f} s   ", facts.time) : "", facts.frame_ms);
-        const std::string help = "drag: turn   wheel: scale   right drag: move   R: reset   H: panel";
+        const std::string help = fmt::format("drag: turn   wheel: scale   right drag: move   R: reset   H: panel{}",
+                                             has_ladders(facts) ? "   A: accuracy" : "");
         const float right = ImGui::GetWindowContentRegionMax().x;
         const float cost_width = ImGui::CalcTextSize("t = 1000.00 s   100.0 ms").x;
         const float help_width = ImGui::CalcTextSize(help.c_str()).x;
@@ -187,12 +192,20 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (!ImGui::GetIO().WantTextInput) {
         if (ImGui::IsKeyPressed(static_cast<int>(Key::h), false)) memory.panel = !memory.panel;
         requests.reload = ImGui::IsKeyPressed(static_cast<int>(Key::f5), false);
+        if (has_ladders(facts) && ImGui::IsKeyPressed(static_cast<int>(Key::a), false))
+            memory.accuracy.open = !memory.accuracy.open;
     }
     const Areas parts = areas(memory);
-    if (memory.panel) requests.reload |= panel_window(facts, parts.panel, controls, view, memory, layout).reload;
+    if (memory.panel) {
+        const Requests asked = panel_window(facts, parts.panel, controls, view, memory, layout);
+        requests.reload |= asked.reload;
+        requests.measure = asked.measure;
+    }
     status_window(facts, parts.status, memory, layout);
     problems_panel(facts, parts.scene, fonts, memory, layout);
     notices(facts, parts.scene, memory, layout);
+    if (facts.accuracy && memory.accuracy.show == AccuracyMemory::Show::split)
+        accuracy_divider(parts.scene, memory.accuracy, layout);
     hold_scene(facts, parts.scene, view);
     memory.scene = parts.scene;
     return requests;

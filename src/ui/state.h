@@ -12,6 +12,7 @@
 #include "parser/scene.h"
 #include "src/plan/controls.h"
 #include "src/plan/view.h"
+#include "src/ui/accuracy.h"
 #include "src/ui/layout.h"
 #include "src/ui/widgets.h"
 
@@ -35,6 +36,7 @@ struct Facts {
     double frame_ms = 0;                   // to draw the last picture
     int samples = 1;
     std::string_view renderer;
+    const AccuracyFacts* accuracy = nullptr;  // while its panel is open
 };
 
 struct Memory {
@@ -45,12 +47,14 @@ struct Memory {
     std::uint64_t revision = 0;       // that `problems_hidden` speaks of
     std::set<std::string> dismissed;  // messages
     SliderMemory slider;
+    AccuracyMemory accuracy;
     Rect scene;  // where the scene is, of this frame
 };
 
 // What a user asked for in this frame that is not a change of Controls or View.
 struct Requests {
     bool reload = false;
+    bool measure = false;  // all rungs of the plotted ladder; while they are measured: no longer
 };
 
 }  // namespace snell::ui

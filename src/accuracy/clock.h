@@ -1,0 +1,20 @@
+// Milliseconds since some moment.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+namespace snell::accuracy {
+
+// Of all cores that this process used.
+inline double cpu_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
+}
+
+inline double wall_milliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace snell::accuracy

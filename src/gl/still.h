@@ -1,0 +1,25 @@
+// A picture made on the CPU, to show in the window.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "src/gl/handle.h"
+
+namespace snell::gl {
+
+class Still {
+public:
+    // RGBA bytes, top row first.
+    void set(int width, int height, std::span<const std::byte> rgba);
+    // Copies the columns from `first` on into the default framebuffer; the bottom left of the whole picture is at
+    // pixel (x, y). Nothing happens before set().
+    void show(int x, int y, int first) const;
+
+private:
+    int width_ = 0, height_ = 0;
+    Texture texture_;
+    Framebuffer framebuffer_;
+};
+
+}  // namespace snell::gl
