@@ -33,7 +33,7 @@ const int units = 8; const float off = 0.;
 #endif
 void main() {
     float x = gl_FragCoord.x;
-    for (int i = 0; i < 400 * units; ++i) x = x * .999 + uStep * sin(x);
+    for (int i = 0; i < 250 * units; ++i) x = x * .999 + uStep * sin(x);
     gl_FragColor = vec4(vec3(.25 + off + 1e-30 * x), 1.);
 }
 )");
@@ -48,7 +48,7 @@ void main() {
         EXPECT_EQ(sweeps.size(), 1U);
         MeasureOptions options;
         options.rounds = 21;
-        options.seconds = 20;
+        options.seconds = 4;
         options.at_least = 1;
         options.seed = seed;
         return measure(*bench, sweeps[0], options);
@@ -62,11 +62,11 @@ TEST_F(Measure, LadderOfKnownCostsAndErrorsComesOutRightThreeTimes) {
     for (std::uint64_t run = 1; run <= 3; ++run) {
         const SweepResult result = measure_ladder(run);
         ASSERT_EQ(result.rungs.size(), 6U);
-        if (!result.trusted()) GTEST_SKIP() << "the machine is too noisy, and says so";
         for (std::size_t i = 0; i < 6; ++i) {
             EXPECT_NEAR(result.rungs[i].own.rmse, errors[i], 1e-4);
             EXPECT_NEAR(result.rungs[i].ratio.middle, costs[i], .1 * costs[i]) << result.rungs[i].name;
         }
+        if (!result.trusted()) continue;  // the machine is too noisy for a front, and the result says so
         for (std::size_t i : {0U, 1U, 4U, 5U}) EXPECT_EQ(result.rungs[i].verdict.standing, Standing::front) << i;
         // 'same' costs what 'half' does: dominated only if noise makes it look dearer.
         EXPECT_EQ(result.rungs[2].verdict.by, 1U);
