@@ -1,0 +1,209 @@
+// What snell costs beside a program that was written for one scene alone:
+//     room_pairs [--rounds N] [--json FILE] [--slack FACTOR]   times, in rounds in which everybody takes part
+//     room_pairs --count snell|by-hand                        for callgrind: one frame without OpenGL
+// Run in the repository's folder, whose build's programs it finds beside itself.
+#include <malloc.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include "src/accuracy/statistics.h"
+#include "tests/bench/rooms.h"
+#include "tests/scratch.h"
+
+namespace snell::bench {
+namespace {
+
+struct Row {
+    std::string what;
+    accuracy::Interval cpu, wall;                                         // snell's over the other's
+    double snell_cpu = 0, snell_wall = 0, other_cpu = 0, other_wall = 0;  // medians, milliseconds
+    double limit = 0;                                                     // of `cpu`; 0: none
+};
+
+// Of the same rounds.
+class Pairs {
+public:
+    void add(const Times& snell, const Times& other) {
+        snell_cpu_.push_back(snell.cpu);
+        snell_wall_.push_back(snell.wall);
+        other_cpu_.push_back(other.cpu);
+        other_wall_.push_back(other.wall);
+    }
+    Row row(std::string what, double limit) const {
+        return {std::move(what),
+                accuracy::paired_ratio(snell_cpu_, other_cpu_),
+                accuracy::paired_ratio(snell_wall_, other_wall_),
+                accuracy::median(snell_cpu_),
+                accuracy::median(snell_wall_),
+                accuracy::median(other_cpu_),
+                accuracy::median(other_wall_),
+                limit};
+    }
+
+private:
+    std::vector<double> snell_cpu_, snell_wall_, other_cpu_, other_wall_;
+};
+
+struct Settings {
+    int rounds = 25;
+    double slack = 1;  // on the limits
+    std::string json, bin;
+};
+
+int largest_difference(Rooms& rooms) {
+    const std::vector<std::byte> a = rooms.picture(Who::snell), b = rooms.picture(Who::by_hand);
+    int most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        most = std::max(most, std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])));
+    return most;
+}
+
+void compare_frames(Rooms& rooms, const Settings& settings, int width, int height, int count, double goal,
+                    std::vector<Row>& rows) {
+    Pairs sliders, constants;
+    for (int round = 0; round < settings.rounds; ++round) {
+        std::array<Times, everybody.size()> times;
+        for (std::size_t i = 0; i < everybody.size(); ++i) {  // nobody is always the first
+            const std::size_t at = (i + static_cast<std::size_t>(round)) % everybody.size();
+            times[at] = rooms.frames(everybody[at], count);
+        }
+        sliders.add(times[0], times[1]);
+        constants.add(times[0], times[2]);
+    }
+    const std::string size = std::to_string(width) + "x" + std::to_string(height);
+    rows.push_back(sliders.row("frame " + size, goal * settings.slack));
+    rows.push_back(constants.row("frame " + size + ", without sliders by hand", 0));
+}
+
+// The whole process, from its start to a PNG.
+Row compare_first_pictures(const Settings& settings) {
+    const Scratch scratch;
+    const std::vector<std::string> snell{settings.bin + "/snell",
+                                         "render",
+                                         "scenes/refraction-room/refraction-room.glib",
+                                         "--size",
+                                         "512x512",
+                                         "--samples",
+                                         "1",
+                                         "-o",
+                                         scratch.path("snell.png")};
+    const std::vector<std::string> by_hand{settings.bin + "/room_by_hand", "scenes/environments/room", "512", "512",
+                                           scratch.path("by-hand.png")};
+    measure_process(snell);
+    measure_process(by_hand);
+    Pairs pairs;
+    for (int round = 0; round < settings.rounds; ++round) {
+        Times first = measure_process(round % 2 ? by_hand : snell),
+              second = measure_process(round % 2 ? snell : by_hand);
+        if (round % 2) std::swap(first, second);
+        pairs.add(first, second);
+    }
+    return pairs.row("first picture 512x512, whole process", 1.25 * settings.slack);
+}
+
+void print(const Row& row) {
+    std::printf("%-52s %7.2f / %7.2f ms = %.3f (%.3f to %.3f)", row.what.c_str(), row.snell_cpu, row.other_cpu,
+                row.cpu.middle, row.cpu.low, row.cpu.high);
+    if (row.limit > 0) std::printf(", at most %.2f", row.limit);
+    std::printf("; wall %.2f / %.2f ms = %.3f (%.3f to %.3f)\n", row.snell_wall, row.other_wall, row.wall.middle,
+                row.wall.low, row.wall.high);
+}
+
+void write_json(const std::string& path, const std::vector<Row>& rows, const std::array<Rooms::OwnCost, 2>& own,
+                int difference, int rounds) {
+    std::ofstream out(path);
+    const auto interval = [&](const char* name, const accuracy::Interval& i) {
+        out << "\"" << name << "\": [" << i.low << ", " << i.middle << ", " << i.high << "], ";
+    };
+    out << "{\"rounds\": " << rounds << ", \"largest_difference\": " << difference << ",\n \"own\": {";
+    for (std::size_t i = 0; i < own.size(); ++i)
+        out << (i ? ", " : "") << (i ? "\"by_hand\"" : "\"snell\"") << ": {\"gl_calls\": " << own[i].calls
+            << ", \"microseconds\": " << own[i].time.cpu * 1e3 << "}";
+    out << "},\n \"rows\": [";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row& row = rows[i];
+        out << (i ? ",\n  {" : "\n  {") << "\"what\": \"" << row.what << "\", ";
+        interval("cpu", row.cpu);
+        interval("wall", row.wall);
+        out << "\"snell_cpu_ms\": " << row.snell_cpu << ", \"other_cpu_ms\": " << row.other_cpu
+            << ", \"snell_wall_ms\": " << row.snell_wall << ", \"other_wall_ms\": " << row.other_wall
+            << ", \"limit\": " << row.limit << "}";
+    }
+    out << "\n]}\n";
+}
+
+int compare(const Settings& settings) {
+    std::vector<Row> rows;
+    Rooms rooms(".");
+    rooms.resize(512, 512);
+    const int difference = largest_difference(rooms);
+    compare_frames(rooms, settings, 512, 512, 4, 1.03, rows);
+    rooms.resize(1920, 1080);
+    compare_frames(rooms, settings, 1920, 1080, 1, 1.01, rows);
+    rows.push_back(compare_first_pictures(settings));
+    const std::array<Rooms::OwnCost, 2> own{rooms.own_cost(Who::snell, 20000), rooms.own_cost(Who::by_hand, 20000)};
+
+    bool good = difference <= 1;
+    std::printf("the pictures differ by %d of 255 at most\n", difference);
+    for (const Row& row : rows) {
+        print(row);
+        // Not the middle alone: where the machine is too noisy to tell, nothing is said against it.
+        good = good && (row.limit <= 0 || row.cpu.middle <= row.limit || row.cpu.low <= row.limit);
+    }
+    std::printf("without OpenGL: %.2f µs and %.0f calls a frame; by hand %.2f µs and %.0f\n", own[0].time.cpu * 1e3,
+                own[0].calls, own[1].time.cpu * 1e3, own[1].calls);
+    if (!settings.json.empty()) write_json(settings.json, rows, own, difference, settings.rounds);
+    return good ? 0 : 1;
+}
+
+}  // namespace
+
+// Callgrind counts what happens in here.
+extern "C" [[gnu::noinline]] void snell_counted_frame(Rooms& rooms, Who who) { rooms.draw(who); }
+
+int run(std::span<char*> arguments) {
+    Settings settings;
+    settings.bin = std::filesystem::path(arguments[0]).parent_path().string();
+    for (std::size_t i = 1; i + 1 < arguments.size(); i += 2) {
+        const std::string_view name = arguments[i], value = arguments[i + 1];
+        if (name == "--rounds") settings.rounds = std::max(1, std::atoi(value.data()));
+        if (name == "--slack") settings.slack = std::atof(value.data());
+        if (name == "--json") settings.json = value;
+        if (name == "--count") {
+            Rooms rooms(".");
+            rooms.resize(16, 16);
+            const Who who = value == "snell" ? Who::snell : Who::by_hand;
+            rooms.own_cost(who, 1);
+            snell_counted_frame(rooms, who);
+            return 0;
+        }
+    }
+    return compare(settings);
+}
+
+}  // namespace snell::bench
+
+int main(int argc, char** argv) {
+    // Drivers that draw on the CPU take and free megabytes in every frame. Whether the C library gives them back to the
+    // system each time, for a fifth of a frame's time, depends on what lies above them: luck, the same for everybody
+    // so.
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    mallopt(M_MMAP_THRESHOLD, 1 << 25);
+    try {
+        return snell::bench::run({argv, static_cast<std::size_t>(argc)});
+    } catch (const snell::bench::NoGraphics& problem) {
+        std::fprintf(stderr, "%s\n", problem.what());
+        return 77;
+    } catch (const std::exception& problem) {
+        std::fprintf(stderr, "%s\n", problem.what());
+        return 1;
+    }
+}
