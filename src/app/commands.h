@@ -54,6 +54,17 @@ struct AccuracyOptions {
 };
 int accuracy(const AccuracyOptions& options);
 
+struct ExplainOptions {
+    std::string scene;
+    bool json = false, no_time = false;
+    std::vector<std::string> sets, ladders;
+    std::optional<std::pair<int, int>> size;
+    double time = 0;
+    int rounds = 31;
+    std::string context;
+};
+int explain(const ExplainOptions& options);
+
 int print_commands(bool json);
 int print_info(const std::string& context);
 

@@ -22,6 +22,7 @@ constexpr const char* examples = R"(Examples:
   snell render room.glib -o room.exr --size 1920x1080 --time 2.5 --samples 4
   snell sweep room.glib --over uEta=1:2.5:16 --over uMix=0,.5,1 -o 'out/{uEta}_{uMix}.png' --sheet all.png
   snell accuracy ball.glib -o report.html                  what each rung is off by and costs
+  snell explain room.glib                                  what it pays for, and what that costs
   snell check room.glib                                    say all that is wrong with it
   snell commands                                           list the commands of the language
 
@@ -67,11 +68,13 @@ struct CommandLine {
     app::RenderOptions render;
     app::CheckOptions check;
     app::AccuracyOptions accuracy;
+    app::ExplainOptions explain;
+    std::string explain_size;
     std::string accuracy_size;
     bool commands_json = false;
     std::string info_context;
-    CLI::App *accuracy_command = nullptr, *render_command = nullptr, *check_command = nullptr,
-             *commands_command = nullptr, *info_command = nullptr, *sweep_command = nullptr;
+    CLI::App *explain_command = nullptr, *accuracy_command = nullptr, *render_command = nullptr,
+             *check_command = nullptr, *commands_command = nullptr, *info_command = nullptr, *sweep_command = nullptr;
 
     CommandLine() {
         app.footer(examples);
@@ -86,6 +89,7 @@ struct CommandLine {
         add_sweep();
         add_check();
         add_accuracy();
+        add_explain();
         commands_command = app.add_subcommand("commands", "list the commands of the language");
         commands_command->add_flag("--json", commands_json, "as JSON");
         info_command = app.add_subcommand("info", "say what OpenGL there is");
@@ -195,10 +199,33 @@ struct CommandLine {
             ->check(check_context);
     }
 
+    void add_explain() {
+        CLI::App& command = *app.add_subcommand("explain", "say what a scene pays for, why, and what it costs");
+        explain_command = &command;
+        command.footer("Times are of this machine, now; those of passes are by difference.");
+        command.add_option("SCENE", explain.scene)->required();
+        command.add_flag("--json", explain.json, "as JSON");
+        command.add_flag("--no-time", explain.no_time, "don't time frames");
+        command.add_option("--reps", explain.rounds, "rounds, in each of which every pass is left out once")
+            ->check(CLI::Range(3, 10000));
+        command.add_option("--size", explain_size, "WIDTHxHEIGHT (default: the scene's)")->check(check_size);
+        command.add_option("--time", explain.time, "seconds since the scene began")->check(check_finite);
+        command.add_option("--set", explain.sets, "uniform=value or Program.uniform=value; may be repeated")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        command.add_option("--ladder", explain.ladders, "ladder=rung; may be repeated")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        command.add_option("--context", explain.context, "ask for an OpenGL version: 3.3, 4.5, es3.2")
+            ->check(check_context);
+    }
+
     int run() {
         if (!render_size.empty()) parse_size(render_size, render.size.emplace());
         if (!window_size.empty()) parse_size(window_size, window.size.emplace());
         if (!accuracy_size.empty()) parse_size(accuracy_size, accuracy.size.emplace());
+        if (!explain_size.empty()) parse_size(explain_size, explain.size.emplace());
+        if (explain_command->parsed()) return app::explain(explain);
         if (accuracy_command->parsed()) return app::accuracy(accuracy);
         if (render_command->parsed() || sweep_command->parsed()) return app::render(render);
         if (check_command->parsed()) return app::check(check);

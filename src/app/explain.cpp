@@ -1,0 +1,275 @@
+#include "src/app/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "src/accuracy/statistics.h"
+#include "src/app/commands.h"
+#include "src/app/document.h"
+#include "src/app/headless.h"
+#include "src/gl/exact_target.h"
+#include "src/gl/present.h"
+#include "src/lint/lint.h"
+#include "src/runtime/program.h"
+#include "src/runtime/stopwatch.h"
+
+namespace snell::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Paid = Explanation::Paid;
+
+constexpr int fewest_rounds = 5;
+constexpr double most_time = 20e3;  // milliseconds
+
+double cpu_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
+}
+
+int line_of(const Span& span, const Sources& sources) { return sources.position(span.file, span.begin).line; }
+
+std::string place_of(const Span& span, const Sources& sources) {
+    return fmt::format("{}:{}", sources.name(span.file), line_of(span, sources));
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+    if (bytes == 0) return "";
+    if (bytes < 1024 * 1024) return fmt::format("{:.1f} KiB", static_cast<double>(bytes) / 1024);
+    return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / 1024 / 1024);
+}
+
+// Times of many frames, by what was left out.
+class Rounds {
+public:
+    Rounds(Runtime& runtime, const Frame& frame, const Surface& surface, bool software)
+        : runtime_(runtime), frame_(frame), surface_(surface), software_(software) {}
+
+    FrameCost once(const std::vector<bool>* hidden, int frames = 1) {
+        Frame frame = frame_;
+        frame.hidden = hidden;
+        gl::finish();
+        const bool query = !software_ && query_.available();
+        if (query) query_.begin();
+        const double cpu = cpu_milliseconds();
+        const runtime::Stopwatch watch;
+        for (int i = 0; i < frames; ++i) {
+            runtime_.draw(frame, surface_);
+            gl::finish();
+        }
+        FrameCost cost{(cpu_milliseconds() - cpu) / frames, watch.milliseconds() / frames, std::nullopt};
+        if (query) cost.gpu = query_.end() / frames;
+        return cost;
+    }
+
+    // A timer query is believed where it agrees with the wall on a heavy load.
+    bool calibrated() {
+        if (software_ || !query_.available()) return false;
+        const int frames = std::clamp(static_cast<int>(200 / std::max(once(nullptr).wall, .01)), 1, 1000);
+        const FrameCost heavy = once(nullptr, frames);
+        return heavy.gpu && *heavy.gpu > .8 * heavy.wall && *heavy.gpu < 1.2 * heavy.wall;
+    }
+
+private:
+    Runtime& runtime_;
+    Frame frame_;
+    Surface surface_;
+    bool software_;
+    gl::TimerQuery query_;
+};
+
+// Of what was measured in the same rounds.
+FrameCost median_difference(const std::vector<FrameCost>& with, const std::vector<FrameCost>& without, bool gpu) {
+    const auto median = [&](auto value) {
+        std::vector<double> differences;
+        for (std::size_t i = 0; i < with.size(); ++i)
+            differences.push_back(value(with[i]) - (without.empty() ? 0 : value(without[i])));
+        return accuracy::median(differences);
+    };
+    FrameCost cost{median([](const FrameCost& c) { return c.cpu; }), median([](const FrameCost& c) { return c.wall; }),
+                   std::nullopt};
+    if (gpu) cost.gpu = median([](const FrameCost& c) { return c.gpu.value_or(0); });
+    return cost;
+}
+
+double shown(const FrameCost& cost, bool software) { return cost.gpu ? *cost.gpu : software ? cost.cpu : cost.wall; }
+
+Json cost_json(const FrameCost& cost) {
+    return {{"cpu_ms", cost.cpu}, {"wall_ms", cost.wall}, {"gpu_ms", cost.gpu ? Json(*cost.gpu) : Json(nullptr)}};
+}
+
+Json counters_json(const Counters& counters) {
+    Json json = Json::object();
+    for (const CounterName& counter : counter_names()) json[std::string(counter.name)] = counters.*counter.value;
+    return json;
+}
+
+Json span_json(const std::optional<Span>& span, const Sources& sources) {
+    if (!span) return nullptr;
+    return {{"file", sources.name(span->file)}, {"line", line_of(*span, sources)}};
+}
+
+// What is left out in turns. A cube pass that is kept would be drawn just because its draws come and go.
+std::vector<Paid*> timed_parts(Explanation& explanation) {
+    std::vector<Paid*> parts;
+    std::set<Index> kept;
+    for (const Paid& paid : explanation.paid)
+        if (paid.kept) kept.insert(paid.draws.begin(), paid.draws.end());
+    for (Paid& paid : explanation.paid)
+        if (!paid.draws.empty() && std::ranges::none_of(paid.draws, [&](Index draw) { return kept.contains(draw); }))
+            parts.push_back(&paid);
+    return parts;
+}
+
+}  // namespace
+
+void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface, int rounds) {
+    Rounds clock(runtime, frame, surface, report.caps.software);
+    clock.once(nullptr);  // compiled on first use, cube maps drawn
+    std::vector<Paid*> parts = timed_parts(report.explanation);
+    std::vector<std::vector<bool>> hidden;
+    for (const Paid* part : parts) {
+        hidden.emplace_back(runtime.scene().draws.size(), false);
+        for (const Index draw : part->draws) hidden.back()[draw] = true;
+    }
+    const bool gpu = clock.calibrated();
+    std::vector<FrameCost> whole;
+    std::vector<std::vector<FrameCost>> without(parts.size());
+    const runtime::Stopwatch watch;
+    for (int round = 0; round < rounds && (round < fewest_rounds || watch.milliseconds() < most_time); ++round) {
+        whole.push_back(clock.once(nullptr));
+        for (std::size_t i = 0; i < parts.size(); ++i) without[i].push_back(clock.once(&hidden[i]));
+    }
+    report.rounds = static_cast<int>(whole.size());
+    report.clock = gpu                    ? "timer queries of the GPU"
+                   : report.caps.software ? "CPU time of the process"
+                                          : "the wall's clock";
+    report.frame = median_difference(whole, {}, gpu);
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i]->frame = median_difference(whole, without[i], gpu);
+    std::vector<double> values;
+    for (FrameCost& cost : whole) {
+        if (!gpu) cost.gpu.reset();
+        values.push_back(shown(cost, report.caps.software));
+    }
+    report.spread = accuracy::mad(values);
+}
+
+std::string explain_text(const ExplainReport& report, const Sources& sources) {
+    const bool timed = !report.clock.empty();
+    std::string text = fmt::format("{}  {}x{}, {}", report.scene, report.width, report.height, report.caps.renderer);
+    if (timed)
+        text += fmt::format("  frame {:.2f} ms (±{:.2f}), {}, {} rounds", shown(report.frame, report.caps.software),
+                            report.spread, report.clock, report.rounds);
+    text += fmt::format("\ndrawn  {}\n\n{:<52}{:>10}{:>11}{:>11}\n", report.explanation.redraw, "PAYS FOR", "load ms",
+                        "frame ms", "memory");
+    const auto number = [](std::optional<double> ms) { return ms ? fmt::format("{:.2f}", *ms) : std::string("-"); };
+    for (const Paid& paid : report.explanation.paid) {
+        std::string what = fmt::format("  {} {}", name(paid.kind), paid.name);
+        if (paid.triangles) what += fmt::format(", {} triangles", paid.triangles);
+        const auto frame = paid.frame ? std::optional(shown(*paid.frame, report.caps.software)) : std::nullopt;
+        text += fmt::format("{:<52}{:>10}{:>11}{:>11}\n", what, number(paid.load_ms), number(frame),
+                            bytes_text(paid.bytes));
+        text += fmt::format("      {}{}{}\n", paid.span ? place_of(*paid.span, sources) : "", paid.span ? ": " : "",
+                            paid.why);
+    }
+    if (!report.explanation.unpaid.empty()) text += "\nNOT PAID FOR\n";
+    for (const auto& unpaid : report.explanation.unpaid) text += fmt::format("  {:<24}{}\n", unpaid.name, unpaid.why);
+    if (!report.explanation.unused.empty()) text += "\nDECLARED BUT UNUSED\n";
+    for (const auto& unused : report.explanation.unused)
+        text += fmt::format("  {:<24}{}: {}\n", unused.name, place_of(unused.span, sources), unused.why);
+    if (!report.lints.empty()) text += "\nLINTS\n";
+    for (const Diagnostic& lint : report.lints.items())
+        text += fmt::format("  {} {} [{}]\n", place_of(lint.span, sources), lint.message, lint.code);
+    text += "\nCOUNTED                      loading  each frame\n";
+    for (const CounterName& counter : counter_names()) {
+        const std::uint64_t load = report.load.*counter.value, frame = report.per_frame.*counter.value;
+        if (load || frame) text += fmt::format("  {:<22}{:>12}{:>12}\n", counter.name, load, frame);
+    }
+    return text;
+}
+
+Json explain_json(const ExplainReport& report, const Sources& sources) {
+    Json json{{"schema", 1},
+              {"scene", report.scene},
+              {"size", {report.width, report.height}},
+              {"renderer", report.caps.renderer},
+              {"gl", report.caps.version},
+              {"clock", report.clock.empty() ? Json(nullptr) : Json(report.clock)},
+              {"rounds", report.rounds},
+              {"frame", report.clock.empty() ? Json(nullptr) : cost_json(report.frame)}};
+    if (!report.clock.empty()) json["frame"]["spread_ms"] = report.spread;
+    json["redraw"] = report.explanation.redraw;
+    json["pays"] = Json::array();
+    for (const Paid& paid : report.explanation.paid) {
+        Json one{{"kind", name(paid.kind)}, {"name", paid.name}, {"why", paid.why}};
+        one["at"] = span_json(paid.span, sources);
+        one["bytes"] = paid.bytes;
+        one["load_ms"] = paid.load_ms ? Json(*paid.load_ms) : Json(nullptr);
+        one["frame"] = paid.frame ? cost_json(*paid.frame) : Json(nullptr);
+        if (paid.kind == Explanation::Kind::pass) one["draws"] = paid.draws.size();
+        if (paid.triangles) one["triangles"] = paid.triangles;
+        json["pays"].push_back(std::move(one));
+    }
+    json["not_paid"] = Json::array();
+    for (const auto& unpaid : report.explanation.unpaid)
+        json["not_paid"].push_back({{"name", unpaid.name}, {"why", unpaid.why}});
+    json["unused"] = Json::array();
+    for (const auto& unused : report.explanation.unused)
+        json["unused"].push_back({{"name", unused.name}, {"why", unused.why}, {"at", span_json(unused.span, sources)}});
+    json["lints"] = Json::array();
+    for (const Diagnostic& lint : report.lints.items())
+        json["lints"].push_back(
+            {{"code", lint.code}, {"message", lint.message}, {"at", span_json(lint.span, sources)}});
+    json["counters"] = {{"load", counters_json(report.load)}, {"frame", counters_json(report.per_frame)}};
+    return json;
+}
+
+int explain(const ExplainOptions& options) {
+    auto context = headless_context(options.context);
+    if (!context) return exit_graphics;
+    ExplainReport report;
+    report.scene = options.scene;
+    report.caps = gl::query_caps();
+    Diagnostics chosen;
+    const auto choose = [&](const Scene& scene, Rungs& rungs) {
+        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, chosen);
+    };
+    const auto document = open_document(options.scene, report.caps, choose, [&](const Plan& plan, Document& opened) {
+        report.lints = lint::check(plan, opened.sources, runtime::include_reader(*opened.files));
+    });
+    if (document->runtime)
+        for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, chosen);
+    document->diagnostics.append(chosen);
+    Diagnostics errors;
+    for (const Diagnostic& diagnostic : document->diagnostics.items())
+        if (diagnostic.severity == Severity::error) errors.add(diagnostic);
+    fmt::print(stderr, "{}", snell::render(errors, document->sources));
+    if (!document->runtime) return exit_input;
+    Runtime& runtime = *document->runtime;
+    const auto& window = document->scene().window_size;
+    std::tie(report.width, report.height) = options.size.value_or(std::pair(window[0], window[1]));
+    const gl::Target target = gl::make_target(report.width, report.height, 1);
+    const Surface surface{target.framebuffer.get(), report.width, report.height};
+    const View view;
+    const Frame frame{.time = options.time, .view = view, .controls = document->controls};
+    runtime.draw(frame, surface);
+    report.load = runtime.counters();
+    runtime.draw(frame, surface);
+    for (const CounterName& counter : counter_names())
+        report.per_frame.*counter.value = runtime.counters().*counter.value - report.load.*counter.value;
+    report.explanation = runtime.explain();
+    if (!options.no_time) time_frames(report, runtime, frame, surface, options.rounds);
+    const std::string text =
+        options.json ? explain_json(report, document->sources).dump(2) + "\n" : explain_text(report, document->sources);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return errors.has_errors() ? exit_input : exit_fine;
+}
+
+}  // namespace snell::app
