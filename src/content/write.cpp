@@ -1,46 +1,19 @@
-// Pictures out. The file appears whole or not at all: it is written beside its place and then renamed.
-#include <fcntl.h>
+// Pictures out.
 #include <png.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
 #include <csetjmp>
-#include <cstring>
 #include <filesystem>
 
 #include "src/content/compare.h"
 #include "src/content/formats.h"
 #include "src/content/module.h"
+#include "src/content/replace.h"
 
 namespace snell::content {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Removes the temporary file unless it has become the picture.
-class Temporary {
-public:
-    explicit Temporary(const fs::path& target)
-        : path_(target.parent_path() / ("." + target.filename().string() + "." + std::to_string(getpid()) + ".part")) {}
-    Temporary(const Temporary&) = delete;
-    Temporary& operator=(const Temporary&) = delete;
-    ~Temporary() {
-        std::error_code error;
-        if (!kept_) fs::remove(path_, error);
-    }
-    const fs::path& path() const { return path_; }
-    std::string become(const fs::path& target) {
-        std::error_code error;
-        fs::rename(path_, target, error);
-        kept_ = !error;
-        return error ? target.string() + ": " + error.message() : "";
-    }
-
-private:
-    fs::path path_;
-    bool kept_ = false;
-};
 
 struct PngOut {
     std::string bytes, error;
@@ -87,22 +60,6 @@ bool encode(PngOut& out, const Image& image) {
     return true;
 }
 
-std::string write_file(const fs::path& path, std::string_view bytes) {
-    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file < 0) return std::strerror(errno);
-    while (!bytes.empty()) {
-        const ssize_t count = write(file, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            std::string why = std::strerror(errno);
-            close(file);
-            return why;
-        }
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return close(file) == 0 ? "" : std::strerror(errno);
-}
-
 // What went wrong, or nothing; the bytes are in `out`.
 std::string encode_rows(PngOut& out, const Image& picture) {
     Image image = to_bytes(picture);
@@ -128,17 +85,6 @@ std::string write_by_module(const fs::path& path, const std::string& extension, 
     if (module.write(path.c_str(), extension.c_str(), &shape, image.pixels.data(), message.data(), message.size()) == 0)
         return {};
     return message[0] ? message.data() : "the picture can't be written in this format";
-}
-
-// What is wrong with the place itself, asked before any work.
-std::string check_place(const fs::path& target) {
-    std::error_code error;
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
-    if (!fs::exists(target, error))
-        return access(folder.c_str(), W_OK) == 0 ? "" : folder.string() + ": " + std::strerror(errno);
-    if (!fs::is_regular_file(target, error)) return target.string() + " is not a regular file";
-    return access(target.c_str(), W_OK) == 0 ? "" : target.string() + ": " + std::strerror(errno);
 }
 
 }  // namespace
@@ -172,16 +118,13 @@ std::string write_image(const std::string& path, const Image& image) {
         return "there are no pixels to write";
     }
     if (image.depth > 1) return "a volume can't be written as a picture";
-    std::error_code error;
-    // A link stays one: what it leads to is replaced.
-    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
-    if (std::string wrong = check_place(target); !wrong.empty()) return wrong;
+    Replacement file(path);
+    if (std::string wrong = file.check(); !wrong.empty()) return wrong;
 
     const Image& top_first = image.bottom_first ? flipped(image) : image;
-    Temporary temporary(target);
-    const std::string wrong = writes_without_module(path) ? write_png(temporary.path(), top_first)
-                                                          : write_by_module(temporary.path(), extension, top_first);
-    return wrong.empty() ? temporary.become(target) : path + ": " + wrong;
+    const std::string wrong = writes_without_module(path) ? write_png(file.path(), top_first)
+                                                          : write_by_module(file.path(), extension, top_first);
+    return wrong.empty() ? file.take_place() : path + ": " + wrong;
 }
 
 }  // namespace snell::content

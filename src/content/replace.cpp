@@ -1,0 +1,73 @@
+#include "src/content/replace.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace snell::content {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path without_link(const std::string& path) {
+    std::error_code error;
+    return fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
+}
+
+}  // namespace
+
+Replacement::Replacement(const std::string& path)
+    : target_(without_link(path)),
+      path_(target_.parent_path() / ("." + target_.filename().string() + "." + std::to_string(getpid()) + ".part")) {}
+
+Replacement::~Replacement() {
+    std::error_code error;
+    if (!kept_) fs::remove(path_, error);
+}
+
+std::string Replacement::check() const {
+    std::error_code error;
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
+    if (!fs::exists(target_, error))
+        return access(folder.c_str(), W_OK) == 0 ? "" : folder.string() + ": " + std::strerror(errno);
+    if (!fs::is_regular_file(target_, error)) return target_.string() + " is not a regular file";
+    return access(target_.c_str(), W_OK) == 0 ? "" : target_.string() + ": " + std::strerror(errno);
+}
+
+std::string Replacement::take_place() {
+    std::error_code error;
+    const fs::file_status old = fs::status(target_, error);
+    if (fs::is_regular_file(old)) fs::permissions(path_, old.permissions(), error);
+    fs::rename(path_, target_, error);
+    kept_ = !error;
+    return error ? target_.string() + ": " + error.message() : "";
+}
+
+std::string write_file(const fs::path& path, std::string_view bytes) {
+    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0) return std::strerror(errno);
+    while (!bytes.empty()) {
+        const ssize_t count = write(file, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) {
+            std::string why = std::strerror(errno);
+            close(file);
+            return why;
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return close(file) == 0 ? "" : std::strerror(errno);
+}
+
+std::string replace_file(const std::string& path, std::string_view bytes) {
+    Replacement replacement(path);
+    if (std::string wrong = replacement.check(); !wrong.empty()) return wrong;
+    const std::string wrong = write_file(replacement.path(), bytes);
+    return wrong.empty() ? replacement.take_place() : path + ": " + wrong;
+}
+
+}  // namespace snell::content

@@ -1,0 +1,37 @@
+// Files that appear whole or not at all: written beside their place and then renamed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace snell::content {
+
+// A file that will take the place of another. A link stays one: what it leads to is replaced.
+class Replacement {
+public:
+    explicit Replacement(const std::string& path);
+    // Removes what was written unless it took its place.
+    ~Replacement();
+    Replacement(const Replacement&) = delete;
+    Replacement& operator=(const Replacement&) = delete;
+
+    // What is wrong with the place itself, asked before any work; "" if nothing.
+    std::string check() const;
+    // Where to write.
+    const std::filesystem::path& path() const { return path_; }
+    // "" when done. The file keeps the permissions of the one that it replaces.
+    std::string take_place();
+
+private:
+    std::filesystem::path target_, path_;
+    bool kept_ = false;
+};
+
+// "" or why not.
+std::string write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// All of it: "" when the file has these bytes, else why it is as it was.
+std::string replace_file(const std::string& path, std::string_view bytes);
+
+}  // namespace snell::content
