@@ -8,6 +8,7 @@
 
 #include "src/content/cubemap.h"
 #include "src/content/noise.h"
+#include "tests/bench/bounds.h"
 
 namespace snell::content {
 namespace {
@@ -39,34 +40,54 @@ std::string encoded(const Image& image, const std::string& extension) {
     return bytes.str();
 }
 
-void noise(benchmark::State& state) {
-    for (auto _ : state)
-        benchmark::DoNotOptimize(make_noise(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
+void noise(benchmark::State& state, int dimensions, int size) {
+    std::size_t bytes = 0;
+    for (auto _ : state) bytes = make_noise(dimensions, size).bytes();
+    bench::beside_copy(state, bytes);
 }
-BENCHMARK(noise)->Args({2, 64})->Args({2, 512})->Args({3, 64})->Args({3, 128})->Args({3, 256})->UseRealTime()->Unit(
-    benchmark::kMillisecond);
+void on_all_cores(benchmark::internal::Benchmark* benchmark) {
+    benchmark->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(noise, n2_64, 2, 64)->Name("noise/2D, 64")->Apply(on_all_cores);
+BENCHMARK_CAPTURE(noise, n2_512, 2, 512)->Name("noise/2D, 512")->Apply(on_all_cores);
+BENCHMARK_CAPTURE(noise, n3_64, 3, 64)->Name("noise/3D, 64")->Apply(on_all_cores);
+BENCHMARK_CAPTURE(noise, n3_128, 3, 128)->Name("noise/3D, 128")->Apply(on_all_cores);
+BENCHMARK_CAPTURE(noise, n3_256, 3, 256)->Name("noise/3D, 256")->Apply(on_all_cores);
+
+void one_image(benchmark::State& state, const std::string& extension) {
+    const Image image = picture(1024, 1024, 3);
+    const std::string bytes = encoded(image, extension);
+    for (auto _ : state) benchmark::DoNotOptimize(decode_image("picture." + extension, bytes));
+    bench::beside_copy(state, image.bytes());
+}
+BENCHMARK_CAPTURE(one_image, bmp, std::string("bmp"))->Name("images/BMP, 1024 x 1024")->Apply(on_all_cores);
+BENCHMARK_CAPTURE(one_image, png, std::string("png"))->Name("images/PNG, 1024 x 1024")->Apply(on_all_cores);
 
 void six_faces(benchmark::State& state, const std::string& extension) {
-    const std::string bytes = encoded(picture(1024, 1024, 3), extension);
+    const Image image = picture(1024, 1024, 3);
+    const std::string bytes = encoded(image, extension);
     for (auto _ : state)
         benchmark::DoNotOptimize(decode_faces([&](int) { return decode_image("face." + extension, bytes); }));
+    bench::beside_copy(state, 6 * image.bytes());
 }
-BENCHMARK_CAPTURE(six_faces, bmp, std::string("bmp"))->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(six_faces, png, std::string("png"))->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(six_faces, bmp, std::string("bmp"))->Name("cube maps/six BMP, 1024 x 1024")->Apply(on_all_cores);
+BENCHMARK_CAPTURE(six_faces, png, std::string("png"))->Name("cube maps/six PNG, 1024 x 1024")->Apply(on_all_cores);
 
-void panorama(benchmark::State& state) {
-    const Image image = picture(static_cast<int>(state.range(0)), static_cast<int>(state.range(0)) / 2, 3);
+void panorama(benchmark::State& state, int width) {
+    const Image image = picture(width, width / 2, 3);
     for (auto _ : state) benchmark::DoNotOptimize(split_cube(image, CubeLayout::equirectangular));
+    bench::beside_copy(state, image.bytes());
 }
-BENCHMARK(panorama)->Arg(1024)->Arg(4096)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(panorama, small, 1024)->Name("cube maps/panorama, 1024 x 512")->Apply(on_all_cores);
+BENCHMARK_CAPTURE(panorama, large, 4096)->Name("cube maps/panorama, 4096 x 2048")->Apply(on_all_cores);
 
-void write_png(benchmark::State& state) {
-    const Image image = picture(static_cast<int>(state.range(0)), static_cast<int>(state.range(0)), 4);
+void write_png(benchmark::State& state, int size) {
+    const Image image = picture(size, size, 4);
     for (auto _ : state) benchmark::DoNotOptimize(encoded(image, "png"));
+    bench::beside_copy(state, image.bytes());
 }
-BENCHMARK(write_png)->Arg(256)->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(write_png, small, 256)->Name("images/write PNG, 256 x 256")->Apply(on_all_cores);
+BENCHMARK_CAPTURE(write_png, large, 1024)->Name("images/write PNG, 1024 x 1024")->Apply(on_all_cores);
 
 }  // namespace
 }  // namespace snell::content
-
-BENCHMARK_MAIN();

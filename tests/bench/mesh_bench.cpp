@@ -1,4 +1,4 @@
-// How long geometry takes: `mesh_bench`. An .obj of 100,000 triangles is to be ready in a quarter of a second.
+// How long geometry takes: an .obj of 100,000 triangles is to be ready in a quarter of a second.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -6,6 +6,7 @@
 
 #include "src/content/mesh.h"
 #include "src/content/obj_reader.h"
+#include "tests/bench/bounds.h"
 
 namespace snell::content {
 namespace {
@@ -41,6 +42,7 @@ void parse(benchmark::State& state, ObjAs as, bool wire, bool attributes) {
         triangles = r.mesh.indices.size() / 3;
         benchmark::DoNotOptimize(r.mesh.positions.data());
     }
+    bench::beside_copy(state, text.size());
     state.counters["triangles"] = static_cast<double>(triangles);
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
 }
@@ -52,25 +54,35 @@ void read_only(benchmark::State& state) {
         std::vector<MeshIssue> issues;
         benchmark::DoNotOptimize(read_obj(text, {}, issues));
     }
+    bench::beside_copy(state, text.size());
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
 }
 
 void shape(benchmark::State& state, const Shape& shape) {
+    const Mesh made = make_shape(shape, false).mesh;
     for (auto _ : state) benchmark::DoNotOptimize(make_shape(shape, false));
+    bench::beside_copy(state, (made.positions.size() + made.normals.size() + made.texcoords.size()) * sizeof(Float3) +
+                                  made.indices.size() * sizeof(made.indices[0]));
 }
 
-BENCHMARK_CAPTURE(parse, obj_100000_triangles, ObjAs::triangles, false, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(parse, obj_100000_triangles_without_normals, ObjAs::triangles, false, false)
+constexpr auto triangles = ObjAs::triangles;
+BENCHMARK_CAPTURE(parse, plain, triangles, false, true)->Name("OBJ/100,000 triangles")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(parse, bare, triangles, false, false)
+    ->Name("OBJ/100,000 triangles without normals")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(parse, obj_100000_triangles_adjacency, ObjAs::adjacency, false, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(parse, obj_100000_triangles_wire, ObjAs::triangles, true, true)->Unit(benchmark::kMillisecond);
-BENCHMARK(read_only)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(shape, sphere_60_60, Sphere{})->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(shape, sphere_1000_1000, Sphere{1, 1000, 1000})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(shape, teapot, Teapot{})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(shape, soccerball, Soccerball{})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(parse, adjacency, ObjAs::adjacency, false, true)
+    ->Name("OBJ/100,000 triangles with adjacency")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(parse, wire, triangles, true, true)
+    ->Name("OBJ/100,000 triangles as wires")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(read_only)->Name("OBJ/100,000 triangles, the reading alone")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shape, ball, Sphere{})->Name("shapes/Sphere 60 x 60")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(shape, fine_ball, Sphere{1, 1000, 1000})
+    ->Name("shapes/Sphere 1000 x 1000")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shape, teapot, Teapot{})->Name("shapes/Teapot")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shape, soccerball, Soccerball{})->Name("shapes/Soccerball")->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace snell::content
-
-BENCHMARK_MAIN();
