@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 
+#include "src/accuracy/clock.h"
 #include "src/gl/present.h"
 #include "src/plan/controls.h"
 
@@ -15,16 +14,6 @@ namespace {
 
 constexpr std::string_view output = "SNELL_OUTPUT";
 constexpr std::size_t most_stages = 8;  // of one sweep; textures of many more need not fit
-
-double cpu_milliseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
-}
-
-double wall_milliseconds() {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 bool names(std::string_view text, std::string_view word) {
     const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

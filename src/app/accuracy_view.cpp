@@ -36,7 +36,7 @@ std::vector<std::byte> heat_of(const std::vector<float>& differences) {
 }  // namespace
 
 void AccuracyView::follow(Document& shown, bool stale, const Stand& stand, const ui::AccuracyMemory& memory) {
-    if (!memory.open || shown.scene().ladders.empty()) {
+    if (!memory.open || shown.scene().ladders.empty() || stand.width <= 0) {
         refinement_.reset();
         still_ = {};
         uploaded_ = 0;

@@ -76,7 +76,7 @@ void RungCosts::stop() { job_.reset(); }
 double RungCosts::done() const {
     if (!job_) return 0;
     const double rung = static_cast<double>(job_->next) / static_cast<double>(job_->rungs.size());
-    return job_->timing ? .3 + .7 * (job_->rounds + rung) / job_->wanted : .3 * rung;
+    return job_->timing ? .3 + .7 * std::min(1., (job_->rounds + rung) / job_->wanted) : .3 * rung;
 }
 
 bool RungCosts::step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples,
@@ -128,24 +128,26 @@ bool RungCosts::time_step(Runtime& runtime, const Frame& frame, bool cpu) {
     job.next = 0;
     if (++job.rounds == 1)
         job.wanted = std::clamp(static_cast<int>(budget / std::max(job.spent, 1.)), fewest_rounds, most_rounds);
-    if (job.rounds == job.wanted) conclude();
+    // One interval in twenty misses 1 by chance: more rounds tell.
+    if (job.rounds == 2 * job.wanted || (job.rounds >= job.wanted && !noisy(job))) conclude();
     return true;
 }
+
+bool RungCosts::noisy(const Job& job) { return accuracy::control(job.times[job.chosen], job.times.back()).noisy; }
 
 void RungCosts::conclude() {
     const Job job = std::move(*job_);
     job_.reset();
-    const std::vector<double>& again = job.times.back();
-    const bool noisy = accuracy::control(job.times[job.chosen], again).noisy;
+    const bool untold = noisy(job);
     std::vector<accuracy::Point> points;
     for (std::size_t i = 0; i < job.errors.size(); ++i) points.push_back({job.errors[i], job.times[i]});
     const std::vector<accuracy::Verdict> verdicts = accuracy::pareto_front(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
         Known& known = known_[job.rungs[i]];
-        known = {points[i].error, points[i].times, noisy ? Standing::visited : shown(verdicts[i].standing), {}};
+        known = {points[i].error, points[i].times, untold ? Standing::visited : shown(verdicts[i].standing), {}};
         if (verdicts[i].by < job.names.size()) known.by = job.names[verdicts[i].by];
     }
-    if (noisy)
+    if (untold)
         remark_ =
             "The machine is too busy to tell which rungs are worth their time: one that was timed twice differed.";
 }

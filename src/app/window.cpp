@@ -202,6 +202,12 @@ private:
         facts.frame_ms = counters_.frame_ms;
         facts.samples = canvas_.samples();
         facts.renderer = caps_.renderer;
+        if (Document* document = session_.document(); document && memory_.costs) {
+            if (explained_ != session_.revision()) explanation_ = document->runtime->explain();
+            explained_ = session_.revision();
+            facts.explanation = &explanation_;
+            facts.sources = &document->sources;
+        }
         facts.accuracy = accuracy_.facts(memory_.accuracy);
         return facts;
     }
@@ -287,6 +293,8 @@ private:
     std::vector<char> linked_;
     WindowCounters counters_;
     Drawn drawn_, next_;
+    Explanation explanation_;
+    std::uint64_t explained_ = 0;  // the revision that it is of
     std::uint64_t interface_ = 0, presented_ = 0, presented_beside_ = 0;
     int unsettled_ = 3;
     double began_ = 0, scene_began_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;

@@ -78,13 +78,18 @@ void axes(ImDrawList& list, const Plot& plot) {
             last = x + width / 2 + em * .5F;
         }
     text_at(list, {plot.max.x - ImGui::CalcTextSize("ms").x, plot.max.y + em * .15F}, colors.dim, "ms");
-    for (int power = static_cast<int>(std::ceil(plot.error.low)); power <= plot.error.high; ++power) {
-        const double value = std::pow(10, power);
-        const float y = plot.floor_top() - (plot.floor_top() - plot.min.y) * plot.error.part(value);
-        const std::string text = error_text(value);
-        list.AddLine({plot.min.x, y}, {plot.max.x, y}, pack(colors.track));
-        text_at(list, {plot.min.x - ImGui::CalcTextSize(text.c_str()).x - em * .3F, y - em * .5F}, colors.dim, text);
-    }
+    const bool narrow = plot.error.high - plot.error.low < 2;
+    for (int power = static_cast<int>(std::floor(plot.error.low)); power <= plot.error.high; ++power)
+        for (int digit : {1, 2, 5}) {
+            const double value = digit * std::pow(10, power);
+            const float part = plot.error.part(value);
+            if ((digit > 1 && !narrow) || part < 0 || part > 1) continue;
+            const float y = plot.floor_top() - (plot.floor_top() - plot.min.y) * part;
+            const std::string text = error_text(value);
+            list.AddLine({plot.min.x, y}, {plot.max.x, y}, pack(colors.track));
+            text_at(list, {plot.min.x - ImGui::CalcTextSize(text.c_str()).x - em * .3F, y - em * .5F}, colors.dim,
+                    text);
+        }
     text_at(list, {plot.min.x - ImGui::CalcTextSize("0").x - em * .3F, plot.floor - em * .5F}, colors.dim, "0");
 }
 

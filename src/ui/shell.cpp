@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "src/platform/window.h"
+#include "src/ui/costs.h"
 #include "src/ui/problems.h"
 #include "src/ui/programs.h"
 #include "src/ui/scene_mouse.h"
@@ -115,6 +116,7 @@ Requests panel_window(const Facts& facts, const Rect& panel, Controls& controls,
             requests.measure = accuracy_section(facts, controls, memory.accuracy, layout);
             programs_panel(facts, controls, memory, layout);
             view_section(view, layout);
+            costs_section(facts, memory, layout);
         } else {
             ImGui::TextDisabled("no scene");
         }

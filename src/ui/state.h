@@ -10,8 +10,10 @@
 
 #include "parser/diagnostic.h"
 #include "parser/scene.h"
+#include "parser/source.h"
 #include "src/plan/controls.h"
 #include "src/plan/view.h"
+#include "src/runtime/explain.h"
 #include "src/ui/accuracy.h"
 #include "src/ui/layout.h"
 #include "src/ui/widgets.h"
@@ -36,7 +38,9 @@ struct Facts {
     double frame_ms = 0;                   // to draw the last picture
     int samples = 1;
     std::string_view renderer;
-    const AccuracyFacts* accuracy = nullptr;  // while its panel is open
+    const AccuracyFacts* accuracy = nullptr;   // while its panel is open
+    const Explanation* explanation = nullptr;  // while Memory::costs
+    const Sources* sources = nullptr;          // that the spans of it are of
 };
 
 struct Memory {
@@ -48,7 +52,8 @@ struct Memory {
     std::set<std::string> dismissed;  // messages
     SliderMemory slider;
     AccuracyMemory accuracy;
-    Rect scene;  // where the scene is, of this frame
+    bool costs = false;  // that panel is open
+    Rect scene;          // where the scene is, of this frame
 };
 
 // What a user asked for in this frame that is not a change of Controls or View.
