@@ -94,7 +94,8 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     link_programs(loading);
     Diagnostics unheard;  // who asks for the controls hears of them
     given = make_controls(plan.scene, active, unheard);
-    passes.assign(plan.scene.passes.size(), {});
+    passes.clear();
+    passes.resize(plan.scene.passes.size());
     find_live_passes(loading);
     ready_passes(loading);
     if (!savings) load_all(loading);
@@ -205,6 +206,7 @@ void Runtime::Impl::ready_passes(Loading& loading) {
         for (const Item& item : plan.scene.passes[pass].items)
             passes[pass].items.push_back(item.kind == Item::Kind::draw ? ready_draw(pass, item.index, loading)
                                                                        : std::nullopt);
+        if (savings) find_batches(pass);
     }
 }
 

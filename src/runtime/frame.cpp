@@ -9,6 +9,7 @@
 namespace snell {
 
 using runtime::DrawContext;
+using runtime::hidden;
 using runtime::LinkedProgram;
 using runtime::ReadyDraw;
 using runtime::ReadyPass;
@@ -39,10 +40,6 @@ glm::dmat4 face_view(int face, const Vec3& center) {
                                               glm::dvec3(0, 0, -1), glm::dvec3(0, -1, 0), glm::dvec3(0, -1, 0)};
     const glm::dvec3 eye(center[0], center[1], center[2]);
     return glm::lookAt(eye, eye + forward[static_cast<size_t>(face)], up[static_cast<size_t>(face)]);
-}
-
-bool hidden(const Frame& frame, Index draw) {
-    return frame.hidden && draw < frame.hidden->size() && (*frame.hidden)[draw];
 }
 
 }  // namespace
@@ -228,7 +225,15 @@ void Runtime::Impl::finish_pass(Index pass) {
 
 void Runtime::Impl::draw_items(Index pass, const Frame& frame, const PassView& view) {
     const Pass& declared = plan.scene.passes[pass];
+    auto batch = passes[pass].batches.begin();
     for (size_t i = 0; i < declared.items.size(); ++i) {
+        if (batch != passes[pass].batches.end() && batch->first == i) {
+            runtime::Batch& next = *batch++;
+            if (draw_batch(pass, next, frame, view)) {
+                i += next.count - 1;
+                continue;
+            }
+        }
         if (declared.items[i].kind == Item::Kind::clear) {
             clear(view.background);
             state.forget();
@@ -239,11 +244,17 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, const PassView& v
 }
 
 void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, const PassView& view) {
+    set_up(ready, *ready.program, context(plan.scene.draws[ready.draw], frame, view), frame);
+    draw_mesh(ready);
+}
+
+// All but the draw itself. `program` may be another form of the draw's.
+void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const DrawContext& context,
+                           const Frame& frame) {
     const Draw& draw = plan.scene.draws[ready.draw];
-    LinkedProgram& program = *ready.program;
     if (!savings) state.forget();
     state.program(program.program.get());
-    DrawContext values = context(draw, frame, view);
+    DrawContext values = context;
     values.harmonics = ready.harmonics;
     const int uploads = runtime::set_system(program, values, !savings) +
                         (draw.program == none ? 0 : runtime::set_user(program, draw.program, frame.controls, !savings));
@@ -261,14 +272,13 @@ void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, const P
     counters.blended_draws += state.raster(raster, opaque) ? 1 : 0;
     state.vertex_array(meshes[ready.mesh]->array.get());
     state.color(color);
-    draw_mesh(ready);
 }
 
-void Runtime::Impl::count_draw(Topology topology, std::uint32_t count) {
+void Runtime::Impl::count_draw(Topology topology, std::uint32_t count, std::uint64_t instances) {
     ++counters.draws;
-    counters.triangles += runtime::triangle_count(topology, count);
-    counters.lines += runtime::line_count(topology, count);
-    counters.points += topology == Topology::points ? count : 0;
+    counters.triangles += instances * runtime::triangle_count(topology, count);
+    counters.lines += instances * runtime::line_count(topology, count);
+    counters.points += instances * (topology == Topology::points ? count : 0);
 }
 
 void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {

@@ -20,10 +20,15 @@ namespace snell {
 
 namespace runtime {
 
+inline bool hidden(const Frame& frame, Index draw) {
+    return frame.hidden && draw < frame.hidden->size() && (*frame.hidden)[draw];
+}
+
 struct BoundTexture {
     int unit = 0;  // GL's
     GLenum target = GL_TEXTURE_2D;
     GLuint texture = 0, sampler = 0;
+    bool operator==(const BoundTexture&) const = default;
 };
 
 // What an element of a sampler reads: a texture of the scene (else none), or noise of so many dimensions (else 0).
@@ -47,6 +52,13 @@ struct ReadyDraw {
     const content::Harmonics* harmonics = nullptr;  // where the program reads them
 };
 
+// Items of a pass, one after the other, that are alike but for their matrices: instances of one draw.
+struct Batch {
+    std::size_t first = 0, count = 0;
+    gl::Buffer matrices;
+    std::vector<float> last;  // what it holds
+};
+
 struct ReadyPass {
     bool live = false;  // something reads what it renders
     std::vector<Index> textures;
@@ -55,6 +67,7 @@ struct ReadyPass {
     std::array<std::vector<double>, 6> cube_seen;  // cube: what each face shows, as numbers; empty: never drawn
     int next_face = 0;                             // cube: whose turn it is
     std::vector<std::optional<ReadyDraw>> items;   // as Pass::items; empty where it is a Clear or impossible
+    std::vector<Batch> batches;                    // in the order of items
 };
 
 }  // namespace runtime
@@ -77,6 +90,8 @@ struct Runtime::Impl {
     void ready_passes(Loading& loading);
     void load_all(Loading& loading);
     std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Loading& loading);
+    void find_batches(Index pass);
+    bool alike(const runtime::ReadyDraw& a, const runtime::ReadyDraw& b) const;
     runtime::Variant variant_of(Index pass, const Draw& draw) const;
     bool match_topology(runtime::ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics);
     void ready_target(Index pass, Diagnostics& diagnostics);
@@ -120,9 +135,12 @@ struct Runtime::Impl {
     void draw_face(Index pass, int face, const Frame& frame);
     void finish_pass(Index pass);
     void draw_items(Index pass, const Frame& frame, const PassView& view);
+    bool draw_batch(Index pass, runtime::Batch& batch, const Frame& frame, const PassView& view);
+    void set_up(const runtime::ReadyDraw& ready, runtime::LinkedProgram& program, const runtime::DrawContext& values,
+                const Frame& frame);
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, const PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
-    void count_draw(Topology topology, std::uint32_t count);
+    void count_draw(Topology topology, std::uint32_t count, std::uint64_t instances = 1);
     bool reads_other_passes(const runtime::ReadyPass& pass) const;
     void draw_axes(const Frame& frame, const Surface& surface);
     void ready_axes();

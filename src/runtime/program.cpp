@@ -250,6 +250,12 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
     return key;
 }
 
+std::size_t block_bytes() {
+    GLint bytes = 0;
+    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &bytes);
+    return static_cast<std::size_t>(std::max(bytes, 0));
+}
+
 // Null when it failed.
 std::shared_ptr<gl::Shader> compile(const glsl::StageOutput& stage, Store* store, Counters& counters,
                                     std::string& log) {
@@ -297,6 +303,7 @@ std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::v
     options.geometry_input = program.geometry_input;
     options.geometry_output = program.geometry_output;
     options.include = include_reader(files);
+    options.limits = files.limits();
     options.flat_color = variant.flat;
     options.wide_lines = variant.wide;
     options.defines = ladder_defines(ladders, variant.rungs);
@@ -336,9 +343,40 @@ std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::v
     assign_units(*linked);
     set_fixed_function_defaults(*linked);
     take_defaults(*linked, translation);
+    linked->instanced = instanced_text(translation, block_bytes());
     linked->load_ms = watch.milliseconds();
     if (store) store->programs.put(key, linked, {}, none_said, 0);
     return linked;
+}
+
+// Whatever fails here fails silently: the draws are done one by one then.
+const Instancing* make_instancing(LinkedProgram& linked, const Program& program, const gl::Caps& caps,
+                                  Counters& counters) {
+    if (linked.instancing) return linked.instancing->program ? &*linked.instancing : nullptr;
+    linked.instancing.emplace();
+    if (linked.instanced.text.empty() || linked.shaders.size() != 2) return nullptr;
+    gl::Compiled vertex = gl::compile(GL_VERTEX_SHADER, linked.instanced.text);
+    if (!vertex.shader) return nullptr;
+    const auto names = glsl::attribute_names();
+    gl::Linked result = gl::link({&vertex.shader, linked.shaders[1].get()}, attribute_locations(names));
+    if (!result.program) return nullptr;
+    auto many = std::make_shared<LinkedProgram>();
+    many->program = std::move(result.program);
+    many->opaque = linked.opaque;
+    introspect(*many, program, {}, caps);
+    // What is bound for the one is bound for the other.
+    for (SamplerUniform& sampler : many->samplers) {
+        const auto same = std::ranges::find(linked.samplers, sampler.name, &SamplerUniform::name);
+        if (same == linked.samplers.end() || same->size != sampler.size) return nullptr;
+        sampler.first_unit = same->first_unit;
+    }
+    assign_units(*many);
+    set_fixed_function_defaults(*many);
+    ++counters.programs_compiled;
+    ++counters.shaders_compiled;
+    ++counters.variants;
+    linked.instancing = {std::move(many), linked.instanced.matrices, linked.instanced.capacity};
+    return &*linked.instancing;
 }
 
 std::shared_ptr<LinkedProgram> link_builtin(const Variant& variant, const gl::Caps& caps, Store* store,

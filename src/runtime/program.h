@@ -13,6 +13,7 @@
 #include "src/glsl/glsl.h"
 #include "src/plan/controls.h"
 #include "src/plan/plan.h"
+#include "src/runtime/instances.h"
 #include "src/runtime/runtime.h"
 #include "src/runtime/store.h"
 
@@ -53,9 +54,11 @@ struct LinkedProgram {
     std::vector<SystemUniform> system;
     std::vector<UserUniform> user;
     std::vector<SamplerUniform> samplers;
-    double load_ms = 0;        // to translate, compile and link
-    bool opaque = false;       // writes alpha 1 whatever happens
-    bool plain_depth = false;  // as Translation's
+    InstancedText instanced;               // where draws with it may be instances of one
+    std::optional<Instancing> instancing;  // made when something is drawn so
+    double load_ms = 0;                    // to translate, compile and link
+    bool opaque = false;                   // writes alpha 1 whatever happens
+    bool plain_depth = false;              // as Translation's
     bool tessellates = false;
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
@@ -78,6 +81,10 @@ std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::v
                                             std::span<const Ladder> ladders, const Variant& variant,
                                             const gl::Caps& caps, Files& files, Sources& sources, Store* store,
                                             Counters& counters, Diagnostics& diagnostics);
+
+// The form of the program that draws instances; null where there is none. `program` is the one that it was linked for.
+const Instancing* make_instancing(LinkedProgram& linked, const Program& program, const gl::Caps& caps,
+                                  Counters& counters);
 
 // What the shaders of a scene include: the library for angle brackets, else files.
 glsl::IncludeReader include_reader(Files& files);

@@ -247,6 +247,10 @@ double timer_value(double time, double period) {
     return std::min(phase, static_cast<double>(std::nextafter(1.0F, 0.0F)));
 }
 
+std::vector<float> system_value(System system, const DrawContext& context, int size) {
+    return value_of(system, context, size);
+}
+
 int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
     int uploads = 0;
     for (SystemUniform& uniform : program.system) {

@@ -1,0 +1,76 @@
+// Draws that are alike but for their matrices, by one call each hundred or so. Their order is that of the instances.
+#include <algorithm>
+
+#include "src/runtime/impl.h"
+
+namespace snell {
+
+using runtime::Batch;
+using runtime::hidden;
+using runtime::ReadyDraw;
+using runtime::ReadyPass;
+
+namespace {
+
+constexpr std::size_t fewest = 16;  // below, another form of the program costs more than the calls
+
+}  // namespace
+
+bool Runtime::Impl::alike(const ReadyDraw& a, const ReadyDraw& b) const {
+    const Scene& scene = plan.scene;
+    const Draw &one = scene.draws[a.draw], &other = scene.draws[b.draw];
+    const auto color = [&](const Draw& draw) {
+        return draw.color == none ? Vec4{1, 1, 1, 1} : scene.colors[draw.color];
+    };
+    return a.mesh == b.mesh && a.program == b.program && one.program == other.program && a.mode == b.mode &&
+           a.patch_vertices == b.patch_vertices && a.textures == b.textures && a.harmonics == b.harmonics &&
+           scene.rasters[one.raster] == scene.rasters[other.raster] &&
+           scene.cameras[one.camera] == scene.cameras[other.camera] && color(one) == color(other);
+}
+
+void Runtime::Impl::find_batches(Index pass) {
+    const Scene& scene = plan.scene;
+    ReadyPass& ready = passes[pass];
+    const auto& items = ready.items;
+    for (std::size_t first = 0, end; first < items.size(); first = end) {
+        end = first + 1;
+        if (!items[first]) continue;
+        while (end < items.size() && items[end] && alike(*items[first], *items[end])) ++end;
+        if (end - first < fewest) continue;
+        runtime::LinkedProgram& program = *items[first]->program;
+        if (program.reads(glsl::System::face_index)) continue;  // each part has its number
+        const Index named = scene.draws[items[first]->draw].program;
+        const runtime::Instancing* instancing =
+            make_instancing(program, named == none ? Program{} : scene.programs[named], caps, counters);
+        if (!instancing) continue;
+        for (std::size_t at = first; at < end; at += instancing->capacity)
+            ready.batches.push_back({at, std::min(instancing->capacity, end - at), {}, {}});
+    }
+}
+
+// False: some of the draws are left out; they are to be done one by one.
+bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, const PassView& view) {
+    const auto items = std::span(passes[pass].items).subspan(batch.first, batch.count);
+    if (std::ranges::any_of(items, [&](const auto& item) { return hidden(frame, item->draw); })) return false;
+    const ReadyDraw& ready = *items.front();
+    const runtime::Instancing& instancing = *ready.program->instancing;
+    std::vector<runtime::DrawContext> contexts;
+    for (const auto& item : items) contexts.push_back(context(plan.scene.draws[item->draw], frame, view));
+    set_up(ready, *instancing.program, contexts.front(), frame);
+    std::vector<float> values = instance_values(instancing, contexts);
+    if (!batch.matrices) batch.matrices = gl::Buffer(gl::make(glGenBuffers));
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, batch.matrices.get());
+    if (values != batch.last) {
+        glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),
+                     GL_DYNAMIC_DRAW);
+        batch.last = std::move(values);
+        ++counters.uniform_uploads;
+    }
+    const runtime::GpuMesh& mesh = *meshes[ready.mesh];
+    glDrawElementsInstanced(ready.mode, static_cast<GLsizei>(mesh.count), GL_UNSIGNED_INT, nullptr,
+                            static_cast<GLsizei>(batch.count));
+    count_draw(mesh.topology, mesh.count, batch.count);
+    return true;
+}
+
+}  // namespace snell
