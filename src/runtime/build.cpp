@@ -100,6 +100,7 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     ready_passes(loading);
     if (!savings) load_all(loading);
     textures.finish();
+    loaded_meshes.clear();
     store->prune();
     counters.targets = targets.size();
     counters.files_opened = files->counters().opened;
@@ -200,6 +201,7 @@ runtime::Variant Runtime::Impl::variant_of(Index pass, const Draw& draw) const {
 void Runtime::Impl::ready_passes(Loading& loading) {
     meshes.resize(plan.meshes.size());
     trees.resize(plan.meshes.size());
+    if (savings) preload(loading);
     for (Index pass = 0; pass < plan.scene.passes.size(); ++pass) {
         if (!passes[pass].live) continue;
         ready_target(pass, loading.diagnostics);

@@ -105,6 +105,16 @@ struct Runtime::Impl {
     void bind_harmonics(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
     void bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
 
+    // preload.cpp
+    struct LoadedMesh {
+        content::Mesh mesh;
+        Diagnostics said;
+        double milliseconds = 0;
+    };
+    void preload(Loading& loading);
+    void preload_meshes(Loading& loading);
+    LoadedMesh take_mesh(Index mesh, Loading& loading);
+
     // mesh.cpp
     void ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading);
 
@@ -166,6 +176,7 @@ struct Runtime::Impl {
     std::vector<std::vector<ActiveUniform>> active;  // by Scene::programs
     Controls given;                                  // the values of the scene's text
     std::vector<std::shared_ptr<runtime::GpuMesh>> meshes;
+    std::map<Index, LoadedMesh> loaded_meshes;             // that were read and not asked for yet
     std::vector<std::shared_ptr<runtime::GpuTree>> trees;  // as `meshes`; what no program reads is not there
     std::optional<runtime::GpuMesh> axes;
     Counters counters;

@@ -168,10 +168,11 @@ void Runtime::Impl::ready_mesh(Index mesh, std::optional<content::Mesh>& loaded,
         for (const std::string& path : identity.files) loading.files.keep(path);
     } else {
         const std::size_t said_before = loading.diagnostics.items().size();
+        LoadedMesh read = take_mesh(mesh, loading);
+        loaded = std::move(read.mesh);
         const runtime::Stopwatch watch;
-        loaded = load_mesh(plan, mesh, loading.files, loading.diagnostics);
         slot = std::make_shared<runtime::GpuMesh>(runtime::upload(*loaded));
-        slot->load_ms = watch.milliseconds();
+        slot->load_ms = read.milliseconds + watch.milliseconds();
         store->meshes.put(identity.key, slot, places, loading.diagnostics, said_before);
         counters.bytes_uploaded += slot->bytes;
         counters.buffers += slot->bytes ? 2 : 0;

@@ -45,6 +45,11 @@ public:
         entries_[key] = {resource, {{said.begin(), said.end()}, {places.begin(), places.end()}}};
     }
 
+    bool has(const std::string& key) const {
+        const auto found = entries_.find(key);
+        return found != entries_.end() && !found->second.resource.expired();
+    }
+
     void prune() {
         std::erase_if(entries_, [](const auto& entry) { return entry.second.resource.expired(); });
     }

@@ -123,6 +123,7 @@ Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Count
 void Textures::finish() {
     empty_image_cache();
     faces_.clear();
+    preloaded_.clear();
     files_ = nullptr;
     diagnostics_ = nullptr;
 }
@@ -165,12 +166,18 @@ std::vector<Span> Textures::places(Index texture) const {
     return result;
 }
 
-std::shared_ptr<GpuTexture> Textures::take_or_make(Index texture) {
+// Empty: it is this runtime's own.
+Identity Textures::key_of(Index texture) const {
     const Texture& declared = scene_->textures[texture];
-    Identity identity;
     const bool own = drawn_to_[texture] || (declared.source != none && drawn_to_[declared.source]);
-    if (savings_ && !own) identity = texture_identity(*scene_, texture, *files_);
+    if (!savings_ || own) return {};
+    Identity identity = texture_identity(*scene_, texture, *files_);
     if (!identity.key.empty()) identity.key += mipmapped(declared.filter) ? 'm' : '-';
+    return identity;
+}
+
+std::shared_ptr<GpuTexture> Textures::take_or_make(Index texture) {
+    const Identity identity = key_of(texture);
     const std::vector<Span> at = places(texture);
     if (auto known = store_->textures.take(identity.key, at, *diagnostics_)) {
         for (const std::string& path : identity.files) files_->keep(path);
@@ -178,9 +185,11 @@ std::shared_ptr<GpuTexture> Textures::take_or_make(Index texture) {
         return known;
     }
     const std::size_t said = diagnostics_->items().size();
+    const auto before = preloaded_.find(texture);
+    const double read = before == preloaded_.end() ? 0 : before->second.milliseconds;
     const Stopwatch watch;
     auto made = std::make_shared<GpuTexture>(make(texture));
-    made->load_ms = watch.milliseconds();
+    made->load_ms = read + watch.milliseconds();
     store_->textures.put(identity.key, made, at, *diagnostics_, said);
     if (!savings_) {
         empty_image_cache();
@@ -218,9 +227,8 @@ void Textures::count(const GpuTexture& texture, bool uploaded) {
 
 GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     GpuTexture gpu;
-    content::Image image = content::to_rgba(load_texture(*scene_, texture, *files_, *diagnostics_, &images_));
-    if (declared.target == TextureTarget::d1) image.height = image.depth = 1;  // the first row given
-    if (!image.bottom_first) image = content::flipped(image);
+    auto preloaded = take_preloaded(texture);
+    const content::Image image = preloaded ? std::move(preloaded->image) : read_image(texture, *diagnostics_);
     gpu.size = {image.width, image.height, image.depth};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = gl_target(declared.target, *caps_);
@@ -231,15 +239,11 @@ GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     return gpu;
 }
 
-// As they are uploaded: four channels, the top row first.
 const content::CubeFaces& Textures::faces(Index texture) {
     const auto [found, fresh] = faces_.try_emplace(same_[texture]);
     if (!fresh) return found->second;
-    found->second = load_cube(*scene_, same_[texture], *files_, *diagnostics_, &images_);
-    for (content::Image& face : found->second) {
-        face = content::to_rgba(face);
-        if (face.bottom_first) face = content::flipped(face);
-    }
+    auto preloaded = take_preloaded(same_[texture]);
+    found->second = preloaded ? std::move(preloaded->faces) : read_faces(same_[texture], *diagnostics_);
     return found->second;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "src/gl/caps.h"
 #include "src/gl/texture.h"
 #include "src/plan/files.h"
+#include "src/plan/identity.h"
 #include "src/plan/plan.h"
 #include "src/runtime/runtime.h"
 #include "src/runtime/store.h"
@@ -35,6 +37,8 @@ public:
     Textures(const Scene& scene, Files& files, const gl::Caps& caps, Counters& counters, std::shared_ptr<Store> store,
              bool savings, Diagnostics& diagnostics);
 
+    // Reads those from files on all cores; realise() finds them then.
+    void preload(const std::vector<Index>& wanted);
     // Null when it can't be had (too large for this OpenGL; an error was given).
     const GpuTexture* realise(Index texture);
     const GpuTexture* noise(int dimensions);
@@ -54,6 +58,17 @@ public:
     void resume(Files& files, Diagnostics& diagnostics);
 
 private:
+    // What preload() has read of a texture: one of both.
+    struct Preloaded {
+        content::Image image;
+        content::CubeFaces faces;
+        Diagnostics said;
+        double milliseconds = 0;
+    };
+    std::optional<Preloaded> take_preloaded(Index texture);
+    content::Image read_image(Index texture, Diagnostics& diagnostics);
+    content::CubeFaces read_faces(Index texture, Diagnostics& diagnostics);
+    Identity key_of(Index texture) const;
     std::shared_ptr<GpuTexture> take_or_make(Index texture);
     GpuTexture make(Index texture);
     GpuTexture make_noise(int dimensions);
@@ -82,6 +97,7 @@ private:
     std::map<int, std::shared_ptr<GpuTexture>> noise_;
     std::map<std::tuple<int, int, bool, bool>, gl::Sampler> samplers_;
     ImageCache images_;
+    std::map<Index, Preloaded> preloaded_;
     std::map<Index, content::CubeFaces> faces_;  // by the first texture that is declared just so
     std::map<Index, std::shared_ptr<content::Harmonics>> harmonics_;
 };
