@@ -206,6 +206,31 @@ TEST_F(Savings, CubeFacesAreDrawnAgainWhenWhatTheyShowChanged) {
     EXPECT_EQ(document->runtime->counters().cube_faces, 12U);
 }
 
+// Files are read on all cores: what is said of them is said once each, in the order of the text.
+TEST_F(Savings, WhatIsReadAtOnceIsReportedInOrder) {
+    std::string scene = "Ortho -1 1 -1 1\nVertex plain.vert\nFragment texture.frag\n";
+    for (int i = 0; i < 12; ++i) {
+        folder.write("broken" + std::to_string(i) + ".bmp", "BM, and no picture");
+        folder.write("m" + std::to_string(i) + ".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 99\n");
+        scene += "Texture2D " + std::to_string(i) + " broken" + std::to_string(i) + ".bmp\nProgram P uUnit " +
+                 std::to_string(i) + "\nObj m" + std::to_string(i) + ".obj\n";
+    }
+    std::string first;
+    for (int round = 0; round < 3; ++round) {
+        auto document = open(scene);
+        EXPECT_EQ(document->diagnostics.errors(), 12U);
+        const std::string text = render(document->diagnostics, document->sources);
+        if (round == 0) first = text;
+        EXPECT_EQ(text, first);
+        Span last;
+        for (const Diagnostic& diagnostic : document->diagnostics.items()) {
+            EXPECT_LT(last.begin, diagnostic.span.begin) << diagnostic.message;
+            last = diagnostic.span;
+        }
+        draw(*document);
+    }
+}
+
 // The negative control of all of the above: everything is paid for, and the pictures are the same.
 TEST_F(Savings, CostNothingButCounters) {
     std::vector<std::string> scenes;
