@@ -43,7 +43,12 @@ content::CubeFaces Textures::read_faces(Index texture, Diagnostics& diagnostics)
 void Textures::preload(const std::vector<Index>& wanted) {
     std::vector<Index> jobs;
     for (const Index index : wanted) {
-        const Index texture = same_[index];
+        Index texture = same_[index];
+        if (const Index source = scene_->textures[texture].source;
+            source != none) {  // its source, if it is computed now
+            if (textures_[texture] || store_->textures.has(key_of(texture).key)) continue;
+            texture = same_[source];
+        }
         if (textures_[texture] || preloaded_.contains(texture) || scene_->textures[texture].files.empty()) continue;
         if (!store_->textures.has(key_of(texture).key)) jobs.push_back(texture);
     }
@@ -81,8 +86,8 @@ void Runtime::Impl::preload(Loading& loading) {
             const Draw& draw = plan.scene.draws[item.index];
             const auto* program = link(draw.program, variant_of(pass, draw), loading);
             if (!program) continue;
-            const std::vector<Index> read = read_by(draw, *program);
-            wanted.insert(wanted.end(), read.begin(), read.end());
+            for (const runtime::Sampled& sampled : sampled_by(draw, *program))
+                if (sampled.texture != none) wanted.push_back(sampled.texture);
         }
     textures.preload(wanted);
     preload_meshes(loading);
