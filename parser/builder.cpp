@@ -33,7 +33,7 @@ std::string file_name(std::string_view written) {
     return name;
 }
 
-Builder::Builder(Scene& scene, Report& report, const ParseLimits& limits, std::size_t text_bytes)
+Builder::Builder(Scene& scene, Report& report, const Limits& limits, std::size_t text_bytes)
     : scene_(scene), report_(report), limits_(limits), text_bytes_(text_bytes) {
     scene_.passes.emplace_back();
 }
@@ -99,11 +99,11 @@ bool Builder::transform(const Mat4& by) {
 }
 
 void Builder::push_matrix(Span span) {
-    if (stack_.size() >= static_cast<std::size_t>(std::max(0, limits_.matrix_stack))) {
+    if (stack_.size() >= limits_.matrix_stack) {
         if (refused_pushes_++ == 0)
             report_.error("matrix-stack-full", span,
                           "more than " + std::to_string(limits_.matrix_stack) + " matrices are pushed",
-                          "every PushMatrix needs its PopMatrix");
+                          "every PushMatrix needs its PopMatrix; " + limit_help(limits_, &Limits::matrix_stack));
         return;
     }
     stack_.push_back({matrix_, span});
@@ -145,7 +145,20 @@ std::optional<Index> Builder::bound(int unit, TextureTarget target) const {
     return std::nullopt;
 }
 
-void Builder::begin_pass(Pass pass) { append(scene_.passes, std::move(pass)); }
+// Said once.
+bool Builder::refuse(bool& said, std::string_view code, std::uint64_t Limits::*limit, Span span) {
+    if (!said)
+        report_.error(code, span, "only the first " + std::to_string(limits_.*limit) + " are kept",
+                      limit_help(limits_, limit));
+    return said = true;
+}
+
+void Builder::begin_pass(Pass pass) {
+    if (scene_.passes.size() >= limits_.passes)
+        refuse(refused_pass_, "too-many-passes", &Limits::passes, pass.span);
+    else
+        append(scene_.passes, std::move(pass));
+}
 
 void Builder::begin_program(Program program) {
     program.stages = stages;
@@ -159,6 +172,10 @@ void Builder::begin_program(Program program) {
 Program* Builder::program() { return program_ == none ? nullptr : &scene_.programs[program_]; }
 
 void Builder::draw(const Shape& shape, Span span, bool wire) {
+    if (scene_.draws.size() >= limits_.draws) {
+        refuse(refused_draw_, "too-many-draws", &Limits::draws, span);
+        return;
+    }
     Draw draw;
     draw.shape = shape;
     draw.wire = wire;

@@ -38,9 +38,10 @@ struct OpenMatrix {
 
 class Builder {
 public:
-    Builder(Scene& scene, Report& report, const ParseLimits& limits, std::size_t text_bytes);
+    Builder(Scene& scene, Report& report, const Limits& limits, std::size_t text_bytes);
 
     Report& report() { return report_; }
+    const Limits& limits() const { return limits_; }
     Scene& scene() { return scene_; }
     Pass& pass() { return scene_.passes.back(); }
 
@@ -63,7 +64,7 @@ public:
     Filter filter;  // of textures named from now on
     void bind(Texture texture);
     std::optional<Index> bound(int unit, TextureTarget target) const;
-    void begin_pass(Pass pass);
+    void begin_pass(Pass pass);  // past the limit, what follows is drawn in the pass before
 
     // ---- programs
     std::array<std::optional<FileName>, stage_count> stages;
@@ -102,10 +103,11 @@ private:
     Index bindings_index();
     template <class T>
     void append(std::vector<T>& list, T value);
+    bool refuse(bool& said, std::string_view code, std::uint64_t Limits::*limit, Span span);
 
     Scene& scene_;
     Report& report_;
-    ParseLimits limits_;
+    Limits limits_;
     std::size_t text_bytes_, read_bytes_ = 0;
 
     Current<Camera> camera_;
@@ -114,6 +116,7 @@ private:
     MatrixEntry matrix_;
     std::vector<OpenMatrix> stack_;
     std::size_t refused_pushes_ = 0;
+    bool refused_draw_ = false, refused_pass_ = false;
     Bindings bindings_;
     Index bindings_index_ = none;
     Index program_ = none;

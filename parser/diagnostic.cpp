@@ -36,6 +36,21 @@ int distance(std::string_view a, std::string_view b) {
 Diagnostic& Diagnostics::add(Diagnostic diagnostic) {
     if (diagnostic.severity == Severity::error) ++errors_;
     if (diagnostic.severity == Severity::warning) ++warnings_;
+    if (diagnostic.message.size() > longest_) diagnostic.message.resize(longest_);
+    if (diagnostic.help.size() > longest_) diagnostic.help.resize(longest_);
+    if (items_.size() >= most_) {
+        if (items_.size() == most_) {
+            ++errors_;
+            items_.push_back({Severity::error,
+                              "too-many-diagnostics",
+                              {},
+                              "what else is wrong is left out",
+                              limit_help(most_, &Limits::diagnostics),
+                              {},
+                              false});
+        }
+        return nowhere_ = std::move(diagnostic);
+    }
     return items_.emplace_back(std::move(diagnostic));
 }
 

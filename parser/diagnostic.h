@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/limits.h"
 #include "parser/source.h"
 
 namespace snell {
@@ -28,6 +29,12 @@ struct Diagnostic {
 
 class Diagnostics {
 public:
+    Diagnostics() = default;
+    // With limits on how many there are and how long each is. What is past the first is counted and left out, with an
+    // error that says so.
+    explicit Diagnostics(const Limits& limits) : most_(limits.diagnostics), longest_(limits.message_bytes) {}
+
+    // The reference is to a diagnostic that notes may be added to, until the next one.
     Diagnostic& add(Diagnostic diagnostic);
     Diagnostic& error(std::string_view code, Span span, std::string message, std::string help = {});
     Diagnostic& warning(std::string_view code, Span span, std::string message, std::string help = {});
@@ -49,6 +56,8 @@ private:
     std::vector<Diagnostic> items_;
     std::size_t errors_ = 0;
     std::size_t warnings_ = 0;
+    std::uint64_t most_ = ~std::uint64_t{0}, longest_ = most_;
+    Diagnostic nowhere_;
 };
 
 // `file:line:column: error: message [code]`, the line, a caret under the span, help and notes.

@@ -35,7 +35,7 @@ void geometry_output(Builder& b, const Arguments& a) { b.geometry_output = a.tex
 
 void program(Builder& b, const Arguments& a) {
     if (a.tokens().size() == 1) return b.no_program();
-    UniformList list = read_uniforms(a.tokens().subspan(1), a.lexer(), b.report(), true);
+    UniformList list = read_uniforms(a.tokens().subspan(1), a.lexer(), b.report(), b.limits(), true);
     Program program;
     program.name = std::move(list.program);
     program.uniforms = std::move(list.uniforms);
@@ -57,6 +57,11 @@ void message_box(Builder& b, const Arguments& a) {
     std::string_view text = a.text(0);
     const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
     if (quoted) text = text.substr(1, text.size() - 2);
+    if (const std::uint64_t most = b.limits().message_bytes; text.size() > most) {
+        b.report().error("message-too-long", a.span(), "only the first " + std::to_string(most) + " bytes are shown",
+                         limit_help(b.limits(), &Limits::message_bytes));
+        text = text.substr(0, most);
+    }
     b.scene().messages.push_back({to_utf8(text), a.span()});
 }
 

@@ -8,7 +8,6 @@ namespace snell::handle {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int largest_window = 16384;
 
 template <class Change>
 void change_raster(Builder& b, Change change) {
@@ -86,10 +85,11 @@ Vec3 scaled_to_one(const Vec3& v) {
 
 void window_size(Builder& b, const Arguments& a) {
     const int wx = a.integer(0), wy = a.integer(1);
-    if (wx < 1 || wy < 1 || wx > largest_window || wy > largest_window) {
-        b.report().error("size-out-of-range", a.span(),
-                         "a window has 1 to " + std::to_string(largest_window) + " pixels a side",
-                         "the size is left as it was");
+    const auto most = static_cast<int>(b.limits().output_side);
+    if (wx < 1 || wy < 1 || wx > most || wy > most) {
+        b.report().error("size-out-of-range", a.span(), "a window has 1 to " + std::to_string(most) + " pixels a side",
+                         "the size is left as it was" +
+                             (std::max(wx, wy) > most ? "; " + limit_help(b.limits(), &Limits::output_side) : ""));
         return;
     }
     b.scene().window_size = {wx, wy};

@@ -7,11 +7,9 @@
 namespace snell::handle {
 namespace {
 
-constexpr int most_units = 192;  // OpenGL 4's least is 80; drivers offer up to 192
-constexpr int largest_side = 32768;
+constexpr int most_units = 192;         // OpenGL 4's least is 80; drivers offer up to 192
 constexpr int largest_irradiance = 64;  // it is smooth: 16 are good for a thousandth
 constexpr int smallest_prefilter = 16, largest_prefilter = 1024;
-constexpr int largest_noise_2d = 4096, largest_noise_3d = 512;
 
 bool good_unit(Builder& b, const Arguments& a, std::size_t i) {
     if (a.integer(i) >= 0 && a.integer(i) < most_units) return true;
@@ -19,14 +17,22 @@ bool good_unit(Builder& b, const Arguments& a, std::size_t i) {
     return false;
 }
 
-bool good_sizes(Builder& b, const Arguments& a, std::size_t count) {
-    for (std::size_t i = 1; i <= count; ++i) {
-        if (a.integer(i) >= 1 && a.integer(i) <= largest_side) continue;
+bool good_sizes(Builder& b, const Arguments& a, TextureTarget target) {
+    const auto most = static_cast<int>(b.limits().texture_side);
+    double bytes = 4;  // of 8 bits a channel
+    for (std::size_t i = 1; i < a.size(); ++i) {
+        bytes *= a.integer(i);
+        if (a.integer(i) >= 1 && a.integer(i) <= most) continue;
         b.report().error("size-out-of-range", a.span(i),
-                         "a texture has 1 to " + std::to_string(largest_side) + " texels a side");
+                         "a texture has 1 to " + std::to_string(most) + " texels a side",
+                         a.integer(i) > most ? limit_help(b.limits(), &Limits::texture_side) : "");
         return false;
     }
-    return true;
+    if (target == TextureTarget::cube) bytes *= a.integer(1);
+    if (bytes <= static_cast<double>(b.limits().texture_bytes)) return true;
+    b.report().error("texture-too-large", a.span(), "the texture would take more memory than one may",
+                     limit_help(b.limits(), &Limits::texture_bytes));
+    return false;
 }
 
 // unit and files, or unit and sizes: `sizes` is the alternative of the latter.
@@ -38,7 +44,7 @@ void texture(Builder& b, const Arguments& a, TextureTarget target, std::size_t s
     t.filter = b.filter;
     t.span = a.span();
     if (a.alternative() == sizes) {
-        if (!good_sizes(b, a, a.size() - 1)) return;
+        if (!good_sizes(b, a, target)) return;
         for (std::size_t i = 1; i < a.size(); ++i) t.size[i - 1] = a.integer(i);
     } else {
         for (std::size_t i = 1; i < a.size(); ++i) t.files.push_back({file_name(a.text(i)), a.span(i), b.from});
@@ -46,13 +52,15 @@ void texture(Builder& b, const Arguments& a, TextureTarget target, std::size_t s
     b.bind(std::move(t));
 }
 
-void noise(Builder& b, const Arguments& a, int& resolution, int largest) {
+void noise(Builder& b, const Arguments& a, int& resolution, std::uint64_t Limits::*limit) {
+    const auto largest = static_cast<int>(b.limits().*limit);
     if (a.integer(0) >= 1 && a.integer(0) <= largest) {
         resolution = a.integer(0);
         return;
     }
     b.report().error("size-out-of-range", a.span(0),
-                     "noise has a resolution of 1 to " + std::to_string(largest) + ": it is left as it was");
+                     "noise has a resolution of 1 to " + std::to_string(largest) + ": it is left as it was",
+                     a.integer(0) > largest ? limit_help(b.limits(), limit) : "");
 }
 
 // What stands on the unit; an error and `none` when nothing does.
@@ -132,8 +140,8 @@ void filter(Builder& b, const Arguments& a) {
                            "anisotropy is 1 to 16: " + std::to_string(b.filter.anisotropy) + " is used");
 }
 
-void noise_2d(Builder& b, const Arguments& a) { noise(b, a, b.scene().noise2d, largest_noise_2d); }
-void noise_3d(Builder& b, const Arguments& a) { noise(b, a, b.scene().noise3d, largest_noise_3d); }
+void noise_2d(Builder& b, const Arguments& a) { noise(b, a, b.scene().noise2d, &Limits::noise_2d); }
+void noise_3d(Builder& b, const Arguments& a) { noise(b, a, b.scene().noise3d, &Limits::noise_3d); }
 
 void render_to_texture(Builder& b, const Arguments& a) {
     Pass pass;

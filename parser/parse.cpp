@@ -17,7 +17,7 @@ struct OpenText {
 
 class SceneParser {
 public:
-    SceneParser(Sources& sources, const IncludeReader& reader, const ParseLimits& limits, std::size_t text_bytes,
+    SceneParser(Sources& sources, const IncludeReader& reader, const Limits& limits, std::size_t text_bytes,
                 Scene& scene)
         : sources_(sources),
           reader_(reader),
@@ -39,7 +39,8 @@ private:
         if (text.size() > limits_.text_bytes) {
             report_.error("text-too-large", {file, 0, 0},
                           "the text has " + std::to_string(text.size()) + " bytes, and at most " +
-                              std::to_string(limits_.text_bytes) + " are read");
+                              std::to_string(limits_.text_bytes) + " are read",
+                          limit_help(limits_, &Limits::text_bytes));
             return;
         }
         if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
@@ -56,7 +57,8 @@ private:
             if (++statements_ > limits_.statements) {
                 if (statements_ == limits_.statements + 1)
                     report_.error("too-many-statements", reader.span(statement),
-                                  "only the first " + std::to_string(limits_.statements) + " statements are read");
+                                  "only the first " + std::to_string(limits_.statements) + " statements are read",
+                                  limit_help(limits_, &Limits::statements));
                 break;
             }
             if (open_.size() == 1) builder_.progress(reader.lexer().position());
@@ -120,12 +122,12 @@ private:
         if (program != Span{} && program != noted_)
             d.notes.push_back({program, "the values are taken for this program all the same"});
         noted_ = program;
-        UniformList list = read_uniforms(statement.tokens, lexer, report_, false);
+        UniformList list = read_uniforms(statement.tokens, lexer, report_, limits_, false);
         for (UniformValue& u : list.uniforms) {
             const auto same = std::find_if(current.uniforms.begin(), current.uniforms.end(),
                                            [&](const UniformValue& other) { return other.name == u.name; });
             if (same == current.uniforms.end()) {
-                current.uniforms.push_back(std::move(u));
+                if (current.uniforms.size() < limits_.uniforms) current.uniforms.push_back(std::move(u));
             } else {
                 *same = std::move(u);
             }
@@ -137,9 +139,18 @@ private:
             report_.error("include-unavailable", span, "other files can't be read here");
             return;
         }
-        if (static_cast<int>(open_.size()) > limits_.include_depth) {
+        if (open_.size() > limits_.include_depth) {
             report_.error("include-too-deep", span,
-                          "files include each other more than " + std::to_string(limits_.include_depth) + " deep");
+                          "files include each other more than " + std::to_string(limits_.include_depth) + " deep",
+                          limit_help(limits_, &Limits::include_depth));
+            return;
+        }
+        // Files that include others twice each would be read 2^depth times.
+        if (++included_ > limits_.includes) {
+            if (included_ == limits_.includes + 1)
+                report_.error("too-many-includes", span,
+                              "only the first " + std::to_string(limits_.includes) + " files are included",
+                              limit_help(limits_, &Limits::includes));
             return;
         }
         std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
@@ -159,17 +170,17 @@ private:
 
     Sources& sources_;
     const IncludeReader& reader_;
-    const ParseLimits& limits_;
+    const Limits& limits_;
     Report report_;
     Builder builder_;
     std::vector<OpenText> open_;
-    std::size_t statements_ = 0;
+    std::uint64_t statements_ = 0, included_ = 0;
     Span noted_;  // the Program of which the note about a lost backslash was given
 };
 
 }  // namespace
 
-Parsed parse(FileId file, Sources& sources, const IncludeReader& include, const ParseLimits& limits) {
+Parsed parse(FileId file, Sources& sources, const IncludeReader& include, const Limits& limits) {
     Parsed parsed;
     parsed.diagnostics = SceneParser(sources, include, limits, sources.text(file).size(), parsed.scene).run(file);
     return parsed;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "parser/diagnostic.h"
+#include "parser/limits.h"
 #include "parser/scene.h"
 #include "parser/source.h"
 
@@ -20,21 +21,13 @@ struct IncludedText {
 };
 using IncludeReader = std::function<std::optional<IncludedText>(std::string_view from, std::string_view name)>;
 
-struct ParseLimits {
-    std::size_t text_bytes = 64u << 20;
-    std::size_t statements = 4'000'000;
-    int include_depth = 16;
-    int matrix_stack = 10'000;
-    std::size_t diagnostics = 1'000;
-};
-
 struct Parsed {
     Scene scene;
     Diagnostics diagnostics;
 };
 
 // `file` is in `sources`; included texts are added there.
-Parsed parse(FileId file, Sources& sources, const IncludeReader& include = {}, const ParseLimits& limits = {});
+Parsed parse(FileId file, Sources& sources, const IncludeReader& include = {}, const Limits& limits = {});
 
 // The stages of the reading as text, for `snell check --dump` and tests.
 std::string dump_tokens(FileId file, const Sources& sources);

@@ -14,7 +14,8 @@ Diagnostics Report::take() {
     diagnostics_.sort();
     if (left_out_ > 0)
         diagnostics_.error("too-many-diagnostics", first_left_out_,
-                           "from here on " + std::to_string(left_out_) + " more diagnostics are left out");
+                           "from here on " + std::to_string(left_out_) + " more diagnostics are left out",
+                           "--limit diagnostics=N changes how many are kept");
     return std::move(diagnostics_);
 }
 

@@ -350,8 +350,16 @@ private:
 
 }  // namespace
 
-UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Report& report, bool named) {
-    return UniformReader(tokens, lexer, report).run(named);
+UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Report& report, const Limits& limits,
+                          bool named) {
+    UniformList list = UniformReader(tokens, lexer, report).run(named);
+    if (list.uniforms.size() > limits.uniforms) {
+        report.error("too-many-uniforms", list.uniforms[limits.uniforms].span,
+                     "only the first " + std::to_string(limits.uniforms) + " uniforms are kept",
+                     limit_help(limits, &Limits::uniforms));
+        list.uniforms.resize(limits.uniforms);
+    }
+    return list;
 }
 
 bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "parser/lexer.h"
+#include "parser/limits.h"
 #include "parser/report.h"
 #include "parser/scene.h"
 
@@ -18,7 +19,8 @@ struct UniformList {
 
 // Reads `name value name value …`; with `named`, the name of the program stands before them. Whatever can be
 // understood is returned, the rest reported.
-UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Report& report, bool named);
+UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Report& report, const Limits& limits,
+                          bool named);
 
 // Whether the tokens read like a uniform and its value rather than a command: `uSc <0. .5 1.>`.
 bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer);

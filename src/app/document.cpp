@@ -33,18 +33,25 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
         return std::nullopt;
     }
     const FileId file = sources.add(path, std::move(*text));
-    Parsed parsed = parse(file, sources, include_reader(files));
+    Parsed parsed = parse(file, sources, include_reader(files), files.limits());
     diagnostics.append(parsed.diagnostics);
     return ParsedDocument{file, std::move(parsed.scene)};
+}
+
+Access access_to(const std::string& path, Access access, bool grade) {
+    if (grade && !access.confine) access.confine = scene_folder(path);
+    return access;
 }
 
 std::string scene_folder(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
 
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps, const RungChooser& choose,
-                                        const PlanReader& planned, const RuntimeOptions& options) {
+                                        const PlanReader& planned, const RuntimeOptions& options,
+                                        const Access& access) {
     auto document = std::make_unique<Document>();
+    document->diagnostics = Diagnostics(access.limits);
     document->path = path;
-    document->files = std::make_unique<Files>(scene_folder(path));
+    document->files = std::make_unique<Files>(scene_folder(path), access);
     auto parsed = parse_document(path, *document->files, document->sources, document->diagnostics);
     if (!parsed) return document;
     Plan plan = make_plan(std::move(parsed->scene), *document->files, document->sources, document->diagnostics);

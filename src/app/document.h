@@ -35,6 +35,9 @@ struct ParsedDocument {
 std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
                                              Diagnostics& diagnostics);
 
+// `access`, confined to the scene's folder where it says nothing and `grade` is asked for.
+Access access_to(const std::string& path, Access access, bool grade);
+
 // The folder that names in the scene are relative to.
 std::string scene_folder(const std::string& path);
 
@@ -47,7 +50,7 @@ using PlanReader = std::function<void(const Plan& plan, Document& document)>;
 // Never throws; what is wrong is in `diagnostics`. Needs a current context.
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps,
                                         const RungChooser& choose = nullptr, const PlanReader& planned = nullptr,
-                                        const RuntimeOptions& options = {});
+                                        const RuntimeOptions& options = {}, const Access& access = {});
 
 // Compiles what the rungs of `controls` need; the controls are then those of the programs as they are now, with
 // the values they had. True: they may be others.

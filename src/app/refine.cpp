@@ -40,7 +40,7 @@ void Refinement::open_reference() {
     }
     RuntimeOptions options;
     options.previous = &*shown_->runtime;
-    reference_ = open_document(path_, caps_, choose_last, nullptr, options);
+    reference_ = open_document(path_, caps_, choose_last, nullptr, options, shown_->files->access());
     note_.clear();
     if (!reference_->runtime || reference_->scene().ladders.size() != shown_->scene().ladders.size())
         note_ = "The scene can't be read.";

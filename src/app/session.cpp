@@ -29,7 +29,10 @@ std::string folder_of(const std::string& file) {
 
 }  // namespace
 
-Session::Session(std::string path, gl::Caps caps) : path_(std::move(path)), caps_(std::move(caps)) { reload(); }
+Session::Session(std::string path, gl::Caps caps, Access access)
+    : path_(std::move(path)), caps_(std::move(caps)), access_(std::move(access)) {
+    reload();
+}
 
 void Session::reload() {
     ++revision_;
@@ -38,7 +41,7 @@ void Session::reload() {
     };
     RuntimeOptions options;
     options.previous = shown_ ? &*shown_->runtime : nullptr;
-    take(open_document(path_, caps_, choose, nullptr, options));
+    take(open_document(path_, caps_, choose, nullptr, options, access_));
 }
 
 bool Session::reload_if_saved() {

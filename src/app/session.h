@@ -16,7 +16,7 @@ namespace snell {
 class Session {
 public:
     // Needs the GL context of `caps` to be current, for all of its life.
-    Session(std::string path, gl::Caps caps);
+    Session(std::string path, gl::Caps caps, Access access = {});
 
     // Reads the files again. A state with errors that the shown one does not have is not shown: its problems
     // are, over the last good picture. Values of controls carry over.
@@ -43,6 +43,7 @@ private:
 
     std::string path_;
     gl::Caps caps_;
+    Access access_;
     std::unique_ptr<Document> shown_;
     std::vector<ui::Problem> problems_;  // of the files, then of the rungs chosen since
     std::size_t file_problems_ = 0, file_errors_ = 0;

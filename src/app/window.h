@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "src/plan/files.h"
+
 namespace snell {
 
 struct WindowOptions {
@@ -12,6 +14,7 @@ struct WindowOptions {
     std::optional<std::pair<int, int>> size;
     std::string state_file;  // for tests: counters, values and layout are written there after every frame
     double exit_after = 0;   // seconds; 0: never
+    Access access;
 };
 
 // Returns the exit status.

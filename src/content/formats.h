@@ -22,7 +22,8 @@ ImageResult decode_bmp(std::string_view bytes, const ImageLimits& limits);
 ImageResult decode_tex(std::string_view bytes, const ImageLimits& limits);
 ImageResult decode_png(std::string_view bytes, const ImageLimits& limits);
 // Whatever OpenImageIO reads. `format` is sniff's word, empty to let it try them all.
-ImageResult decode_other(const std::string& path, std::string_view format, const ImageLimits& limits);
+// The bytes are given to it as a file in memory: what stands under the picture's name may have changed meanwhile.
+ImageResult decode_other(std::string_view bytes, std::string_view format, const ImageLimits& limits);
 
 std::optional<ImageHeader> bmp_header(std::string_view first_bytes);
 std::optional<ImageHeader> png_header(std::string_view first_bytes);

@@ -42,7 +42,7 @@ ImageResult not_a_picture(std::string_view format) {
                                          : "save the picture as PNG, JPEG, BMP, HDR or EXR");
 }
 
-ImageResult decode_as(std::string_view format, const std::string& path, std::string_view bytes,
+ImageResult decode_as(std::string_view format, std::string_view named, std::string_view bytes,
                       const ImageLimits& limits) {
     if (format == "bmp") return decode_bmp(bytes, limits);
     if (format == "png") return decode_png(bytes, limits);
@@ -50,7 +50,7 @@ ImageResult decode_as(std::string_view format, const std::string& path, std::str
     for (const std::string_view other : {"html", "svg", "pdf", "zip", "git-lfs"}) {
         if (format == other) return not_a_picture(format);
     }
-    return decode_other(path, format, limits);
+    return decode_other(bytes, format.empty() ? named : format, limits);
 }
 
 }  // namespace
@@ -63,15 +63,16 @@ ImageResult image_failed(std::string code, std::string message, std::string help
 
 std::optional<ImageIssue> check_size(std::string_view format, std::int64_t width, std::int64_t height,
                                      std::int64_t depth, std::size_t pixel_bytes, const ImageLimits& limits) {
-    const auto too_large = [&](const std::string& limit) {
+    const auto too_large = [&](const std::string& limit, std::string help) {
         const std::string size =
             std::to_string(width) + " x " + std::to_string(height) + (depth > 1 ? " x " + std::to_string(depth) : "");
         return ImageIssue{true, "image-too-large",
                           std::string(format) + " picture: " + size + " texels are more than " + limit,
-                          "make it smaller"};
+                          "make it smaller; " + std::move(help)};
     };
     if (std::max({width, height, depth}) > limits.side) {
-        return too_large("the limit of " + std::to_string(limits.side) + " along one side");
+        return too_large("the limit of " + std::to_string(limits.side) + " along one side",
+                         limit_help(static_cast<std::uint64_t>(limits.side), &Limits::texture_side));
     }
     if (width <= 0 || height <= 0 || depth <= 0) {
         return ImageIssue{true, "image-unreadable", std::string(format) + " picture: it has no texels",
@@ -81,7 +82,8 @@ std::optional<ImageIssue> check_size(std::string_view format, std::int64_t width
     const double bytes =
         static_cast<double>(width * height) * static_cast<double>(depth) * static_cast<double>(pixel_bytes);
     if (bytes > static_cast<double>(limits.bytes)) {
-        return too_large("the limit of " + std::to_string(limits.bytes >> 20) + " MiB");
+        return too_large("the limit of " + std::to_string(limits.bytes >> 20) + " MiB",
+                         limit_help(limits.bytes, &Limits::texture_bytes));
     }
     return std::nullopt;
 }
@@ -95,7 +97,7 @@ ImageResult decode_image(const std::string& path, std::string_view bytes, const 
     if (format.empty() && (named == "tex" || (named != "targa" && tex_header(bytes, bytes.size())))) format = "tex";
     if (format.empty() && (named == "bmp" || named == "png")) format = named;  // their decoders say what is wrong
     const bool misnamed = !format.empty() && !named.empty() && format != named;
-    ImageResult result = decode_as(format, path, bytes, limits);
+    ImageResult result = decode_as(format, named, bytes, limits);
     if (misnamed && result.image) {
         result.issues.push_back({false, "image-misnamed",
                                  "the file is named ." + extension + " but holds a picture in " + std::string(format) +

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/limits.h"
+
 namespace snell::content {
 
 enum class PixelType : std::uint8_t { u8, f16, f32 };
@@ -30,8 +32,8 @@ struct Image {
 };
 
 struct ImageLimits {
-    int side = 16384;
-    std::size_t bytes = std::size_t{2} << 30;
+    int side = static_cast<int>(Limits{}.texture_side);
+    std::size_t bytes = Limits{}.texture_bytes;
 };
 
 struct ImageIssue {
@@ -46,8 +48,8 @@ struct ImageResult {
     std::vector<ImageIssue> issues;
 };
 
-// By content first, by extension second. `path` is opened by the OpenImageIO module only when the format is
-// not one of our own (BMP, raw .tex); `bytes` is the whole file. Non-finite values are mended and reported;
+// By content first, by extension second. `bytes` is the whole file; of `path` only the extension
+// matters, and nothing is opened. Non-finite values are mended and reported;
 // float and 16-bit images come as f16, 8-bit ones as u8.
 ImageResult decode_image(const std::string& path, std::string_view bytes, const ImageLimits& limits = {});
 
@@ -61,9 +63,9 @@ std::optional<ImageHeader> read_header(std::string_view first_bytes, std::size_t
 // The picture that stands for one that can't be read: magenta and black checks.
 Image checkerboard(int size = 64);
 
-Image flipped(const Image& image);  // rows in the opposite order
+Image flipped(const Image& image);   // rows in the opposite order
 Image to_bytes(const Image& image);  // u8, clamped to 0..1 and rounded; what is not a number becomes 0
-Image to_rgba(const Image& image);  // 4 channels; grey is spread, alpha 1
+Image to_rgba(const Image& image);   // 4 channels; grey is spread, alpha 1
 float half_to_float(std::uint16_t half);
 std::uint16_t float_to_half(float value);  // round to nearest even; overflow to infinity
 

@@ -49,7 +49,7 @@ bool positive(double& value, std::string_view what, Issues& issues) {
 
 // Halves the larger count until the product of (count + 1) fits.
 template <std::size_t N>
-void fit(const std::array<int*, N>& counts, const MeshLimits& limits, Issues& issues) {
+void fit(const std::array<int*, N>& counts, const MeshLimits& limits, Issues& issues, bool quads = false) {
     const auto product = [&] {
         double p = 1;
         for (const int* c : counts) p *= static_cast<double>(*c) + 1;
@@ -57,15 +57,16 @@ void fit(const std::array<int*, N>& counts, const MeshLimits& limits, Issues& is
     };
     const double asked = product();
     // Indices must fit in 32 bits: at most six for each vertex.
-    const double most = static_cast<double>(std::clamp<std::size_t>(limits.vertices, 1024, 500'000'000));
+    const std::size_t limit = quads ? std::min(limits.vertices, limits.sub_quads) : limits.vertices;
+    const double most = static_cast<double>(std::clamp<std::size_t>(limit, 1024, 500'000'000));
     while (product() > most) {
         int* largest = *std::max_element(counts.begin(), counts.end(), [](int* a, int* b) { return *a < *b; });
         *largest /= 2;
     }
     if (product() < asked)
-        warn(issues, "too-many-vertices",
+        fail(issues, "too-many-vertices",
              fmt::format("{:.0f} vertices are too many; {:.0f} are used", asked, product()),
-             fmt::format("At most {:.0f} vertices are made for one shape.", most));
+             limit_help(limit, limit < limits.vertices ? &Limits::sub_quads : &Limits::vertices));
 }
 
 // ---- each shape: parameters into their domain, then make it ------------------------------------------
@@ -135,14 +136,14 @@ struct Maker {
         if (!finite(s.offset, "offset", issues) || !positive(s.size, "size", issues)) return {};
         at_least(s.n1, 1, "cells", issues);
         at_least(s.n2, 1, "cells", issues);
-        fit(std::array{&s.n1, &s.n2}, limits, issues);
+        fit(std::array{&s.n1, &s.n2}, limits, issues, true);
         return make_quad(s, wire);
     }
 
     Mesh operator()(QuadBox s) const {
         at_least(s.n, 1, "quads", issues);
         int corners = 3;  // four a quad
-        fit(std::array{&s.n, &corners}, limits, issues);
+        fit(std::array{&s.n, &corners}, limits, issues, true);
         return make_quad_box(s, wire);
     }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/limits.h"
 #include "parser/scene.h"
 
 namespace snell::content {
@@ -50,12 +51,13 @@ struct MeshIssue {
 };
 
 struct MeshLimits {
-    std::size_t vertices = 20'000'000;
-    std::size_t file_bytes = std::size_t{1} << 30;
+    std::size_t vertices = Limits{}.vertices;
+    std::size_t file_bytes = Limits{}.file_bytes;
+    std::size_t sub_quads = Limits{}.sub_quads;
 };
 
 struct MeshResult {
-    Mesh mesh;  // empty when an issue is an error
+    Mesh mesh;  // empty when it can't be made; past a limit, of fewer vertices
     std::vector<MeshIssue> issues;
 };
 

@@ -1,9 +1,12 @@
 #include "src/content/module.h"
 
 #include <dlfcn.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 
@@ -78,6 +81,35 @@ void* allocate(void* context, const SnellOiioShape* shape) noexcept try {
 } catch (...) {
     return nullptr;
 }
+
+// A file without a name, for libraries that open files by name.
+class MemoryFile {
+public:
+    explicit MemoryFile(std::string_view bytes) : fd_(memfd_create("picture", MFD_CLOEXEC)) {
+        while (fd_ >= 0 && !bytes.empty()) {
+            const ssize_t count = write(fd_, bytes.data(), bytes.size());
+            if (count <= 0 && errno != EINTR) return;
+            bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        }
+        if (fd_ >= 0) path_ = "/proc/self/fd/" + std::to_string(fd_);
+    }
+    ~MemoryFile() {
+        if (fd_ >= 0) close(fd_);
+    }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    const std::string& path() const { return path_; }  // empty: no memory
+    // Messages of libraries name the path, which says nothing.
+    std::string unnamed(std::string message) const {
+        for (std::size_t at = 0; (at = message.find(path_, at)) != std::string::npos;)
+            message.replace(at, path_.size(), "the file");
+        return message;
+    }
+
+private:
+    int fd_;
+    std::string path_;
+};
 
 // Two channels that are not grey and alpha are the first two of three.
 template <class Value>
@@ -165,19 +197,21 @@ const OiioModule& oiio_module() {
     return module;
 }
 
-ImageResult decode_other(const std::string& path, std::string_view format, const ImageLimits& limits) {
+ImageResult decode_other(std::string_view bytes, std::string_view format, const ImageLimits& limits) {
     const OiioModule& module = oiio_module();
     if (!module.error.empty()) {
         return image_failed("image-module-missing", module.error,
                             "install snell whole; without the module BMP, PNG and raw .tex pictures can be read");
     }
+    const MemoryFile file(bytes);
+    if (file.path().empty()) return image_failed("image-unreadable", "there is not enough memory to read the picture");
     Reading reading{limits, {}, {}, {}, {}};
     std::array<char, message_size> message{};
-    const int status =
-        module.read(path.c_str(), std::string(format).c_str(), allocate, &reading, message.data(), message.size());
+    const int status = module.read(file.path().c_str(), std::string(format).c_str(), allocate, &reading, message.data(),
+                                   message.size());
     if (reading.refused) return {{}, {*reading.refused}};
     const std::string kind = format.empty() ? "picture of unknown format" : std::string(format) + " picture";
-    std::string what = kind + ": " + (message[0] ? message.data() : "not enough memory");
+    std::string what = kind + ": " + (message[0] ? file.unnamed(message.data()) : "not enough memory");
     if (status == 0) return finish(reading);
     if (status == 3 && reading.any()) {
         ImageResult result = finish(reading);

@@ -190,8 +190,9 @@ MeshResult parse_obj(std::string_view text, ObjAs as, bool wire, const MeshLimit
             {true, "obj-no-faces", "the file has no faces that can be drawn", "Faces are lines like `f 1 2 3`."});
         result.mesh = {};
     } else if (mesh.positions.size() > limits.vertices) {
-        result.issues.push_back(
-            {true, "too-many-vertices", fmt::format("the file makes {} vertices", mesh.positions.size()), ""});
+        result.issues.push_back({true, "too-many-vertices",
+                                 fmt::format("the file makes {} vertices", mesh.positions.size()),
+                                 limit_help(limits.vertices, &Limits::vertices)});
         result.mesh = {};
     }
     mesh.compute_bounds();

@@ -227,7 +227,7 @@ ObjData read_obj(std::string_view text, const MeshLimits& limits, std::vector<Me
     ObjData data;
     if (text.size() > limits.file_bytes) {
         issues.push_back({true, "file-too-large", fmt::format("the file has {} bytes", text.size()),
-                          fmt::format("At most {} bytes are read.", limits.file_bytes)});
+                          limit_help(limits.file_bytes, &Limits::file_bytes)});
         return data;
     }
     const std::string copy = normalised(text);
@@ -255,8 +255,8 @@ ObjData read_obj(std::string_view text, const MeshLimits& limits, std::vector<Me
          {&reader.not_a_number, &reader.malformed, &reader.out_of_range, &reader.attribute, &reader.too_small})
         t->report(issues);
     if (reader.too_many) {
-        issues.push_back(
-            {true, "too-many-vertices", fmt::format("the file has more than {} vertices", limits.vertices), ""});
+        issues.push_back({true, "too-many-vertices", fmt::format("the file has more than {} vertices", limits.vertices),
+                          limit_help(limits.vertices, &Limits::vertices)});
         data = {};
     }
     return data;

@@ -48,7 +48,9 @@ std::string Replacement::take_place() {
 }
 
 std::string write_file(const fs::path& path, std::string_view bytes) {
-    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    // A link that stands under the temporary name is not followed.
+    unlink(path.c_str());
+    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0) return std::strerror(errno);
     while (!bytes.empty()) {
         const ssize_t count = write(file, bytes.data(), bytes.size());

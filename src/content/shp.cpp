@@ -182,14 +182,14 @@ void report(const Leftovers& left, bool cut, std::vector<MeshIssue>& issues) {
 // X and Y are the file's, Z its height where it has one (PolyLineZ, PolygonZ, MultiPatch), else 0; M is ignored.
 MeshResult parse_shp(std::string_view shp, const MeshLimits& limits) {
     MeshResult result;
-    const auto fail = [&](std::string code, std::string message) {
+    const auto fail = [&](std::string code, std::string message, std::string help = {}) {
         result.mesh = {};
-        result.issues.push_back({true, std::move(code), std::move(message), ""});
+        result.issues.push_back({true, std::move(code), std::move(message), std::move(help)});
         return result;
     };
     if (shp.size() > limits.file_bytes)
-        return fail("file-too-large",
-                    fmt::format("the file has {} bytes; at most {} are read", shp.size(), limits.file_bytes));
+        return fail("file-too-large", fmt::format("the file has {} bytes", shp.size()),
+                    limit_help(limits.file_bytes, &Limits::file_bytes));
     if (shp.size() < header_bytes || big_endian(shp.data()) != 9994)
         return fail("shp-not-a-shape-file", "this is not an ESRI shape file: it does not begin with the number 9994");
 
@@ -206,7 +206,8 @@ MeshResult parse_shp(std::string_view shp, const MeshLimits& limits) {
         if (!object)
             ++left.unreadable;
         else if (mesh.positions.size() + static_cast<std::size_t>(object->nVertices) > limits.vertices)
-            return fail("too-many-vertices", fmt::format("the file has more than {} vertices", limits.vertices));
+            return fail("too-many-vertices", fmt::format("the file has more than {} vertices", limits.vertices),
+                        limit_help(limits.vertices, &Limits::vertices));
         else
             add_object(*object, mesh, left);
     }

@@ -51,6 +51,7 @@ struct Options {
     bool wide_lines = false;
     int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
     IncludeReader include;
+    Limits limits;  // of includes
 };
 
 // A stage as the driver shall compile it. `files[n]` is the text that `#line … n` numbers as source string n,

@@ -10,7 +10,6 @@ namespace snell::glsl {
 
 namespace {
 
-constexpr int include_depth_limit = 16;
 constexpr std::size_t token_limit = 2'000'000;
 
 class Preprocessor {
@@ -340,8 +339,11 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
         diagnostics_.error("include-cycle", where, "'" + got->name + "' includes itself");
         return blank_out(start, end);
     }
-    if (file_name_.size() >= include_depth_limit || unit_.files.size() >= 1000) {
-        diagnostics_.error("include-too-deep", where, "includes are nested too deeply");
+    const bool deep = file_name_.size() > options_.limits.include_depth;
+    if (deep || unit_.files.size() > options_.limits.includes) {
+        diagnostics_.error(deep ? "include-too-deep" : "too-many-includes", where,
+                           deep ? "includes are nested too deeply" : "too many files are included",
+                           limit_help(options_.limits, deep ? &Limits::include_depth : &Limits::includes));
         return blank_out(start, end);
     }
     const int line = line_of(start) + static_cast<int>(std::count(rest.begin(), rest.end(), '\n'));

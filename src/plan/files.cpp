@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -22,14 +23,15 @@ namespace fs = std::filesystem;
 // Folders with more entries are not searched to the end.
 constexpr std::size_t max_entries = 100'000;
 
-bool is_regular(const std::string& path) {
-    struct stat status {};
-    return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+// The real path, without links and "..": "" when there is nothing.
+std::string real_path(const std::string& path) {
+    const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.empty() ? "." : path.c_str(), nullptr),
+                                                           &std::free);
+    return real ? real.get() : "";
 }
 
-bool is_folder(const std::string& path) {
-    struct stat status {};
-    return stat(path.empty() ? "." : path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+bool below(std::string_view path, std::string_view root) {
+    return path == root || root == "/" || (path.starts_with(root) && path[root.size()] == '/');
 }
 
 std::string lower(std::string_view text) {
@@ -43,19 +45,6 @@ std::string join(std::string_view folder, std::string_view name) {
     std::string result(folder);
     if (result.back() != '/') result += '/';
     return result += name;
-}
-
-// Names in a folder, sorted so that the choice among several never depends on the file system.
-std::vector<std::string> list(const std::string& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
-         it.increment(error)) {
-        names.push_back(it->path().filename().string());
-        if (names.size() == max_entries) break;
-    }
-    std::sort(names.begin(), names.end());
-    return names;
 }
 
 // A name as a path: '/' only, no empty or "." components, no blanks or quotes around it.
@@ -85,81 +74,123 @@ bool is_absolute(std::string_view name) { return (!name.empty() && name[0] == '/
 
 std::string_view last_component(std::string_view name) { return name.substr(name.rfind('/') + 1); }
 
-// The file (or folder) that `rest` leads to from `folder` without regard to case; empty when there is none.
-std::string match_case(const std::string& folder, std::string_view rest, bool want_folder) {
-    const std::size_t slash = rest.find('/');
-    const std::string part(rest.substr(0, slash));
-    const bool last = slash == std::string_view::npos;
-    const auto follow = [&](const std::string& entry) -> std::string {
-        const std::string path = join(folder, entry);
-        if (last) return (want_folder ? is_folder(path) : is_regular(path)) ? path : "";
-        return is_folder(path) ? match_case(path, rest.substr(slash + 1), want_folder) : "";
-    };
-    if (std::string found = follow(part); !found.empty() || part == "..") return found;
-    const std::string wanted = lower(part);
-    for (const std::string& entry : list(folder)) {
-        if (entry == part || lower(entry) != wanted) continue;
-        if (std::string found = follow(entry); !found.empty()) return found;
-    }
-    return {};
-}
+// Looks names up in folders, within bounds: what lies outside of `root` is as if it were not there.
+struct Finder {
+    const std::string& root;  // a real path; empty: no bounds
 
-// The entry of the name's folder that is most like its last component; "" when nothing is like it.
-std::string most_similar(const std::string& base, const std::string& name) {
-    const std::string_view file = last_component(name);
-    std::string_view where(name.data(), name.size() - file.size());
-    while (!where.empty() && where.back() == '/' && where.size() > 1) where.remove_suffix(1);
-    const std::string folder =
-        where.empty() ? base : (is_absolute(where) ? std::string(where) : match_case(base, where, true));
-    if (folder.empty() && !where.empty()) return {};
+    bool inside(const std::string& path) const { return root.empty() || below(real_path(path), root); }
 
-    std::vector<std::string> names;
-    for (std::string& entry : list(folder)) {
-        if (is_regular(join(folder, entry))) names.push_back(std::move(entry));
+    bool is_regular(const std::string& path) const {
+        struct stat status {};
+        return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && inside(path);
     }
-    const std::vector<std::string_view> candidates(names.begin(), names.end());
-    std::string best(nearest(file, candidates));
-    if (best.empty()) {  // the same name with another extension is worth naming, however far by letters
-        const std::string stem = lower(file.substr(0, file.rfind('.')));
-        const auto same = std::find_if(names.begin(), names.end(), [&](const std::string& entry) {
-            return !stem.empty() && lower(entry.substr(0, entry.rfind('.'))) == stem;
-        });
-        if (same != names.end()) best = *same;
-    }
-    return best.empty() ? best : join(where, best);
-}
 
-std::string find_case(const std::string& base, const std::string& name) {
-    return is_absolute(name) ? std::string() : match_case(base, name, false);
-}
+    bool is_folder(const std::string& path) const {
+        struct stat status {};
+        return stat(path.empty() ? "." : path.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && inside(path);
+    }
+
+    // Names in a folder, sorted so that the choice among several never depends on the file system.
+    std::vector<std::string> list(const std::string& folder) const {
+        std::vector<std::string> names;
+        if (!inside(folder)) return names;
+        std::error_code error;
+        for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
+             it.increment(error)) {
+            names.push_back(it->path().filename().string());
+            if (names.size() == max_entries) break;
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+    // The file (or folder) that `rest` leads to from `folder` without regard to case; empty when there is none.
+    std::string match_case(const std::string& folder, std::string_view rest, bool want_folder) const {
+        const std::size_t slash = rest.find('/');
+        const std::string part(rest.substr(0, slash));
+        const bool last = slash == std::string_view::npos;
+        const auto follow = [&](const std::string& entry) -> std::string {
+            const std::string path = join(folder, entry);
+            if (last) return (want_folder ? is_folder(path) : is_regular(path)) ? path : "";
+            return is_folder(path) ? match_case(path, rest.substr(slash + 1), want_folder) : "";
+        };
+        if (std::string found = follow(part); !found.empty() || part == "..") return found;
+        const std::string wanted = lower(part);
+        for (const std::string& entry : list(folder)) {
+            if (entry == part || lower(entry) != wanted) continue;
+            if (std::string found = follow(entry); !found.empty()) return found;
+        }
+        return {};
+    }
+
+    // The entry of the name's folder that is most like its last component; "" when nothing is like it.
+    std::string most_similar(const std::string& base, const std::string& name) const {
+        const std::string_view file = last_component(name);
+        std::string_view where(name.data(), name.size() - file.size());
+        while (!where.empty() && where.back() == '/' && where.size() > 1) where.remove_suffix(1);
+        const std::string folder =
+            where.empty() ? base : (is_absolute(where) ? std::string(where) : match_case(base, where, true));
+        if (folder.empty() && !where.empty()) return {};
+
+        std::vector<std::string> names;
+        for (std::string& entry : list(folder)) {
+            if (is_regular(join(folder, entry))) names.push_back(std::move(entry));
+        }
+        const std::vector<std::string_view> candidates(names.begin(), names.end());
+        std::string best(nearest(file, candidates));
+        if (best.empty()) {  // the same name with another extension is worth naming, however far by letters
+            const std::string stem = lower(file.substr(0, file.rfind('.')));
+            const auto same = std::find_if(names.begin(), names.end(), [&](const std::string& entry) {
+                return !stem.empty() && lower(entry.substr(0, entry.rfind('.'))) == stem;
+            });
+            if (same != names.end()) best = *same;
+        }
+        return best.empty() ? best : join(where, best);
+    }
+
+    std::string find_case(const std::string& base, const std::string& name) const {
+        return is_absolute(name) ? std::string() : match_case(base, name, false);
+    }
+};
 
 }  // namespace
+
+Files::Files(std::string folder, Access access) : folder_(std::move(folder)), access_(std::move(access)) {
+    if (!access_.confine) return;
+    root_ = real_path(*access_.confine);
+    if (root_.empty()) root_ = "/\n";  // no such folder: nothing is inside
+}
 
 Resolved Files::resolve(std::string_view written, const std::vector<std::string_view>& extensions) const {
     const std::string name = tidy(written);
     if (name.empty() || name.find('\0') != std::string::npos) return {};
+    const Finder finder{root_};
     const auto at = [&](const std::string& relative) {
         return is_absolute(relative) && !has_drive(relative) ? relative : join(folder_, relative);
     };
-    if (std::string path = at(name); is_regular(path)) return {std::move(path), false, {}};
-    if (std::string path = find_case(folder_, name); !path.empty()) return {std::move(path), true, {}};
+    if (std::string path = at(name); finder.is_regular(path)) return {std::move(path), false, {}, false};
+    if (std::string path = finder.find_case(folder_, name); !path.empty()) return {std::move(path), true, {}, false};
     for (const std::string_view extension : extensions) {
         const std::string longer = name + (name.back() == '.' ? "" : ".") + std::string(extension);
-        if (std::string path = at(longer); is_regular(path)) return {std::move(path), true, {}};
-        if (std::string path = find_case(folder_, longer); !path.empty()) return {std::move(path), true, {}};
+        if (std::string path = at(longer); finder.is_regular(path)) return {std::move(path), true, {}, false};
+        if (std::string path = finder.find_case(folder_, longer); !path.empty())
+            return {std::move(path), true, {}, false};
     }
     // Written on another machine, or before the files were gathered in one folder.
     if (const std::string file(last_component(name)); file != name && file != ".." && !has_drive(file)) {
-        if (Resolved here = resolve(file, extensions); !here.path.empty()) return {here.path, true, {}};
+        if (Resolved here = resolve(file, extensions); !here.path.empty()) return {here.path, true, {}, false};
     }
-    return {{}, false, most_similar(folder_, name)};
+    struct stat status {};
+    if (!root_.empty() && stat(at(name).c_str(), &status) == 0 && !finder.inside(at(name)))
+        return {{}, false, {}, true};
+    return {{}, false, finder.most_similar(folder_, name), false};
 }
 
 Resolved Files::resolve_beside(std::string_view from, std::string_view name,
                                const std::vector<std::string_view>& extensions) const {
     const std::size_t slash = from.rfind('/');
     const std::string folder(slash == std::string_view::npos ? "" : from.substr(0, slash + 1));
-    Resolved beside = Files(folder).resolve(name, extensions);
+    Resolved beside = Files(folder, access_).resolve(name, extensions);
     return beside.path.empty() ? resolve(name, extensions) : beside;
 }
 
@@ -167,8 +198,7 @@ namespace {
 
 class Descriptor {
 public:
-    explicit Descriptor(const std::string& path)
-        : fd_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) {}
+    Descriptor(const std::string& path, int flags) : fd_(open(path.c_str(), flags | O_CLOEXEC)) {}
     ~Descriptor() {
         if (fd_ >= 0) close(fd_);
     }
@@ -190,19 +220,29 @@ std::string_view kind_of(const struct stat& status) {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-bool acceptable(const struct stat& status, std::string& error) {
+std::string larger_than(std::uint64_t limit) {
+    return "it is larger than " + std::to_string(limit) + " bytes (" + limit_help(limit, &Limits::file_bytes) + ")";
+}
+
+bool acceptable(const struct stat& status, std::uint64_t limit, std::string& error) {
     if (!S_ISREG(status.st_mode)) {
         error = kind_of(status);
         return false;
     }
-    if (status.st_size > 0 && static_cast<std::uint64_t>(status.st_size) > Files::size_limit) {
-        error = "it is larger than 2 GiB";
+    if (status.st_size > 0 && static_cast<std::uint64_t>(status.st_size) > limit) {
+        error = larger_than(limit);
         return false;
     }
     return true;
 }
 
-bool read_all(int fd, std::size_t expected, std::string& bytes, std::string& error) {
+std::string link_target(const std::string& link) {
+    std::array<char, 4096> target{};
+    const ssize_t size = readlink(link.c_str(), target.data(), target.size());
+    return size < 0 ? "" : std::string(target.data(), static_cast<std::size_t>(size));
+}
+
+bool read_all(int fd, std::size_t expected, std::uint64_t limit, std::string& bytes, std::string& error) {
     // One byte more than expected, so that the end is seen without growing.
     bytes.resize(expected + 1);
     std::size_t size = 0;
@@ -216,8 +256,8 @@ bool read_all(int fd, std::size_t expected, std::string& bytes, std::string& err
             return false;
         }
         size += static_cast<std::size_t>(got);
-        if (size > Files::size_limit) {
-            error = "it is larger than 2 GiB";
+        if (size > limit) {
+            error = larger_than(limit);
             return false;
         }
     }
@@ -227,21 +267,29 @@ bool read_all(int fd, std::size_t expected, std::string& bytes, std::string& err
 
 }  // namespace
 
+// The file is first held without being opened (O_PATH), so that nothing happens to a device or a pipe; what is held is
+// looked at and then opened itself, so that what stands under the name meanwhile does not matter.
 std::optional<std::string> Files::read(const std::string& path, std::string& error) {
     struct stat status {};
-    if (stat(path.c_str(), &status) != 0) {
+    const Descriptor held(path, O_PATH);
+    if (held.get() < 0 || fstat(held.get(), &status) != 0) {
         error = reason(errno);
         return std::nullopt;
     }
-    if (!acceptable(status, error)) return std::nullopt;
-    const Descriptor file(path);
-    if (file.get() < 0 || fstat(file.get(), &status) != 0) {
+    const std::uint64_t limit = access_.limits.file_bytes;
+    const std::string itself = "/proc/self/fd/" + std::to_string(held.get());
+    if (!root_.empty() && !below(link_target(itself), root_)) {
+        error = "it is outside of the folder '" + *access_.confine + "'";
+        return std::nullopt;
+    }
+    if (!acceptable(status, limit, error)) return std::nullopt;
+    const Descriptor file(itself, O_RDONLY | O_NONBLOCK | O_NOCTTY);
+    if (file.get() < 0) {
         error = reason(errno);
         return std::nullopt;
     }
-    if (!acceptable(status, error)) return std::nullopt;  // it may have been exchanged meanwhile
     std::string bytes;
-    if (!read_all(file.get(), static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)), bytes, error)) {
+    if (!read_all(file.get(), static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)), limit, bytes, error)) {
         return std::nullopt;
     }
     keep(path);

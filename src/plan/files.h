@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/limits.h"
+
 namespace snell {
 
 struct FileCounters {
@@ -20,18 +22,25 @@ struct Resolved {
     std::string path;      // on disk; empty: nothing there
     bool inexact = false;  // found under another case, in another place or with an extension: warn
     std::string nearest;   // when nothing is there: the most similar name, as a scene would write it
+    bool outside = false;  // something is there, and outside of what may be read
+};
+
+// What a scene may read, and how much.
+struct Access {
+    Limits limits;
+    // Nothing outside of this folder is read, by whatever name or through whatever link. Nothing: no such bound.
+    std::optional<std::string> confine;
 };
 
 // Thread-safe. Nothing is ever created or written.
 class Files {
 public:
-    // A larger file is refused.
-    static constexpr std::uint64_t size_limit = std::uint64_t{2} << 30;
-
     // Names are relative to `folder` ("" is the working directory).
-    explicit Files(std::string folder) : folder_(std::move(folder)) {}
+    explicit Files(std::string folder, Access access = {});
 
     const std::string& folder() const { return folder_; }
+    const Access& access() const { return access_; }
+    const Limits& limits() const { return access_.limits; }
     // Tries, in this order: the name itself; its components without regard to case (ASCII); the name with each
     // of `extensions` ({"vert", "vs", "glsl"}), exactly and then without regard to case; its last component in
     // the folder itself. '\' is '/', quotes around the name are dropped. Only regular files count, links to them
@@ -52,6 +61,8 @@ public:
 
 private:
     std::string folder_;
+    Access access_;
+    std::string root_;  // the real path of the folder that reading is confined to; empty: it is not
     mutable std::mutex mutex_;
     FileCounters counters_;
     std::vector<std::string> read_paths_;

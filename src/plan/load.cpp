@@ -30,6 +30,15 @@ void report(const Issue& issue, std::string_view name, const Span& span, Diagnos
     }
 }
 
+content::MeshLimits mesh_limits(const Files& files) {
+    const Limits& limits = files.limits();
+    return {limits.vertices, limits.file_bytes, limits.sub_quads};
+}
+
+content::ImageLimits image_limits(const Files& files) {
+    return {static_cast<int>(files.limits().texture_side), files.limits().texture_bytes};
+}
+
 content::MeshResult read_mesh(const FileName& file, const MeshRequest& request, Files& files,
                               Diagnostics& diagnostics) {
     content::MeshResult result;
@@ -42,7 +51,9 @@ content::MeshResult read_mesh(const FileName& file, const MeshRequest& request, 
         return result;
     }
     const auto* obj = std::get_if<ObjFile>(&request.shape);
-    return obj != nullptr ? content::parse_obj(*bytes, obj->as, request.wire) : content::parse_shp(*bytes);
+    const content::MeshLimits limits = mesh_limits(files);
+    return obj != nullptr ? content::parse_obj(*bytes, obj->as, request.wire, limits)
+                          : content::parse_shp(*bytes, limits);
 }
 
 using Picture = std::shared_ptr<const ImageCache::Entry>;
@@ -52,7 +63,7 @@ Picture decode(const std::string& path, Files& files, ImageCache& cache) {
     std::call_once(entry->once, [&] {
         std::string reason;
         if (const std::optional<std::string> bytes = files.read(path, reason)) {
-            entry->result = content::decode_image(path, *bytes);
+            entry->result = content::decode_image(path, *bytes, image_limits(files));
         } else {
             entry->unreadable = reason.empty() ? "unknown reason" : reason;
         }
@@ -257,7 +268,7 @@ content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics&
             result = content::make_vertex_list(scene.vertex_lists[list->list]);
         }
     } else {
-        result = content::make_shape(request.shape, request.wire);
+        result = content::make_shape(request.shape, request.wire, mesh_limits(files));
     }
     for (const content::MeshIssue& issue : result.issues) report(issue, name, span, diagnostics);
     return std::move(result.mesh);
@@ -299,7 +310,7 @@ Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostic
     std::string reason;
     if (path.empty()) return content::make_noise(dimensions, size);
     if (const std::optional<std::string> bytes = files.read(path, reason)) {
-        content::ImageResult result = content::decode_image(path, *bytes);
+        content::ImageResult result = content::decode_image(path, *bytes, image_limits(files));
         const int depth = dimensions == 3 ? size : 1;
         if (result.image && result.image->width == size && result.image->height == size &&
             result.image->depth == depth) {

@@ -30,7 +30,10 @@ Resolved resolve(const FileName& file, std::string_view name, const Extensions& 
 
 std::string accept(const FileName& file, const Resolved& resolved, Diagnostics& diagnostics) {
     if (resolved.path.empty()) {
-        report_missing(file, resolved.nearest, diagnostics);
+        if (resolved.outside)
+            report_unreadable(file, "it is outside of the folder that reading is confined to", diagnostics);
+        else
+            report_missing(file, resolved.nearest, diagnostics);
     } else if (resolved.inexact && !said(diagnostics, "file-inexact", file.span)) {
         diagnostics.warning("file-inexact", file.span,
                             fmt::format("there is no file '{}'; '{}' is used", file.name, resolved.path),

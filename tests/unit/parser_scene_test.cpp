@@ -365,11 +365,11 @@ TEST(Scene, IncludesAreLimitedInDepth) {
     const Read r = read("Include first\n", reader);
     ASSERT_EQ(r.diagnostics().size(), 1u);
     EXPECT_EQ(r.diagnostics()[0].code, "include-too-deep");
-    EXPECT_EQ(count, ParseLimits{}.include_depth);
+    EXPECT_EQ(count, Limits{}.include_depth);
 }
 
 TEST(Scene, LimitsHaveTheirOwnErrors) {
-    ParseLimits limits;
+    Limits limits;
     limits.matrix_stack = 2;
     const Read deep = read(
         "PushMatrix\nPushMatrix\nPushMatrix\nPushMatrix\nScale 2\nPopMatrix\nPopMatrix\nSphere\nPopMatrix\nPopMatrix\n",

@@ -31,7 +31,7 @@ struct Read {
     const Mat4& matrix(std::size_t draw) const { return scene().matrices[scene().draws[draw].matrix]; }
 };
 
-inline Read read(std::string text, const IncludeReader& include = {}, const ParseLimits& limits = {}) {
+inline Read read(std::string text, const IncludeReader& include = {}, const Limits& limits = {}) {
     Read r;
     const FileId file = r.sources.add("scene.glib", std::move(text));
     r.parsed = parse(file, r.sources, include, limits);

@@ -159,11 +159,11 @@ TEST(Read, RefusesWhatIsNoFileWithoutWaiting) {
 TEST(Read, RefusesWhatIsTooLarge) {
     const Scratch folder;
     folder.write("huge", "");
-    std::filesystem::resize_file(folder.path("huge"), Files::size_limit + 1);  // sparse
+    std::filesystem::resize_file(folder.path("huge"), Limits{}.file_bytes + 1);  // sparse
     Files files(folder.path());
     std::string error;
     EXPECT_FALSE(files.read(folder.path("huge"), error));
-    EXPECT_NE(error.find("2 GiB"), std::string::npos) << error;
+    EXPECT_NE(error.find("file-bytes"), std::string::npos) << error;
 }
 
 TEST(Read, CreatesNothing) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "parser/commands.h"
+#include "parser/limits.h"
 #include "parser/names.h"
 #include "src/lint/lint.h"
 
@@ -197,11 +198,30 @@ std::string lints() {
     return out;
 }
 
+std::string limits() {
+    std::string out =
+        "# Limits\n\nWhat a scene may ask for. Each is checked before memory is taken. What exceeds one is an error "
+        "that "
+        "names it, and the\nrest of the scene goes on; `--limit NAME=VALUE` of every command that reads scenes changes "
+        "it. Written by snell_docs\nfrom the table in parser/limits.cpp.\n\n| limit | default | of | highest |\n"
+        "|---|---|---|---|\n";
+    const Limits defaults;
+    for (const LimitFacts& limit : limit_table())
+        out += "| `" + std::string(limit.name) + "` | " + std::to_string(defaults.*limit.value) + " | " +
+               std::string(limit.unit) + " " + std::string(limit.doc) + " | " + std::to_string(limit.most) + " |\n";
+    return out +
+           "\nOpenGL has limits of its own, which `snell info` tells: a texture or picture that exceeds them is an "
+           "error "
+           "too.\nMesa's llvmpipe ends every loop of a shader after 65,535 rounds and says nothing "
+           "([reliability.md](reliability.md)).\n";
+}
+
 }  // namespace
 
 std::vector<Document> generate(const std::string& intro) {
     return {{"docs/language.md", language(intro)},
             {"docs/lints.md", lints()},
+            {"docs/limits.md", limits()},
             {"docs/editors/glib.tmLanguage.json", textmate()},
             {"docs/editors/vim/syntax/glib.vim", vim()},
             {"docs/editors/vim/ftdetect/glib.vim", "autocmd BufNewFile,BufRead *.glib setfiletype glib\n"},

@@ -1,0 +1,55 @@
+// What a scene may ask for before it is refused. Each is checked before memory is taken; what exceeds one is an error
+// that names it, and the rest goes on.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace snell {
+
+struct Limits {
+    std::uint64_t text_bytes = 64u << 20;
+    std::uint64_t statements = 4'000'000;
+    std::uint64_t include_depth = 16;
+    std::uint64_t includes = 1'000;
+    std::uint64_t matrix_stack = 10'000;
+    std::uint64_t draws = 4'000'000;
+    std::uint64_t passes = 1'000;
+    std::uint64_t uniforms = 4'000;
+    std::uint64_t diagnostics = 1'000;
+    std::uint64_t message_bytes = 10'000;
+    std::uint64_t file_bytes = std::uint64_t{1} << 30;
+    std::uint64_t vertices = 20'000'000;
+    std::uint64_t sub_quads = 4'000'000;
+    std::uint64_t texture_side = 16'384;
+    std::uint64_t texture_bytes = std::uint64_t{2} << 30;
+    std::uint64_t noise_2d = 4'096;
+    std::uint64_t noise_3d = 512;
+    std::uint64_t output_side = 16'384;
+    std::uint64_t output_bytes = std::uint64_t{4} << 30;
+
+    bool operator==(const Limits&) const = default;
+};
+
+// One limit, as `--limit NAME=VALUE` and docs/limits.md have it.
+struct LimitFacts {
+    std::string_view name;  // kebab-case
+    std::uint64_t Limits::*value;
+    std::string_view unit;
+    std::string_view doc;
+    std::uint64_t most;  // it can't be set higher
+};
+std::span<const LimitFacts> limit_table();
+
+// "vertices=1000000". False, with the reason and nothing changed: no such name, or no whole number from 1 to the most.
+bool set_limit(Limits& limits, std::string_view text, std::string& error);
+
+// The help of an error about a limit that was exceeded: its name, what it is, and how it is changed.
+std::string limit_help(std::uint64_t now, std::uint64_t Limits::*limit);
+inline std::string limit_help(const Limits& limits, std::uint64_t Limits::*limit) {
+    return limit_help(limits.*limit, limit);
+}
+
+}  // namespace snell

@@ -1,0 +1,114 @@
+// Files that are confined to a folder, whatever happens meanwhile.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include "src/plan/files.h"
+#include "tests/scratch.h"
+
+namespace snell {
+namespace {
+
+namespace fs = std::filesystem;
+
+Access inside(const Scratch& folder) { return {{}, folder.path("in")}; }
+
+TEST(Confined, ResolvesOnlyWhatLiesInside) {
+    const Scratch folder;
+    folder.write("in/a.bmp", "inside");
+    folder.write("out/a.bmp", "outside");
+    folder.write("in2/a.bmp", "a folder with a longer name");
+    fs::create_symlink("../out/a.bmp", folder.path("in/link.bmp"));
+    fs::create_symlink("a.bmp", folder.path("in/own.bmp"));
+    const Files files(folder.path("in"), inside(folder));
+    EXPECT_FALSE(files.resolve("a.bmp").path.empty());
+    EXPECT_FALSE(files.resolve("own.bmp").path.empty()) << "a link that stays inside";
+    EXPECT_FALSE(files.resolve("../in/a.bmp").path.empty());
+    EXPECT_TRUE(files.resolve("link.bmp").path.empty());
+    EXPECT_TRUE(files.resolve("link.bmp").outside);
+    EXPECT_TRUE(files.resolve("../out/b.bmp").nearest.empty()) << "what stands outside is not told";
+    // Only the own file of that name, never the other's.
+    for (const char* name : {"../out/a.bmp", "../in2/a.bmp", "../OUT/A.bmp"}) {
+        const std::string path = files.resolve(name).path;
+        EXPECT_TRUE(path.empty() || fs::canonical(path) == fs::canonical(folder.path("in/a.bmp"))) << name << path;
+    }
+    const Files beside(folder.path("in"), inside(folder));
+    EXPECT_NE(beside.resolve_beside(folder.path("out/s.glib"), "a.bmp").path, folder.path("out/a.bmp"));
+}
+
+TEST(Confined, ReadsOnlyWhatLiesInside) {
+    const Scratch folder;
+    folder.write("in/a", "inside");
+    folder.write("out/a", "outside");
+    fs::create_symlink("../out", folder.path("in/up"));
+    Files files(folder.path("in"), inside(folder));
+    std::string error;
+    EXPECT_EQ(files.read(folder.path("in/a"), error), "inside");
+    for (const std::string& path : {folder.path("out/a"), folder.path("in/../out/a"), folder.path("in/up/a")}) {
+        EXPECT_FALSE(files.read(path, error)) << path;
+        EXPECT_NE(error.find("outside"), std::string::npos) << error;
+    }
+    Files nowhere(folder.path("in"), {{}, folder.path("missing")});
+    EXPECT_FALSE(nowhere.read(folder.path("in/a"), error)) << "a folder that is not there holds nothing";
+}
+
+// A link that is turned around between looking and opening.
+TEST(Confined, ARaceIsLost) {
+    const Scratch folder;
+    folder.write("in/a", "inside");
+    folder.write("out", "outside");
+    fs::create_symlink("a", folder.path("in/good"));
+    fs::create_symlink("../out", folder.path("in/bad"));
+    fs::copy_symlink(folder.path("in/good"), folder.path("in/x"));
+    std::atomic<bool> done = false;
+    std::jthread turner([&] {
+        for (int i = 0; !done; ++i) {
+            fs::copy_symlink(folder.path(i % 2 == 0 ? "in/bad" : "in/good"), folder.path("in/y"));
+            fs::rename(folder.path("in/y"), folder.path("in/x"));
+        }
+    });
+    Files files(folder.path("in"), inside(folder));
+    int read = 0, refused = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        std::string error;
+        const auto text = files.read(folder.path("in/x"), error);
+        ASSERT_EQ(text.value_or("inside"), "inside");
+        ++(text ? read : refused);
+    }
+    done = true;
+    EXPECT_GT(read, 0);
+    EXPECT_GT(refused, 0);
+}
+
+TEST(Limits, OfAFileIsNamed) {
+    const Scratch folder;
+    folder.write("a", "12345678901");
+    Access access;
+    access.limits.file_bytes = 10;
+    Files files(folder.path(), access);
+    std::string error;
+    EXPECT_FALSE(files.read(folder.path("a"), error));
+    EXPECT_NE(error.find("'file-bytes' is 10"), std::string::npos) << error;
+}
+
+TEST(Limits, AreSetByName) {
+    Limits limits;
+    std::string error;
+    for (const LimitFacts& limit : limit_table()) {
+        EXPECT_TRUE(set_limit(limits, std::string(limit.name) + "=7", error)) << error;
+        EXPECT_EQ(limits.*limit.value, 7U) << limit.name;
+        EXPECT_LE(Limits{}.*limit.value, limit.most) << limit.name;
+    }
+    const Limits before = limits;
+    for (const char* wrong : {"", "=", "draws", "draws=", "draws=x", "draws=0", "draws=-1", "draws=1e3", "Draws=1",
+                              "draws=99999999999999999999", "draws=1 "}) {
+        EXPECT_FALSE(set_limit(limits, wrong, error)) << wrong;
+        EXPECT_FALSE(error.empty());
+    }
+    EXPECT_EQ(limits, before);
+}
+
+}  // namespace
+}  // namespace snell
