@@ -16,12 +16,12 @@ constexpr std::string_view style = R"(
 :root{color-scheme:light dark;--back:#fff;--text:#1b1f24;--weak:#59636e;--line:#d5dae0;--accent:#0b5cad;--current:#c2410c;--wrong:#b91c1c;--panel:#f6f8fa}
 @media (prefers-color-scheme:dark){:root{--back:#12161b;--text:#e6e9ed;--weak:#9aa5b1;--line:#333b45;--accent:#6cb2ff;--current:#ff9a5c;--wrong:#ff7b7b;--panel:#1a2027}}
 *{box-sizing:border-box}
-body{margin:0 auto;max-width:1100px;padding:1rem;font:16px/1.5 system-ui,sans-serif;background:var(--back);color:var(--text)}
+body{margin:0 auto;max-width:1200px;padding:1rem;font:16px/1.5 system-ui,sans-serif;background:var(--back);color:var(--text)}
 h1{font-size:1.5rem;margin:.2em 0}h2{font-size:1.2rem;margin:0 0 .3em}
 section{border-top:1px solid var(--line);padding:1.2rem 0}
 .facts{color:var(--weak);font-size:.9rem}.words{max-width:46em}
 .noisy{color:var(--wrong);font-weight:600}
-.plot{width:100%;max-width:760px;height:auto;display:block}
+.plot{width:100%;min-width:600px;max-width:760px;height:auto;display:block}
 .plot text{font:11px system-ui,sans-serif;fill:var(--text)}.plot .tick,.plot .title{fill:var(--weak)}.plot .title{font-size:12px}
 .grid,.edge{stroke:var(--line)}.axis,.whisker{stroke:var(--weak)}.leader{stroke:var(--line)}
 .front{fill:none;stroke:var(--accent);stroke-width:1.6}
@@ -33,13 +33,14 @@ section{border-top:1px solid var(--line);padding:1.2rem 0}
 table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums;white-space:nowrap}
 th,td{padding:.25em .6em;text-align:right;border-bottom:1px solid var(--line)}
 th{color:var(--weak);font-weight:600}th:first-child,td:first-child,td:last-child,th:last-child{text-align:left}
+td:last-child{white-space:normal;min-width:11em}
 tr.current td:first-child{color:var(--current);font-weight:700}td.far{color:var(--weak);text-decoration:line-through}
 .pictures{display:flex;flex-wrap:wrap;gap:.8rem;margin-top:1rem}
 figure{margin:0;background:var(--panel);padding:.4rem;border-radius:4px}
 figure img{width:144px;height:auto;display:inline-block;image-rendering:auto;vertical-align:top}
 figcaption{font-size:.8rem;max-width:292px}
 @media (max-width:480px){body{padding:.6rem}figure img{width:45%}figcaption{max-width:none}figure{width:100%}}
-@media print{:root{--back:#fff;--text:#000;--weak:#444;--line:#bbb;--accent:#000;--current:#a00;--panel:#fff}body{max-width:none;font-size:11px}section{break-inside:avoid}.scroll{overflow:visible}}
+@media print{:root{--back:#fff;--text:#000;--weak:#444;--line:#bbb;--accent:#000;--current:#a00;--panel:#fff}body{max-width:none;font-size:11px}section{break-inside:avoid}.scroll{overflow:visible}.plot{min-width:0;max-width:16cm}}
 )";
 
 constexpr int thumbnail_width = 192;
@@ -118,9 +119,9 @@ std::string pictures(const SweepResult& sweep) {
         });
         out += fmt::format(
             "<figure><img src=\"{}\" alt=\"{}\"> <img src=\"{}\" alt=\"difference of {} from the reference\">"
-            "<figcaption><b>{}</b>{}, difference × {:g}</figcaption></figure>",
+            "<figcaption><b>{}</b>{}</figcaption></figure>",
             shown, escaped(rung.name), off, escaped(rung.name), escaped(rung.name),
-            rung.own.rmse > 0 ? fmt::format(": {:.1f} dB", rung.own.psnr) : ": exact", factor);
+            rung.own.rmse > 0 ? fmt::format(": {:.1f} dB, difference × {:g}", rung.own.psnr, factor) : ": exact");
     }
     return out + "</div>";
 }
@@ -160,7 +161,7 @@ std::string section(const SweepResult& sweep) {
     const bool timed = std::ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
     std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", escaped(sweep.sweep.name),
                                   escaped(in_words(sweep)));
-    if (timed) out += plot_svg(sweep);
+    if (timed) out += "<div class=\"scroll\">" + plot_svg(sweep) + "</div>";
     out += table(sweep);
     out += fmt::format("<p class=\"facts\">{}{}. Reference: {}{}.{}{}</p>", escaped(sweep.scene),
                        sweep.own_pixels > 0

@@ -31,7 +31,7 @@ public:
         return from_ + (std::log(std::max(value, 1e-30)) - low_) / (high_ - low_) * (to_ - from_);
     }
     bool shows(double value) const { return value > 0 && std::log(value) >= low_ && std::log(value) <= high_; }
-    // 1, 2 and 5 of each decade, or 1 alone where that is too many.
+    // 1, 2 and 5 of each decade, or 1 alone where that is too many; even steps where it is too few.
     std::vector<double> ticks() const {
         std::vector<double> all;
         const int first = static_cast<int>(std::floor(low_ / std::log(10))),
@@ -40,10 +40,21 @@ public:
             for (double step : {1., 2., 5.})
                 if (shows(step * std::pow(10, decade)) && (step == 1 || last - first < 5))
                     all.push_back(step * std::pow(10, decade));
-        return all;
+        return all.size() >= 3 ? all : even_ticks();
     }
 
 private:
+    // 1, 2 or 5 times a power of ten apart: three to seven of them.
+    std::vector<double> even_ticks() const {
+        const double low = std::exp(low_), high = std::exp(high_);
+        const double power = std::pow(10, std::floor(std::log10((high - low) / 3)));
+        const double least = (high - low) / 7;
+        const double step = power >= least ? power : 2 * power >= least ? 2 * power : 5 * power;
+        std::vector<double> all;
+        for (double i = std::ceil(low / step); i * step <= high; ++i) all.push_back(i * step);
+        return all;
+    }
+
     double from_, to_, low_ = 0, high_ = 1;
 };
 
@@ -74,14 +85,13 @@ public:
         if (!style.empty()) out_ += fmt::format("<style>{}</style>", style);
         axes();
         if (sweep_.sweep.kind == SweepKind::lattice) edges();
-        if (sweep_.trusted()) front_line();
+        front_line();
         for (const Mark& mark : marks_) whisker(mark);
         for (const Mark& mark : marks_) symbol(mark);
         labels();
         if (!sweep_.trusted())
-            out_ +=
-                fmt::format("<text class=\"stamp\" x=\"{}\" y=\"{}\" text-anchor=\"end\">too noisy: no front</text>",
-                            width - right - 6, top + 18);
+            text("stamp", width - right - 6, top + 18, "end",
+                 sweep_.few_rounds ? "too few rounds: no front" : "too noisy: no front");
         return out_ + "</svg>";
     }
 
@@ -162,17 +172,22 @@ private:
             }
     }
 
-    // A staircase: between two rungs there is nothing.
-    void front_line() {
+    std::vector<Mark> front() const {
         std::vector<Mark> front;
+        if (!sweep_.trusted()) return front;
         std::ranges::copy_if(marks_, std::back_inserter(front), [&](const Mark& mark) {
             return sweep_.rungs[mark.rung].verdict.standing == Standing::front;
         });
         std::ranges::sort(front, {}, &Mark::x);
+        return front;
+    }
+
+    // A staircase: between two rungs there is nothing.
+    void front_line() {
         std::string path;
-        for (std::size_t i = 0; i < front.size(); ++i)
-            path += i == 0 ? fmt::format("M{:.1f} {:.1f}", front[i].x, front[i].y)
-                           : fmt::format("H{:.1f}V{:.1f}", front[i].x, front[i].y);
+        for (const Mark& mark : front())
+            path += path.empty() ? fmt::format("M{:.1f} {:.1f}", mark.x, mark.y)
+                                 : fmt::format("H{:.1f}V{:.1f}", mark.x, mark.y);
         if (!path.empty()) out_ += fmt::format("<path class=\"front\" d=\"{}\"/>", path);
     }
 
@@ -203,11 +218,28 @@ private:
                                 mark.y, title);
     }
 
+    // What no label may cover: symbols, whiskers, and the line of the front.
+    std::vector<Box> obstacles() const {
+        std::vector<Box> taken;
+        for (const Mark& m : marks_) {
+            const RungResult& rung = sweep_.rungs[m.rung];
+            taken.push_back({m.x - 7, m.y - 7, m.x + 7, m.y + 7});
+            if (rung.low > 0 && std::isfinite(rung.high))
+                taken.push_back({x_.at(rung.low), m.y - 3, x_.at(rung.high), m.y + 3});
+        }
+        const std::vector<Mark> line = front();
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const Mark &a = line[i - 1], &b = line[i];
+            taken.push_back({a.x, a.y - 1, b.x, a.y + 1});
+            taken.push_back({b.x - 1, std::min(a.y, b.y), b.x + 1, std::max(a.y, b.y)});
+        }
+        return taken;
+    }
+
     // Each where it meets no symbol and no other label, near its symbol if it can. Of many combinations only those
     // that matter.
     void labels() {
-        std::vector<Box> taken;
-        for (const Mark& m : marks_) taken.push_back({m.x - 7, m.y - 7, m.x + 7, m.y + 7});
+        std::vector<Box> taken = obstacles();
         std::vector<Mark> order = marks_;
         std::ranges::stable_sort(
             order, {}, [&](const Mark& m) { return sweep_.rungs[m.rung].verdict.standing == Standing::front ? 0 : 1; });

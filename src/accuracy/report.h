@@ -45,6 +45,8 @@ std::string csv_text(const Report& report);
 std::string json_text(const Report& report);
 // One file without network. Its plots stand there as SVG.
 std::string html_text(const Report& report);
+// A page of Markdown; `plots`: by sweep, where its plot lies.
+std::string markdown_text(const Report& report, const std::vector<std::string>& plots);
 // One plot for a paper: black on nothing, with its own fonts and sizes.
 std::string svg_text(const SweepResult& sweep);
 

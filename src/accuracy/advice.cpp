@@ -1,0 +1,188 @@
+#include "src/accuracy/advice.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+
+namespace snell::accuracy {
+
+namespace {
+
+constexpr std::size_t few_combinations = 32, most_steps = 12;
+constexpr double as_exact = 1.01;  // errors that differ by less are alike
+
+bool exact_enough(const RungResult& rung, const Wish& wish) { return !wish.error || rung.own.rmse <= *wish.error; }
+bool quick_enough(const RungResult& rung, const Wish& wish) {
+    return !wish.milliseconds || rung.milliseconds <= *wish.milliseconds;
+}
+// Their intervals overlap: which of them is cheaper is chance.
+bool cost_the_same(const RungResult& a, const RungResult& b) {
+    return a.ratio.low <= b.ratio.high && b.ratio.low <= a.ratio.high;
+}
+
+Rungs references(const Scene& scene) {
+    Rungs rungs;
+    for (const Ladder& ladder : scene.ladders) rungs.push_back(ladder.rungs.size() - 1);
+    return rungs;
+}
+
+std::size_t combinations(const Scene& scene) {
+    std::size_t product = 1;
+    for (const Ladder& ladder : scene.ladders) product = std::min<std::size_t>(product * ladder.rungs.size(), 1 << 20);
+    return product;
+}
+
+std::vector<Rungs> all_combinations(const Scene& scene) {
+    std::vector<Rungs> all;
+    for (Rungs rungs(scene.ladders.size(), 0);;) {
+        all.push_back(rungs);
+        std::size_t i = rungs.size();
+        while (i > 0 && ++rungs[i - 1] == scene.ladders[i - 1].rungs.size()) rungs[--i] = 0;
+        if (i == 0) return all;
+    }
+}
+
+// `centre`, and all that differ from it in one ladder.
+std::vector<Rungs> neighbours(const Scene& scene, const Rungs& centre) {
+    std::vector<Rungs> near{centre};
+    for (std::size_t i = 0; i < centre.size(); ++i)
+        for (std::size_t rung = 0; rung < scene.ladders[i].rungs.size(); ++rung)
+            if (rung != centre[i]) {
+                near.push_back(centre);
+                near.back()[i] = rung;
+            }
+    return near;
+}
+
+// Against the reference, with ratios to `base`; both are added where they are missing.
+Sweep sweep_of(const Scene& scene, std::vector<Rungs> all, const Rungs& base) {
+    const auto place = [&](const Rungs& rungs) {
+        const auto found = std::ranges::find(all, rungs);
+        const auto at = static_cast<std::size_t>(found - all.begin());
+        if (found == all.end()) all.push_back(rungs);
+        return at;
+    };
+    Sweep sweep{.kind = SweepKind::lattice};
+    sweep.reference = place(references(scene));
+    sweep.current = place(base);
+    for (std::size_t i = 0; i < scene.ladders.size(); ++i) {
+        sweep.name += (i > 0 ? " " : "") + scene.ladders[i].name;
+        sweep.moved.push_back(i);
+    }
+    for (const Rungs& rungs : all) {
+        std::string name;
+        for (std::size_t i = 0; i < rungs.size(); ++i) name += (i > 0 ? " " : "") + scene.ladders[i].rungs[rungs[i]];
+        sweep.rungs.push_back({std::move(name), {rungs, {}}, rungs});
+    }
+    return sweep;
+}
+
+class Adviser {
+public:
+    Adviser(Bench& bench, const Rungs& now, const MeasureOptions& options)
+        : bench_(bench), now_(now), options_(options) {}
+
+    Counsel run(std::span<const Wish> wishes) {
+        const bool few = combinations(bench_.scene()) <= few_combinations;
+        if (few) measure_all(all_combinations(bench_.scene()), options_.seconds);
+        for (std::size_t i = 0; i < wishes.size(); ++i) {
+            const double share = left() / static_cast<double>(wishes.size() - i);
+            counsel_.advice.push_back(few ? of_all(wishes[i]) : climb(wishes[i], share));
+        }
+        return std::move(counsel_);
+    }
+
+private:
+    double left() const {
+        return options_.seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    const SweepResult& measure_all(std::vector<Rungs> all, double seconds) {
+        MeasureOptions measuring = options_;
+        measuring.seconds = std::max(seconds, .1);
+        counsel_.sweeps.push_back(measure(bench_, sweep_of(bench_.scene(), std::move(all), now_), measuring));
+        return counsel_.sweeps.back();
+    }
+
+    Advice conclude(const Wish& wish, bool everything, bool settled) const {
+        Advice advice{.wish = wish, .everything = everything, .sweep = counsel_.sweeps.size() - 1};
+        const SweepResult& sweep = counsel_.sweeps.back();
+        const auto best = choose(sweep, wish);
+        advice.rung = best.value_or(sweep.sweep.current);
+        advice.met = best && fulfils(sweep.rungs[*best], wish);
+        advice.settled = best && settled && !sweep.interrupted;
+        return advice;
+    }
+
+    Advice of_all(const Wish& wish) const { return conclude(wish, true, true); }
+
+    // Every step is decided within one sweep, whose times are of the same rounds.
+    Advice climb(const Wish& wish, double seconds) {
+        const double end = left() - seconds;
+        std::vector<Rungs> seen;
+        Rungs centre = references(bench_.scene());
+        for (std::size_t step = 0; step < most_steps; ++step) {
+            const SweepResult& sweep = measure_all(neighbours(bench_.scene(), centre), seconds / 4);
+            const auto best = choose(sweep, wish);
+            if (!best || sweep.interrupted) break;
+            const Rungs& found = sweep.sweep.rungs[*best].variant.rungs;
+            // Noise may send it in a circle: who is met again is as good.
+            if (found == centre || std::ranges::find(seen, found) != seen.end()) return conclude(wish, false, true);
+            if (left() <= end) break;
+            seen.push_back(centre);
+            centre = found;
+        }
+        return conclude(wish, false, false);
+    }
+
+    Bench& bench_;
+    Rungs now_;
+    const MeasureOptions& options_;
+    Counsel counsel_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+bool fulfils(const RungResult& rung, const Wish& wish) { return exact_enough(rung, wish) && quick_enough(rung, wish); }
+
+std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish) {
+    using Places = std::vector<std::size_t>;
+    const auto rung = [&](std::size_t i) -> const RungResult& { return sweep.rungs[i]; };
+    const auto error = [&](std::size_t i) { return rung(i).own.rmse; };
+    const auto cost = [&](std::size_t i) { return rung(i).ratio.middle; };
+    const auto those = [](const Places& of, auto which) {
+        Places found;
+        std::ranges::copy_if(of, std::back_inserter(found), which);
+        return found;
+    };
+    Places all;
+    for (std::size_t i = 0; i < sweep.rungs.size(); ++i)
+        if (rung(i).drawn && rung(i).rounds > 0) all.push_back(i);
+    if (all.empty()) return std::nullopt;
+    const Places exact = those(all, [&](std::size_t i) { return exact_enough(rung(i), wish); });
+    const Places good = those(exact, [&](std::size_t i) { return quick_enough(rung(i), wish); });
+    if (good.empty())
+        return exact.empty() ? *std::ranges::min_element(all, {}, error) : *std::ranges::min_element(exact, {}, cost);
+    if (wish.milliseconds) {
+        const double least = error(*std::ranges::min_element(good, {}, error));
+        const Places alike = those(good, [&](std::size_t i) { return error(i) <= least * as_exact; });
+        return *std::ranges::min_element(alike, {}, cost);
+    }
+    const RungResult& cheapest = rung(*std::ranges::min_element(good, {}, cost));
+    const Places alike = those(good, [&](std::size_t i) { return cost_the_same(rung(i), cheapest); });
+    return *std::ranges::min_element(alike, {}, error);
+}
+
+Counsel advise(Bench& bench, const Rungs& now, std::span<const Wish> wishes, const MeasureOptions& options) {
+    return Adviser(bench, now, options).run(wishes);
+}
+
+std::vector<std::string> choices(const Scene& scene, const Rungs& rungs) {
+    std::vector<std::string> text;
+    for (std::size_t i = 0; i < rungs.size(); ++i)
+        text.push_back(scene.ladders[i].name + "=" + scene.ladders[i].rungs[rungs[i]]);
+    return text;
+}
+
+}  // namespace snell::accuracy

@@ -1,0 +1,55 @@
+// What was measured, as a page beside others.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/accuracy/report.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+std::string row(const SweepResult& sweep, std::size_t index, bool degrees) {
+    const RungResult& rung = sweep.rungs[index];
+    std::string text = fmt::format("| {}`{}`{} |", index == sweep.sweep.current ? "**" : "", rung.name,
+                                   index == sweep.sweep.current ? "**" : "");
+    if (!rung.drawn) return text + fmt::format(" not drawn |{}\n", degrees ? " | | | | | |" : " | | | | |");
+    text += rung.rounds > 0 ? fmt::format(" {:.3g} | {} |", rung.milliseconds, ratio_text(rung.ratio)) : " | |";
+    text += fmt::format(" {:.3g} | {} | {:.3f} |", rung.own.rmse,
+                        std::isfinite(rung.own.psnr) ? fmt::format("{:.1f}", rung.own.psnr) : "exact", rung.flip);
+    if (degrees) text += rung.degrees ? fmt::format(" {:.3g} |", rung.degrees->mean) : " |";
+    return text + fmt::format(" {}{} |\n", standing_text(sweep, rung), rung.saturated ? " (decorrelated)" : "");
+}
+
+std::string part(const SweepResult& sweep, const std::string& plot) {
+    const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
+    const bool timed = sweep.rungs[sweep.sweep.current].rounds > 0;
+    std::string text = fmt::format("\n## {}: {}\n\n{}\n", sweep.scene, sweep.sweep.name, in_words(sweep));
+    if (timed) text += fmt::format("Control: {}.\n", ratio_text(sweep.control.ratio));
+    if (timed && !plot.empty()) text += fmt::format("\n![{}: error over time]({})\n", sweep.sweep.name, plot);
+    text +=
+        fmt::format("\n| rung | ms | times the current | RMSE | PSNR, dB | FLIP |{} |\n|---|--:|--:|--:|--:|--:|{}\n",
+                    degrees ? " degrees |" : "", degrees ? "--:|---|" : "---|");
+    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row(sweep, i, degrees);
+    return text;
+}
+
+}  // namespace
+
+std::string markdown_text(const Report& report, const std::vector<std::string>& plots) {
+    const Circumstances& w = report.where;
+    std::string text = fmt::format(
+        "# What accuracy costs, as measured\n\n{}, {} cores, {}; {} ({}); {}; {}; {} × {} pixels, {} rounds, the other "
+        "ladders from {}; load {:.1f} before, {:.1f} after.\n\nThe rung where the scene stands is bold; errors are "
+        "against the last rung, in linear light, over the pixels that the ladder's draws cover. Errors are the same on "
+        "any machine, up to its arithmetic; times are of this one, then, and where the control says that it was too "
+        "noisy they rank nothing.\n",
+        w.cpu, w.cores, w.os, w.renderer, w.gl, w.tool, w.date, w.width, w.height, w.rounds, w.from, w.load_before,
+        w.load_after);
+    for (std::size_t i = 0; i < report.sweeps.size(); ++i)
+        text += part(report.sweeps[i], i < plots.size() ? plots[i] : std::string());
+    return text;
+}
+
+}  // namespace snell::accuracy

@@ -1,0 +1,74 @@
+#include "src/accuracy/quality.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace snell::accuracy {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int schema = 1;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+}  // namespace
+
+std::array<Wish, 3> quality_wishes() {
+    constexpr double step = 1.0 / 255;
+    return {Wish{}, Wish{.error = step}, Wish{.error = step / 100}};
+}
+
+std::vector<Preset> presets_of(const Scene& scene, const Counsel& counsel) {
+    std::vector<Preset> presets;
+    for (std::size_t i = 0; i < counsel.advice.size(); ++i) {
+        const Advice& advice = counsel.advice[i];
+        const SweepResult& sweep = counsel.sweeps[advice.sweep];
+        const RungResult& rung = sweep.rungs[advice.rung];
+        presets.push_back({.name = std::string(quality_names.at(i)),
+                           .choices = choices(scene, sweep.sweep.rungs[advice.rung].variant.rungs),
+                           .rmse = rung.own.rmse,
+                           .milliseconds = rung.milliseconds,
+                           .ratio = rung.ratio,
+                           .settled = advice.settled,
+                           .trusted = sweep.trusted()});
+    }
+    return presets;
+}
+
+std::string quality_json(const Circumstances& where, const std::vector<Preset>& presets) {
+    Json json{{"schema", schema},           {"tool", where.tool}, {"date", where.date},
+              {"renderer", where.renderer}, {"cpu", where.cpu},   {"size", {where.width, where.height}}};
+    for (const Preset& preset : presets) {
+        json["presets"][preset.name] = {{"ladders", preset.choices},         {"rmse", number(preset.rmse)},
+                                        {"ms", number(preset.milliseconds)}, {"ratio", ratio_text(preset.ratio)},
+                                        {"settled", preset.settled},         {"trusted", preset.trusted}};
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::optional<StoredPreset> read_quality(std::string_view text, std::string_view name, std::string& error) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object() || json.value("schema", Json()) != schema) {
+        error = "it is not of this version of snell";
+        return std::nullopt;
+    }
+    try {
+        const Json& preset = json.at("presets").at(std::string(name));
+        StoredPreset stored{preset.at("ladders").get<std::vector<std::string>>(), {}};
+        stored.measured =
+            fmt::format("RMSE {:.2g}, {} times the scene's own time on {}{}", preset.at("rmse").get<double>(),
+                        preset.at("ratio").get<std::string>(), json.at("renderer").get<std::string>(),
+                        !preset.at("trusted").get<bool>()   ? ", which was too noisy to be sure"
+                        : !preset.at("settled").get<bool>() ? "; there may be better ones"
+                                                            : "");
+        return stored;
+    } catch (const Json::exception& problem) {
+        error = problem.what();
+        return std::nullopt;
+    }
+}
+
+}  // namespace snell::accuracy
