@@ -4,11 +4,11 @@
 set -euo pipefail
 bin=$1 out=$2 page=$3 mode=${4:-}
 mkdir -p "$out"
-bench=(--benchmark_min_time=0.2 --benchmark_repetitions=5)
-rounds=31
+bench=(--benchmark_min_time=0.2 --benchmark_repetitions=3)
+rounds=21
 if [ "$mode" = quick ]; then
   # Of what grows, the beginning.
-  bench=(--benchmark_min_time=0 '--benchmark_filter=^(translate|shapes|plan|first picture|noise/2D|images/write)|, 512 x 512/|:/(1|100)/')
+  bench=(--benchmark_min_time=0 '--benchmark_filter=^(process/a|translate|shapes|plan|first picture|noise/2D|images/write)|^frame.*, 512 x 512/|:/(1|100)/')
   rounds=1
 fi
 "$bin/snell_bench" "${bench[@]}" --benchmark_out="$out/benchmarks.json" --benchmark_out_format=json >"$out/benchmarks.txt"
