@@ -8,14 +8,17 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <thread>
 
 #include "src/accuracy/report.h"
+#include "src/app/advice.h"
 #include "src/app/commands.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
+#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -82,8 +85,11 @@ std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, 
     if (options.from == "lattice") return lattice_sweep(plan.scene, plan.rungs, options.ladders, diagnostics);
     const From from = options.from == "scene" ? From::scene : From::reference;
     std::vector<Sweep> sweeps;
+    if (asks_for_advice(options) && options.ladders.empty() && options.knobs.empty()) return sweeps;
+    const bool all = options.ladders == std::vector<std::string>{"all"};
     if (!options.ladders.empty() || options.knobs.empty())
-        sweeps = ladder_sweeps(plan.scene, plan.rungs, options.ladders, from, diagnostics);
+        sweeps = ladder_sweeps(plan.scene, plan.rungs, all ? std::vector<std::string>{} : options.ladders, from,
+                               diagnostics);
     std::vector<std::string> knobs = options.knobs;
     if (knobs.empty() && options.ladders.empty()) knobs.assign(knob_names.begin(), knob_names.end());
     for (Sweep& sweep : knob_sweeps(plan.scene, plan.rungs, knobs, from, diagnostics))
@@ -100,25 +106,30 @@ void show_progress(const Progress& progress, std::size_t sweep, std::size_t swee
 
 bool write_text(const std::string& path, const std::string& text) {
     if (path.empty()) return true;
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    if (file.flush()) return true;
-    fmt::print(stderr, "snell: error: can't write '{}'\n", path);
+    const std::string wrong = content::replace_file(path, text);
+    if (wrong.empty()) return true;
+    fmt::print(stderr, "snell: error: can't write '{}': {}\n", path, wrong);
     return false;
 }
 
+// plot.svg, plot-2.svg …
+std::string plot_path(const std::string& svg, std::size_t index) {
+    if (index == 0) return svg;
+    const std::size_t dot = svg.rfind('.');
+    return svg.substr(0, dot) + fmt::format("-{}", index + 1) + (dot == std::string::npos ? "" : svg.substr(dot));
+}
+
 bool write_all(const AccuracyOptions& options, const Report& report) {
+    std::vector<std::string> plots;  // as the page names them
     bool written = write_text(options.csv, csv_text(report)) && write_text(options.json, json_text(report)) &&
                    write_text(options.html, html_text(report));
     for (std::size_t i = 0; i < report.sweeps.size() && written && !options.svg.empty(); ++i) {
-        // plot.svg, plot-2.svg …
-        const std::size_t dot = options.svg.rfind('.');
-        const std::string path = i == 0 ? options.svg
-                                        : options.svg.substr(0, dot) + fmt::format("-{}", i + 1) +
-                                              (dot == std::string::npos ? "" : options.svg.substr(dot));
+        const std::string path = plot_path(options.svg, i);
+        const std::filesystem::path page = std::filesystem::path(options.markdown).parent_path();
+        plots.push_back(std::filesystem::path(path).lexically_relative(page).generic_string());
         written = write_text(path, svg_text(report.sweeps[i]));
     }
-    return written;
+    return written && write_text(options.markdown, markdown_text(report, plots));
 }
 
 // A scene that was read, and what of it is to be measured.
@@ -144,7 +155,8 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
     }
     fmt::print(stderr, "{}", snell::render(diagnostics, subject->sources));
     errors = errors || diagnostics.has_errors();
-    if (!subject->sweeps.empty()) return subject;
+    const bool readable = !subject->plan.rungs.empty() || !diagnostics.has_errors();
+    if (!subject->sweeps.empty() || (asks_for_advice(options) && readable)) return subject;
     if (!diagnostics.has_errors())
         fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n", path);
     errors = true;
@@ -154,23 +166,13 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
 // Measures one sweep after another, and prints each when it is done. The budget is shared by those to come.
 class Run {
 public:
+    // `sweeps`: counting advice as one.
     Run(const AccuracyOptions& options, std::size_t sweeps) : options_(options), sweeps_(sweeps) {}
 
     void measure_all(Bench& bench, const Subject& subject, Report& report) {
         for (const Sweep& sweep : subject.sweeps) {
             if (interrupted) return;
-            const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-            const std::size_t left = sweeps_ - done_;
-            const double share = std::max(options_.budget - spent, 0.0) / static_cast<double>(left);
-            MeasureOptions measuring;
-            measuring.rounds = options_.rounds;
-            measuring.seconds = std::max(share, .1);
-            measuring.times = !options_.no_time;
-            measuring.stop = [] { return interrupted.load(); };
-            measuring.report = [&](const Progress& progress) {
-                show_progress(progress, done_, sweeps_, share * static_cast<double>(left - 1));
-            };
-            SweepResult result = measure(bench, sweep, measuring);
+            SweepResult result = measure(bench, sweep, next());
             result.scene = subject.path;
             if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
             fmt::print("{}", table_text(result));
@@ -180,7 +182,28 @@ public:
         }
     }
 
+    bool advise(Bench& bench, const Subject& subject, Report& report) {
+        const bool told = give_advice(options_, subject.path, bench, subject.plan.rungs, next(), report);
+        ++done_;
+        return told;
+    }
+
 private:
+    MeasureOptions next() const {
+        const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        const std::size_t left = sweeps_ - done_;
+        const double share = std::max(options_.budget - spent, 0.0) / static_cast<double>(left);
+        MeasureOptions measuring;
+        measuring.rounds = options_.rounds;
+        measuring.seconds = std::max(share, .1);
+        measuring.times = !options_.no_time;
+        measuring.stop = [] { return interrupted.load(); };
+        measuring.report = [this, later = share * static_cast<double>(left - 1)](const Progress& progress) {
+            show_progress(progress, done_, sweeps_, later);
+        };
+        return measuring;
+    }
+
     const AccuracyOptions& options_;
     std::size_t sweeps_, done_ = 0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -207,7 +230,7 @@ int accuracy(const AccuracyOptions& options) {
     std::size_t sweeps = 0;
     for (const std::string& path : options.scenes)
         if (auto subject = read_subject(path, options, errors)) {
-            sweeps += subject->sweeps.size();
+            sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
             subjects.push_back(std::move(subject));
         }
     if (subjects.empty()) return exit_input;
@@ -221,6 +244,7 @@ int accuracy(const AccuracyOptions& options) {
     for (const auto& subject : subjects) {
         Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
         run.measure_all(bench, *subject, report);
+        if (asks_for_advice(options) && !interrupted) errors = !run.advise(bench, *subject, report) || errors;
         report.where.query_over_wall = bench.query_over_wall();
         errors = note_problems(bench, subject->sources, report) || errors;
     }

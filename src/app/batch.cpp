@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "src/app/picture.h"
+#include "src/app/quality.h"
 #include "src/runtime/uniforms.h"
 
 namespace snell::app {
@@ -113,6 +114,7 @@ bool Batch::open(Open& open, const std::string& path) {
     const auto start = Clock::now();
     Diagnostics unknown;
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
+        if (!options_.quality.empty()) choose_quality(path, options_.quality, scene, rungs, unknown);
         for (const std::string& ladder : options_.ladders) choose_rung(rungs, scene, ladder, unknown);
     };
     // What the scene before has too, such as snell's own programs, need not be made again.

@@ -21,6 +21,7 @@ struct RenderOptions {
     std::string shard;              // "", or as parse_shard takes it
     bool skip_existing = false;
     std::vector<std::string> sets, ladders;
+    std::string quality;  // "", or a preset that was measured: src/app/quality.h
     int samples = 1;
     bool axes = false;
     bool count_non_finite = false;  // pixels that are no numbers: said, and in the statistics
@@ -41,7 +42,7 @@ int check(const CheckOptions& options);
 
 struct AccuracyOptions {
     std::vector<std::string> scenes;
-    std::string html, svg, json, csv;
+    std::string html, svg, json, csv, markdown;
     std::vector<std::string> ladders, knobs;  // none of both: all that there are
     std::string from = "reference";           // "scene", "lattice"
     std::vector<std::string> sets, choices;   // uniform=value, ladder=rung
@@ -49,7 +50,9 @@ struct AccuracyOptions {
     int rounds = 31;
     double budget = 120;  // seconds, of all sweeps
     double time = 0;
-    bool no_time = false;  // errors only
+    bool no_time = false;                 // errors only
+    std::optional<double> within, error;  // what a combination is wanted for: milliseconds, RMSE
+    bool save_quality = false;            // presets, beside the scene
     std::string context;
 };
 int accuracy(const AccuracyOptions& options);

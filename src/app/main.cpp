@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "src/app/advice.h"
 #include "src/app/commands.h"
 #include "src/app/headless.h"
 #include "src/app/shots.h"
@@ -57,6 +58,10 @@ std::string check_rate(const std::string& text) {
     return !error.empty() || std::strtod(text.c_str(), nullptr) > 0 ? error : "'" + text + "' is not more than 0";
 }
 
+std::string check_milliseconds(const std::string& text) {
+    return app::parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
+}
+
 std::string check_shard(const std::string& text) {
     return app::parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
 }
@@ -70,7 +75,7 @@ struct CommandLine {
     app::AccuracyOptions accuracy;
     app::ExplainOptions explain;
     std::string explain_size;
-    std::string accuracy_size;
+    std::string accuracy_size, accuracy_within;
     bool commands_json = false;
     std::string info_context;
     CLI::App *explain_command = nullptr, *accuracy_command = nullptr, *render_command = nullptr,
@@ -108,6 +113,8 @@ struct CommandLine {
         command.add_option("--ladder", render.ladders, "ladder=rung; may be repeated")
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        command.add_option("--quality", render.quality, "rungs as `snell accuracy --save-quality` found them")
+            ->check(CLI::IsMember({"fast", "balanced", "exact"}));
         command.add_option("--samples", render.samples, "samples a pixel")->check(CLI::Range(1, 64));
         command.add_option("--shard", render.shard, "I/N: draw only the pictures of part I of N, 0/N to N-1/N")
             ->check(check_shard);
@@ -171,7 +178,8 @@ struct CommandLine {
         accuracy_command = &command;
         command.footer("Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written.");
         command.add_option("SCENE", accuracy.scenes, "one report of all of them")->required();
-        command.add_option("--ladders", accuracy.ladders, "only these, such as FRESNEL,REFRACT")->delimiter(',');
+        command.add_option("--ladders", accuracy.ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
+            ->delimiter(',');
         command.add_option("--knobs", accuracy.knobs, "samples,tessellation,filter,cube-size,cube-precision")
             ->delimiter(',');
         command
@@ -183,7 +191,15 @@ struct CommandLine {
             ->check(CLI::Range(3, 10000));
         command.add_option("--budget", accuracy.budget, "seconds for all of it; dear rungs sit rounds out")
             ->check(CLI::Range(1.0, 1e6));
-        command.add_flag("--no-time", accuracy.no_time, "errors only");
+        CLI::Option* untimed = command.add_flag("--no-time", accuracy.no_time, "errors only");
+        command.add_option("--within", accuracy_within, "the most exact combination that takes no longer: 16ms")
+            ->check(check_milliseconds)
+            ->excludes(untimed);
+        command.add_option("--error", accuracy.error, "the cheapest combination with no more RMSE")
+            ->check(CLI::NonNegativeNumber)
+            ->excludes(untimed);
+        command.add_flag("--save-quality", accuracy.save_quality, "find presets for --quality, kept beside the scene")
+            ->excludes(untimed);
         command.add_option("--time", accuracy.time, "seconds since the scene began")->check(check_finite);
         command.add_option("--set", accuracy.sets, "uniform=value or Program.uniform=value; may be repeated")
             ->expected(1)
@@ -194,6 +210,7 @@ struct CommandLine {
         command.add_option("-o,--output", accuracy.html, "the report, one HTML file");
         command.add_option("--svg", accuracy.svg, "the plots for a paper: FILE.svg, FILE-2.svg …");
         command.add_option("--json", accuracy.json, "the numbers as JSON");
+        command.add_option("--markdown", accuracy.markdown, "the numbers as a page, with the plots of --svg");
         command.add_option("--csv", accuracy.csv, "the numbers as CSV, a row for each rung");
         command.add_option("--context", accuracy.context, "ask for an OpenGL version: 3.3, 4.5, es3.2")
             ->check(check_context);
@@ -223,6 +240,7 @@ struct CommandLine {
     int run() {
         if (!render_size.empty()) parse_size(render_size, render.size.emplace());
         if (!window_size.empty()) parse_size(window_size, window.size.emplace());
+        if (!accuracy_within.empty()) accuracy.within = app::parse_milliseconds(accuracy_within);
         if (!accuracy_size.empty()) parse_size(accuracy_size, accuracy.size.emplace());
         if (!explain_size.empty()) parse_size(explain_size, explain.size.emplace());
         if (explain_command->parsed()) return app::explain(explain);

@@ -47,9 +47,9 @@ void main() {
         const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {"WORK"}, From::reference, problems);
         EXPECT_EQ(sweeps.size(), 1U);
         MeasureOptions options;
-        options.rounds = 21;
-        options.seconds = 4;
-        options.at_least = 1;
+        options.rounds = 9;
+        options.seconds = 1.2;
+        options.at_least = .5;
         options.seed = seed;
         return measure(*bench, sweeps[0], options);
     }

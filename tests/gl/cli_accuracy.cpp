@@ -92,6 +92,40 @@ TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
     EXPECT_EQ(json["ladders"][0]["rungs"][0]["drawn"], true);
 }
 
+TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
+    const std::string quick = "--size 64x64 --reps 7 --budget 2 ";
+    ASSERT_EQ(run(quick + "--error 0.01"), 0) << text("err.txt");
+    EXPECT_NE(text("out.txt").find("--ladder SHADE=exact\n"), std::string::npos) << text("out.txt");
+    ASSERT_EQ(run(quick + "--within 0.0001ms"), 0);
+    EXPECT_NE(text("out.txt").find("nothing that was measured is; the nearest is SHADE="), std::string::npos);
+    EXPECT_EQ(run("--within soon"), 2);
+    EXPECT_EQ(run("--within 5ms --no-time"), 2) << "what is not timed has no cost";
+}
+
+// Presets are found by measurement, kept beside the scene, and said when they are used; what is typed wins.
+TEST_F(Accuracy, PresetsAreMeasuredKeptAndSaid) {
+    const auto render = [&](const std::string& arguments, const std::string& picture) {
+        const std::string command = SNELL_BIN "/snell render " + scene + " --size 64x64 -o " + folder.path(picture) +
+                                    " " + arguments + " 2> " + folder.path("err.txt");
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    };
+    EXPECT_EQ(render("--quality exact", "none.png"), 1) << "nothing was measured yet";
+    EXPECT_NE(text("err.txt").find("--save-quality"), std::string::npos) << text("err.txt");
+    ASSERT_EQ(run("--size 64x64 --reps 7 --budget 2 --save-quality"), 0) << text("err.txt");
+    ASSERT_EQ(render("--quality exact", "exact.png"), 0) << text("err.txt");
+    EXPECT_NE(text("err.txt").find("quality exact: SHADE=exact"), std::string::npos) << text("err.txt");
+    ASSERT_EQ(render("", "plain.png") + render("--ladder SHADE=exact", "typed.png") +
+                  render("--quality exact --ladder SHADE=cheap", "cheap.png"),
+              0);
+    EXPECT_EQ(text("exact.png"), text("typed.png"));
+    EXPECT_EQ(text("cheap.png"), text("plain.png"));
+    EXPECT_NE(text("exact.png"), text("plain.png"));
+    folder.write("scene.glib", text("scene.glib").replace(text("scene.glib").find("exact"), 5, "right"));
+    EXPECT_EQ(render("--quality exact", "stale.png"), 1);
+    EXPECT_NE(text("err.txt").find("stale-quality"), std::string::npos) << text("err.txt");
+}
+
 TEST_F(Accuracy, UnknownNamesAreErrors) {
     EXPECT_EQ(run("--ladders SHAD --no-time"), 1);
     EXPECT_NE(text("err.txt").find("did you mean 'SHADE'?"), std::string::npos) << text("err.txt");
