@@ -145,7 +145,7 @@ struct Subject {
 std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool& errors) {
     auto subject = std::make_unique<Subject>();
     subject->path = path;
-    subject->files = std::make_unique<Files>(scene_folder(path));
+    subject->files = std::make_unique<Files>(scene_folder(path), options.access);
     Diagnostics diagnostics;
     if (auto parsed = parse_document(path, *subject->files, subject->sources, diagnostics)) {
         subject->plan = make_plan(std::move(parsed->scene), *subject->files, subject->sources, diagnostics);

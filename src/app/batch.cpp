@@ -45,7 +45,11 @@ std::string assignment(const Axis& axis, const AxisValue& value) { return axis.n
 }  // namespace
 
 Batch::Batch(const RenderOptions& options, const Shots& shots, Shard shard)
-    : options_(options), shots_(shots), shard_(shard), writer_({!options.json.empty(), !options.sheet.empty()}) {}
+    : options_(options),
+      shots_(shots),
+      shard_(shard),
+      deadline_(options.timeout),
+      writer_({!options.json.empty(), !options.sheet.empty()}) {}
 
 Exit Batch::run() {
     for (std::size_t i = 0; i < shots_.scenes.size() && !refused_; ++i) {
@@ -72,6 +76,7 @@ Exit Batch::run() {
 bool Batch::ready_context() {
     if (context_) return true;
     const auto start = Clock::now();
+    deadline_.begin("starting OpenGL");
     context_ = headless_context(options_.context);
     if (!context_) {
         refused_ = true;
@@ -117,8 +122,10 @@ bool Batch::open(Open& open, const std::string& path) {
         if (!options_.quality.empty()) choose_quality(path, options_.quality, scene, rungs, unknown);
         for (const std::string& ladder : options_.ladders) choose_rung(rungs, scene, ladder, unknown);
     };
+    deadline_.begin(fmt::format("reading '{}'", path));
     // What the scene before has too, such as snell's own programs, need not be made again.
-    open.document = open_document(path, caps_, choose, nullptr, {.previous = last_ ? &*last_->runtime : nullptr});
+    open.document = open_document(path, caps_, choose, nullptr, {.previous = last_ ? &*last_->runtime : nullptr},
+                                  access_to(path, options_.access, options_.grade));
     print_all(*open.document, options_.quiet);
     say(unknown, open.document->sources);
     timings_.load += milliseconds_since(start);
@@ -177,9 +184,11 @@ bool Batch::take_rungs(Open& open, const Shot& shot) {
             return true;
         }
     }
-    open.document = open_document(shots_.scenes[shot.scene], caps_, [&](const Scene& scene, Rungs& chosen) {
+    const std::string& path = shots_.scenes[shot.scene];
+    const auto choose = [&](const Scene& scene, Rungs& chosen) {
         if (scene.ladders.size() == rungs.size()) chosen = rungs;
-    });
+    };
+    open.document = open_document(path, caps_, choose, nullptr, {}, access_to(path, options_.access, options_.grade));
     say(open.document->diagnostics, open.document->sources);
     if (open.document->diagnostics.has_errors()) fail();
     return open.document->runtime.has_value();
@@ -213,6 +222,14 @@ bool Batch::ready_target(const Document& document) {
     const auto [width, height] =
         options_.size.value_or(std::pair(document.scene().window_size[0], document.scene().window_size[1]));
     if (target_.framebuffer && target_.width == width && target_.height == height) return true;
+    // Colour, depth and stencil for every sample, and the picture itself.
+    const double bytes =
+        static_cast<double>(width) * height * (options_.samples * 8. + 16.) * (holds_floats(options_.output) ? 2. : 1.);
+    if (bytes > static_cast<double>(options_.access.limits.output_bytes)) {
+        fmt::print(stderr, "snell: error: {}x{} with {} samples takes too much memory\n   help: {}\n", width, height,
+                   options_.samples, limit_help(options_.access.limits, &Limits::output_bytes));
+        return false;
+    }
     if (width > caps_.max_texture || height > caps_.max_texture) {
         fmt::print(stderr, "snell: error: {}x{} is more than this OpenGL draws ({})\n", width, height,
                    caps_.max_texture);
@@ -228,6 +245,7 @@ bool Batch::ready_target(const Document& document) {
 }
 
 void Batch::draw(Open& open, const Shot& shot) {
+    deadline_.begin(fmt::format("drawing '{}'", shots_.files[shot.index]));
     if (!open.document->runtime || !take_rungs(open, shot)) return;
     const auto controls = controls_of(open, shot);
     if (!controls) return fail();
@@ -240,6 +258,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     content::Image picture = read_picture(target_, floats_);
     records_.push_back({shot, false, frame.time, milliseconds_since(start)});
     timings_.frame += records_.back().milliseconds;
+    deadline_.rest();
     writer_.add(shots_.files[shot.index], std::move(picture));
     if (!options_.count_non_finite) return;
     const auto found = count_non_finite(runtime, frame, target_.width, target_.height);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "src/app/commands.h"
+#include "src/app/deadline.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
 #include "src/app/non_finite.h"
@@ -73,6 +74,7 @@ private:
     const RenderOptions& options_;
     const Shots& shots_;
     Shard shard_;
+    Deadline deadline_;
     std::unique_ptr<HeadlessContext> context_;
     bool refused_ = false;  // there is no context
     gl::Caps caps_;

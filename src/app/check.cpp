@@ -65,14 +65,16 @@ void lint(const Plan& plan, Document& document) {
 
 Checked check_scene(const std::string& path, const CheckOptions& options, const std::optional<gl::Caps>& caps) {
     Checked checked;
+    const Access access = access_to(path, options.access, options.grade);
     if (caps && options.dump.empty()) {
-        checked.document = open_document(path, *caps, nullptr, options.lint ? PlanReader(lint) : nullptr);
+        checked.document = open_document(path, *caps, nullptr, options.lint ? PlanReader(lint) : nullptr, {}, access);
         return checked;
     }
     checked.document = std::make_unique<Document>();
     Document& document = *checked.document;
     document.path = path;
-    document.files = std::make_unique<Files>(scene_folder(path));
+    document.diagnostics = Diagnostics(access.limits);
+    document.files = std::make_unique<Files>(scene_folder(path), access);
     auto parsed = parse_document(path, *document.files, document.sources, document.diagnostics);
     if (!parsed) return checked;
     if (options.dump == "tokens") checked.dump = dump_tokens(parsed->file, document.sources);

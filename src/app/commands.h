@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "src/plan/files.h"
+
 namespace snell::app {
 
-enum Exit { exit_fine = 0, exit_input = 1, exit_usage = 2, exit_graphics = 3 };
+enum Exit { exit_fine = 0, exit_input = 1, exit_usage = 2, exit_graphics = 3, exit_timeout = 4 };
 
 struct RenderOptions {
     std::vector<std::string> scenes;
@@ -29,6 +31,9 @@ struct RenderOptions {
     double fps = 25;
     std::string context;  // "", "3.3", "4.1", "4.5", "es3.2" …
     bool quiet = false;
+    Access access;
+    bool grade = false;   // where `access` says nothing else, each scene is confined to its folder
+    double timeout = 20;  // seconds for a frame, or for reading a scene; then the process ends
 };
 int render(const RenderOptions& options);
 
@@ -37,6 +42,8 @@ struct CheckOptions {
     bool json = false;
     std::string dump;  // "", tokens, statements, scene, plan
     bool lint = true;  // also what is probably not meant
+    Access access;
+    bool grade = false;
 };
 int check(const CheckOptions& options);
 
@@ -54,6 +61,7 @@ struct AccuracyOptions {
     std::optional<double> within, error;  // what a combination is wanted for: milliseconds, RMSE
     bool save_quality = false;            // presets, beside the scene
     std::string context;
+    Access access;
 };
 int accuracy(const AccuracyOptions& options);
 
@@ -65,6 +73,7 @@ struct ExplainOptions {
     double time = 0;
     int rounds = 31;
     std::string context;
+    Access access;
 };
 int explain(const ExplainOptions& options);
 

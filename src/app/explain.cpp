@@ -241,9 +241,12 @@ int explain(const ExplainOptions& options) {
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
         for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, chosen);
     };
-    const auto document = open_document(options.scene, report.caps, choose, [&](const Plan& plan, Document& opened) {
-        report.lints = lint::check(plan, opened.sources, runtime::include_reader(*opened.files));
-    });
+    const auto document = open_document(
+        options.scene, report.caps, choose,
+        [&](const Plan& plan, Document& opened) {
+            report.lints = lint::check(plan, opened.sources, runtime::include_reader(*opened.files));
+        },
+        {}, options.access);
     if (document->runtime)
         for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, chosen);
     document->diagnostics.append(chosen);

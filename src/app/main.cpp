@@ -27,18 +27,18 @@ constexpr const char* examples = R"(Examples:
   snell check room.glib                                    say all that is wrong with it
   snell commands                                           list the commands of the language
 
-Exit status: 0 fine, 1 errors in the input, 2 wrong usage, 3 no graphics.)";
+Exit status: 0 fine, 1 errors in the input, 2 wrong usage, 3 no graphics,
+4 out of time.)";
 
 bool parse_size(const std::string& text, std::pair<int, int>& size) {
     int end = 0;
     return std::sscanf(text.c_str(), "%5dx%5d%n", &size.first, &size.second, &end) == 2 &&
-           static_cast<size_t>(end) == text.size() && size.first > 0 && size.second > 0 && size.first <= 16384 &&
-           size.second <= 16384;
+           static_cast<size_t>(end) == text.size() && size.first > 0 && size.second > 0;
 }
 
 std::string check_size(const std::string& text) {
     std::pair<int, int> size;
-    return parse_size(text, size) ? "" : "'" + text + "' is not WIDTHxHEIGHT, such as 800x600 (at most 16384x16384)";
+    return parse_size(text, size) ? "" : "'" + text + "' is not WIDTHxHEIGHT, such as 800x600";
 }
 
 std::string check_context(const std::string& text) {
@@ -66,6 +66,12 @@ std::string check_shard(const std::string& text) {
     return app::parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
 }
 
+std::string check_limit(const std::string& text) {
+    Limits limits;
+    std::string error;
+    return set_limit(limits, text, error) ? "" : error;
+}
+
 struct CommandLine {
     CLI::App app{"snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture."};
     WindowOptions window;
@@ -76,6 +82,8 @@ struct CommandLine {
     app::ExplainOptions explain;
     std::string explain_size;
     std::string accuracy_size, accuracy_within;
+    std::vector<std::string> limits;
+    std::string confine;
     bool commands_json = false;
     std::string info_context;
     CLI::App *explain_command = nullptr, *accuracy_command = nullptr, *render_command = nullptr,
@@ -90,6 +98,7 @@ struct CommandLine {
         // For tests of the window: not for users.
         app.add_option("--state", window.state_file)->group("");
         app.add_option("--exit-after", window.exit_after)->group("");
+        add_access(app);
         add_render();
         add_sweep();
         add_check();
@@ -102,8 +111,25 @@ struct CommandLine {
             ->check(check_context);
     }
 
+    // What a scene may read, and how much.
+    void add_access(CLI::App& command) {
+        command.add_option("--limit", limits, "NAME=VALUE of docs/limits.md; may be repeated")
+            ->check(check_limit)
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        command.add_option("--confine", confine, "read nothing outside of this folder")->check(CLI::ExistingDirectory);
+    }
+
+    static void add_grade(CLI::App& command, bool& grade) {
+        command.add_flag("--grade", grade, "for scenes of strangers: read nothing outside of each scene's folder");
+    }
+
     // What render and sweep have in common.
     void add_drawing(CLI::App& command) {
+        add_access(command);
+        add_grade(command, render.grade);
+        command.add_option("--timeout", render.timeout, "seconds for a frame, or for reading a scene; 0: no end")
+            ->check(CLI::Range(0., 1e6));
         command.footer(examples);
         command.add_option("--size", render_size, "WIDTHxHEIGHT (default: the scene's)")->check(check_size);
         command.add_option("--time", render.time, "seconds since the scene began")->check(check_finite);
@@ -166,6 +192,8 @@ struct CommandLine {
     void add_check() {
         check_command = app.add_subcommand("check", "say all that is wrong with scenes");
         check_command->add_option("SCENE", check.scenes)->required();
+        add_access(*check_command);
+        add_grade(*check_command, check.grade);
         check_command->add_flag("--json", check.json, "as JSON");
         check_command->add_flag("!--no-lint", check.lint,
                                 "leave out what is allowed and probably not meant (docs/lints.md)");
@@ -176,6 +204,7 @@ struct CommandLine {
     void add_accuracy() {
         CLI::App& command = *app.add_subcommand("accuracy", "measure what each rung is off by and what it costs");
         accuracy_command = &command;
+        add_access(command);
         command.footer("Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written.");
         command.add_option("SCENE", accuracy.scenes, "one report of all of them")->required();
         command.add_option("--ladders", accuracy.ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
@@ -219,6 +248,7 @@ struct CommandLine {
     void add_explain() {
         CLI::App& command = *app.add_subcommand("explain", "say what a scene pays for, why, and what it costs");
         explain_command = &command;
+        add_access(command);
         command.footer("Times are of this machine, now; those of passes are by difference.");
         command.add_option("SCENE", explain.scene)->required();
         command.add_flag("--json", explain.json, "as JSON");
@@ -237,12 +267,32 @@ struct CommandLine {
             ->check(check_context);
     }
 
+    Access access() const {
+        Access access;
+        std::string checked;
+        for (const std::string& limit : limits) set_limit(access.limits, limit, checked);
+        if (!confine.empty()) access.confine = confine;
+        return access;
+    }
+
+    bool sizes_fit(const Limits& most) const {
+        for (const auto& size : {render.size, window.size, accuracy.size, explain.size}) {
+            if (!size || static_cast<std::uint64_t>(std::max(size->first, size->second)) <= most.output_side) continue;
+            fmt::print(stderr, "snell: error: {}x{} is too large\n   help: {}\n", size->first, size->second,
+                       limit_help(most, &Limits::output_side));
+            return false;
+        }
+        return true;
+    }
+
     int run() {
         if (!render_size.empty()) parse_size(render_size, render.size.emplace());
         if (!window_size.empty()) parse_size(window_size, window.size.emplace());
         if (!accuracy_within.empty()) accuracy.within = app::parse_milliseconds(accuracy_within);
         if (!accuracy_size.empty()) parse_size(accuracy_size, accuracy.size.emplace());
         if (!explain_size.empty()) parse_size(explain_size, explain.size.emplace());
+        window.access = render.access = check.access = accuracy.access = explain.access = access();
+        if (!sizes_fit(render.access.limits)) return app::exit_usage;
         if (explain_command->parsed()) return app::explain(explain);
         if (accuracy_command->parsed()) return app::accuracy(accuracy);
         if (render_command->parsed() || sweep_command->parsed()) return app::render(render);

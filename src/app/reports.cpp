@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -22,9 +23,9 @@ Json axis_json(const Axis& axis) {
 }  // namespace
 
 std::string write_json(const std::string& path, const Json& json) {
-    std::ofstream file(path);
-    file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    return file.flush() ? "" : fmt::format("can't write '{}'", path);
+    const std::string wrong =
+        content::replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    return wrong.empty() ? "" : fmt::format("can't write '{}': {}", path, wrong);
 }
 
 Json pictures_json(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard) {

@@ -1,0 +1,58 @@
+#include "src/app/deadline.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "parser/utf8.h"
+#include "src/app/commands.h"
+
+namespace snell::app {
+
+Deadline::Deadline(double seconds) : seconds_(seconds) {
+    if (seconds > 0) thread_ = std::thread([this] { watch(); });
+}
+
+Deadline::~Deadline() {
+    {
+        const std::lock_guard lock(mutex_);
+        done_ = true;
+    }
+    change_.notify_all();
+    if (thread_.joinable()) thread_.join();
+}
+
+void Deadline::begin(std::string what) {
+    if (seconds_ <= 0) return;
+    {
+        const std::lock_guard lock(mutex_);
+        what_ = std::move(what);
+        end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds_));
+    }
+    change_.notify_all();
+}
+
+void Deadline::rest() {
+    const std::lock_guard lock(mutex_);
+    end_ = Clock::time_point::max();
+}
+
+void Deadline::watch() {
+    std::unique_lock lock(mutex_);
+    while (!done_) {
+        if (end_ == Clock::time_point::max()) {
+            change_.wait(lock);
+        } else if (change_.wait_until(lock, end_) == std::cv_status::timeout && !done_ && Clock::now() >= end_) {
+            const std::string text = fmt::format(
+                "snell: error: {} takes longer than {} seconds [timeout]\n   help: a loop in a shader may not end; "
+                "--timeout SECONDS allows more\n",
+                utf8::printable(what_), seconds_);
+            [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+            // Not exit(): what it would wait for may be what does not return.
+            _exit(exit_timeout);
+        }
+    }
+}
+
+}  // namespace snell::app

@@ -1,0 +1,40 @@
+// The end of a process whose driver doesn't return.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace snell::app {
+
+// While one is there, a thread of its own watches the clock: past the time it says what took too long and ends the
+// process with exit_timeout, whatever the other threads are doing. Files are written whole or not at all, so none is
+// left half. 0 seconds: no end.
+class Deadline {
+public:
+    explicit Deadline(double seconds);
+    ~Deadline();
+    Deadline(const Deadline&) = delete;
+    Deadline& operator=(const Deadline&) = delete;
+
+    // What is done from now on has the whole time again.
+    void begin(std::string what);
+    // Nothing is being done that could take too long.
+    void rest();
+
+private:
+    void watch();
+
+    using Clock = std::chrono::steady_clock;
+    double seconds_;
+    std::mutex mutex_;
+    std::condition_variable change_;
+    Clock::time_point end_ = Clock::time_point::max();
+    std::string what_;
+    bool done_ = false;
+    std::thread thread_;
+};
+
+}  // namespace snell::app
