@@ -170,11 +170,11 @@ void explain_nearest(const Plot& plot, const std::vector<AccuracyPoint>& points)
 
 void accuracy_plot(const std::vector<AccuracyPoint>& points, Layout& layout) {
     const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-    const ImVec2 at = ImGui::GetCursorScreenPos(), size(width, 10.5F * em);
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size(width, 11.3F * em);
     ImGui::InvisibleButton("##plot", size);
     layout.note("accuracy.plot");
     Plot plot;
-    plot.min = {at.x + 3.2F * em, at.y + em * .9F};
+    plot.min = {at.x + 3.2F * em, at.y + em * 1.7F};
     plot.max = {at.x + size.x - em * .2F, at.y + size.y - 1.4F * em};
     plot.floor = plot.max.y - em * .5F;
     plot.time = range_of(points, .5, {0, 2}, [](const AccuracyPoint& p) {

@@ -1,0 +1,159 @@
+// Ladders in a real window: drop-downs, and the panel that says what their rungs are off by and cost.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "tests/gui/desk.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+// The rungs differ by known amounts in red where the quad is; behind it they agree.
+constexpr const char* scene = R"(##OpenGL GLIB
+Perspective 50
+LookAt 0 0 4  0 0 0  0 1 0
+Background 0 0 0
+Ladder DETAIL far near <exact>
+Vertex paint.vert
+Fragment paint.frag
+Program Paint uGreen <0. .4 1.>
+QuadXY 0. 1.
+)";
+constexpr const char* vertex = "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n";
+constexpr const char* fragment = R"(#version 330 compatibility
+uniform float uGreen;
+void main() {
+#if DETAIL == DETAIL_far
+    float red = .8;
+#elif DETAIL == DETAIL_near
+    float red = .4;
+#else
+    float red = .3;
+#endif
+    gl_FragColor = vec4(red, uGreen, .2, 1.);
+}
+)";
+
+class LadderWindow : public Desk {
+protected:
+    void SetUp() override {
+        Desk::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        save("scene.glib", scene);
+        save("paint.vert", vertex);
+        save("paint.frag", fragment);
+        open("scene.glib");
+    }
+
+    void click(const std::string& widget, double fraction = .5, int button = 1) {
+        const auto [x, y] = on(widget, fraction);
+        user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click " + std::to_string(button));
+        settle();
+    }
+    bool wait_for_rung(const std::string& name) {
+        return wait([&](const json& s) { return s["rungs"]["DETAIL"] == name; });
+    }
+    // Refined to the end.
+    json refined() {
+        EXPECT_TRUE(wait([](const json& s) {
+            return s.contains("accuracy") && s["accuracy"]["samples"] == s["accuracy"]["wanted"];
+        }));
+        return state()["accuracy"];
+    }
+    void open_panel() {
+        click("accuracy");
+        refined();
+    }
+    void expect_red(const Pixel& pixel, double red) { EXPECT_NEAR(pixel.red, std::lround(255 * red), 1); }
+};
+
+TEST_F(LadderWindow, ARungIsChosenInItsDropDown) {
+    expect_red(scene_pixel(20, 20), .3);
+    click("DETAIL");
+    click("DETAIL.far");
+    ASSERT_TRUE(wait_for_rung("far"));
+    settle();
+    expect_red(scene_pixel(20, 20), .8);
+    EXPECT_FALSE(state().contains("accuracy")) << "a closed panel measures nothing";
+    const int frames = state()["counters"]["frames"];
+    click("DETAIL", .5, 3);
+    ASSERT_TRUE(wait_for_rung("exact")) << "right click: as the scene says";
+    settle();
+    expect_red(scene_pixel(20, 20), .3);
+    EXPECT_EQ(state()["counters"]["frames"].get<int>(), frames + 1);
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+TEST_F(LadderWindow, ErrorsAreThoseOfTheRungs) {
+    open_panel();
+    EXPECT_EQ(refined()["error"], 0);
+    EXPECT_GT(refined()["milliseconds"], 0);
+    std::array<double, 2> errors{};
+    for (const char* rung : {"near", "far"}) {
+        click(std::string("accuracy.rung.") + rung, .1);
+        ASSERT_TRUE(wait_for_rung(rung));
+        errors[rung[0] == 'f'] = refined()["error"];
+    }
+    // .1 and .5 in one of three channels, where the quad is: the same share of the picture.
+    const std::array<double, 4> area = state()["scene"];
+    const double side = std::min(area[2], area[3]) / (4 * std::tan(25 * M_PI / 180));
+    const double covered = side * side / (area[2] * area[3]);
+    EXPECT_NEAR(errors[1] / errors[0], 5, .01);
+    EXPECT_NEAR(errors[0], .1 * std::sqrt(covered / 3), .002);
+
+    // All rungs, by the button.
+    click("accuracy.measure");
+    ASSERT_TRUE(wait([](const json& s) { return !s["accuracy"]["measuring"] && s["accuracy"]["points"].size() == 3; }));
+    for (const json& point : state()["accuracy"]["points"]) {
+        const std::string name = point["name"];
+        EXPECT_NEAR(point["error"].get<double>(), name == "exact" ? 0 : errors[name == "far"], 1e-6) << name;
+        EXPECT_GT(point["milliseconds"], 0) << name;
+        EXPECT_EQ(point["chosen"], name == "far");
+    }
+    // Then it rests.
+    user("mousemove 100 100");
+    settle();
+    const json before = state();
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    EXPECT_EQ(state(), before);
+    // Another value is another reference.
+    const double green = state()["controls"]["Paint.uGreen"][0];
+    drag(on("Paint.uGreen", .4), on("Paint.uGreen", .7));
+    EXPECT_NE(state()["controls"]["Paint.uGreen"][0], green);
+    EXPECT_NEAR(refined()["error"].get<double>(), errors[1], 1e-4) << "and the same error";
+    EXPECT_EQ(refined()["points"].size(), 1) << "what was measured does not stand any more";
+}
+
+TEST_F(LadderWindow, TheReferenceBesideThePictureAndWhereTheyDiffer) {
+    click("DETAIL");
+    click("DETAIL.far");
+    open_panel();
+    click("accuracy.Split", .2);
+    refined();
+    expect_red(scene_pixel(-40, 20), .8);
+    expect_red(scene_pixel(40, 20), .3);
+    const std::array<double, 4> area = state()["scene"];
+    drag(on("accuracy.divider"), {static_cast<int>(area[2] / 2 + 60), static_cast<int>(area[3] / 2)});
+    EXPECT_NEAR(state()["accuracy"]["divider"].get<double>(), .5 + 60 / area[2], .01);
+    EXPECT_EQ(state()["view"]["rotate_y"], 0) << "the scene is not turned";
+    expect_red(scene_pixel(40, 20), .8);
+    expect_red(scene_pixel(90, 20), .3);
+
+    click("accuracy.Heat map", .2);
+    refined();
+    const Pixel hot = scene_pixel(20, 20), cold = scene_pixel(0, static_cast<int>(area[3] / 2) - 10);
+    EXPECT_GT(hot.red, 200) << "off by .29";
+    EXPECT_LT(cold.red + cold.green + cold.blue, 20) << "no difference";
+
+    click("accuracy");  // closed
+    ASSERT_TRUE(wait([](const json& s) { return !s.contains("accuracy"); }));
+    settle();
+    expect_red(scene_pixel(90, 20), .8);
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+}  // namespace
+}  // namespace snell::test
