@@ -51,7 +51,7 @@ struct Plot {
     float x(double milliseconds) const {
         return std::clamp(min.x + (max.x - min.x) * time.part(milliseconds), min.x, max.x);
     }
-    float floor_top() const { return floor - ImGui::GetFontSize() * .8F; }
+    float floor_top() const { return floor - ImGui::GetFontSize() * 1.1F; }
 };
 
 void text_at(ImDrawList& list, ImVec2 at, ImVec4 color, const std::string& text) {
