@@ -110,7 +110,7 @@ private:
         const auto best = choose(sweep, wish);
         advice.rung = best.value_or(sweep.sweep.current);
         advice.met = best && fulfils(sweep.rungs[*best], wish);
-        advice.settled = best && settled && !sweep.interrupted;
+        advice.settled = best && settled && !sweep.interrupted && !sweep.few_rounds;
         return advice;
     }
 

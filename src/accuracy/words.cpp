@@ -39,6 +39,7 @@ std::string price_sentence(const SweepResult& sweep) {
 // The cheapest of the rungs on the front that halves the error of the scene's own.
 std::string bargain_sentence(const SweepResult& sweep) {
     const RungResult& base = base_of(sweep);
+    if (!(sweep.error(base) > 0)) return {};
     const RungResult* best = nullptr;
     for (const RungResult& rung : sweep.rungs) {
         if (rung.verdict.standing != Standing::front || rung.rounds == 0 || &rung == &reference_of(sweep)) continue;

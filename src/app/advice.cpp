@@ -32,8 +32,8 @@ std::string found_text(const Advice& advice, const SweepResult& sweep) {
                     rung.milliseconds, rung.low, rung.high, name(sweep.clock), ratio_text(rung.ratio), now);
     const char* what = advice.everything ? "every combination" : "every combination that differs in one ladder";
     text += advice.settled ? fmt::format("  {} was measured, none is better\n", what)
-                           : std::string("  time was up: others may be better\n");
-    if (!sweep.trusted())
+                           : std::string("  time was up: others may be better; more --budget tells\n");
+    if (!sweep.few_rounds && sweep.control.noisy)
         text += fmt::format("  the machine is too noisy to be sure of costs: '{}' took {} times what it took itself\n",
                             now, ratio_text(sweep.control.ratio));
     return text;
