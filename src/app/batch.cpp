@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "parser/utf8.h"
 #include "src/app/picture.h"
 #include "src/app/quality.h"
+#include "src/app/view_text.h"
 #include "src/runtime/uniforms.h"
 
 namespace snell::app {
@@ -32,7 +34,7 @@ void print_all(const Document& document, bool quiet) {
     const std::string text = snell::render(shown, document.sources);
     std::fwrite(text.data(), 1, text.size(), stderr);
     if (!document.runtime) return;
-    for (const Message& message : document.scene().messages) fmt::print(stderr, "{}\n", message.text);
+    for (const Message& message : document.scene().messages) fmt::print(stderr, "{}\n", utf8::printable(message.text));
 }
 
 bool exists(const std::string& file) {
@@ -62,8 +64,8 @@ Exit Batch::run() {
     for (std::size_t i = 0; i < records_.size(); ++i) {
         timings_.write += written()[i].milliseconds;
         if (written()[i].error.empty()) continue;
-        fmt::print(stderr, "snell: error: can't write '{}': {}\n", shots_.files[records_[i].shot.index],
-                   written()[i].error);
+        fmt::print(stderr, "snell: error: can't write '{}': {}\n",
+                   utf8::printable(shots_.files[records_[i].shot.index]), utf8::printable(written()[i].error));
         fail();
     }
     if (non_finite_ && non_finite_->nan + non_finite_->infinite > 0)
@@ -251,6 +253,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     if (!controls) return fail();
     const auto start = Clock::now();
     View view;
+    parse_view(options_.view, view);
     view.axes = options_.axes;
     Runtime& runtime = *open.document->runtime;
     const Frame frame{time_of(open, shot), view, *controls};

@@ -25,6 +25,7 @@ struct RenderOptions {
     std::vector<std::string> sets, ladders;
     std::string quality;  // "", or a preset that was measured: src/app/quality.h
     int samples = 1;
+    std::string view;  // src/app/view_text.h
     bool axes = false;
     bool count_non_finite = false;  // pixels that are no numbers: said, and in the statistics
     int frames = 0;                 // frame k is at time + k / fps; 0: no animation
@@ -36,6 +37,13 @@ struct RenderOptions {
     double timeout = 20;  // seconds for a frame, or for reading a scene; then the process ends
 };
 int render(const RenderOptions& options);
+
+struct SaveOptions {
+    std::string scene, output;  // no output: the scene's own file
+    std::vector<std::string> sets, ladders;
+    std::string context;
+};
+int save(const SaveOptions& options);
 
 struct CheckOptions {
     std::vector<std::string> scenes;

@@ -7,9 +7,11 @@
 #include <exception>
 
 #include "src/app/advice.h"
+#include "parser/utf8.h"
 #include "src/app/commands.h"
 #include "src/app/headless.h"
 #include "src/app/shots.h"
+#include "src/app/view_text.h"
 #include "src/app/window.h"
 
 namespace {
@@ -62,6 +64,11 @@ std::string check_milliseconds(const std::string& text) {
     return app::parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
 }
 
+std::string check_view(const std::string& text) {
+    View view;
+    return parse_view(text, view);
+}
+
 std::string check_shard(const std::string& text) {
     return app::parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
 }
@@ -78,6 +85,7 @@ struct CommandLine {
     std::string window_size, render_size;
     app::RenderOptions render;
     app::CheckOptions check;
+    app::SaveOptions save;
     app::AccuracyOptions accuracy;
     app::ExplainOptions explain;
     std::string explain_size;
@@ -87,7 +95,8 @@ struct CommandLine {
     bool commands_json = false;
     std::string info_context;
     CLI::App *explain_command = nullptr, *accuracy_command = nullptr, *render_command = nullptr,
-             *check_command = nullptr, *commands_command = nullptr, *info_command = nullptr, *sweep_command = nullptr;
+             *check_command = nullptr, *commands_command = nullptr, *info_command = nullptr, *sweep_command = nullptr,
+             *save_command = nullptr;
 
     CommandLine() {
         app.footer(examples);
@@ -102,6 +111,7 @@ struct CommandLine {
         add_render();
         add_sweep();
         add_check();
+        add_save();
         add_accuracy();
         add_explain();
         commands_command = app.add_subcommand("commands", "list the commands of the language");
@@ -149,6 +159,8 @@ struct CommandLine {
         command.add_option("--sheet", render.sheet, "write all pictures on one");
         command.add_flag("!--no-labels", render.labels, "write no values below the pictures of the sheet");
         command.add_option("--stats", render.stats, "write timings and counters of the one scene as JSON");
+        command.add_option("--view", render.view, "turned and moved: rotate_x=30,rotate_y=-45,scale=1.2,x=.5")
+            ->check(check_view);
         command.add_flag("--axes", render.axes, "draw the axes");
         command.add_flag("--count-non-finite", render.count_non_finite,
                          "say how many pixels are NaN or infinite before they are clamped");
@@ -199,6 +211,20 @@ struct CommandLine {
                                 "leave out what is allowed and probably not meant (docs/lints.md)");
         check_command->add_option("--dump", check.dump, "print one stage of the reading")
             ->check(CLI::IsMember({"tokens", "statements", "scene", "plan"}));
+    }
+
+    void add_save() {
+        save_command = app.add_subcommand("save", "write values into a scene: only its numbers change");
+        save_command->add_option("SCENE", save.scene)->required();
+        save_command->add_option("--set", save.sets, "uniform=value or Program.uniform=value; may be repeated")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        save_command->add_option("--ladder", save.ladders, "ladder=rung, which is then the marked one")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        save_command->add_option("-o,--output", save.output, "another file than the scene's own");
+        save_command->add_option("--context", save.context, "ask for an OpenGL version: 3.3, 4.5, es3.2")
+            ->check(check_context);
     }
 
     void add_accuracy() {
@@ -296,6 +322,7 @@ struct CommandLine {
         if (explain_command->parsed()) return app::explain(explain);
         if (accuracy_command->parsed()) return app::accuracy(accuracy);
         if (render_command->parsed() || sweep_command->parsed()) return app::render(render);
+        if (save_command->parsed()) return app::save(save);
         if (check_command->parsed()) return app::check(check);
         if (commands_command->parsed()) return app::print_commands(commands_json);
         if (info_command->parsed()) return app::print_info(info_context);
@@ -321,7 +348,7 @@ int main(int argc, char** argv) {
     try {
         return line.run();
     } catch (const std::exception& error) {
-        fmt::print(stderr, "snell: error: {}\n", error.what());
+        fmt::print(stderr, "snell: error: {}\n", utf8::printable(error.what()));
         return app::exit_input;
     }
 }

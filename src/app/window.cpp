@@ -12,6 +12,7 @@
 
 #include "src/app/accuracy_view.h"
 #include "src/app/commands.h"
+#include "src/app/keeper.h"
 #include "src/app/session.h"
 #include "src/app/window_state.h"
 #include "src/gl/present.h"
@@ -49,7 +50,8 @@ public:
           window_(std::move(window)),
           gui_(window_.get()),
           caps_(gl::query_caps()),
-          session_(options.scene, caps_),
+          session_(options.scene, caps_, options.access),
+          keeper_(options.scene),
           accuracy_(options.scene, caps_),
           layout_(!options.state_file.empty()) {
         view_.axes = true;
@@ -58,7 +60,7 @@ public:
     void run() {
         report();
         window_->show(first_size());
-        began_ = scene_began_ = window_->now();
+        began_ = ticked_ = window_->now();
         last_input_ = began_;
         while (!window_->closing()) {
             window_->wait(pause());
@@ -89,14 +91,17 @@ private:
     // Another frame of the same would be another picture.
     bool moving() {
         Document* document = session_.document();
-        return document && ((document->runtime->animated() && !held()) || !document->runtime->settled());
+        return document &&
+               ((document->runtime->animated() && !held() && !memory_.clock.paused) || !document->runtime->settled());
     }
 
-    // Seconds since the scene began, without those that it was held.
+    // Seconds of the scene's own time, which the user may hold and set.
     double scene_time() {
         const double now = window_->now();
-        if (held()) scene_began_ = now - counters_.time;
-        return now - scene_began_;
+        ui::Clock& clock = memory_.clock;
+        if (!held() && !clock.paused) clock.time += (now - ticked_) * clock.speed;
+        ticked_ = now;
+        return clock.time;
     }
 
     // How long nothing will happen without input.
@@ -168,6 +173,12 @@ private:
             ui::shell(facts(), document ? document->controls : no_controls, view_, memory_, gui_.fonts(), layout_);
         interface_ = gui_.end();
         window_->set_cursor(gui_.cursor());
+        for (const Event& event : events)
+            if (event.down) memory_.notice.clear();
+        if (document)
+            keeper_.serve(requests, *document,
+                          {drawn_.stand.width, drawn_.stand.height, canvas_.samples(), drawn_.stand.time, view_},
+                          *window_, memory_.notice);
         if (session_.follow_rungs()) {
             report();
             unsettled_ = 3;
@@ -208,6 +219,7 @@ private:
             facts.explanation = &explanation_;
             facts.sources = &document->sources;
         }
+        keeper_.tell(facts, session_.document());
         facts.accuracy = accuracy_.facts(memory_.accuracy);
         return facts;
     }
@@ -238,7 +250,8 @@ private:
         Stand& stand = next_.stand;
         stand.width = std::max(1, static_cast<int>(std::lround(memory_.scene.width * density)));
         stand.height = std::max(1, static_cast<int>(std::lround(memory_.scene.height * density)));
-        stand.time = document->runtime->animated() ? scene_time() : 0;
+        const double time = scene_time();
+        stand.time = document->runtime->animated() ? time : 0;
         stand.view = view_;
         gather(document->controls, stand.values);
         next_.rungs = document->controls.rungs;
@@ -284,6 +297,7 @@ private:
     ui::Painter painter_;
     gl::Caps caps_;
     Session session_;
+    Keeper keeper_;
     AccuracyView accuracy_;
     gl::Canvas canvas_;
     View view_;
@@ -297,7 +311,7 @@ private:
     std::uint64_t explained_ = 0;  // the revision that it is of
     std::uint64_t interface_ = 0, presented_ = 0, presented_beside_ = 0;
     int unsettled_ = 3;
-    double began_ = 0, scene_began_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;
+    double began_ = 0, ticked_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;
 };
 
 }  // namespace

@@ -55,11 +55,19 @@ json accuracy_of(const ui::AccuracyMemory& memory, const ui::AccuracyFacts& fact
 void write_window_state(const std::string& file, const WindowCounters& counters, Session& session, const View& view,
                         const ui::Layout& layout, const ui::Memory& memory, const ui::AccuracyFacts* accuracy,
                         PixelSize size) {
-    json state{
-        {"frames", counters.frames},           {"presents", counters.presents},     {"time", counters.time},
-        {"frame_ms", counters.frame_ms},       {"revision", session.revision()},    {"errors", session.errors()},
-        {"problems", session.problems_text()}, {"stale", session.stale()},          {"view", view_of(view)},
-        {"scene", rect_of(memory.scene)},      {"size", {size.width, size.height}}, {"gl_errors", gl::take_errors()}};
+    json state{{"frames", counters.frames},
+               {"presents", counters.presents},
+               {"time", counters.time},
+               {"frame_ms", counters.frame_ms},
+               {"revision", session.revision()},
+               {"errors", session.errors()},
+               {"problems", session.problems_text()},
+               {"stale", session.stale()},
+               {"view", view_of(view)},
+               {"notice", memory.notice},
+               {"scene", rect_of(memory.scene)},
+               {"size", {size.width, size.height}},
+               {"gl_errors", gl::take_errors()}};
     if (const Document* document = session.document()) {
         const Counters& drawn = document->runtime->counters();
         state["controls"] = controls_of(*document);

@@ -12,7 +12,7 @@ namespace snell {
 namespace {
 
 Key key_of(int code) {
-    static constexpr std::array<std::pair<int, Key>, 26> table{{
+    static constexpr std::array<std::pair<int, Key>, 27> table{{
         {GLFW_KEY_TAB, Key::tab},
         {GLFW_KEY_LEFT, Key::left},
         {GLFW_KEY_RIGHT, Key::right},
@@ -33,6 +33,7 @@ Key key_of(int code) {
         {GLFW_KEY_C, Key::c},
         {GLFW_KEY_H, Key::h},
         {GLFW_KEY_R, Key::r},
+        {GLFW_KEY_S, Key::s},
         {GLFW_KEY_V, Key::v},
         {GLFW_KEY_X, Key::x},
         {GLFW_KEY_Y, Key::y},
@@ -40,6 +41,8 @@ Key key_of(int code) {
         {GLFW_KEY_F1, Key::f1},
         {GLFW_KEY_F5, Key::f5},
     }};
+    if (code >= GLFW_KEY_1 && code <= GLFW_KEY_9)
+        return static_cast<Key>(static_cast<int>(Key::one) + code - GLFW_KEY_1);
     for (const auto& [glfw, key] : table)
         if (glfw == code) return key;
     return Key::other;

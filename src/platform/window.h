@@ -34,12 +34,15 @@ enum class Key : std::uint8_t {
     c,
     h,
     r,
+    s,
     v,
     x,
     y,
     z,
     f1,
     f5,
+    one,  // to nine, one after the other
+    nine = one + 8,
     count_,
 };
 

@@ -3,11 +3,41 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace snell::ui {
+
+namespace {
+
+template <typename... Arguments>
+double read_back(double otherwise, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    std::array<char, 64> text{};
+    const auto written = fmt::format_to_n(text.data(), text.size(), format, std::forward<Arguments>(arguments)...);
+    double value = otherwise;
+    std::from_chars(text.data(), text.data() + std::min(written.size, text.size()), value);
+    return value;
+}
+
+}  // namespace
+
+double tidy(double value, double min, double max, bool fine) {
+    const double range = max - min;
+    if (!(range > 0) || !std::isfinite(range) || range > 1e7) return value;
+    const int digits = static_cast<int>(std::ceil(std::log10(range) - 1e-9));  // before the point
+    const int decimals = (digits <= 0 ? 4 - digits : std::max(5 - digits, 1)) + (fine ? 2 : 0);
+    if (decimals > 15) return value;
+    return std::clamp(read_back(value, "{:.{}f}", value, decimals), min, max);
+}
+
+double tidy_relative(double value, double min, double max, bool fine) {
+    return std::clamp(read_back(value, "{:.{}e}", value, fine ? 5 : 3), min, max);
+}
+
+double tidy(float value) { return read_back(static_cast<double>(value), "{}", value); }
 
 std::string shown(double value, double min, double max, bool integral) {
     if (integral) return fmt::format("{:.0f}", value);

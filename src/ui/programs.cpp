@@ -49,8 +49,32 @@ std::string with_value(const Control& control) {
     return text;
 }
 
+std::string key_of(const Control& control) { return fmt::format("{}.{}", control.program, control.name); }
+
+bool is_logarithmic(const Control& control, const Section& section) {
+    const std::set<std::string>& chosen = section.memory.logarithmic;
+    return !chosen.empty() && control.min > 0 && chosen.contains(key_of(control));
+}
+
+// Under the right button on a slider's name.
+void slider_menu(Control& control, const Section& section) {
+    if (!ImGui::BeginPopupContextItem("##menu")) return;
+    const std::string initial = shown(control.initial[0], control.min, control.max, is_integral(control.type));
+    if (ImGui::MenuItem(fmt::format("Reset to {}", initial).c_str())) control.value = control.initial;
+    section.layout.note(control.name, "reset");
+    bool logarithmic = is_logarithmic(control, section);
+    if (ImGui::MenuItem("Logarithmic", nullptr, &logarithmic, control.min > 0)) {
+        if (logarithmic)
+            section.memory.logarithmic.insert(key_of(control));
+        else
+            section.memory.logarithmic.erase(key_of(control));
+    }
+    section.layout.note(control.name, "logarithmic");
+    ImGui::EndPopup();
+}
+
 void sliders(Control& control, const Section& section) {
-    SliderRange range{control.min, control.max, is_integral(control.type)};
+    SliderRange range{control.min, control.max, is_integral(control.type), is_logarithmic(control, section)};
     for (std::size_t i = 0; i < control.value.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (slider("##value", control.value[i], range, control.initial[i], section.memory.slider))
@@ -124,8 +148,13 @@ void row(Control& control, const Section& section) {
             section.layout.note(section.program.name, control.name);
             break;
         case Widget::slider:
-            caption(with_value(control),
-                    reason.empty() ? fmt::format("{:g} \u2026 {:g}", control.min, control.max) : reason);
+            ImGui::BeginGroup();
+            caption(with_value(control), !reason.empty() ? reason
+                                                         : fmt::format("{:g} \u2026 {:g}{}", control.min, control.max,
+                                                                       is_logarithmic(control, section) ? " log" : ""));
+            ImGui::EndGroup();
+            section.layout.note(control.name, "name");
+            slider_menu(control, section);
             sliders(control, section);
             break;
         case Widget::none:
@@ -181,6 +210,13 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
             ImGui::Separator();
             ImGui::TextDisabled("not on the Program line");
             rows(controls, index, section, unlisted);
+        }
+        const auto moved = [](const Control& c) { return c.value != c.initial; };
+        if (any(controls, index, moved)) {
+            if (ImGui::SmallButton("Reset all"))
+                for (Control& control : controls.items)
+                    if (control.program == index) control.value = control.initial;
+            section.layout.note(section.program.name, "reset");
         }
         ImGui::Unindent(ImGui::GetStyle().FramePadding.x * .5F);
     }

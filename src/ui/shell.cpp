@@ -9,7 +9,10 @@
 #include <cmath>
 
 #include "src/platform/window.h"
+#include "src/ui/clock.h"
 #include "src/ui/costs.h"
+#include "src/ui/keep.h"
+#include "src/ui/labels.h"
 #include "src/ui/problems.h"
 #include "src/ui/programs.h"
 #include "src/ui/scene_mouse.h"
@@ -76,17 +79,21 @@ void view_section(View& view, Layout& layout) {
     t.scale = std::clamp(t.scale, 1e-3, 1e3);
 }
 
-Requests tools(View& view, Layout& layout) {
-    Requests requests;
+// True: reload.
+bool tools(View& view, Memory& memory, Layout& layout) {
     ImGui::Checkbox("Axes", &view.axes);
     layout.note("axes");
+    ImGui::SameLine();
+    ImGui::Checkbox("Values", &memory.labels);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("name = value over the picture");
+    layout.note("labels");
     ImGui::SameLine(0, ImGui::GetFontSize());
     if (ImGui::Button("Reset view")) view.scene = {};
     layout.note("reset view");
     ImGui::SameLine();
-    requests.reload = ImGui::Button("Reload");
+    const bool reload = ImGui::Button("Reload");
     layout.note("reload");
-    return requests;
+    return reload;
 }
 
 // A strip over the panel's left edge that drags it wider.
@@ -102,13 +109,14 @@ void splitter(const Rect& panel, Memory& memory) {
     if (ImGui::IsItemActive()) memory.panel_width = panel.width - ImGui::GetIO().MouseDelta.x;
 }
 
-Requests panel_window(const Facts& facts, const Rect& panel, Controls& controls, View& view, Memory& memory,
-                      Layout& layout) {
-    Requests requests;
+void panel_window(const Facts& facts, const Rect& panel, Controls& controls, View& view, Memory& memory, Layout& layout,
+                  Requests& requests) {
     place(panel);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     if (ImGui::Begin("##panel", nullptr, fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-        requests = tools(view, layout);
+        requests.reload |= tools(view, memory, layout);
+        keep_panel(facts, requests, layout);
+        clock_panel(facts, memory, layout);
         ImGui::Separator();
         ImGui::BeginChild("##programs", {0, 0});
         if (facts.scene) {
@@ -126,7 +134,6 @@ Requests panel_window(const Facts& facts, const Rect& panel, Controls& controls,
                                             ImGui::GetColorU32(palette().rule), std::max(1.0F, padding.x / 14));
     }
     ImGui::End();
-    return requests;
 }
 
 bool has_ladders(const Facts& facts) { return facts.scene && !facts.scene->ladders.empty(); }
@@ -152,6 +159,19 @@ void problem_chip(const Facts& facts, Memory& memory, Layout& layout) {
     ImGui::PopStyleColor();
 }
 
+// What became of the last request: its first line, all of it under the mouse.
+void notice(const Memory& memory, float left, float right, Layout& layout) {
+    if (right <= left) return;
+    ImGui::SameLine(left);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string_view line = std::string_view(memory.notice).substr(0, memory.notice.find('\n'));
+    ImGui::PushClipRect(at, {at.x + right - left, at.y + ImGui::GetTextLineHeight()}, true);
+    ImGui::TextUnformatted(line.data(), line.data() + line.size());
+    ImGui::PopClipRect();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", memory.notice.c_str());
+    layout.note("notice");
+}
+
 void status_window(const Facts& facts, const Rect& status, Memory& memory, Layout& layout) {
     place(status);
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -170,7 +190,9 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
         const float right = ImGui::GetWindowContentRegionMax().x;
         const float cost_width = ImGui::CalcTextSize("t = 1000.00 s   100.0 ms").x;
         const float help_width = ImGui::CalcTextSize(help.c_str()).x;
-        if (left + help_width + cost_width + ImGui::GetFontSize() < right) {
+        if (!memory.notice.empty()) {
+            notice(memory, left + ImGui::GetFontSize(), right - cost_width, layout);
+        } else if (left + help_width + cost_width + ImGui::GetFontSize() < right) {
             ImGui::SameLine(left + ImGui::GetFontSize());
             ImGui::TextDisabled("%s", help.c_str());
         }
@@ -194,20 +216,19 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (!ImGui::GetIO().WantTextInput) {
         if (ImGui::IsKeyPressed(static_cast<int>(Key::h), false)) memory.panel = !memory.panel;
         requests.reload = ImGui::IsKeyPressed(static_cast<int>(Key::f5), false);
+        keep_keys(facts, requests);
+        clock_keys(facts, memory);
         if (has_ladders(facts) && ImGui::IsKeyPressed(static_cast<int>(Key::a), false))
             memory.accuracy.open = !memory.accuracy.open;
     }
     const Areas parts = areas(memory);
-    if (memory.panel) {
-        const Requests asked = panel_window(facts, parts.panel, controls, view, memory, layout);
-        requests.reload |= asked.reload;
-        requests.measure = asked.measure;
-    }
+    if (memory.panel) panel_window(facts, parts.panel, controls, view, memory, layout, requests);
     status_window(facts, parts.status, memory, layout);
     problems_panel(facts, parts.scene, fonts, memory, layout);
     notices(facts, parts.scene, memory, layout);
     if (facts.accuracy && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);
+    if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     hold_scene(facts, parts.scene, view);
     memory.scene = parts.scene;
     return requests;

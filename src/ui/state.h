@@ -1,6 +1,7 @@
 // What the panels show, what they change, and what they remember from frame to frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <set>
 #include <span>
@@ -26,6 +27,9 @@ struct Problem {
     std::string text;
 };
 
+// Sets of values that are kept beside the scene, by number from 1.
+inline constexpr int snapshot_count = 9;
+
 struct Facts {
     std::string_view file;                 // the scene's name, without its folder
     const Scene* scene = nullptr;          // none: it could not be read
@@ -38,9 +42,19 @@ struct Facts {
     double frame_ms = 0;                   // to draw the last picture
     int samples = 1;
     std::string_view renderer;
-    const AccuracyFacts* accuracy = nullptr;   // while its panel is open
-    const Explanation* explanation = nullptr;  // while Memory::costs
-    const Sources* sources = nullptr;          // that the spans of it are of
+    bool changed = false;                              // some value or rung is not the scene's
+    bool undoable = false;                             // values were saved to the scene
+    std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether there is one
+    const AccuracyFacts* accuracy = nullptr;           // while its panel is open
+    const Explanation* explanation = nullptr;          // while Memory::costs
+    const Sources* sources = nullptr;                  // that the spans of it are of
+};
+
+// The scene's time, as the user lets it go.
+struct Clock {
+    bool paused = false;
+    double speed = 1;
+    double time = 0;  // seconds
 };
 
 struct Memory {
@@ -51,6 +65,10 @@ struct Memory {
     std::uint64_t revision = 0;       // that `problems_hidden` speaks of
     std::set<std::string> dismissed;  // messages
     SliderMemory slider;
+    std::set<std::string> logarithmic;  // sliders, as "program.name" with the program's index
+    std::string notice;                 // what became of the last request
+    bool labels = false;                // the values over the picture
+    Clock clock;
     AccuracyMemory accuracy;
     bool costs = false;  // that panel is open
     Rect scene;          // where the scene is, of this frame
@@ -59,6 +77,9 @@ struct Memory {
 // What a user asked for in this frame that is not a change of Controls or View.
 struct Requests {
     bool reload = false;
+    bool save = false, undo_save = false;
+    bool copy_command = false;
+    int store_snapshot = 0, restore_snapshot = 0;  // its number
     bool measure = false;  // all rungs of the plotted ladder; while they are measured: no longer
 };
 

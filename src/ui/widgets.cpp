@@ -22,16 +22,45 @@ namespace {
 
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
+bool by_ratio(const SliderRange& range) {
+    return range.logarithmic && range.min > 0 && range.max > range.min && std::isfinite(range.max / range.min);
+}
+
 // Computed so that neither end overflows, whatever the range.
 double fraction_of(double value, const SliderRange& range) {
+    if (by_ratio(range)) return std::clamp(std::log(value / range.min) / std::log(range.max / range.min), 0.0, 1.0);
     const double half = range.max / 2 - range.min / 2;
     if (!(half > 0) || !std::isfinite(value)) return 0;
     return std::clamp((value / 2 - range.min / 2) / half, 0.0, 1.0);
 }
 
-double value_at(double fraction, const SliderRange& range) {
-    const double value = range.min * (1 - fraction) + range.max * fraction;
-    return range.integral ? std::round(value) : std::clamp(value, range.min, range.max);
+double value_at(double fraction, const SliderRange& range, bool fine) {
+    if (fraction <= 0) return range.min;
+    if (fraction >= 1) return range.max;
+    const double value = by_ratio(range) ? range.min * std::pow(range.max / range.min, fraction)
+                                         : range.min * (1 - fraction) + range.max * fraction;
+    if (range.integral) return std::round(value);
+    if (by_ratio(range)) return tidy_relative(value, range.min, range.max, fine);
+    return tidy(std::clamp(value, range.min, range.max), range.min, range.max, fine);
+}
+
+// Where the mouse has dragged the knob to: under it, or from where it was.
+double dragged_to(const ImRect& box, double value, const SliderRange& range, SliderMemory& memory) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const float grab = ImGui::GetStyle().GrabMinSize * .5F, way = std::max(1.0F, box.GetWidth() - 2 * grab);
+    if (io.KeyAlt && !memory.relative) {
+        memory.relative = true;
+        memory.fraction = fraction_of(value, range);
+    }
+    if (!memory.relative) {
+        const double at = (io.MousePos.x - box.Min.x - grab) / way;
+        return std::isfinite(at) ? value_at(std::clamp(at, 0.0, 1.0), range, false) : value;
+    }
+    constexpr double slow = .05;
+    const double moved = io.MouseDelta.x / way * (io.KeyAlt ? slow : 1);
+    if (!std::isfinite(moved) || moved == 0) return value;
+    memory.fraction = std::clamp(memory.fraction + moved, 0.0, 1.0);
+    return value_at(memory.fraction, range, io.KeyAlt);
 }
 
 // The text is edited by Dear ImGui in the place of the widget; each state that reads as a number applies.
@@ -83,7 +112,7 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
     if (hovered && !typing && io.MouseClicked[0]) {
         const bool twice = io.MouseDoubleClicked[0] && memory.id == id;
         if (twice) changed = std::exchange(value, memory.before) != memory.before;
-        memory = {id, value};
+        memory = {id, value, false, 0};
         typing = twice || io.KeyCtrl;
         ImGui::SetActiveID(id, window);
         ImGui::SetFocusID(id, window);
@@ -103,12 +132,10 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
         changed = true;
     }
     if (ImGui::GetActiveID() == id) {
-        const float grab = ImGui::GetStyle().GrabMinSize * .5F;
-        const double at = (io.MousePos.x - box.Min.x - grab) / std::max(1.0F, size.x - 2 * grab);
         if (!io.MouseDown[0]) {
             ImGui::ClearActiveID();
-        } else if (range.min < range.max && std::isfinite(at)) {
-            const double dragged = value_at(std::clamp(at, 0.0, 1.0), range);
+        } else if (range.min < range.max) {
+            const double dragged = dragged_to(box, value, range, memory);
             changed |= dragged != value;
             value = dragged;
         }
@@ -158,7 +185,7 @@ bool color_row(const char* id, double* value, int components, const double* init
     bool changed = false;
     for (std::size_t i = 0; i < count; ++i) {
         if (edited[i] == before[i] || !std::isfinite(edited[i])) continue;
-        value[i] = edited[i];
+        value[i] = tidy(edited[i]);
         changed = true;
     }
     return changed;

@@ -6,17 +6,20 @@ namespace snell::ui {
 struct SliderRange {
     double min = 0, max = 1;
     bool integral = false;
+    bool logarithmic = false;  // equal ways are equal ratios; only where min > 0
 };
 
 // The slider that was pressed last, with the value it had: a double click first moves the knob, then types.
 struct SliderMemory {
     unsigned id = 0;
     double before = 0;
+    bool relative = false;  // Alt was down during this drag: it goes on from where it is
+    double fraction = 0;    // of that drag, unrounded
 };
 
-// Drag: moves. Double click or Ctrl-click: type; a number beyond the range widens it. Right click: `initial`. Works in
-// fractions of the range, in double: any finite range will do, equal ends and 1e300 included.
-// True when the value changed.
+// Drag: moves; with Alt a twentieth as fast. Double click or Ctrl-click: type; a number beyond the range widens it.
+// Right click: `initial`. Works in fractions of the range, in double: any finite range will do, equal ends and 1e300
+// included. True when the value changed.
 bool slider(const char* id, double& value, SliderRange& range, double initial, SliderMemory& memory);
 
 // A field to type a number into, or to drag for numbers without a range.

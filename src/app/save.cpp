@@ -1,0 +1,58 @@
+// "snell save": values into a scene's text.
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "src/app/commands.h"
+#include "src/app/headless.h"
+#include "src/app/save_values.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+namespace {
+
+int complain(const std::string& what) {
+    fmt::print(stderr, "snell: error: {}\n", what);
+    return exit_input;
+}
+
+// The scene's new text into another file.
+int write_copy(const Document& document, const Saved& saved, const std::string& output) {
+    std::string text(document.sources.text(0));
+    for (const SavedFile& file : saved.files) {
+        if (file.path != document.path)
+            return complain(fmt::format("a value stands in {}, which {} would still include", file.path, output));
+        text = file.after;
+    }
+    const std::string error = content::replace_file(output, text);
+    return error.empty() ? exit_fine : complain(error);
+}
+
+}  // namespace
+
+int save(const SaveOptions& options) {
+    const auto context = headless_context(options.context);
+    if (!context) return exit_graphics;
+    Diagnostics problems;
+    const auto document = open_document(options.scene, gl::query_caps(), [&](const Scene& scene, Rungs& rungs) {
+        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, problems);
+    });
+    if (!document->runtime) {
+        fmt::print(stderr, "{}", snell::render(document->diagnostics, document->sources));
+        return exit_input;
+    }
+    for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, problems);
+    fmt::print(stderr, "{}", snell::render(problems, document->sources));
+    if (problems.has_errors()) return exit_input;
+
+    const Saved saved = saved_values(*document);
+    if (!saved.error.empty()) return complain(saved.error);
+    for (const Unwritten& value : saved.unwritten) complain(fmt::format("{}: {}", value.name, value.reason));
+    if (!saved.unwritten.empty()) return exit_input;
+    if (!options.output.empty()) return write_copy(*document, saved, options.output);
+    const std::string error = write_saved(saved.files);
+    return error.empty() ? exit_fine : complain(error);
+}
+
+}  // namespace snell::app

@@ -1,0 +1,45 @@
+#include "src/ui/labels.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace snell::ui {
+
+std::string label_of(const Scene& scene, const Control& control) {
+    std::string text = fmt::format("{} : {} = ", scene.programs[control.program].name, control.name);
+    if (control.type == ValueType::bool_) return text + (control.value[0] != 0 ? "true" : "false");
+    const bool integral = control.type == ValueType::int_ || control.type == ValueType::uint_;
+    for (std::size_t i = 0; i < control.value.size(); ++i) {
+        if (i > 0) text += ", ";
+        text += integral                          ? fmt::format("{:10.0f}", control.value[i])
+                : control.widget == Widget::color ? fmt::format("{:8.3f}", control.value[i])
+                                                  : fmt::format("{:10.4f}", control.value[i]);
+    }
+    return text;
+}
+
+void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts) {
+    if (!facts.scene) return;
+    const auto labelled = [](const Control& c) { return c.listed && c.active && c.widget != Widget::none; };
+    const float size = fonts.mono->FontSize, line = std::round(size * 1.25F), margin = std::round(size * .6F);
+    const auto count = static_cast<float>(std::ranges::count_if(controls.items, labelled));
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.PushClipRect({scene.x, scene.y}, {scene.x + scene.width, scene.y + scene.height});
+    float y = scene.y + scene.height - margin - count * line;
+    for (const Control& control : controls.items) {
+        if (!labelled(control)) continue;
+        const std::string text = label_of(*facts.scene, control);
+        const ImVec2 at(scene.x + margin, y);
+        // White is seen on white pictures too.
+        for (const ImVec2 off : {ImVec2(1, 1), ImVec2(-1, 1), ImVec2(1, -1), ImVec2(-1, -1)})
+            list.AddText(fonts.mono, size, {at.x + off.x, at.y + off.y}, IM_COL32(0, 0, 0, 190), text.c_str());
+        list.AddText(fonts.mono, size, at, IM_COL32_WHITE, text.c_str());
+        y += line;
+    }
+    list.PopClipRect();
+}
+
+}  // namespace snell::ui

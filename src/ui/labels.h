@@ -1,0 +1,15 @@
+// The values over the picture, for screen shots.
+#pragma once
+
+#include "src/ui/state.h"
+#include "src/ui/style.h"
+
+namespace snell::ui {
+
+// A line for each slider, check box and colour, in the order of the Program lines, at the lower left of `scene`.
+void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts);
+
+// "Glass : uEta =     1.1000", as glman writes it.
+std::string label_of(const Scene& scene, const Control& control);
+
+}  // namespace snell::ui

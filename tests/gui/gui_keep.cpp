@@ -1,0 +1,177 @@
+// Values that are kept: in the scene, in snapshots, as a command; time and labels.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "tests/gui/desk.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string scene =
+    "##OpenGL GLIB\r\nPerspective 50\r\nLookAt 0 0 4  0 0 0  0 1 0\r\nBackground 0 0 0\r\nVertex paint.vert\r\n"
+    "Fragment paint.frag\r\nProgram Paint\tuRed <0. .2 1.>  \\  # caf\xE9\r\n   uGreen <.1 .4 1.>\r\nQuadXY 0. 1.";
+
+class Keep : public Desk {
+protected:
+    void SetUp() override {
+        Desk::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        save("scene.glib", scene);
+        save("paint.vert", "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n");
+        save("paint.frag",
+             "#version 330 compatibility\nuniform float uRed, uGreen;\n"
+             "void main() { gl_FragColor = vec4(uRed, uGreen, .2, 1.); }\n");
+    }
+
+    std::string bytes(const std::string& name) const {
+        std::ifstream in(file(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    void click(const std::string& widget, const std::string& button = "1") {
+        const auto [x, y] = on(widget);
+        user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click " + button);
+        settle();
+    }
+    // As a shell would, in the test's folder.
+    int run_command(const std::string& command) const {
+        return std::system(("cd '" + file(".") + "' && PATH=" SNELL_BIN ":$PATH " + command).c_str());
+    }
+    Picture read_picture(const std::string& name) const {
+        run_command("convert " + name + " -depth 8 read.ppm");
+        const std::string ppm = bytes("read.ppm");
+        Picture picture;
+        int most = 0, begin = 0;
+        std::sscanf(ppm.c_str(), "P6 %d %d %d%n", &picture.width, &picture.height, &most, &begin);
+        picture.rgb.assign(ppm.begin() + std::min<std::ptrdiff_t>(begin + 1, std::ssize(ppm)), ppm.end());
+        return picture;
+    }
+    double red() const { return state()["controls"]["Paint.uRed"][0]; }
+    void expect_red(double value) const { EXPECT_NEAR(scene_pixel(20, 20).red, std::lround(255 * value), 1); }
+};
+
+TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndCanBeUndone) {
+    open("scene.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    const double slid = red();
+    ASSERT_NE(slid, .2);
+    click("save");
+    const std::string after = bytes("scene.glib");
+    const std::size_t at = scene.find(".2 1.>");
+    ASSERT_GT(after.size(), scene.size() - 6);
+    EXPECT_EQ(after.substr(0, at), scene.substr(0, at));
+    const std::size_t end = after.find(" 1.>", at);
+    EXPECT_EQ(std::stod(after.substr(at, end - at)), slid) << after;
+    EXPECT_LE(end - at, 6u) << "as short as it is shown";
+    EXPECT_EQ(after.substr(end), scene.substr(scene.find(" 1.>", at)));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }, 1)) << "what was saved is read";
+    settle();
+    EXPECT_EQ(red(), slid);
+    expect_red(slid);
+    EXPECT_EQ(state()["errors"], 0);
+    click("undo save");
+    EXPECT_EQ(bytes("scene.glib"), scene);
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; }, 1));
+    settle();
+    expect_red(.2);
+}
+
+TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {
+    open("scene.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    const double slid = red();
+    user("key ctrl+1");
+    settle();
+    const json file = json::parse(bytes("scene.snapshots.json"), nullptr, false);
+    EXPECT_EQ(file["1"]["values"]["Paint.uRed"][0], slid);
+    drag(on("Paint.uRed", .75), on("Paint.uRed", .1));
+    EXPECT_NE(red(), slid);
+    user("key 1");
+    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == slid; }, 1));
+    settle();
+    expect_red(slid);
+    EXPECT_EQ(bytes("scene.glib"), scene);
+    // What no longer fits is left out.
+    save("scene.snapshots.json",
+         R"({"1": {"values": {"Paint.uRed": [0.5], "Paint.uGone": [1], "Paint.uGreen": "x"}}})");
+    click("snapshot 1");
+    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == .5; }, 1));
+    EXPECT_EQ(state()["controls"]["Paint.uGreen"][0], .4);
+}
+
+TEST_F(Keep, TheCopiedCommandDrawsThePictureOfTheWindow) {
+    open("scene.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    const std::array<double, 4> area = state()["scene"];
+    const std::array<int, 2> middle{static_cast<int>(area[2] / 2), static_cast<int>(area[3] / 2)};
+    drag(middle, {middle[0] + 60, middle[1] + 30});
+    click("axes");  // their edges are smoothed otherwise by other contexts
+    click("copy command");
+    const std::string copied = state()["notice"];
+    ASSERT_EQ(copied.rfind("copied: ", 0), 0u) << copied;
+    const std::string command = copied.substr(8);
+    EXPECT_EQ(command.rfind("snell render ", 0), 0u) << command;
+    ASSERT_EQ(run_command(command), 0) << command;
+    const Picture window = look(), drawn = read_picture("scene.png");
+    ASSERT_EQ(drawn.width, static_cast<int>(area[2])) << command;
+    ASSERT_EQ(drawn.height, static_cast<int>(area[3]));
+    int different = 0;
+    for (int y = 0; y < drawn.height; ++y)
+        for (int x = 0; x < drawn.width; ++x) different += !(drawn.at(x, y) == window.at(x, y));
+    EXPECT_EQ(different, 0) << command;
+}
+
+TEST_F(Keep, AltDragsFinely) {
+    open("scene.glib");
+    user("keydown Alt_L");
+    drag(on("Paint.uRed", .5), on("Paint.uRed", .9));
+    user("keyup Alt_L");
+    EXPECT_GT(red(), .2);
+    EXPECT_LT(red(), .25) << "a twentieth of the way";
+    expect_red(red());
+}
+
+TEST_F(Keep, ValuesOverThePicture) {
+    open("scene.glib");
+    const auto white = [&] {
+        const Picture picture = look();
+        const std::array<double, 4> area = state()["scene"];
+        int count = 0;
+        for (int y = static_cast<int>(area[3]) - 60; y < static_cast<int>(area[3]); ++y)
+            for (int x = 0; x < 200; ++x) count += picture.at(x, y).red > 200;
+        return count;
+    };
+    EXPECT_EQ(white(), 0);
+    click("labels");
+    EXPECT_GT(white(), 100);
+}
+
+TEST_F(Keep, TimeIsHeldSteppedAndScrubbed) {
+    save("paint.frag",
+         "#version 330 compatibility\nuniform float Timer, uRed, uGreen;\n"
+         "void main() { gl_FragColor = vec4(Timer, uGreen, uRed, 1.); }\n");
+    open("scene.glib");
+    user("key space");
+    settle();
+    const json held = state();
+    EXPECT_FALSE(wait([&](const json& s) { return s["frames"] != held["frames"]; }, .3))
+        << "no frames while it is held";
+    click("rewind");
+    EXPECT_EQ(state()["time"], 0);
+    click("step");
+    EXPECT_NEAR(state()["time"].get<double>(), .04, 1e-12);
+    const auto [x, y] = on("scrub", .5);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+    settle();
+    const double time = state()["time"];
+    EXPECT_NEAR(time, 5, .2);
+    expect_red(time / 10);
+}
+
+}  // namespace
+}  // namespace snell::test
