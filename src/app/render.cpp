@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "parser/utf8.h"
 #include "src/app/batch.h"
 #include "src/app/commands.h"
 #include "src/app/reports.h"
@@ -16,7 +17,7 @@ namespace snell::app {
 namespace {
 
 bool complain(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", what);
+    fmt::print(stderr, "snell: error: {}\n", utf8::printable(what));
     return false;
 }
 
