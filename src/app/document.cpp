@@ -80,7 +80,8 @@ bool follow_rungs(Document& document) {
 std::string verbose_report(const Document& document) {
     std::string report;
     if (!document.runtime) return report;
-    for (const std::string& path : document.files->read_paths()) report += fmt::format("read {}\n", utf8::printable(path));
+    for (const std::string& path : document.files->read_paths())
+        report += fmt::format("read {}\n", utf8::printable(path));
     const Scene& scene = document.scene();
     for (size_t i = 0; i < scene.programs.size(); ++i) {
         report += fmt::format("program '{}':", scene.programs[i].name);

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <exception>
 
-#include "src/app/advice.h"
 #include "parser/utf8.h"
+#include "src/app/advice.h"
 #include "src/app/commands.h"
 #include "src/app/headless.h"
 #include "src/app/shots.h"
