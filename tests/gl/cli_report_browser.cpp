@@ -10,7 +10,7 @@
 namespace snell::test {
 namespace {
 
-// Says what a reader would see, in the title: dumped, it can be read here.
+// Says what a reader would see to the page around it, which has it as its title: dumped, it can be read here.
 constexpr const char* probe = R"(<script>addEventListener('load', () => {
 const plots = [...document.querySelectorAll('svg.plot')];
 const light = c => c.match(/\d+/g).slice(0, 3).reduce((a, b) => a + +b, 0) / 765;
@@ -18,9 +18,9 @@ const style = getComputedStyle(document.body);
 const fits = plots.every(p => p.getBoundingClientRect().width >= 600 && p.querySelectorAll('.tick').length >= 6);
 const loaded = [...document.images].every(i => i.naturalWidth > 0);
 const text = Math.min(...plots.map(p => 11 * p.getBoundingClientRect().width / 640));
-document.title = `probe width=${innerWidth} over=${document.documentElement.scrollWidth - innerWidth} ` +
+parent.postMessage(`probe width=${innerWidth} over=${document.documentElement.scrollWidth - innerWidth} ` +
   `plots=${plots.length} fits=${fits} images=${document.images.length} loaded=${loaded} text=${text} ` +
-  `back=${light(style.backgroundColor)} ink=${light(style.color)} end`;
+  `back=${light(style.backgroundColor)} ink=${light(style.color)} end`, '*');
 })</script>)";
 
 class Browser : public GlTest {
@@ -33,12 +33,17 @@ protected:
     }
     // The page after it was loaded; what went wrong on it is in err.txt.
     std::string dumped(int width, bool dark) {
+        // A window is never narrower than 500 pixels, a frame in it may be.
+        folder.write("frame.html",
+                     "<!doctype html><style>:root{color-scheme:light dark}</style><script>addEventListener('message', "
+                     "e => document.title = e.data)</script><iframe style='border:0;height:900px;width:" +
+                         std::to_string(width) + "px' src='probe.html'></iframe>");
         const std::string command =
             "timeout 60 chromium --headless --no-sandbox --disable-gpu --no-first-run --user-data-dir=" +
-            folder.path("profile") + " --window-size=" + std::to_string(width) +
-            ",900 --enable-logging=stderr --blink-settings=preferredColorScheme=" + (dark ? "0" : "1") +
-            " --dump-dom file://" + folder.path("probe.html") + " > " + folder.path("dom.txt") + " 2> " +
-            folder.path("err.txt");
+            folder.path("profile") +
+            " --window-size=1700,1000 --enable-logging=stderr --blink-settings=preferredColorScheme=" +
+            (dark ? "0" : "1") + " --dump-dom file://" + folder.path("frame.html") + " > " + folder.path("dom.txt") +
+            " 2> " + folder.path("err.txt");
         EXPECT_EQ(std::system(command.c_str()), 0) << text("err.txt");
         return text("dom.txt");
     }
