@@ -47,8 +47,8 @@ void main() {
         const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {"WORK"}, From::reference, problems);
         EXPECT_EQ(sweeps.size(), 1U);
         MeasureOptions options;
-        options.rounds = 7;
-        options.seconds = .9;
+        options.rounds = 15;
+        options.seconds = 2;
         options.at_least = .5;
         options.seed = seed;
         return measure(*bench, sweeps[0], options);
