@@ -122,7 +122,7 @@ bool macros_differ(const Ladder& ladder, const std::vector<Ladder>& others, Repo
             if (std::ranges::find(mine, name) == mine.end()) continue;
             report
                 .error("ladder-clash", ladder.name_span,
-                       "this ladder and '" + other.name + "' both define " + quoted(name), "choose another name")
+                       "this ladder and '" + other.name + "' both define " + snell::quoted(name), "choose another name")
                 .notes.push_back({other.name_span, "the other ladder"});
             return false;
         }

@@ -104,6 +104,11 @@ struct CommandLine {
         app.require_subcommand(0, 1);
         app.add_option("SCENE", window.scene, "the scene to open in a window");
         app.add_option("--size", window_size, "size of the window, WIDTHxHEIGHT")->check(check_size);
+        app.add_option("--ladder", window.ladders, "ladder=rung to begin with; may be repeated")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        app.add_option("--quality", window.quality, "rungs as `snell accuracy --save-quality` found them")
+            ->check(CLI::IsMember({"fast", "balanced", "exact"}));
         // For tests of the window: not for users.
         app.add_option("--state", window.state_file)->group("");
         app.add_option("--exit-after", window.exit_after)->group("");

@@ -29,19 +29,25 @@ std::string folder_of(const std::string& file) {
 
 }  // namespace
 
-Session::Session(std::string path, gl::Caps caps, Access access)
-    : path_(std::move(path)), caps_(std::move(caps)), access_(std::move(access)) {
+Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs first)
+    : path_(std::move(path)), caps_(std::move(caps)), access_(std::move(access)), first_(std::move(first)) {
     reload();
 }
 
 void Session::reload() {
     ++revision_;
+    Diagnostics refused;
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
-        if (shown_) carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
+        if (shown_)
+            carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
+        else if (first_)
+            first_(scene, rungs, refused);
     };
     RuntimeOptions options;
     options.previous = shown_ ? &*shown_->runtime : nullptr;
-    take(open_document(path_, caps_, choose, nullptr, options, access_));
+    std::unique_ptr<Document> read = open_document(path_, caps_, choose, nullptr, options, access_);
+    read->diagnostics.append(refused);
+    take(std::move(read));
 }
 
 bool Session::reload_if_saved() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,10 +14,13 @@
 
 namespace snell {
 
+// Changes the rungs that a scene begins with; problems with that are shown beside the scene's.
+using FirstRungs = std::function<void(const Scene& scene, Rungs& rungs, Diagnostics& diagnostics)>;
+
 class Session {
 public:
     // Needs the GL context of `caps` to be current, for all of its life.
-    Session(std::string path, gl::Caps caps, Access access = {});
+    Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr);
 
     // Reads the files again. A state with errors that the shown one does not have is not shown: its problems
     // are, over the last good picture. Values of controls carry over.
@@ -44,6 +48,7 @@ private:
     std::string path_;
     gl::Caps caps_;
     Access access_;
+    FirstRungs first_;
     std::unique_ptr<Document> shown_;
     std::vector<ui::Problem> problems_;  // of the files, then of the rungs chosen since
     std::size_t file_problems_ = 0, file_errors_ = 0;

@@ -13,6 +13,7 @@
 #include "src/app/accuracy_view.h"
 #include "src/app/commands.h"
 #include "src/app/keeper.h"
+#include "src/app/quality.h"
 #include "src/app/session.h"
 #include "src/app/window_state.h"
 #include "src/gl/present.h"
@@ -43,6 +44,13 @@ void gather(const Controls& controls, std::vector<double>& values) {
         values.insert(values.end(), control.value.begin(), control.value.end());
 }
 
+FirstRungs first_rungs(const WindowOptions& options) {
+    return [options](const Scene& scene, Rungs& rungs, Diagnostics& diagnostics) {
+        if (!options.quality.empty()) app::choose_quality(options.scene, options.quality, scene, rungs, diagnostics);
+        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, diagnostics);
+    };
+}
+
 class App {
 public:
     App(const WindowOptions& options, std::unique_ptr<Window> window)
@@ -50,7 +58,7 @@ public:
           window_(std::move(window)),
           gui_(window_.get()),
           caps_(gl::query_caps()),
-          session_(options.scene, caps_, options.access),
+          session_(options.scene, caps_, options.access, first_rungs(options)),
           keeper_(options.scene),
           accuracy_(options.scene, caps_),
           layout_(!options.state_file.empty()) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "src/plan/files.h"
 
@@ -12,8 +13,10 @@ namespace snell {
 struct WindowOptions {
     std::string scene;
     std::optional<std::pair<int, int>> size;
-    std::string state_file;  // for tests: counters, values and layout are written there after every frame
-    double exit_after = 0;   // seconds; 0: never
+    std::string state_file;            // for tests: counters, values and layout are written there after every frame
+    double exit_after = 0;             // seconds; 0: never
+    std::string quality;               // the preset that the scene begins with; empty: its own rungs
+    std::vector<std::string> ladders;  // NAME=rung, on top of that
     Access access;
 };
 

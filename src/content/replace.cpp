@@ -47,10 +47,18 @@ std::string Replacement::take_place() {
     return error ? target_.string() + ": " + error.message() : "";
 }
 
-std::string write_file(const fs::path& path, std::string_view bytes) {
-    // A link that stands under the temporary name is not followed.
-    unlink(path.c_str());
-    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+namespace {
+
+// What has no place to take: the terminal, a pipe. Standard output keeps its offset even where it is a file.
+bool is_stream(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    const bool opened = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/self/fd/", 0) == 0;
+    return opened ? fs::exists(status) : fs::is_fifo(status) || fs::is_character_file(status);
+}
+
+// Closes the file.
+std::string write_all(int file, std::string_view bytes) {
     if (file < 0) return std::strerror(errno);
     while (!bytes.empty()) {
         const ssize_t count = write(file, bytes.data(), bytes.size());
@@ -65,7 +73,19 @@ std::string write_file(const fs::path& path, std::string_view bytes) {
     return close(file) == 0 ? "" : std::strerror(errno);
 }
 
+}  // namespace
+
+std::string write_file(const fs::path& path, std::string_view bytes) {
+    // A link that stands under the temporary name is not followed.
+    unlink(path.c_str());
+    return write_all(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666), bytes);
+}
+
 std::string replace_file(const std::string& path, std::string_view bytes) {
+    if (is_stream(path)) {
+        const std::string wrong = write_all(open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC), bytes);
+        return wrong.empty() ? "" : path + ": " + wrong;
+    }
     Replacement replacement(path);
     if (std::string wrong = replacement.check(); !wrong.empty()) return wrong;
     const std::string wrong = write_file(replacement.path(), bytes);

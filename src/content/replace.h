@@ -31,7 +31,8 @@ private:
 // "" or why not.
 std::string write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// All of it: "" when the file has these bytes, else why it is as it was.
+// All of it: "" when the file has these bytes, else why it is as it was. Pipes, terminals and what is in /dev, such as
+// /dev/stdout, are written to as they are.
 std::string replace_file(const std::string& path, std::string_view bytes);
 
 }  // namespace snell::content

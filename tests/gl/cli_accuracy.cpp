@@ -84,8 +84,8 @@ TEST_F(Accuracy, WritesEveryFormat) {
 
 TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
     EXPECT_EQ(run("--size 200x200 --reps 5000 --budget 60 --ladders SHADE --json " + folder.path("r.json"),
-                  "timeout -s INT 3 "),
-              124)  // of `timeout`, which waited for the end
+                  "timeout --foreground -s INT 3 "),  // else it comes twice, and the second ends it
+              124)                                    // of `timeout`, which waited for the end
         << text("err.txt");
     const auto json = nlohmann::json::parse(text("r.json"));
     EXPECT_EQ(json["ladders"][0]["interrupted"], true);

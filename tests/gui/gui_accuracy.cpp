@@ -37,7 +37,8 @@ void main() {
 }
 )";
 
-class LadderWindow : public Desk {
+// A folder with the scene.
+class LadderScene : public Desk {
 protected:
     void SetUp() override {
         Desk::SetUp();
@@ -45,6 +46,30 @@ protected:
         save("scene.glib", scene);
         save("paint.vert", vertex);
         save("paint.frag", fragment);
+    }
+    void expect_red(const Pixel& pixel, double red) { EXPECT_NEAR(pixel.red, std::lround(255 * red), 1); }
+};
+
+TEST_F(LadderScene, OpensWithTheRungsOfAPreset) {
+    save("scene.quality.json", R"({"schema": 1, "renderer": "a test", "presets": {"fast": {"ladders": ["DETAIL=far"],
+        "rmse": 0.1, "ms": 1.0, "ratio": "0.5", "settled": true, "trusted": true}}})");
+    open("scene.glib", {"--quality", "fast"});
+    EXPECT_EQ(state()["rungs"]["DETAIL"], "far");
+    expect_red(scene_pixel(20, 20), .8);
+}
+
+TEST_F(LadderScene, AnyRungGoesBeforeThePreset) {
+    open("scene.glib", {"--quality", "fast", "--ladder", "DETAIL=near"});
+    EXPECT_EQ(state()["rungs"]["DETAIL"], "near");
+    EXPECT_EQ(state()["errors"], 1) << "there is no preset";
+    expect_red(scene_pixel(20, 20), .4);
+}
+
+class LadderWindow : public LadderScene {
+protected:
+    void SetUp() override {
+        LadderScene::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
         open("scene.glib");
     }
 
@@ -67,7 +92,6 @@ protected:
         click("accuracy");
         refined();
     }
-    void expect_red(const Pixel& pixel, double red) { EXPECT_NEAR(pixel.red, std::lround(255 * red), 1); }
 };
 
 TEST_F(LadderWindow, ARungIsChosenInItsDropDown) {

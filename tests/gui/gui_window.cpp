@@ -60,8 +60,10 @@ TEST_F(Window, ADraggedSliderChangesTheUniformAndThePicture) {
     expect_pixel(red(), .4);
     const json after = state();
     EXPECT_GT(after["frames"], before["frames"]);
-    EXPECT_EQ(after["counters"]["programs_compiled"], before["counters"]["programs_compiled"]) << "a slider compiles nothing";
-    EXPECT_EQ(after["counters"]["bytes_uploaded"], before["counters"]["bytes_uploaded"]) << "and uploads nothing but its uniform";
+    EXPECT_EQ(after["counters"]["programs_compiled"], before["counters"]["programs_compiled"])
+        << "a slider compiles nothing";
+    EXPECT_EQ(after["counters"]["bytes_uploaded"], before["counters"]["bytes_uploaded"])
+        << "and uploads nothing but its uniform";
     const auto [x, y] = on("Paint.uRed");
     user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 3");
     EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; })) << "right click resets";
