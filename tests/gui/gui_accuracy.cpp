@@ -70,7 +70,7 @@ protected:
     void SetUp() override {
         LadderScene::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
-        open("scene.glib");
+        open("scene.glib", {"--size", "800x740"});  // sliders stay in sight below the panel's longest remark
     }
 
     void click(const std::string& widget, double fraction = .5, int button = 1) {

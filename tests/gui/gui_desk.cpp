@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -121,8 +122,9 @@ void Desk::save(const std::string& name, const std::string& text, bool in_place)
 }
 
 void Desk::open(const std::string& scene, std::vector<std::string> more) {
-    std::vector<std::string> words{SNELL_BIN "/snell",     file(scene),    "--size", "800x600", "--state",
+    std::vector<std::string> words{SNELL_BIN "/snell",     file(scene),    "--state",
                                    file("out/state.json"), "--exit-after", "60"};
+    if (std::find(more.begin(), more.end(), "--size") == more.end()) words.insert(words.end(), {"--size", "800x600"});
     words.insert(words.end(), more.begin(), more.end());
     window_ = start(words, display_);
     ASSERT_TRUE(wait([](const auto& s) { return s["frames"] >= 1; }, 20)) << "no first picture";
