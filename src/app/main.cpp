@@ -104,9 +104,7 @@ struct CommandLine {
         app.require_subcommand(0, 1);
         app.add_option("SCENE", window.scene, "the scene to open in a window");
         app.add_option("--size", window_size, "size of the window, WIDTHxHEIGHT")->check(check_size);
-        app.add_option("--ladder", window.ladders, "ladder=rung to begin with; may be repeated")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        add_repeated(app, "--ladder", window.ladders, "ladder=rung to begin with; may be repeated");
         app.add_option("--quality", window.quality, "rungs as `snell accuracy --save-quality` found them")
             ->check(CLI::IsMember({"fast", "balanced", "exact"}));
         // For tests of the window: not for users.
@@ -126,12 +124,17 @@ struct CommandLine {
             ->check(check_context);
     }
 
-    // What a scene may read, and how much.
-    void add_access(CLI::App& command) {
-        command.add_option("--limit", limits, "NAME=VALUE of docs/limits.md; may be repeated")
-            ->check(check_limit)
+    // An option that may be given again and again, with one value each time.
+    static CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                                     const std::string& text) {
+        return command.add_option(name, values, text)
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    }
+
+    // What a scene may read, and how much.
+    void add_access(CLI::App& command) {
+        add_repeated(command, "--limit", limits, "NAME=VALUE of docs/limits.md; may be repeated")->check(check_limit);
         command.add_option("--confine", confine, "read nothing outside of this folder")->check(CLI::ExistingDirectory);
     }
 
@@ -148,12 +151,8 @@ struct CommandLine {
         command.footer(examples);
         command.add_option("--size", render_size, "WIDTHxHEIGHT (default: the scene's)")->check(check_size);
         command.add_option("--time", render.time, "seconds since the scene began")->check(check_finite);
-        command.add_option("--set", render.sets, "uniform=value or Program.uniform=value; may be repeated")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-        command.add_option("--ladder", render.ladders, "ladder=rung; may be repeated")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        add_repeated(command, "--set", render.sets, "uniform=value or Program.uniform=value; may be repeated");
+        add_repeated(command, "--ladder", render.ladders, "ladder=rung; may be repeated");
         command.add_option("--quality", render.quality, "rungs as `snell accuracy --save-quality` found them")
             ->check(CLI::IsMember({"fast", "balanced", "exact"}));
         command.add_option("--samples", render.samples, "samples a pixel")->check(CLI::Range(1, 64));
@@ -193,13 +192,10 @@ struct CommandLine {
     void add_sweep() {
         sweep_command = app.add_subcommand("sweep", "draw a scene for many values of what can be set");
         sweep_command->add_option("SCENE", render.scenes)->required()->expected(1);
-        sweep_command
-            ->add_option("--over", render.over,
-                         "NAME=FIRST:LAST:COUNT or NAME=A,B,C, of a uniform, a ladder or time; may be repeated: every "
-                         "combination is drawn")
-            ->required()
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        add_repeated(*sweep_command, "--over", render.over,
+                     "NAME=FIRST:LAST:COUNT or NAME=A,B,C, of a uniform, a ladder or time; may be repeated: every "
+                     "combination is drawn")
+            ->required();
         sweep_command
             ->add_option("-o,--output", render.output, "the pictures: {NAME}, {NAME:.2f}, {index:04} and {stem} in it")
             ->required();
@@ -221,12 +217,8 @@ struct CommandLine {
     void add_save() {
         save_command = app.add_subcommand("save", "write values into a scene: only its numbers change");
         save_command->add_option("SCENE", save.scene)->required();
-        save_command->add_option("--set", save.sets, "uniform=value or Program.uniform=value; may be repeated")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-        save_command->add_option("--ladder", save.ladders, "ladder=rung, which is then the marked one")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        add_repeated(*save_command, "--set", save.sets, "uniform=value or Program.uniform=value; may be repeated");
+        add_repeated(*save_command, "--ladder", save.ladders, "ladder=rung, which is then the marked one");
         save_command->add_option("-o,--output", save.output, "another file than the scene's own");
         save_command->add_option("--context", save.context, "ask for an OpenGL version: 3.3, 4.5, es3.2")
             ->check(check_context);
@@ -261,12 +253,8 @@ struct CommandLine {
         command.add_flag("--save-quality", accuracy.save_quality, "find presets for --quality, kept beside the scene")
             ->excludes(untimed);
         command.add_option("--time", accuracy.time, "seconds since the scene began")->check(check_finite);
-        command.add_option("--set", accuracy.sets, "uniform=value or Program.uniform=value; may be repeated")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-        command.add_option("--ladder", accuracy.choices, "ladder=rung, where the scene stands; may be repeated")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        add_repeated(command, "--set", accuracy.sets, "uniform=value or Program.uniform=value; may be repeated");
+        add_repeated(command, "--ladder", accuracy.choices, "ladder=rung, where the scene stands; may be repeated");
         command.add_option("-o,--output", accuracy.html, "the report, one HTML file");
         command.add_option("--svg", accuracy.svg, "the plots for a paper: FILE.svg, FILE-2.svg …");
         command.add_option("--json", accuracy.json, "the numbers as JSON");
@@ -288,12 +276,8 @@ struct CommandLine {
             ->check(CLI::Range(3, 10000));
         command.add_option("--size", explain_size, "WIDTHxHEIGHT (default: the scene's)")->check(check_size);
         command.add_option("--time", explain.time, "seconds since the scene began")->check(check_finite);
-        command.add_option("--set", explain.sets, "uniform=value or Program.uniform=value; may be repeated")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-        command.add_option("--ladder", explain.ladders, "ladder=rung; may be repeated")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        add_repeated(command, "--set", explain.sets, "uniform=value or Program.uniform=value; may be repeated");
+        add_repeated(command, "--ladder", explain.ladders, "ladder=rung; may be repeated");
         command.add_option("--context", explain.context, "ask for an OpenGL version: 3.3, 4.5, es3.2")
             ->check(check_context);
     }
