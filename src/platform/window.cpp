@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 namespace snell {
@@ -12,7 +13,7 @@ namespace snell {
 namespace {
 
 Key key_of(int code) {
-    static constexpr std::array<std::pair<int, Key>, 27> table{{
+    static constexpr std::array<std::pair<int, Key>, 30> table{{
         {GLFW_KEY_TAB, Key::tab},
         {GLFW_KEY_LEFT, Key::left},
         {GLFW_KEY_RIGHT, Key::right},
@@ -32,6 +33,9 @@ Key key_of(int code) {
         {GLFW_KEY_A, Key::a},
         {GLFW_KEY_C, Key::c},
         {GLFW_KEY_H, Key::h},
+        {GLFW_KEY_I, Key::i},
+        {GLFW_KEY_N, Key::n},
+        {GLFW_KEY_O, Key::o},
         {GLFW_KEY_R, Key::r},
         {GLFW_KEY_S, Key::s},
         {GLFW_KEY_V, Key::v},
@@ -46,6 +50,17 @@ Key key_of(int code) {
     for (const auto& [glfw, key] : table)
         if (glfw == code) return key;
     return Key::other;
+}
+
+// Where plus and minus are, the layout says.
+Key key_of(int code, int scan_code) {
+    if (code == GLFW_KEY_KP_ADD) return Key::plus;
+    if (code == GLFW_KEY_KP_SUBTRACT) return Key::minus;
+    if (code == GLFW_KEY_0 || code == GLFW_KEY_KP_0) return Key::zero;
+    if (const Key key = key_of(code); key != Key::other) return key;
+    const char* printed = glfwGetKeyName(code, scan_code);
+    const std::string_view name = printed ? printed : "";
+    return name == "+" || name == "=" ? Key::plus : name == "-" ? Key::minus : Key::other;
 }
 
 Modifiers modifiers_of(int bits) {
@@ -66,7 +81,9 @@ GLFWwindow* make_window(const WindowRequest& request) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+#ifdef __APPLE__  // gives no other; elsewhere it would forbid lines wider than a pixel, which pictures without one have
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+#endif
         glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
         if (GLFWwindow* handle = glfwCreateWindow(1280, 800, request.title.c_str(), nullptr, nullptr)) return handle;
@@ -133,17 +150,21 @@ void Window::listen() {
     });
     glfwSetScrollCallback(handle_,
                           [](GLFWwindow* w, double x, double y) { of(w).push({.kind = Kind::wheel, .x = x, .y = y}); });
-    glfwSetKeyCallback(handle_, [](GLFWwindow* w, int code, int, int action, int bits) {
+    glfwSetKeyCallback(handle_, [](GLFWwindow* w, int code, int scan_code, int action, int bits) {
         // X11 tells the modifiers as they were before the key: add the key itself.
         const bool down = action != GLFW_RELEASE;
         Modifiers modifiers = modifiers_of(bits);
         if (code == GLFW_KEY_LEFT_SHIFT || code == GLFW_KEY_RIGHT_SHIFT) modifiers.shift = down;
         if (code == GLFW_KEY_LEFT_CONTROL || code == GLFW_KEY_RIGHT_CONTROL) modifiers.ctrl = down;
         if (code == GLFW_KEY_LEFT_ALT || code == GLFW_KEY_RIGHT_ALT) modifiers.alt = down;
-        of(w).push({.kind = Kind::key, .key = key_of(code), .down = down, .modifiers = modifiers});
+        of(w).push({.kind = Kind::key, .key = key_of(code, scan_code), .down = down, .modifiers = modifiers});
     });
     glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned code) {
         of(w).push({.kind = Kind::text, .text = static_cast<char32_t>(code)});
+    });
+    glfwSetDropCallback(handle_, [](GLFWwindow* w, int count, const char** paths) {
+        of(w).dropped_.insert(of(w).dropped_.end(), paths, paths + count);
+        of(w).push({.kind = Kind::refresh});
     });
     glfwSetWindowFocusCallback(
         handle_, [](GLFWwindow* w, int focused) { of(w).push({.kind = Kind::focus, .down = focused == GLFW_TRUE}); });
@@ -172,6 +193,8 @@ void Window::wait(double seconds) {
 }
 
 std::vector<Event> Window::take_events() { return std::exchange(events_, {}); }
+
+std::vector<std::string> Window::take_dropped() { return std::exchange(dropped_, {}); }
 
 void Window::present() { glfwSwapBuffers(handle_); }
 

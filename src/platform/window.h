@@ -33,6 +33,9 @@ enum class Key : std::uint8_t {
     a,
     c,
     h,
+    i,
+    n,
+    o,
     r,
     s,
     v,
@@ -43,6 +46,9 @@ enum class Key : std::uint8_t {
     f5,
     one,  // to nine, one after the other
     nine = one + 8,
+    plus,  // by what is printed on them, wherever they are
+    minus,
+    zero,
     count_,
 };
 
@@ -90,6 +96,8 @@ public:
     void wait(double seconds);
     // What happened since the last call, in order.
     std::vector<Event> take_events();
+    // The files that were dropped on it since the last call.
+    std::vector<std::string> take_dropped();
     void present();
 
     bool closing() const;
@@ -114,6 +122,7 @@ private:
     GLFWcursor* cursors_[static_cast<std::size_t>(Cursor::count_)] = {};
     Cursor cursor_ = Cursor::arrow;
     std::vector<Event> events_;
+    std::vector<std::string> dropped_;
 };
 
 }  // namespace snell

@@ -45,7 +45,7 @@ void figures(const AccuracyFacts& facts) {
             std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr).c_str() : "no difference");
     remark(fmt::format("{} of {} samples a pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0)
-        ImGui::TextColored({.75F, .12F, .1F, 1}, "%zu pixels are no finite numbers", facts.nonfinite);
+        ImGui::TextColored(palette().error_text, "%zu pixels are no finite numbers", facts.nonfinite);
 }
 
 void legend() {

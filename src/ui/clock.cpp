@@ -21,16 +21,17 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
     Clock& clock = memory.clock;
     if (ImGui::Button(clock.paused ? "Play" : "Pause")) clock.paused = !clock.paused;
     layout.note("play");
-    ImGui::SameLine();
+    follow(button_width("Step"));
     if (ImGui::Button("Step")) {
         clock.paused = true;
         clock.time = (std::floor(clock.time / step + 1e-6) + 1) * step;
     }
     layout.note("step");
-    ImGui::SameLine();
+    follow(button_width("0"));
     if (ImGui::Button("0")) clock.time = 0;
     layout.note("rewind");
-    ImGui::SameLine();
+    follow(ImGui::CalcTextSize("speed").x + 5 * ImGui::GetFontSize());
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("speed");
     ImGui::SameLine();
     number("##speed", clock.speed, false, 1, -FLT_MIN);

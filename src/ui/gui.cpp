@@ -79,9 +79,10 @@ bool Gui::input(const Screen& screen, double seconds, std::span<const Event> eve
     ImGuiIO& io = ImGui::GetIO();
     const bool new_fonts = !fonts_.text || screen.scale != screen_.scale || screen.density != screen_.density;
     if (new_fonts) {
-        fonts_ = apply_style(screen.scale, screen.density);
+        fonts_ = load_fonts(screen.scale, screen.density);
         io.Fonts->Build();
     }
+    if (new_fonts || screen.theme != screen_.theme) apply_style(screen.scale, screen.theme);
     screen_ = screen;
     io.DisplaySize = {screen.width, screen.height};
     io.DisplayFramebufferScale = {screen.density, screen.density};

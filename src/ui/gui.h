@@ -16,6 +16,7 @@ struct Screen {
     float width = 0, height = 0;  // window coordinates
     float density = 1;            // pixels for one of them
     float scale = 1;              // of text and widgets, in window coordinates
+    Theme theme = Theme::light;
     bool operator==(const Screen&) const = default;
 };
 
@@ -29,6 +30,8 @@ public:
 
     // Takes the input for a frame, `seconds` after the last one. True: the fonts are new, upload them first.
     bool input(const Screen& screen, double seconds, std::span<const Event> events);
+    // Of the last input.
+    const Screen& screen() const { return screen_; }
     // A frame: panels go between. The same number from two means the same picture.
     void begin();
     std::uint64_t end();

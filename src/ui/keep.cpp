@@ -28,10 +28,10 @@ void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
     requests.save |= button("Save values", facts.changed,
                             "Ctrl+S: the values as they are now into the scene's file.\nOnly the numbers change.");
     layout.note("save");
-    ImGui::SameLine();
+    follow(button_width("Undo"));
     requests.undo_save |= button("Undo", facts.undoable, "Ctrl+Shift+S: the file as it was before it was saved");
     layout.note("undo save");
-    ImGui::SameLine();
+    follow(button_width("Copy command"));
     requests.copy_command |= button("Copy command", true, "the 'snell render' line that draws this picture");
     layout.note("copy command");
 
@@ -41,7 +41,7 @@ void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {padding.x * .6F, padding.y});
     for (int number = 1; number <= snapshot_count; ++number) {
         const bool there = facts.snapshots[static_cast<std::size_t>(number)];
-        ImGui::SameLine(0, number == 1 ? -1 : ImGui::GetStyle().ItemInnerSpacing.x * .5F);
+        follow(button_width("9"), number == 1 ? -1 : ImGui::GetStyle().ItemInnerSpacing.x * .5F);
         ImGui::PushID(number);
         if (!there) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
         if (ImGui::Button(fmt::format("{}", number).c_str())) {

@@ -4,6 +4,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "src/ui/excerpt.h"
+#include "src/ui/files.h"
 
 namespace snell::ui {
 
@@ -22,14 +26,31 @@ std::size_t count(std::span<const Problem> problems, Severity severity) {
         std::count_if(problems.begin(), problems.end(), [&](const Problem& p) { return p.severity == severity; }));
 }
 
-// "   10 |     uSc <0. .5 1.>": carets stand under it, so it must not be wrapped.
-bool is_source(std::string_view line) {
-    const std::size_t bar = line.find_first_not_of(" 0123456789");
-    return bar != std::string_view::npos && line[bar] == '|';
+std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
+
+// "paint.frag:3:12", underlined, of the line that was just shown.
+void underline(std::string_view line, const Place& place) {
+    const std::string end = fmt::format(":{}:{}: ", place.line, place.column);
+    const std::size_t at = line.find(end);
+    if (at == std::string_view::npos) return;
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const float width = ImGui::CalcTextSize(line.data(), line.data() + at + end.size() - 2).x;
+    const float y = from.y + ImGui::GetTextLineHeight() - 1;
+    ImGui::GetWindowDrawList()->AddLine({from.x, y}, {std::min(from.x + width, ImGui::GetItemRectMax().x), y},
+                                        ImGui::GetColorU32(palette().link), std::max(1.0F, ImGui::GetFontSize() / 14));
 }
 
-// The first line says what, in its colour; the rest shows where.
-void show(const Problem& problem) {
+// Source and carets, in one piece: carets stand under what they mean, so neither is wrapped.
+void show_source(std::string_view line, std::string_view carets) {
+    const float column = ImGui::CalcTextSize("M").x;
+    const Excerpt part =
+        excerpt(line, carets, static_cast<std::size_t>(std::max(1.0F, ImGui::GetContentRegionAvail().x / column)));
+    ImGui::TextUnformatted(part.source.c_str());
+    if (!carets.empty()) ImGui::TextUnformatted(part.carets.c_str());
+}
+
+// The first line says what, in its colour, and is a link to the editor; the rest shows where.
+void show(const Facts& facts, const Problem& problem, std::size_t number, Requests& requests, Layout& layout) {
     const Palette& colors = palette();
     const std::string_view text = problem.text;
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -38,25 +59,38 @@ void show(const Problem& problem) {
     ImGui::TextUnformatted(text.data(), text.data() + end);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
+    if (!problem.place.file.empty()) {
+        layout.note(fmt::format("problem.{}", number));
+        underline(text.substr(0, end), problem.place);
+        if (edit_link(facts, problem.place)) requests.edit = problem.place;
+    }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
     std::string_view rest = text.substr(std::min(end + 1, text.size()));
     while (!rest.empty()) {
-        const std::string_view line = rest.substr(0, rest.find('\n'));
-        ImGui::PushTextWrapPos(is_source(line) ? -1.0F : 0.0F);
+        const std::string_view line = first_line(rest);
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (is_source(line)) {
+            const std::string_view below = first_line(rest);
+            const bool carets = is_source(below);
+            show_source(line, carets ? below : std::string_view());
+            if (carets) rest.remove_prefix(std::min(below.size() + 1, rest.size()));
+            continue;
+        }
+        ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(line.data(), line.data() + line.size());
         ImGui::PopTextWrapPos();
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     }
     ImGui::PopStyleVar();
     ImGui::Spacing();
 }
 
-void list(std::span<const Problem> problems, Severity severity, const Fonts& fonts) {
+void list(const Facts& facts, Severity severity, const Fonts& fonts, Requests& requests, Layout& layout) {
     constexpr std::size_t most = 30;  // nobody reads more at once, and every line costs every frame
     std::size_t shown = 0;
     ImGui::PushFont(fonts.mono);
-    for (const Problem& problem : problems)
-        if (problem.severity == severity && shown++ < most) show(problem);
+    for (std::size_t i = 0; i < facts.problems.size(); ++i)
+        if (facts.problems[i].severity == severity && shown++ < most)
+            show(facts, facts.problems[i], i, requests, layout);
     if (shown > most) ImGui::TextUnformatted(fmt::format("\u2026 and {} more", shown - most).c_str());
     ImGui::PopFont();
 }
@@ -91,7 +125,8 @@ bool begin_overlay(const char* name, ImVec2 at, float width, float most_height) 
     return ImGui::Begin(name, nullptr, (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
 }
 
-void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Layout& layout) {
+void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                   Layout& layout) {
     const std::size_t errors = count(facts.problems, Severity::error);
     const std::size_t warnings = count(facts.problems, Severity::warning);
     const float margin = ImGui::GetStyle().WindowPadding.x;
@@ -101,22 +136,23 @@ void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Me
         const std::string title = facts.stale
                                       ? counted(errors, "error") + " \u2014 the picture is from before this edit"
                                       : counted(errors, "error");
-        ImGui::TextUnformatted(title.c_str());
+        fitted(title, ImGui::GetContentRegionAvail().x - button_width("Hide") - ImGui::GetStyle().ItemSpacing.x);
         if (right_button("Hide")) memory.problems_hidden = true;
         layout.note("problems.hide");
-        list(facts.problems, Severity::error, fonts);
+        list(facts, Severity::error, fonts, requests, layout);
         if (warnings > 0) {
             if (ImGui::SmallButton(
                     (counted(warnings, "warning") + (memory.warnings_open ? " \u25B4" : " \u25BE")).c_str()))
                 memory.warnings_open = !memory.warnings_open;
             layout.note("problems.warnings");
-            if (memory.warnings_open) list(facts.problems, Severity::warning, fonts);
+            if (memory.warnings_open) list(facts, Severity::warning, fonts, requests, layout);
         }
     }
     ImGui::End();
 }
 
-void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Layout& layout) {
+void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                     Layout& layout) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
     if (begin_overlay("##warnings", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
                       scene.height * .6F)) {
@@ -124,14 +160,15 @@ void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, 
         ImGui::TextUnformatted(counted(count(facts.problems, Severity::warning), "warning").c_str());
         if (right_button("Hide")) memory.warnings_open = false;
         layout.note("problems.hide");
-        list(facts.problems, Severity::warning, fonts);
+        list(facts, Severity::warning, fonts, requests, layout);
     }
     ImGui::End();
 }
 
 }  // namespace
 
-void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Layout& layout) {
+void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                    Layout& layout) {
     // What was hidden comes back when the files were read again.
     if (memory.revision != facts.revision) {
         memory.revision = facts.revision;
@@ -141,9 +178,9 @@ void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, M
     const bool warnings = count(facts.problems, Severity::warning) > 0;
     push_dark();
     if (errors && !memory.problems_hidden)
-        errors_window(facts, scene, fonts, memory, layout);
+        errors_window(facts, scene, fonts, memory, requests, layout);
     else if (!errors && warnings && memory.warnings_open)
-        warnings_window(facts, scene, fonts, memory, layout);
+        warnings_window(facts, scene, fonts, memory, requests, layout);
     pop_dark();
 }
 

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cfloat>
 
 #include "src/plan/fit.h"
 #include "src/ui/numbers.h"
@@ -25,14 +26,18 @@ bool is_integral(ValueType type) {
     return type == ValueType::int_ || type == ValueType::uint_ || type == ValueType::sampler;
 }
 
-// The name at the left, `remark` at the right, dimmed, if both have room.
-void caption(const std::string& name, const std::string& remark) {
+// The name at the left, shortened where it must be, with `value` behind it; `remark` at the right, dimmed, if all have
+// room.
+void caption(const std::string& name, const std::string& value, const std::string& remark) {
     const float width = ImGui::GetContentRegionAvail().x;
-    const float left = ImGui::CalcTextSize(name.c_str()).x, right = ImGui::CalcTextSize(remark.c_str()).x;
+    const float right = ImGui::CalcTextSize(remark.c_str()).x;
     const float end = ImGui::GetCursorPosX() + width;
-    ImGui::TextUnformatted(name.c_str());
+    const std::string part = shortened(name, width - ImGui::CalcTextSize(value.c_str()).x);
+    const std::string text = shortened(part + value, width);
+    const float left = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::TextUnformatted(text.c_str());
     if (left + right + ImGui::GetStyle().ItemSpacing.x > width) {
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s  %s", name.c_str(), remark.c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s%s  %s", name.c_str(), value.c_str(), remark.c_str());
         return;
     }
     ImGui::SameLine();
@@ -41,8 +46,8 @@ void caption(const std::string& name, const std::string& remark) {
 }
 
 // As glman's: "uEta = 1.1000".
-std::string with_value(const Control& control) {
-    std::string text = control.name;
+std::string value_of(const Control& control) {
+    std::string text;
     for (std::size_t i = 0; i < control.value.size(); ++i)
         text.append(i == 0 ? " = " : ", ")
             .append(shown(control.value[i], control.min, control.max, is_integral(control.type)));
@@ -89,10 +94,13 @@ void sliders(Control& control, const Section& section) {
 
 // A row of number fields for each element of an array, or each column of a matrix.
 void numbers(Control& control, const Section& section) {
-    const auto columns = static_cast<std::size_t>(control.type == ValueType::matrix && control.components > 4
-                                                      ? (control.components == 9 ? 3 : 4)
-                                                      : std::clamp(control.components, 1, 4));
+    auto columns = static_cast<std::size_t>(control.type == ValueType::matrix && control.components > 4
+                                                ? (control.components == 9 ? 3 : 4)
+                                                : std::clamp(control.components, 1, 4));
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float number_width = button_width("-1.2346e+05"), most = ImGui::GetContentRegionAvail().x;
+    while (columns > 1 && number_width * static_cast<float>(columns) + gap * static_cast<float>(columns - 1) > most)
+        columns = (columns + 1) / 2;
     const float width =
         (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     for (std::size_t i = 0; i < control.value.size(); ++i) {
@@ -108,8 +116,10 @@ void numbers(Control& control, const Section& section) {
 
 void check_box(Control& control, const Section& section) {
     bool on = control.value[0] != 0;
-    if (ImGui::Checkbox(control.name.c_str(), &on)) control.value[0] = on ? 1 : 0;
+    const std::string name = shortened(control.name, ImGui::GetContentRegionAvail().x - check_box_width(""));
+    if (ImGui::Checkbox((name + "###on").c_str(), &on)) control.value[0] = on ? 1 : 0;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) control.value[0] = control.initial[0];
+    if (name != control.name && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", control.name.c_str());
     section.layout.note(section.program.name, control.name);
 }
 
@@ -138,27 +148,28 @@ void row(Control& control, const Section& section) {
         case Widget::check_box:
             check_box(control, section);
             if (!reason.empty()) {
-                ImGui::SameLine();
+                follow(ImGui::CalcTextSize(reason.c_str()).x);
                 ImGui::TextUnformatted(reason.c_str());
             }
             break;
         case Widget::color:
-            caption(control.name, reason);
+            caption(control.name, "", reason);
             color_row("##value", control.value.data(), control.components, control.initial.data());
             section.layout.note(section.program.name, control.name);
             break;
         case Widget::slider:
             ImGui::BeginGroup();
-            caption(with_value(control), !reason.empty() ? reason
-                                                         : fmt::format("{:g} \u2026 {:g}{}", control.min, control.max,
-                                                                       is_logarithmic(control, section) ? " log" : ""));
+            caption(control.name, value_of(control),
+                    !reason.empty() ? reason
+                                    : fmt::format("{:g} \u2026 {:g}{}", control.min, control.max,
+                                                  is_logarithmic(control, section) ? " log" : ""));
             ImGui::EndGroup();
             section.layout.note(control.name, "name");
             slider_menu(control, section);
             sliders(control, section);
             break;
         case Widget::none:
-            caption(control.name, reason);
+            caption(control.name, "", reason);
             numbers(control, section);
             break;
     }
@@ -191,11 +202,15 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
     const auto unlisted = [](const Control& c) { return !c.listed; };
     ImGui::PushID(static_cast<int>(index));
     ImGui::SetNextItemOpen(open_at_first, ImGuiCond_Once);
-    const bool open = ImGui::CollapsingHeader(section.program.name.empty() ? "Program" : section.program.name.c_str());
-    section.layout.note(section.program.name);
+    const std::string& name = section.program.name;
+    const std::string title =
+        shortened(name.empty() ? "Program" : name, ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight());
+    const bool open = ImGui::CollapsingHeader((title + "###program").c_str());
+    if (!name.empty() && title != name && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
+    section.layout.note(name);
     if (open) {
         ImGui::Indent(ImGui::GetStyle().FramePadding.x * .5F);
-        if (!section.linked) ImGui::TextColored({.75F, .12F, .1F, 1}, "did not compile: see the messages");
+        if (!section.linked) ImGui::TextColored(palette().error_text, "did not compile");
         rows(controls, index, section, sliding);
         if (!any(controls, index, sliding) && section.linked) ImGui::TextDisabled("no sliders");
         if (any(controls, index, constant)) {
@@ -228,10 +243,12 @@ void ladder_row(const Ladder& ladder, std::size_t& rung, Layout& layout) {
     if (rung >= ladder.rungs.size()) return;
     ImGui::PushID(ladder.name.c_str());
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(ladder.name.c_str());
+    const float width = ImGui::GetContentRegionAvail().x, arrow = ImGui::GetFrameHeight() + button_width("");
+    fitted(ladder.name, width * .6F);
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo("##rung", ladder.rungs[rung].c_str());
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    const std::string chosen = shortened(ladder.rungs[rung], ImGui::GetContentRegionAvail().x - arrow);
+    const bool open = ImGui::BeginCombo("##rung", chosen.c_str());
     if (!open && ImGui::IsItemClicked(ImGuiMouseButton_Right)) rung = ladder.current;
     layout.note(ladder.name);
     if (open) {

@@ -25,7 +25,7 @@ ImFont* load(std::span<const char* const> files, float pixels) {
         std::error_code none;
         if (!std::filesystem::is_regular_file(file, none)) continue;
         ImFontConfig config;
-        config.OversampleH = 2;
+        config.OversampleH = pixels < 40 ? 2 : 1;  // large letters need no help, and much memory
         config.OversampleV = 1;
         if (ImFont* font = io.Fonts->AddFontFromFileTTF(file, pixels, &config, glyphs.data())) return font;
     }
@@ -34,41 +34,47 @@ ImFont* load(std::span<const char* const> files, float pixels) {
     return io.Fonts->AddFontDefault(&config);
 }
 
-void set_colors(ImGuiStyle& style) {
-    const Palette& p = palette();
+void set_colors(ImGuiStyle& style, Theme theme) {
+    const Palette& p = palette_of(theme);
     const auto with_alpha = [](ImVec4 c, float alpha) { return ImVec4(c.x, c.y, c.z, alpha); };
-    ImGui::StyleColorsLight(&style);
+    if (theme == Theme::dark)
+        ImGui::StyleColorsDark(&style);
+    else
+        ImGui::StyleColorsLight(&style);
     ImVec4* c = style.Colors;
     c[ImGuiCol_Text] = p.text;
     c[ImGuiCol_TextDisabled] = p.dim;
     c[ImGuiCol_WindowBg] = p.panel;
     c[ImGuiCol_ChildBg] = with_alpha(p.panel, 0);
-    c[ImGuiCol_PopupBg] = color(0xFFFFFF, .98F);
+    c[ImGuiCol_PopupBg] = p.popup;
     c[ImGuiCol_Border] = p.rule;
+    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = p.header;
     c[ImGuiCol_FrameBg] = p.track;
-    c[ImGuiCol_FrameBgHovered] = color(0xDAE1EA);
-    c[ImGuiCol_FrameBgActive] = color(0xD1DAE6);
+    c[ImGuiCol_FrameBgHovered] = p.hovered;
+    c[ImGuiCol_FrameBgActive] = p.pressed;
     c[ImGuiCol_ScrollbarBg] = with_alpha(p.panel, 0);
-    c[ImGuiCol_ScrollbarGrab] = color(0xC5CCD5);
-    c[ImGuiCol_ScrollbarGrabHovered] = color(0xAEB7C2);
+    c[ImGuiCol_ScrollbarGrab] = p.grab;
+    c[ImGuiCol_ScrollbarGrabHovered] = p.dim;
     c[ImGuiCol_ScrollbarGrabActive] = p.dim;
     c[ImGuiCol_CheckMark] = p.accent;
     c[ImGuiCol_SliderGrab] = p.accent;
     c[ImGuiCol_SliderGrabActive] = p.accent_pressed;
     c[ImGuiCol_Button] = p.track;
-    c[ImGuiCol_ButtonHovered] = color(0xD5DDE8);
+    c[ImGuiCol_ButtonHovered] = p.hovered;
     c[ImGuiCol_ButtonActive] = p.filled;
-    c[ImGuiCol_Header] = color(0xE9ECF1);
-    c[ImGuiCol_HeaderHovered] = color(0xDFE5EE);
-    c[ImGuiCol_HeaderActive] = color(0xD3DCE9);
+    c[ImGuiCol_Header] = p.header;
+    c[ImGuiCol_HeaderHovered] = p.header_hovered;
+    c[ImGuiCol_HeaderActive] = p.header_pressed;
     c[ImGuiCol_Separator] = p.rule;
+    c[ImGuiCol_PlotHistogram] = p.accent;
     c[ImGuiCol_TextSelectedBg] = with_alpha(p.accent, .3F);
     c[ImGuiCol_NavHighlight] = p.accent;
+    c[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, .35F};
 }
 
 }  // namespace
 
-const Palette& palette() {
+const Palette& palette_of(Theme theme) {
     static const Palette light{
         .panel = color(0xF7F8FA),
         .text = color(0x1D2733),
@@ -79,15 +85,55 @@ const Palette& palette() {
         .accent = color(0x2A66D1),
         .accent_pressed = color(0x1B4AA0),
         .surround = color(0xE8EBEF),
+        .popup = color(0xFFFFFF, .98F),
+        .hovered = color(0xD5DDE8),
+        .pressed = color(0xCCD7E5),
+        .header = color(0xE9ECF1),
+        .header_hovered = color(0xDFE5EE),
+        .header_pressed = color(0xD3DCE9),
+        .grab = color(0xC5CCD5),
+        .error_text = color(0xB81A14),
+        .warning_text = color(0x855C00),
         .problem_background = color(0x1B1E24, .93F),
         .problem_text = color(0xE8EAED),
         .error = color(0xFF7B72),
         .warning = color(0xF5CE62),
+        .link = color(0x9CC4FF),
     };
-    return light;
+    static const Palette dark{
+        .panel = color(0x1D2026),
+        .text = color(0xE4E7EB),
+        .dim = color(0x98A2AE),
+        .rule = color(0x383E48),
+        .track = color(0x31363F),
+        .filled = color(0x33538A),
+        .accent = color(0x6BA0F5),
+        .accent_pressed = color(0x9CC1FB),
+        .surround = color(0x14161A),
+        .popup = color(0x262A31, .98F),
+        .hovered = color(0x3D444F),
+        .pressed = color(0x475060),
+        .header = color(0x292E36),
+        .header_hovered = color(0x333A45),
+        .header_pressed = color(0x3C4553),
+        .grab = color(0x4A525E),
+        .error_text = color(0xFF8A80),
+        .warning_text = color(0xF0C64F),
+        .problem_background = color(0x0E1014, .93F),
+        .problem_text = color(0xE8EAED),
+        .error = color(0xFF7B72),
+        .warning = color(0xF5CE62),
+        .link = color(0x9CC4FF),
+    };
+    return theme == Theme::dark ? dark : light;
 }
 
-Fonts apply_style(float scale, float density) {
+const Palette& palette() {
+    const void* of_context = ImGui::GetIO().UserData;
+    return of_context ? *static_cast<const Palette*>(of_context) : palette_of(Theme::light);
+}
+
+Fonts load_fonts(float scale, float density) {
     static constexpr std::array sans{
         "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
         "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
@@ -102,7 +148,12 @@ Fonts apply_style(float scale, float density) {
     fonts.mono = load(mono, std::round(14 * scale * density));
     io.FontDefault = fonts.text;
     io.FontGlobalScale = 1 / density;
+    return fonts;
+}
 
+void apply_style(float scale, Theme theme) {
+    // Only read through palette().
+    ImGui::GetIO().UserData = const_cast<Palette*>(&palette_of(theme));
     ImGuiStyle style;
     style.WindowPadding = {14, 12};
     style.FramePadding = {8, 4};
@@ -120,10 +171,9 @@ Fonts apply_style(float scale, float density) {
     style.PopupBorderSize = 1;
     style.DisabledAlpha = .45F;
     style.AntiAliasedLinesUseTex = true;
-    set_colors(style);
+    set_colors(style, theme);
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
-    return fonts;
 }
 
 }  // namespace snell::ui

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "src/ui/layout.h"
 #include "src/ui/numbers.h"
 #include "src/ui/style.h"
 
@@ -93,7 +94,61 @@ void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction) {
                        pack(held || hovered ? colors.accent_pressed : colors.accent), grab);
 }
 
+float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+
 }  // namespace
+
+float button_width(std::string_view label) { return width_of(label) + 2 * ImGui::GetStyle().FramePadding.x; }
+
+float check_box_width(std::string_view label) {
+    return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + width_of(label);
+}
+
+void follow(float width, float gap) {
+    const float before = gap < 0 ? ImGui::GetStyle().ItemSpacing.x : gap;
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + before + width <= end) ImGui::SameLine(0, gap);
+}
+
+std::string shortened(std::string_view text, float width) {
+    if (width_of(text) <= width) return std::string(text);
+    static constexpr std::string_view dots = "\u2026";
+    const float room = width - width_of(dots);
+    std::size_t least = 0, most = text.size();
+    while (least < most) {
+        const std::size_t middle = (least + most + 1) / 2;
+        if (width_of(text.substr(0, middle)) <= room)
+            least = middle;
+        else
+            most = middle - 1;
+    }
+    const auto inside = [&](std::size_t at) { return at < text.size() && (text[at] & 0xC0) == 0x80; };
+    while (least > 0 && inside(least)) --least;
+    if (least == 0) do
+            ++least;
+        while (inside(least));
+    return std::string(text.substr(0, least)).append(dots);
+}
+
+bool fitted(std::string_view text, float width, bool dim) {
+    const std::string part = shortened(text, width);
+    if (dim) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextUnformatted(part.data(), part.data() + part.size());
+    if (dim) ImGui::PopStyleColor();
+    if (part == text) return true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
+    return false;
+}
+
+bool section(const char* title, Titles& open, Layout& layout, const char* name) {
+    const auto kept = open.find(std::string_view(title));
+    ImGui::SetNextItemOpen(kept != open.end());
+    const bool opened = ImGui::CollapsingHeader(title);
+    layout.note(name);
+    if (opened && kept == open.end()) open.emplace(title);
+    if (!opened && kept != open.end()) open.erase(kept);
+    return opened;
+}
 
 bool slider(const char* label, double& value, SliderRange& range, double initial, SliderMemory& memory) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();

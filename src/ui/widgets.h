@@ -1,7 +1,30 @@
 // The widgets that Dear ImGui lacks. All are as wide as there is room.
 #pragma once
 
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
 namespace snell::ui {
+
+class Layout;
+
+// Of a button with this text, or of a check box.
+float button_width(std::string_view label);
+float check_box_width(std::string_view label);
+// The next item stands beside the last one if it has room there, else below. `gap` as for SameLine.
+void follow(float width, float gap = -1);
+// As much of the text as fits, with dots for the rest; at least one character. Only what is visible counts: what ##
+// hides must not be in it.
+std::string shortened(std::string_view text, float width);
+// The same as an item that tells all of it when the mouse is on it; false: something was left out.
+bool fitted(std::string_view text, float width, bool dim = false);
+
+// Titles of sections.
+using Titles = std::set<std::string, std::less<>>;
+// A header that opens and closes; `open` keeps which are open, from run to run.
+bool section(const char* title, Titles& open, Layout& layout, const char* name);
 
 struct SliderRange {
     double min = 0, max = 1;

@@ -1,0 +1,10 @@
+// Light or dark.
+#pragma once
+
+#include <cstdint>
+
+namespace snell::ui {
+
+enum class Theme : std::uint8_t { light, dark };
+
+}  // namespace snell::ui
