@@ -14,8 +14,9 @@ struct Part {
     std::string_view name;
     double Transformation::*value;
 };
-constexpr std::array<Part, 6> parts{{{"rotate_x", &Transformation::rotate_x},
+constexpr std::array<Part, 7> parts{{{"rotate_x", &Transformation::rotate_x},
                                      {"rotate_y", &Transformation::rotate_y},
+                                     {"rotate_z", &Transformation::rotate_z},
                                      {"scale", &Transformation::scale},
                                      {"x", &Transformation::x},
                                      {"y", &Transformation::y},
@@ -44,20 +45,32 @@ Transformation* named(std::string_view prefix, View& view) {
 std::string parse_one(std::string_view text, View& view) {
     const std::size_t equals = text.find('='), dot = text.substr(0, equals).find('.');
     if (equals == text.npos) return fmt::format("'{}' sets nothing: write rotate_x=30", text);
+    if (text.substr(0, equals) == "projection") {
+        const std::string_view which = text.substr(equals + 1);
+        view.projection = which == "ortho" ? Projection::ortho : Projection::perspective;
+        if (which == "ortho" || which == "perspective") return {};
+        return fmt::format("'{}' is no projection: perspective or ortho", which);
+    }
     const std::size_t begin = dot == text.npos ? 0 : dot + 1;
     const std::string_view name = text.substr(begin, equals - begin), number = text.substr(equals + 1);
     double value = 0;
     const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     if (error != std::errc() || stop != number.data() + number.size() || !std::isfinite(value))
         return fmt::format("'{}' is no number", number);
+    if (text.substr(0, equals) == "background") {
+        view.background = value;
+        return value >= 0 && value <= 1 ? "" : fmt::format("'{}' is no brightness: 0 to 1", number);
+    }
     Transformation* transformation = named(text.substr(0, begin), view);
     for (const Part& part : parts)
         if (transformation && part.name == name) {
             transformation->*part.value = value;
             return {};
         }
-    return fmt::format("there is no '{}': rotate_x, rotate_y, scale, x, y, z, also after 'eye.' and 'texture.'",
-                       text.substr(0, equals));
+    return fmt::format(
+        "there is no '{}': rotate_x, rotate_y, rotate_z, scale, x, y, z, also after 'eye.', 'texture.' and 'object0.'; "
+        "projection, background",
+        text.substr(0, equals));
 }
 
 }  // namespace
@@ -68,6 +81,10 @@ std::string view_text(const View& view) {
     add(text, "eye.", view.eye);
     add(text, "texture.", view.texture);
     for (const auto& [draw, transformation] : view.objects) add(text, fmt::format("object{}.", draw), transformation);
+    const auto say = [&text](const std::string& what) { text += (text.empty() ? "" : ",") + what; };
+    if (view.projection != Projection::scene)
+        say(view.projection == Projection::ortho ? "projection=ortho" : "projection=perspective");
+    if (view.background) say(fmt::format("background={}", *view.background));
     return text;
 }
 

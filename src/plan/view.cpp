@@ -36,10 +36,11 @@ double finite_or(double value, double otherwise) { return std::isfinite(value) ?
 glm::dmat4 Transformation::matrix() const {
     const auto [sx, cx] = sin_cos(rotate_x);
     const auto [sy, cy] = sin_cos(rotate_y);
+    const auto [sz, cz] = sin_cos(rotate_z);
     const double s = finite_or(scale, 1);
     // Ry · Rx: turning about the screen's Y acts on what the turn about X left.
-    return {glm::dvec4(s * cy, 0, s * -sy, 0), glm::dvec4(s * sy * sx, s * cx, s * cy * sx, 0),
-            glm::dvec4(s * sy * cx, s * -sx, s * cy * cx, 0),
+    const glm::dvec4 right(s * cy, 0, s * -sy, 0), up(s * sy * sx, s * cx, s * cy * sx, 0);
+    return {cz * right + sz * up, cz * up - sz * right, glm::dvec4(s * sy * cx, s * -sx, s * cy * cx, 0),
             glm::dvec4(finite_or(x, 0), finite_or(y, 0), finite_or(z, 0), 1)};
 }
 

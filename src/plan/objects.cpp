@@ -1,0 +1,44 @@
+#include "src/plan/objects.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "src/plan/identity.h"
+
+namespace snell {
+
+glm::dmat4 placed(const Transformation& object, const glm::dmat4& view, const glm::dmat4& model) {
+    if (object == Transformation{}) return model;
+    const glm::dvec3 origin(view * model[3]);
+    const glm::dmat4 in_eye =
+        glm::translate(glm::dmat4(1), origin) * object.matrix() * glm::translate(glm::dmat4(1), -origin);
+    return glm::inverse(view) * in_eye * view * model;
+}
+
+std::vector<std::string> object_names(const Scene& scene) {
+    std::map<std::string, int> before;
+    std::vector<std::string> names;
+    for (const Draw& draw : scene.draws) {
+        std::string name = shape_key(scene, draw.shape, draw.wire);
+        name += '#' + std::to_string(before[name]++);
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object) {
+    if (object >= from.size()) return none;
+    const auto same = std::ranges::find(to, from[object]);
+    if (same != to.end()) return static_cast<Index>(same - to.begin());
+    return from.size() == to.size() ? object : none;
+}
+
+void carry_objects(const std::vector<std::string>& from, const std::vector<std::string>& to, View& view) {
+    for (const auto& [draw, transformation] : std::exchange(view.objects, {}))
+        if (const Index found = carried(from, to, draw); found != none) view.objects[found] = transformation;
+}
+
+}  // namespace snell
