@@ -31,9 +31,9 @@ std::vector<std::string> object_names(const Scene& scene) {
 
 Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object) {
     if (object >= from.size()) return none;
+    if (from.size() == to.size()) return object;
     const auto same = std::ranges::find(to, from[object]);
-    if (same != to.end()) return static_cast<Index>(same - to.begin());
-    return from.size() == to.size() ? object : none;
+    return same == to.end() ? none : static_cast<Index>(same - to.begin());
 }
 
 void carry_objects(const std::vector<std::string>& from, const std::vector<std::string>& to, View& view) {

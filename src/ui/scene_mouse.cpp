@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "src/plan/lens.h"
+#include "src/plan/objects.h"
 #include "src/plan/plan.h"
-#include "src/platform/window.h"
 
 namespace snell::ui {
 
@@ -15,54 +17,119 @@ namespace {
 constexpr double degrees_per_point = .5;
 constexpr double scale_per_step = 1.1;     // of the wheel
 constexpr double scale_per_point = 1.006;  // of a drag
+constexpr double points_per_step = 20;     // of the wheel, toward the viewer
 constexpr double smallest = 1e-3, largest = 1e3;
+constexpr float still = 3;  // a press that moved less is a click
 
-// How far the world's origin moves on the screen: in its units, for one point of the window.
-double units_per_point(const Scene& scene, const Rect& area) {
-    const double shorter = std::max(1.0F, std::min(area.width, area.height));
-    if (scene.cameras.empty()) return 2 / shorter;
-    const Camera& camera = scene.cameras.front();
-    if (!camera.perspective) return std::abs(camera.ortho[3] - camera.ortho[2]) / shorter;
-    const double distance = glm::length(glm::dvec3(view_matrix(camera)[3]));
-    const double half = std::tan(glm::radians(std::clamp(camera.fov, 1.0, 170.0) / 2));
-    return 2 * (distance > 0 ? distance : 1) * half / shorter;
+// What a gesture does, in points of the window.
+struct Gesture {
+    glm::dvec3 move{0};  // right, up, toward the viewer
+    glm::dvec2 turn{0};  // right, down
+    double scale = 1;
+};
+
+// `picks`: a press that stays where it is will be a click, and turns nothing.
+Gesture gesture(const Rect& area, bool picks) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Gesture made;
+    if (area.contains(io.MousePos.x, io.MousePos.y)) {
+        // Some systems turn the wheel sideways while Shift is down.
+        if (io.KeyShift)
+            made.move.z = points_per_step * (io.MouseWheel + io.MouseWheelH);
+        else
+            made.scale = std::pow(scale_per_step, io.MouseWheel);
+    }
+    const double dx = io.MouseDelta.x, dy = io.MouseDelta.y;
+    if ((dx == 0 && dy == 0) || !std::isfinite(dx) || !std::isfinite(dy)) return made;
+    const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (left && io.KeyCtrl && io.KeyShift)
+        made.move.z += dy;
+    else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && io.KeyCtrl))
+        made.scale *= std::pow(scale_per_point, dx - dy);
+    else if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && io.KeyShift))
+        made.move += glm::dvec3(dx, -dy, 0);
+    else if (left && !(picks && io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <= still * still))
+        made.turn = {dx, dy};
+    return made;
 }
 
-void drag(const Facts& facts, const Rect& area, Transformation& held) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const double dx = io.MouseDelta.x, dy = io.MouseDelta.y;
-    if ((dx == 0 && dy == 0) || !std::isfinite(dx) || !std::isfinite(dy)) return;
-    const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && io.KeyCtrl)) {
-        held.scale = std::clamp(held.scale * std::pow(scale_per_point, dx - dy), smallest, largest);
-    } else if (ImGui::IsMouseDown(ImGuiMouseButton_Right) || (left && io.KeyShift)) {
-        const double unit = units_per_point(*facts.scene, area);
-        held.x += dx * unit;
-        held.y -= dy * unit;
-    } else if (left) {
-        held.rotate_y = std::remainder(held.rotate_y + dx * degrees_per_point, 360);
-        held.rotate_x = std::remainder(held.rotate_x + dy * degrees_per_point, 360);
+glm::dmat4 matrix(const Mat4& m) {
+    glm::dmat4 result;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) result[column][row] = m[static_cast<std::size_t>(column * 4 + row)];
+    return result;
+}
+
+// From points to the units that what is held is moved in, so that it stays under the mouse.
+glm::dvec3 moved(const glm::dvec3& points, const Scene& scene, const View& view, const HoldMemory& hold,
+                 double shorter) {
+    if (hold.held == Held::texture) return glm::dvec3(-points.x, -points.y, points.z) / shorter;
+    const bool object = hold.held == Held::object && hold.object < scene.draws.size();
+    const Draw* draw = object ? &scene.draws[hold.object] : nullptr;
+    const Camera camera =
+        draw && draw->camera < scene.cameras.size() ? scene.cameras[draw->camera] : window_camera(scene);
+    const glm::dmat4 from_world = view_matrix(camera), seen = view.eye.matrix() * from_world;
+    const Lens lens = lens_of(camera, view.projection, seen);
+    const glm::dvec3 origin(seen[3]);
+    const Transformation t = held(view, hold);
+    if (!object) {
+        const glm::dvec3 at = hold.held == Held::scene ? origin + glm::dvec3(t.x, t.y, t.z) : origin;
+        return points * units_per_step(lens, at, shorter);
     }
+    const glm::dmat4 model =
+        draw->matrix < scene.matrices.size() ? matrix(scene.matrices[draw->matrix]) : glm::dmat4(1);
+    const glm::dvec3 in_eye(seen * placed(t, from_world, model)[3]);
+    const glm::dmat3 turned(view.scene.matrix());
+    const glm::dvec3 at = origin + glm::dvec3(view.scene.x, view.scene.y, view.scene.z) + turned * (in_eye - origin);
+    const glm::dvec3 way =
+        glm::inverse(turned * glm::dmat3(view.eye.matrix())) * (points * units_per_step(lens, at, shorter));
+    const bool finite = std::isfinite(way.x) && std::isfinite(way.y) && std::isfinite(way.z);
+    return finite ? way : glm::dvec3(0);
+}
+
+void apply(const Gesture& made, const Facts& facts, const Rect& area, View& view, const HoldMemory& hold) {
+    const Transformation before = held(view, hold);
+    Transformation t = before;
+    if (made.move != glm::dvec3(0)) {
+        const double shorter = std::max(1.0F, std::min(area.width, area.height));
+        const glm::dvec3 way = moved(made.move, *facts.scene, view, hold, shorter);
+        t.x += way.x;
+        t.y += way.y;
+        t.z += way.z;
+    }
+    const bool texture = hold.held == Held::texture;
+    const auto turn = [](double& angle, double points) {
+        if (points != 0) angle = std::remainder(angle + points * degrees_per_point, 360);
+    };
+    turn(texture ? t.rotate_z : t.rotate_y, made.turn.x);
+    if (!texture) turn(t.rotate_x, made.turn.y);
+    // Coordinates that grow make the texture's picture smaller.
+    if (made.scale != 1) t.scale = std::clamp(t.scale * (texture ? 1 / made.scale : made.scale), smallest, largest);
+    if (!(t == before)) set_held(view, hold, t);
+}
+
+std::optional<Point> clicked(const Rect& area) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || io.KeyShift || io.KeyCtrl ||
+        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > still * still ||
+        !area.contains(io.MousePos.x, io.MousePos.y))
+        return std::nullopt;
+    return Point{io.MousePos.x - area.x, io.MousePos.y - area.y};
 }
 
 }  // namespace
 
-void hold_scene(const Facts& facts, const Rect& area, View& view) {
+void hold_scene(const Facts& facts, const Rect& area, View& view, const HoldMemory& hold, Requests& requests) {
     if (!facts.scene) return;
     const ImGuiIO& io = ImGui::GetIO();
     if (!io.WantCaptureMouse) {
-        drag(facts, area, view.scene);
-        if (io.MouseWheel != 0 && area.contains(io.MousePos.x, io.MousePos.y))
-            view.scene.scale =
-                std::clamp(view.scene.scale * std::pow(scale_per_step, io.MouseWheel), smallest, largest);
+        apply(gesture(area, hold.picking), facts, area, view, hold);
+        if (hold.picking) requests.pick = clicked(area);
     }
     if (facts.mouse && area.contains(io.MousePos.x, io.MousePos.y)) {
         view.mouse_x = (io.MousePos.x - area.x) * io.DisplayFramebufferScale.x;
         view.mouse_y = (area.y + area.height - io.MousePos.y) * io.DisplayFramebufferScale.y;
     }
-    if (!io.WantTextInput && (ImGui::IsKeyPressed(static_cast<int>(Key::r), false) ||
-                              ImGui::IsKeyPressed(static_cast<int>(Key::home), false)))
-        view.scene = {};
 }
 
 }  // namespace snell::ui

@@ -1,0 +1,252 @@
+#include "src/runtime/pick.h"
+
+#include <algorithm>
+#include <string>
+
+#include "src/gl/program.h"
+#include "src/gl/texture.h"
+#include "src/runtime/impl.h"
+
+namespace snell {
+
+namespace runtime {
+
+namespace {
+
+gl::Program over_the_screen(bool es, const std::string& fragment) {
+    const std::string head =
+        es ? "#version 300 es\nprecision highp float;\nprecision highp sampler2D;\n" : "#version 330 core\n";
+    const gl::Compiled first = gl::compile(GL_VERTEX_SHADER, head +
+                                                                 "void main() { gl_Position = vec4(gl_VertexID == 1 ? "
+                                                                 "3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }\n");
+    const gl::Compiled second =
+        gl::compile(GL_FRAGMENT_SHADER, head + "uniform sampler2D cover;\nout vec4 color;\n" + fragment);
+    if (!first.shader || !second.shader) return {};
+    return std::move(gl::link({&first.shader, &second.shader}, {}).program);
+}
+
+constexpr const char* ids_fragment =
+    "uniform vec4 id;\nvoid main() {\n"
+    "    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a >= 1.) discard;\n    color = id;\n}\n";
+
+// Each of the four samples lies between four texels: together they see all around the pixel. A dark rim around the
+// bright line is seen on any picture.
+constexpr const char* outline_fragment =
+    "uniform float width;\n"
+    "bool covered(float away) {\n    vec2 size = vec2(textureSize(cover, 0));\n    float least = 1.;\n"
+    "    for (int i = 0; i < 4; ++i)\n"
+    "        least = min(least, texture(cover, (gl_FragCoord.xy + away * vec2((i & 1) * 2 - 1, (i & 2) - 1)) / "
+    "size).a);\n"
+    "    return least < .998;\n}\n"
+    "void main() {\n    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a < 1.) discard;\n"
+    "    bool line = covered(width - .5);\n    if (!line && !covered(width + .5)) discard;\n"
+    "    color = line ? vec4(1., .62, .05, 1.) : vec4(.1, .06, 0., 1.);\n}\n";
+
+}  // namespace
+
+bool Picker::resize(int width, int height) {
+    if (cover_target_.framebuffer && width_ == width && height_ == height) return true;
+    if (!nothing_) nothing_ = gl::VertexArray(gl::make(glGenVertexArrays));
+    const gl::Texels empty{gl::Pixels::rgba8, width, height, 1, nullptr};
+    cover_target_ = {};
+    ids_target_ = {};
+    cover_ = gl::make_texture(GL_TEXTURE_2D, empty, {gl::Sampling::Mode::linear, 1, true});
+    ids_ = gl::make_texture(GL_TEXTURE_2D, empty, {gl::Sampling::Mode::nearest, 1, true});
+    cover_target_ = gl::make_texture_target({{cover_.get(), GL_TEXTURE_2D}}, width, height);
+    ids_target_ = gl::make_texture_target({{ids_.get(), GL_TEXTURE_2D}}, width, height);
+    width_ = width;
+    height_ = height;
+    const bool whole = cover_target_.framebuffer && ids_target_.framebuffer;
+    if (!whole) cover_target_.framebuffer.reset();
+    return whole;
+}
+
+std::size_t Picker::bytes() const {
+    return std::size_t{16} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+}
+
+void Picker::scissor() const {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(region_[0], region_[1], region_[2], region_[3]);
+}
+
+void Picker::begin(const std::array<int, 4>& region) {
+    region_ = region;
+    if (!ids_program_) ids_program_ = over_the_screen(es_, ids_fragment);
+    clear();
+}
+
+void Picker::clear() {
+    glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
+    scissor();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Picker::whole() {
+    region_ = {0, 0, width_, height_};
+    cover(true);
+}
+
+void Picker::cover(bool first) {
+    glBindFramebuffer(GL_FRAMEBUFFER, cover_target_.framebuffer.get());
+    glViewport(0, 0, width_, height_);
+    scissor();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glClearColor(1, 1, 1, 1);
+    glClear(first ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
+}
+
+void Picker::pass(GLuint program) {
+    glViewport(0, 0, width_, height_);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    if (!es_) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glUniform1i(glGetUniformLocation(program, "cover"), 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, cover_.get());
+    glBindSampler(0, 0);
+    glBindVertexArray(nothing_.get());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glUseProgram(0);
+}
+
+void Picker::commit(Index draw) {
+    const Index number = draw + 1;
+    glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
+    glUseProgram(ids_program_.get());
+    const auto byte = [number](int shift) { return static_cast<float>(number >> shift & 255) / 255.0F; };
+    glUniform4f(glGetUniformLocation(ids_program_.get(), "id"), byte(0), byte(8), byte(16), byte(24));
+    pass(ids_program_.get());
+}
+
+std::vector<Index> Picker::read() {
+    const auto count = static_cast<std::size_t>(region_[2]) * static_cast<std::size_t>(region_[3]);
+    std::vector<std::uint8_t> bytes(4 * count);
+    glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(region_[0], region_[1], region_[2], region_[3], GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    std::vector<Index> draws(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Index number = 0;
+        for (std::size_t k = 4; k-- > 0;) number = number << 8 | bytes[4 * i + k];
+        draws[i] = number - 1;  // of nothing: none
+    }
+    return draws;
+}
+
+void Picker::outline(GLuint framebuffer, float width) {
+    if (!outline_program_) outline_program_ = over_the_screen(es_, outline_fragment);
+    if (!outline_program_) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glDisable(GL_SCISSOR_TEST);
+    glUseProgram(outline_program_.get());
+    glUniform1f(glGetUniformLocation(outline_program_.get(), "width"), width);
+    pass(outline_program_.get());
+}
+
+void blend_into_cover(const RasterState& raster) {
+    const bool by_alpha = raster.blend && raster.src == BlendFactor::src_alpha &&
+                          (raster.dst == BlendFactor::one_minus_src_alpha || raster.dst == BlendFactor::one);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, by_alpha ? GL_ONE_MINUS_SRC_ALPHA : GL_ZERO);
+}
+
+}  // namespace runtime
+
+// The targets, and a state in which draws can be made.
+bool Runtime::Impl::ready_picker(int width, int height) {
+    if (width <= 0 || height <= 0) return false;
+    if (!picker) picker = std::make_shared<runtime::Picker>(caps.es);
+    counters.gpu_bytes -= picker->bytes();
+    const bool ready = picker->resize(width, height);
+    counters.gpu_bytes += picker->bytes();
+    take_parts(false);
+    state.forget();
+    if (!caps.es) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    return ready;
+}
+
+// One draw, into the cover.
+void Runtime::Impl::draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth) {
+    const Draw& draw = plan.scene.draws[ready.draw];
+    set_up(ready, *ready.program, context(draw, frame, view), frame);
+    runtime::blend_into_cover(plan.scene.rasters[draw.raster]);
+    if (!depth) glDisable(GL_DEPTH_TEST);
+    draw_mesh(ready);
+    state.forget();
+}
+
+void Runtime::Impl::pick_window(Index pass, const Frame& frame, PassView& view, bool& first) {
+    const Pass& declared = plan.scene.passes[pass];
+    for (std::size_t i = 0; i < declared.items.size(); ++i) {
+        if (declared.items[i].kind == Item::Kind::clear) {
+            picker->clear();
+            first = true;
+        } else if (const auto& item = passes[pass].items[i]; item && !runtime::hidden(frame, item->draw)) {
+            picker->cover(first);
+            first = false;
+            draw_cover(*item, frame, view, true);
+            picker->commit(item->draw);
+        }
+    }
+}
+
+std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height, std::array<int, 4> region) {
+    const int right = std::clamp(region[0] + region[2], 0, std::max(width, 0));
+    const int top = std::clamp(region[1] + region[3], 0, std::max(height, 0));
+    region[0] = std::clamp(region[0], 0, right);
+    region[1] = std::clamp(region[1], 0, top);
+    region = {region[0], region[1], right - region[0], top - region[1]};
+    if (region[2] == 0 || region[3] == 0 || !ready_picker(width, height)) return {};
+    const int before = picker->programs();
+    picker->begin(region);
+    PassView view{width, height, plan.scene.background};
+    view.depth = fitted_depth(frame);
+    view.shift = frame.shift;
+    bool first = true;
+    std::set<std::vector<Index>> cleared;
+    const bool only_window = frame.standing && !redrawn();
+    for (Index pass = 0; pass < passes.size(); ++pass) {
+        if (!passes[pass].live) continue;
+        if (plan.scene.passes[pass].kind == Pass::Kind::window) {
+            pick_window(pass, frame, view, first);
+        } else if (!only_window) {
+            glDisable(GL_SCISSOR_TEST);
+            if (plan.scene.passes[pass].kind == Pass::Kind::textures)
+                draw_textures(pass, frame, cleared);
+            else
+                draw_cube(pass, frame);
+        }
+    }
+    counters.programs_compiled += static_cast<std::uint64_t>(picker->programs() - before);
+    return picker->read();
+}
+
+void Runtime::Impl::outline(const Frame& frame, const Surface& surface, Index draw, float line) {
+    for (Index pass = 0; pass < passes.size(); ++pass) {
+        if (plan.scene.passes[pass].kind != Pass::Kind::window) continue;
+        for (const auto& item : passes[pass].items) {
+            if (!item || item->draw != draw || !ready_picker(surface.width, surface.height)) continue;
+            const int before = picker->programs();
+            picker->whole();
+            PassView view{surface.width, surface.height, plan.scene.background};
+            view.depth = fitted_depth(frame);
+            view.shift = frame.shift;
+            draw_cover(*item, frame, view, false);
+            picker->outline(surface.framebuffer, line);
+            counters.programs_compiled += static_cast<std::uint64_t>(picker->programs() - before);
+            return;
+        }
+    }
+}
+
+}  // namespace snell

@@ -1,0 +1,68 @@
+#include "src/ui/help.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+namespace snell::ui {
+
+std::span<const KeyRow> key_rows() {
+    static constexpr KeyRow rows[]{
+        {"drag", "turns what is held: the scene, or what *View* says"},
+        {"right drag or Shift drag", "moves it along the screen"},
+        {"wheel, middle drag or Ctrl drag", "scales it"},
+        {"Shift wheel or Ctrl Shift drag", "moves it towards you"},
+        {"R or Home", "the view as the scene has it"},
+        {"P", "a click picks an object, or no longer does"},
+        {"Esc", "lets go of the picked object"},
+        {"hold I", "the pixel under the mouse, magnified, with its values"},
+        {"N", "shows pixels that are no colours"},
+        {"space bar", "holds and lets go the time"},
+        {"1 to 9; with Ctrl", "brings back a snapshot; keeps one"},
+        {"Ctrl S; with Shift", "saves the values to the scene; takes that back"},
+        {"Ctrl O", "opens another scene"},
+        {"F5", "reads the files again"},
+        {"H", "hides the panel, and shows it again"},
+        {"A", "opens and closes Accuracy, in scenes with ladders"},
+        {"Ctrl +, Ctrl - and Ctrl 0", "larger, smaller and usual letters"},
+        {"F1", "this list"},
+        {"slider: double click or Ctrl click", "type a number"},
+        {"slider: right click; Alt drag", "the scene's value; finer"},
+        {"ladder: right click", "the scene's rung"},
+    };
+    return rows;
+}
+
+void help_panel(const Rect& scene, bool& open, Layout& layout) {
+    if (!open) return;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({scene.x + scene.width / 2, scene.y + scene.height / 2}, 0, {.5F, .5F});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(em, scene.width - em), std::max(em, scene.height - em)});
+    ImGui::SetNextWindowBgAlpha(.97F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, em * .8F});
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav;
+    if (ImGui::Begin("##keys", nullptr, flags)) {
+        float widest = 0;
+        for (const KeyRow& row : key_rows()) widest = std::max(widest, ImGui::CalcTextSize(row.keys).x);
+        const float begin = ImGui::GetCursorPosX();
+        for (const KeyRow& row : key_rows()) {
+            ImGui::TextDisabled("%s", row.keys);
+            ImGui::SameLine(begin + widest + em);
+            // The stars are of the page.
+            std::string what = row.what;
+            std::erase(what, '*');
+            ImGui::TextUnformatted(what.c_str());
+        }
+        ImGui::Spacing();
+        if (ImGui::Button("Close")) open = false;
+        layout.note("close keys");
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace snell::ui
