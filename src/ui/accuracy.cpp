@@ -44,8 +44,11 @@ void figures(const AccuracyFacts& facts) {
             error_text(facts.largest).c_str(),
             std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr).c_str() : "no difference");
     remark(fmt::format("{} of {} samples a pixel", facts.samples, facts.wanted));
-    if (facts.nonfinite > 0)
-        ImGui::TextColored(palette().error_text, "%zu pixels are no finite numbers", facts.nonfinite);
+    if (facts.nonfinite > 0) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
+        fitted(fmt::format("{} pixels are no finite numbers", facts.nonfinite), ImGui::GetContentRegionAvail().x);
+        ImGui::PopStyleColor();
+    }
 }
 
 void legend() {
@@ -76,7 +79,7 @@ void show_buttons(AccuracyMemory& memory, Layout& layout) {
     constexpr std::array<std::pair<const char*, Show>, 3> choices{
         {{"Picture", Show::picture}, {"Split", Show::split}, {"Heat map", Show::heat}}};
     for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (i > 0) ImGui::SameLine(0, ImGui::GetFontSize() * .8F);
+        if (i > 0) follow(check_box_width(choices[i].first), ImGui::GetFontSize() * .8F);
         if (ImGui::RadioButton(choices[i].first, memory.show == choices[i].second)) memory.show = choices[i].second;
         layout.note("accuracy", choices[i].first);
     }
