@@ -126,8 +126,8 @@ bool Batch::open(Open& open, const std::string& path) {
     };
     deadline_.begin(fmt::format("reading '{}'", path));
     // What the scene before has too, such as snell's own programs, need not be made again.
-    open.document = open_document(path, caps_, choose, nullptr, {.previous = last_ ? &*last_->runtime : nullptr},
-                                  access_to(path, options_.access, options_.grade));
+    const RuntimeOptions how{.previous = last_ ? &*last_->runtime : nullptr, .progress = progress_.watcher()};
+    open.document = open_document(path, caps_, choose, nullptr, how, access_to(path, options_.access, options_.grade));
     print_all(*open.document, options_.quiet);
     say(unknown, open.document->sources);
     timings_.load += milliseconds_since(start);

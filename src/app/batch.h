@@ -15,6 +15,7 @@
 #include "src/app/document.h"
 #include "src/app/headless.h"
 #include "src/app/non_finite.h"
+#include "src/app/progress.h"
 #include "src/app/shots.h"
 #include "src/app/writer.h"
 #include "src/gl/target.h"
@@ -82,6 +83,7 @@ private:
     bool floats_ = false;
     Timings timings_;
     std::optional<NonFinite> non_finite_;
+    ProgressLine progress_;
     std::unique_ptr<Document> last_;  // whose counters stats() tells
     std::vector<Record> records_;
     std::set<std::string> said_;  // of this scene

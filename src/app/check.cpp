@@ -8,6 +8,8 @@
 #include "src/app/commands.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
+#include "src/app/progress.h"
+#include "src/app/unsampled.h"
 #include "src/lint/lint.h"
 #include "src/plan/plan.h"
 #include "src/runtime/program.h"
@@ -67,7 +69,10 @@ Checked check_scene(const std::string& path, const CheckOptions& options, const 
     Checked checked;
     const Access access = access_to(path, options.access, options.grade);
     if (caps && options.dump.empty()) {
-        checked.document = open_document(path, *caps, nullptr, options.lint ? PlanReader(lint) : nullptr, {}, access);
+        ProgressLine progress;
+        checked.document = open_document(path, *caps, nullptr, options.lint ? PlanReader(lint) : nullptr,
+                                         {.progress = progress.watcher()}, access);
+        check_unsampled(*checked.document);
         return checked;
     }
     checked.document = std::make_unique<Document>();

@@ -6,6 +6,7 @@
 
 #include "parser/parse.h"
 #include "parser/utf8.h"
+#include "src/app/unsampled.h"
 #include "src/plan/plan.h"
 
 namespace snell {
@@ -63,6 +64,7 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
     document->controls =
         make_controls(document->runtime->scene(), document->runtime->active_uniforms(), document->diagnostics);
     document->controls.rungs = document->runtime->rungs();
+    excuse_unsampled(*document);
     document->diagnostics.sort();
     return document;
 }

@@ -12,6 +12,7 @@
 #include "src/app/commands.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
+#include "src/app/progress.h"
 #include "src/gl/exact_target.h"
 #include "src/gl/present.h"
 #include "src/lint/lint.h"
@@ -241,12 +242,13 @@ int explain(const ExplainOptions& options) {
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
         for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, chosen);
     };
+    ProgressLine progress;
     const auto document = open_document(
         options.scene, report.caps, choose,
         [&](const Plan& plan, Document& opened) {
             report.lints = lint::check(plan, opened.sources, runtime::include_reader(*opened.files));
         },
-        {}, options.access);
+        {.progress = progress.watcher()}, options.access);
     if (document->runtime)
         for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, chosen);
     document->diagnostics.append(chosen);

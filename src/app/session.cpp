@@ -29,8 +29,12 @@ std::string folder_of(const std::string& file) {
 
 }  // namespace
 
-Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs first)
-    : path_(std::move(path)), caps_(std::move(caps)), access_(std::move(access)), first_(std::move(first)) {
+Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs first, Watcher progress)
+    : path_(std::move(path)),
+      caps_(std::move(caps)),
+      access_(std::move(access)),
+      first_(std::move(first)),
+      progress_(std::move(progress)) {
     reload();
 }
 
@@ -45,6 +49,7 @@ void Session::reload() {
     };
     RuntimeOptions options;
     options.previous = shown_ ? &*shown_->runtime : nullptr;
+    options.progress = progress_;
     std::unique_ptr<Document> read = open_document(path_, caps_, choose, nullptr, options, access_);
     read->diagnostics.append(refused);
     take(std::move(read));

@@ -19,8 +19,9 @@ using FirstRungs = std::function<void(const Scene& scene, Rungs& rungs, Diagnost
 
 class Session {
 public:
-    // Needs the GL context of `caps` to be current, for all of its life.
-    Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr);
+    // Needs the GL context of `caps` to be current, for all of its life. `progress` is told how far loading is.
+    Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr,
+            Watcher progress = nullptr);
 
     // Reads the files again. A state with errors that the shown one does not have is not shown: its problems
     // are, over the last good picture. Values of controls carry over.
@@ -49,6 +50,7 @@ private:
     gl::Caps caps_;
     Access access_;
     FirstRungs first_;
+    Watcher progress_;
     std::unique_ptr<Document> shown_;
     std::vector<ui::Problem> problems_;  // of the files, then of the rungs chosen since
     std::size_t file_problems_ = 0, file_errors_ = 0;

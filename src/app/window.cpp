@@ -13,6 +13,7 @@
 #include "src/app/accuracy_view.h"
 #include "src/app/commands.h"
 #include "src/app/keeper.h"
+#include "src/app/loading_screen.h"
 #include "src/app/quality.h"
 #include "src/app/session.h"
 #include "src/app/window_state.h"
@@ -57,8 +58,10 @@ public:
         : options_(options),
           window_(std::move(window)),
           gui_(window_.get()),
+          loading_(*window_, gui_, painter_,
+                   [this](PixelSize pixels) { canvas_.show(0, pixels.height - drawn_.stand.height); }),
           caps_(gl::query_caps()),
-          session_(options.scene, caps_, options.access, first_rungs(options)),
+          session_(options.scene, caps_, options.access, first_rungs(options), loading_.watcher(size_without_scene())),
           keeper_(options.scene),
           accuracy_(options.scene, caps_),
           layout_(!options.state_file.empty()) {
@@ -80,6 +83,12 @@ public:
     bool readable() { return session_.document() != nullptr; }
 
 private:
+    PixelSize size_without_scene() {
+        if (options_.size) return {options_.size->first, options_.size->second};
+        const double scale = window_->content_scale();
+        return {static_cast<int>(1280 * scale), static_cast<int>(800 * scale)};
+    }
+
     // The drawing area is the scene's WindowSize; who asked for none gets a comfortable one.
     PixelSize first_size() {
         if (options_.size) return {options_.size->first, options_.size->second};
@@ -303,18 +312,19 @@ private:
     std::unique_ptr<Window> window_;
     ui::Gui gui_;
     ui::Painter painter_;
+    gl::Canvas canvas_;
+    Drawn drawn_, next_;
+    LoadingScreen loading_;
     gl::Caps caps_;
     Session session_;
     Keeper keeper_;
     AccuracyView accuracy_;
-    gl::Canvas canvas_;
     View view_;
     ui::Memory memory_;
     ui::Layout layout_;
     std::string file_, reported_;
     std::vector<char> linked_;
     WindowCounters counters_;
-    Drawn drawn_, next_;
     Explanation explanation_;
     std::uint64_t explained_ = 0;  // the revision that it is of
     std::uint64_t interface_ = 0, presented_ = 0, presented_beside_ = 0;

@@ -1,10 +1,58 @@
 #include "src/gl/program.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 
 namespace snell::gl {
 
 namespace {
+
+constexpr std::pair<GLenum, std::string_view> type_names[]{
+    {GL_FLOAT, "float"},
+    {GL_FLOAT_VEC2, "vec2"},
+    {GL_FLOAT_VEC3, "vec3"},
+    {GL_FLOAT_VEC4, "vec4"},
+    {GL_INT, "int"},
+    {GL_INT_VEC2, "ivec2"},
+    {GL_INT_VEC3, "ivec3"},
+    {GL_INT_VEC4, "ivec4"},
+    {GL_UNSIGNED_INT, "uint"},
+    {GL_UNSIGNED_INT_VEC2, "uvec2"},
+    {GL_UNSIGNED_INT_VEC3, "uvec3"},
+    {GL_UNSIGNED_INT_VEC4, "uvec4"},
+    {GL_BOOL, "bool"},
+    {GL_BOOL_VEC2, "bvec2"},
+    {GL_BOOL_VEC3, "bvec3"},
+    {GL_BOOL_VEC4, "bvec4"},
+    {GL_FLOAT_MAT2, "mat2"},
+    {GL_FLOAT_MAT3, "mat3"},
+    {GL_FLOAT_MAT4, "mat4"},
+    {GL_FLOAT_MAT2x3, "mat2x3"},
+    {GL_FLOAT_MAT2x4, "mat2x4"},
+    {GL_FLOAT_MAT3x2, "mat3x2"},
+    {GL_FLOAT_MAT3x4, "mat3x4"},
+    {GL_FLOAT_MAT4x2, "mat4x2"},
+    {GL_FLOAT_MAT4x3, "mat4x3"},
+    {GL_DOUBLE, "double"},
+    {GL_DOUBLE_VEC2, "dvec2"},
+    {GL_DOUBLE_VEC3, "dvec3"},
+    {GL_DOUBLE_VEC4, "dvec4"},
+    {GL_SAMPLER_1D, "sampler1D"},
+    {GL_SAMPLER_2D, "sampler2D"},
+    {GL_SAMPLER_3D, "sampler3D"},
+    {GL_SAMPLER_CUBE, "samplerCube"},
+    {GL_SAMPLER_1D_SHADOW, "sampler1DShadow"},
+    {GL_SAMPLER_2D_SHADOW, "sampler2DShadow"},
+    {GL_SAMPLER_CUBE_SHADOW, "samplerCubeShadow"},
+    {GL_SAMPLER_BUFFER, "samplerBuffer"},
+    {GL_SAMPLER_2D_RECT, "sampler2DRect"},
+    {GL_INT_SAMPLER_2D, "isampler2D"},
+    {GL_UNSIGNED_INT_SAMPLER_2D, "usampler2D"},
+    {GL_INT_SAMPLER_3D, "isampler3D"},
+    {GL_UNSIGNED_INT_SAMPLER_3D, "usampler3D"},
+};
 
 template <typename Length, typename Read>
 std::string read_log(GLuint object, Length length, Read read) {
@@ -97,94 +145,8 @@ std::vector<std::string> active_attributes(GLuint program) {
 }
 
 std::string_view type_name(GLenum type) {
-    switch (type) {
-        case GL_FLOAT:
-            return "float";
-        case GL_FLOAT_VEC2:
-            return "vec2";
-        case GL_FLOAT_VEC3:
-            return "vec3";
-        case GL_FLOAT_VEC4:
-            return "vec4";
-        case GL_INT:
-            return "int";
-        case GL_INT_VEC2:
-            return "ivec2";
-        case GL_INT_VEC3:
-            return "ivec3";
-        case GL_INT_VEC4:
-            return "ivec4";
-        case GL_UNSIGNED_INT:
-            return "uint";
-        case GL_UNSIGNED_INT_VEC2:
-            return "uvec2";
-        case GL_UNSIGNED_INT_VEC3:
-            return "uvec3";
-        case GL_UNSIGNED_INT_VEC4:
-            return "uvec4";
-        case GL_BOOL:
-            return "bool";
-        case GL_BOOL_VEC2:
-            return "bvec2";
-        case GL_BOOL_VEC3:
-            return "bvec3";
-        case GL_BOOL_VEC4:
-            return "bvec4";
-        case GL_FLOAT_MAT2:
-            return "mat2";
-        case GL_FLOAT_MAT3:
-            return "mat3";
-        case GL_FLOAT_MAT4:
-            return "mat4";
-        case GL_FLOAT_MAT2x3:
-            return "mat2x3";
-        case GL_FLOAT_MAT2x4:
-            return "mat2x4";
-        case GL_FLOAT_MAT3x2:
-            return "mat3x2";
-        case GL_FLOAT_MAT3x4:
-            return "mat3x4";
-        case GL_FLOAT_MAT4x2:
-            return "mat4x2";
-        case GL_FLOAT_MAT4x3:
-            return "mat4x3";
-        case GL_DOUBLE:
-            return "double";
-        case GL_DOUBLE_VEC2:
-            return "dvec2";
-        case GL_DOUBLE_VEC3:
-            return "dvec3";
-        case GL_DOUBLE_VEC4:
-            return "dvec4";
-        case GL_SAMPLER_1D:
-            return "sampler1D";
-        case GL_SAMPLER_2D:
-            return "sampler2D";
-        case GL_SAMPLER_3D:
-            return "sampler3D";
-        case GL_SAMPLER_CUBE:
-            return "samplerCube";
-        case GL_SAMPLER_1D_SHADOW:
-            return "sampler1DShadow";
-        case GL_SAMPLER_2D_SHADOW:
-            return "sampler2DShadow";
-        case GL_SAMPLER_CUBE_SHADOW:
-            return "samplerCubeShadow";
-        case GL_SAMPLER_BUFFER:
-            return "samplerBuffer";
-        case GL_SAMPLER_2D_RECT:
-            return "sampler2DRect";
-        case GL_INT_SAMPLER_2D:
-            return "isampler2D";
-        case GL_UNSIGNED_INT_SAMPLER_2D:
-            return "usampler2D";
-        case GL_INT_SAMPLER_3D:
-            return "isampler3D";
-        case GL_UNSIGNED_INT_SAMPLER_3D:
-            return "usampler3D";
-        default:
-            return {};
-    }
+    const auto* found = std::ranges::find(type_names, type, &std::pair<GLenum, std::string_view>::first);
+    return found == std::end(type_names) ? std::string_view{} : found->second;
 }
 
 }  // namespace snell::gl

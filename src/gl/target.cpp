@@ -18,12 +18,37 @@ Renderbuffer make_renderbuffer(GLenum format, int width, int height, int samples
     return buffer;
 }
 
+// What is read back alone needs no depth.
+Target make_color_target(int width, int height, Pixels type) {
+    Target target;
+    target.width = width;
+    target.height = height;
+    target.color = make_renderbuffer(internal_format(type), width, height, 1);
+    target.framebuffer = Framebuffer(make(glGenFramebuffers));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.color.get());
+    return target;
+}
+
+// The first row is the last.
+template <typename Component>
+void flip(std::vector<Component>& rows, size_t row) {
+    std::vector<Component> one(row);
+    const size_t bytes = row * sizeof(Component);
+    for (size_t top = 0, bottom = rows.size() / row; top + 1 < bottom; ++top) {
+        Component *a = rows.data() + top * row, *b = rows.data() + --bottom * row;
+        std::memcpy(one.data(), a, bytes);
+        std::memcpy(a, b, bytes);
+        std::memcpy(b, one.data(), bytes);
+    }
+}
+
 template <typename Component>
 std::vector<Component> read_rows(GLuint framebuffer, int width, int height, int samples, Pixels pixels, GLenum type,
                                  size_t row) {
     Target resolved;
     if (samples > 1) {
-        resolved = make_target(width, height, 1, pixels);
+        resolved = make_color_target(width, height, pixels);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.framebuffer.get());
         glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -34,12 +59,7 @@ std::vector<Component> read_rows(GLuint framebuffer, int width, int height, int 
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width, height, GL_RGBA, type, rows.data());
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    for (size_t top = 0, bottom = static_cast<size_t>(height); top + 1 < bottom; ++top) {
-        --bottom;
-        std::swap_ranges(rows.begin() + static_cast<std::ptrdiff_t>(top * row),
-                         rows.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
-                         rows.begin() + static_cast<std::ptrdiff_t>(bottom * row));
-    }
+    flip(rows, row);
     return rows;
 }
 

@@ -299,6 +299,17 @@ std::optional<std::string> Files::read(const std::string& path, std::string& err
     return bytes;
 }
 
+std::shared_ptr<const std::string> Files::read_once(const std::string& path, std::string& error) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (const auto known = texts_.find(path); known != texts_.end()) return known->second;
+    }
+    auto text = read(path, error);
+    if (!text) return nullptr;
+    const std::scoped_lock lock(mutex_);
+    return texts_.try_emplace(path, std::make_shared<const std::string>(std::move(*text))).first->second;
+}
+
 void Files::keep(const std::string& path) {
     const std::scoped_lock lock(mutex_);
     if (std::find(read_paths_.begin(), read_paths_.end(), path) == read_paths_.end()) read_paths_.push_back(path);

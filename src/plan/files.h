@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -53,6 +54,8 @@ public:
     // nullopt: can't be read (`error` says why). Regular files only: a pipe or a device is refused before
     // it is opened, so that reading never waits.
     std::optional<std::string> read(const std::string& path, std::string& error);
+    // The same for what several name, such as included shaders: each file is read once. Null: can't be read.
+    std::shared_ptr<const std::string> read_once(const std::string& path, std::string& error);
     // The file is in use although what was read of it earlier serves again: to be watched like one that was read.
     void keep(const std::string& path);
     FileCounters counters() const;
@@ -65,6 +68,7 @@ private:
     std::string root_;  // the real path of the folder that reading is confined to; empty: it is not
     mutable std::mutex mutex_;
     FileCounters counters_;
+    std::map<std::string, std::shared_ptr<const std::string>> texts_;  // by path, of read_once()
     std::vector<std::string> read_paths_;
 };
 

@@ -59,7 +59,7 @@ void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
     context.width = surface.width;
     context.height = surface.height;
     const double aspect = static_cast<double>(surface.width) / surface.height;
-    context.projection = projection_matrix(camera, aspect, fitted_depth(frame, surface)) * context.scene;
+    context.projection = projection_matrix(camera, aspect, fitted_depth(frame)) * context.scene;
     state.forget();
     RasterState raster;
     raster.line_width = context.line_width = 3;

@@ -49,7 +49,7 @@ void Runtime::Impl::find_batches(Index pass) {
 }
 
 // False: some of the draws are left out; they are to be done one by one.
-bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, const PassView& view) {
+bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, PassView& view) {
     const auto items = std::span(passes[pass].items).subspan(batch.first, batch.count);
     if (std::ranges::any_of(items, [&](const auto& item) { return hidden(frame, item->draw); })) return false;
     const ReadyDraw& ready = *items.front();

@@ -80,6 +80,7 @@ Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics
       sources(&s),
       working(plan.scene.programs.size()),
       savings(options.savings),
+      progress(options.progress),
       store(options.previous ? options.previous->impl_->store : std::make_shared<runtime::Store>()),
       textures(plan.scene, f, caps, counters, store, savings, diagnostics),
       state(caps) {
@@ -95,6 +96,7 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     Diagnostics unheard;  // who asks for the controls hears of them
     given = make_controls(plan.scene, active, unheard);
     passes.clear();
+    fitted.reset();
     passes.resize(plan.scene.passes.size());
     find_live_passes(loading);
     ready_passes(loading);
@@ -144,12 +146,14 @@ void Runtime::Impl::link_programs(Loading& loading) {
             first[draw.program] = {scene.rasters[draw.raster].flat, false, outputs_of(pass, caps), {}};
         }
     for (Index i = 0; i < scene.programs.size(); ++i) {
+        tell(LoadProgress::Stage::programs, scene.programs[i].name, i, scene.programs.size());
         const LinkedProgram* linked = link_chosen(i, first[i], loading);
         active.emplace_back(linked ? linked->active : std::vector<ActiveUniform>{});
         if (!linked || !used[i]) continue;
         animated = animated || linked->reads(glsl::System::timer) || linked->reads(glsl::System::time);
         mouse = mouse || linked->reads(glsl::System::mouse);
     }
+    tell(LoadProgress::Stage::programs, "", scene.programs.size(), scene.programs.size());
 }
 
 // Passes off-screen that the window shows something of, by however many others. Nothing of the others is loaded.
@@ -202,14 +206,20 @@ void Runtime::Impl::ready_passes(Loading& loading) {
     meshes.resize(plan.meshes.size());
     trees.resize(plan.meshes.size());
     if (savings) preload(loading);
+    const std::size_t all = plan.scene.draws.size();
+    std::size_t done = 0;
     for (Index pass = 0; pass < plan.scene.passes.size(); ++pass) {
         if (!passes[pass].live) continue;
         ready_target(pass, loading.diagnostics);
-        for (const Item& item : plan.scene.passes[pass].items)
-            passes[pass].items.push_back(item.kind == Item::Kind::draw ? ready_draw(pass, item.index, loading)
-                                                                       : std::nullopt);
+        for (const Item& item : plan.scene.passes[pass].items) {
+            auto& ready = passes[pass].items.emplace_back();
+            if (item.kind != Item::Kind::draw) continue;
+            tell(LoadProgress::Stage::draws, "", done++, all);
+            ready = ready_draw(pass, item.index, loading);
+        }
         if (savings) find_batches(pass);
     }
+    tell(LoadProgress::Stage::draws, "", all, all);
 }
 
 // All that is declared, read or not.

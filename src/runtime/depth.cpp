@@ -1,11 +1,21 @@
 // Near and far planes as tight as the scene allows, so that surfaces that nearly touch do not fight over pixels.
+#include <utility>
+
 #include "src/runtime/impl.h"
 
 namespace snell {
 
-std::optional<DepthRange> Runtime::Impl::fitted_depth(const Frame& frame, const Surface& surface) {
+std::optional<DepthRange> Runtime::Impl::fitted_depth(const Frame& frame) const {
+    View view = frame.view;
+    view.texture = {};  // moves nothing
+    view.mouse_x = view.mouse_y = 0;
+    if (!fitted || fitted->view != view) fitted = {std::move(view), fit(frame)};
+    return fitted->planes;
+}
+
+std::optional<DepthRange> Runtime::Impl::fit(const Frame& frame) const {
     const Scene& scene = plan.scene;
-    const PassView view{surface.width, surface.height};
+    PassView view;  // of whatever size
     std::vector<DepthBox> boxes;
     Index camera = none;
     for (Index pass = 0; pass < passes.size(); ++pass) {
@@ -16,7 +26,7 @@ std::optional<DepthRange> Runtime::Impl::fitted_depth(const Frame& frame, const 
             const runtime::GpuMesh& mesh = *meshes[item->mesh];
             if (camera == none) camera = draw.camera;
             if (!item->program->plain_depth || mesh.has_w || draw.camera != camera) return std::nullopt;
-            const runtime::DrawContext c = context(draw, frame, view);
+            const runtime::DrawContext& c = context(draw, frame, view);
             boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
         }
     }

@@ -44,24 +44,21 @@ glm::dmat4 face_view(int face, const Vec3& center) {
 
 }  // namespace
 
-DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const PassView& view) const {
+// What all draws of a pass through one camera share.
+DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView& view) const {
     const Scene& scene = plan.scene;
     DrawContext result;
-    const glm::dmat4 camera = view.view ? *view.view : view_matrix(scene.cameras[draw.camera]);
-    result.view = view.view ? camera : frame.view.eye.matrix() * camera;
+    const glm::dmat4 placed = view.view ? *view.view : view_matrix(scene.cameras[camera]);
+    result.view = view.view ? placed : frame.view.eye.matrix() * placed;
     result.scene = view.view ? glm::dmat4(1) : runtime::about_origin(frame.view.scene, result.view);
     const double aspect = static_cast<double>(view.width) / view.height;
     result.projection =
-        (view.projection ? *view.projection : projection_matrix(scene.cameras[draw.camera], aspect, view.depth)) *
+        (view.projection ? *view.projection : projection_matrix(scene.cameras[camera], aspect, view.depth)) *
         result.scene;
     if (view.shift != std::array<double, 2>{0, 0})
         result.projection =
             glm::translate(glm::dmat4(1), {2 * view.shift[0] / view.width, 2 * view.shift[1] / view.height, 0}) *
             result.projection;
-    result.model = draw.matrix == none ? glm::dmat4(1) : matrix(scene.matrices[draw.matrix]);
-    const auto index = static_cast<Index>(&draw - scene.draws.data());
-    if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
-        result.model = result.model * object->second.matrix();
     result.texture = frame.view.texture.matrix();
     result.time = frame.time;
     result.timer_period = scene.timer_period;
@@ -69,6 +66,21 @@ DrawContext Runtime::Impl::context(const Draw& draw, const Frame& frame, const P
     result.height = view.height;
     result.mouse_x = frame.view.mouse_x;
     result.mouse_y = frame.view.mouse_y;
+    return result;
+}
+
+DrawContext& Runtime::Impl::context(const Draw& draw, const Frame& frame, PassView& view) const {
+    const Scene& scene = plan.scene;
+    if (!view.shared || view.camera != draw.camera) {
+        view.shared = look(draw.camera, frame, view);
+        view.camera = draw.camera;
+    }
+    DrawContext& result = *view.shared;
+    result.model = draw.matrix == none ? glm::dmat4(1) : matrix(scene.matrices[draw.matrix]);
+    const auto index = static_cast<Index>(&draw - scene.draws.data());
+    if (!frame.view.objects.empty())
+        if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
+            result.model = result.model * object->second.matrix();
     result.point_size = scene.rasters[draw.raster].point_size;
     result.line_width = scene.rasters[draw.raster].line_width;
     return result;
@@ -109,7 +121,7 @@ void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& s
     glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
     glViewport(0, 0, surface.width, surface.height);
     PassView view{surface.width, surface.height, plan.scene.background};
-    view.depth = fitted_depth(frame, surface);
+    view.depth = fitted_depth(frame);
     view.shift = frame.shift;
     if (first) clear(view.background);
     if (passes[pass].items.empty()) return;
@@ -223,7 +235,7 @@ void Runtime::Impl::finish_pass(Index pass) {
     ++counters.passes;
 }
 
-void Runtime::Impl::draw_items(Index pass, const Frame& frame, const PassView& view) {
+void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
     const Pass& declared = plan.scene.passes[pass];
     auto batch = passes[pass].batches.begin();
     for (size_t i = 0; i < declared.items.size(); ++i) {
@@ -243,18 +255,16 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, const PassView& v
     }
 }
 
-void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, const PassView& view) {
+void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, PassView& view) {
     set_up(ready, *ready.program, context(plan.scene.draws[ready.draw], frame, view), frame);
     draw_mesh(ready);
 }
 
 // All but the draw itself. `program` may be another form of the draw's.
-void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const DrawContext& context,
-                           const Frame& frame) {
+void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, DrawContext& values, const Frame& frame) {
     const Draw& draw = plan.scene.draws[ready.draw];
     if (!savings) state.forget();
     state.program(program.program.get());
-    DrawContext values = context;
     values.harmonics = ready.harmonics;
     const int uploads = runtime::set_system(program, values, !savings) +
                         (draw.program == none ? 0 : runtime::set_user(program, draw.program, frame.controls, !savings));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/gl/target.h"
+#include "src/runtime/jobs.h"
 #include "src/runtime/mesh.h"
 #include "src/runtime/program.h"
 #include "src/runtime/runtime.h"
@@ -84,6 +85,9 @@ struct Runtime::Impl {
         std::set<const Diagnostics*> reported;  // of `program_problems`
     };
     void prepare(Diagnostics& diagnostics);
+    void tell(LoadProgress::Stage stage, std::string_view what, std::size_t done, std::size_t of) const {
+        if (progress) progress({stage, what, done, of});
+    }
     void link_programs(Loading& loading);
     runtime::LinkedProgram* link(Index program, const runtime::Variant& variant, Loading& loading);
     void find_live_passes(Loading& loading);
@@ -112,7 +116,7 @@ struct Runtime::Impl {
         double milliseconds = 0;
     };
     void preload(Loading& loading);
-    void preload_meshes(Loading& loading);
+    void preload_meshes(Loading& loading, std::vector<runtime::Job>& jobs);
     LoadedMesh take_mesh(Index mesh, Loading& loading);
 
     // mesh.cpp
@@ -137,6 +141,9 @@ struct Runtime::Impl {
         const glm::dmat4* view = nullptr;
         std::optional<DepthRange> depth;    // else the usual
         std::array<double, 2> shift{0, 0};  // of the picture, in pixels
+        // Of the last draw, for the next one through the same camera.
+        std::optional<runtime::DrawContext> shared = std::nullopt;
+        Index camera = none;
     };
     void draw(const Frame& frame, const Surface& surface);
     void draw_window(Index pass, const Frame& frame, const Surface& surface, bool first);
@@ -144,11 +151,11 @@ struct Runtime::Impl {
     void draw_cube(Index pass, const Frame& frame);
     void draw_face(Index pass, int face, const Frame& frame);
     void finish_pass(Index pass);
-    void draw_items(Index pass, const Frame& frame, const PassView& view);
-    bool draw_batch(Index pass, runtime::Batch& batch, const Frame& frame, const PassView& view);
-    void set_up(const runtime::ReadyDraw& ready, runtime::LinkedProgram& program, const runtime::DrawContext& values,
+    void draw_items(Index pass, const Frame& frame, PassView& view);
+    bool draw_batch(Index pass, runtime::Batch& batch, const Frame& frame, PassView& view);
+    void set_up(const runtime::ReadyDraw& ready, runtime::LinkedProgram& program, runtime::DrawContext& values,
                 const Frame& frame);
-    void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, const PassView& view);
+    void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
     void count_draw(Topology topology, std::uint32_t count, std::uint64_t instances = 1);
     bool reads_other_passes(const runtime::ReadyPass& pass) const;
@@ -159,9 +166,12 @@ struct Runtime::Impl {
     // depth.cpp
     // The planes that all draws in the window lie between; none where some program might see the difference, or
     // place its vertices itself.
-    std::optional<DepthRange> fitted_depth(const Frame& frame, const Surface& surface);
+    std::optional<DepthRange> fitted_depth(const Frame& frame) const;
+    std::optional<DepthRange> fit(const Frame& frame) const;
     std::vector<double> seen_by(Index pass, const Frame& frame) const;
-    runtime::DrawContext context(const Draw& draw, const Frame& frame, const PassView& view) const;
+    runtime::DrawContext look(Index camera, const Frame& frame, const PassView& view) const;
+    // Stands in `view` until the next call.
+    runtime::DrawContext& context(const Draw& draw, const Frame& frame, PassView& view) const;
 
     Plan plan;
     gl::Caps caps;
@@ -181,10 +191,16 @@ struct Runtime::Impl {
     std::optional<runtime::GpuMesh> axes;
     Counters counters;
     bool savings = true;
+    Watcher progress;
     std::shared_ptr<runtime::Store> store;  // shared with the runtimes that this one took over from
     runtime::Textures textures;
     std::vector<runtime::ReadyPass> passes;
     std::map<std::vector<Index>, std::vector<gl::TextureTarget>> targets;  // by the textures rendered to
+    struct Fitted {
+        View view;  // what it depends on
+        std::optional<DepthRange> planes;
+    };
+    mutable std::optional<Fitted> fitted;  // none: what is drawn is another
     runtime::State state;
     bool animated = false, mouse = false;
     bool settled = true;  // as of the last frame

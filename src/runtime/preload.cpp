@@ -1,7 +1,7 @@
 // Files that the draws need are read and decoded on all cores, before any of them is uploaded.
 #include <algorithm>
 
-#include "src/content/parallel.h"
+#include "src/content/noise.h"
 #include "src/plan/identity.h"
 #include "src/runtime/impl.h"
 #include "src/runtime/stopwatch.h"
@@ -10,9 +10,6 @@ namespace snell {
 
 namespace runtime {
 
-namespace {
-
-// What was said of the file's name when the scene was planned is not said again.
 void say_once(const Diagnostics& said, Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : said.items())
         if (std::ranges::none_of(diagnostics.items(), [&](const Diagnostic& other) {
@@ -20,8 +17,6 @@ void say_once(const Diagnostics& said, Diagnostics& diagnostics) {
             }))
             diagnostics.add(diagnostic);
 }
-
-}  // namespace
 
 content::Image Textures::read_image(Index texture, Diagnostics& diagnostics) {
     const Texture& declared = scene_->textures[texture];
@@ -40,8 +35,35 @@ content::CubeFaces Textures::read_faces(Index texture, Diagnostics& diagnostics)
     return faces;
 }
 
-void Textures::preload(const std::vector<Index>& wanted) {
-    std::vector<Index> jobs;
+void Textures::preload_image(Index texture, Preloaded& into) {
+    const Stopwatch watch;
+    if (scene_->textures[texture].target == TextureTarget::cube)
+        into.faces = read_faces(texture, into.said);
+    else
+        into.image = read_image(texture, into.said);
+    into.milliseconds = watch.milliseconds();
+}
+
+void Textures::preload_noise(int dimensions, Preloaded& into) {
+    const Stopwatch watch;
+    into.image = read_noise(dimensions, into.said);
+    into.milliseconds = watch.milliseconds();
+}
+
+content::Image Textures::read_noise(int dimensions, Diagnostics& diagnostics) {
+    const content::Image image = content::to_rgba(load_noise(dimensions, noise_size(dimensions), *files_, diagnostics));
+    return image.bottom_first ? image : content::flipped(image);
+}
+
+void Textures::preload(const std::vector<Index>& wanted, const std::set<int>& noise, std::vector<Job>& jobs) {
+    for (const int dimensions : noise) {
+        const Identity identity = noise_identity(dimensions, noise_size(dimensions), *files_);
+        if (find_noise(dimensions) || store_->textures.has(identity.key)) continue;
+        Preloaded& into = preloaded_noise_[dimensions];
+        jobs.push_back({content::noise_file_name(dimensions, noise_size(dimensions)),
+                        [this, dimensions, &into] { preload_noise(dimensions, into); }});
+    }
+    std::set<Index> textures;
     for (const Index index : wanted) {
         Index texture = same_[index];
         if (const Index source = scene_->textures[texture].source;
@@ -50,23 +72,13 @@ void Textures::preload(const std::vector<Index>& wanted) {
             texture = same_[source];
         }
         if (textures_[texture] || preloaded_.contains(texture) || scene_->textures[texture].files.empty()) continue;
-        if (!store_->textures.has(key_of(texture).key)) jobs.push_back(texture);
+        if (!store_->textures.has(key_of(texture).key)) textures.insert(texture);
     }
-    std::ranges::sort(jobs);
-    jobs.erase(std::unique(jobs.begin(), jobs.end()), jobs.end());
-    if (jobs.size() < 2) return;
-    std::vector<Preloaded> done(jobs.size());
-    content::parallel_blocks(jobs.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Stopwatch watch;
-            if (scene_->textures[jobs[i]].target == TextureTarget::cube)
-                done[i].faces = read_faces(jobs[i], done[i].said);
-            else
-                done[i].image = read_image(jobs[i], done[i].said);
-            done[i].milliseconds = watch.milliseconds();
-        }
-    });
-    for (std::size_t i = 0; i < jobs.size(); ++i) preloaded_.emplace(jobs[i], std::move(done[i]));
+    for (const Index texture : textures) {
+        Preloaded& into = preloaded_[texture];
+        jobs.push_back(
+            {scene_->textures[texture].files[0].name, [this, texture, &into] { preload_image(texture, into); }});
+    }
 }
 
 std::optional<Textures::Preloaded> Textures::take_preloaded(Index texture) {
@@ -80,43 +92,44 @@ std::optional<Textures::Preloaded> Textures::take_preloaded(Index texture) {
 
 void Runtime::Impl::preload(Loading& loading) {
     std::vector<Index> wanted;
+    std::set<int> noise;
     for (Index pass = 0; pass < passes.size(); ++pass)
         for (const Item& item : plan.scene.passes[pass].items) {
             if (!passes[pass].live || item.kind != Item::Kind::draw) continue;
             const Draw& draw = plan.scene.draws[item.index];
             const auto* program = link(draw.program, variant_of(pass, draw), loading);
             if (!program) continue;
-            for (const runtime::Sampled& sampled : sampled_by(draw, *program))
+            for (const runtime::Sampled& sampled : sampled_by(draw, *program)) {
                 if (sampled.texture != none) wanted.push_back(sampled.texture);
+                if (sampled.noise != 0) noise.insert(sampled.noise);
+            }
         }
-    textures.preload(wanted);
-    preload_meshes(loading);
+    std::vector<runtime::Job> jobs;
+    textures.preload(wanted, noise, jobs);
+    preload_meshes(loading, jobs);
+    runtime::run(jobs, progress);
 }
 
 // Those from files; shapes take less time than it takes to tell another core of them.
-void Runtime::Impl::preload_meshes(Loading& loading) {
-    std::vector<Index> jobs;
+void Runtime::Impl::preload_meshes(Loading& loading, std::vector<runtime::Job>& jobs) {
+    std::set<Index> wanted;
     for (Index pass = 0; pass < passes.size(); ++pass)
         for (const Item& item : plan.scene.passes[pass].items)
-            if (passes[pass].live && item.kind == Item::Kind::draw) jobs.push_back(plan.draw_mesh[item.index]);
-    std::ranges::sort(jobs);
-    jobs.erase(std::unique(jobs.begin(), jobs.end()), jobs.end());
-    std::erase_if(jobs, [&](Index mesh) {
-        if (mesh == none || meshes[mesh]) return true;
-        const Shape& shape = plan.meshes[mesh].shape;
-        const bool file = std::holds_alternative<ObjFile>(shape) || std::holds_alternative<ShpFile>(shape);
-        return !file || store->meshes.has(mesh_identity(plan, mesh, loading.files).key);
-    });
-    if (jobs.size() < 2) return;
-    std::vector<LoadedMesh> done(jobs.size());
-    content::parallel_blocks(jobs.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const runtime::Stopwatch watch;
-            done[i].mesh = load_mesh(plan, jobs[i], loading.files, done[i].said);
-            done[i].milliseconds = watch.milliseconds();
-        }
-    });
-    for (std::size_t i = 0; i < jobs.size(); ++i) loaded_meshes.emplace(jobs[i], std::move(done[i]));
+            if (passes[pass].live && item.kind == Item::Kind::draw) wanted.insert(plan.draw_mesh[item.index]);
+    for (const Index mesh : wanted) {
+        if (mesh == none || meshes[mesh]) continue;
+        const auto* obj = std::get_if<ObjFile>(&plan.meshes[mesh].shape);
+        const auto* shp = std::get_if<ShpFile>(&plan.meshes[mesh].shape);
+        const Index file = obj ? obj->file : shp ? shp->file : none;
+        if (file >= plan.scene.files.size() || store->meshes.has(mesh_identity(plan, mesh, loading.files).key))
+            continue;
+        LoadedMesh& into = loaded_meshes[mesh];
+        jobs.push_back({plan.scene.files[file].name, [this, mesh, &into, &files = loading.files] {
+                            const runtime::Stopwatch watch;
+                            into.mesh = load_mesh(plan, mesh, files, into.said);
+                            into.milliseconds = watch.milliseconds();
+                        }});
+    }
 }
 
 Runtime::Impl::LoadedMesh Runtime::Impl::take_mesh(Index mesh, Loading& loading) {

@@ -282,9 +282,9 @@ glsl::IncludeReader include_reader(Files& files) {
         }
         const Resolved resolved = files.resolve_beside(from, name, {"glsl"});
         std::string error;
-        auto text = resolved.path.empty() ? std::nullopt : files.read(resolved.path, error);
+        const auto text = resolved.path.empty() ? nullptr : files.read_once(resolved.path, error);
         if (!text) return std::nullopt;
-        return glsl::IncludeText{resolved.path, std::move(*text)};
+        return glsl::IncludeText{resolved.path, *text};
     };
 }
 

@@ -13,6 +13,7 @@
 #include "src/glsl/glsl.h"
 #include "src/plan/controls.h"
 #include "src/plan/plan.h"
+#include "src/runtime/draw_context.h"
 #include "src/runtime/instances.h"
 #include "src/runtime/runtime.h"
 #include "src/runtime/store.h"
@@ -36,6 +37,7 @@ struct UserUniform {
     int components = 1, size = 1;
     std::vector<double> last;     // what the program holds
     std::vector<double> initial;  // what it holds where nothing sets it
+    std::size_t control = 0;      // among Controls::items, when it was looked for last
 };
 
 // A sampler and the GL texture units that it was given for good; the scene's own units are only names.
@@ -52,6 +54,7 @@ struct LinkedProgram {
     std::vector<std::shared_ptr<gl::Shader>> shaders;  // for others that have the same stage
     std::vector<ActiveUniform> active;
     std::vector<SystemUniform> system;
+    std::optional<DrawContext> shown;  // what `system` was set from last
     std::vector<UserUniform> user;
     std::vector<SamplerUniform> samplers;
     InstancedText instanced;               // where draws with it may be instances of one

@@ -47,6 +47,7 @@ const Scene& Runtime::scene() const { return impl_->plan.scene; }
 const std::vector<std::vector<ActiveUniform>>& Runtime::active_uniforms() const { return impl_->active; }
 bool Runtime::animated() const { return impl_->animated; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
+bool Runtime::sampled(Index texture) const { return impl_->textures.asked(texture); }
 bool Runtime::choose(const Rungs& rungs) { return impl_->choose(rungs); }
 const Rungs& Runtime::rungs() const { return impl_->plan.rungs; }
 const Diagnostics& Runtime::ladder_problems() const { return impl_->problems; }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -67,6 +68,16 @@ struct CounterName {
 };
 std::span<const CounterName> counter_names();
 
+// How far loading is. It begins with {programs, 0 of …}, ends with {draws, n of n}, and each of its stages goes from 0
+// to all that it has to do.
+struct LoadProgress {
+    enum class Stage : std::uint8_t { programs, files, draws };  // files: images, meshes, noise
+    Stage stage = Stage::programs;
+    std::string_view what;  // a program or a file that is not done yet; "": none
+    std::size_t done = 0, of = 0;
+};
+using Watcher = std::function<void(const LoadProgress& progress)>;
+
 // How a runtime goes about it; the pictures are the same.
 class Runtime;
 struct RuntimeOptions {
@@ -76,6 +87,9 @@ struct RuntimeOptions {
     // False: everything that is declared is loaded, and everything is set and drawn again for every frame. For tests
     // of what the savings save.
     bool savings = true;
+    // Called on the runtime's thread while it is made and when other rungs are chosen, again and again while others
+    // read files. It may draw into the default framebuffer. None: nobody looks.
+    Watcher progress = nullptr;
 };
 
 class Runtime {
@@ -94,6 +108,8 @@ public:
     // Some drawn program reads Timer or uTime: every moment is another picture.
     bool animated() const;
     bool uses_mouse() const;
+    // Something that is drawn reads the texture (Scene::textures), directly or by what is computed from it.
+    bool sampled(Index texture) const;
 
     // Compiles and loads what other rungs need and what they did not need before; what they share and what they
     // had is kept. True: the programs may be others now, and with them active_uniforms(). A program that does not

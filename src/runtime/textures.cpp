@@ -124,6 +124,7 @@ void Textures::finish() {
     empty_image_cache();
     faces_.clear();
     preloaded_.clear();
+    preloaded_noise_.clear();
     files_ = nullptr;
     diagnostics_ = nullptr;
 }
@@ -143,6 +144,17 @@ void Textures::resume(Files& files, Diagnostics& diagnostics) {
 const GpuTexture* Textures::find(Index texture) const {
     const GpuTexture* found = texture < textures_.size() ? textures_[same_[texture]].get() : nullptr;
     return found && found->texture ? found : nullptr;
+}
+
+bool Textures::asked(Index texture) const {
+    const auto reads = [&](Index other) {
+        return textures_[same_[other]] &&
+               (same_[other] == same_[texture] ||
+                (scene_->textures[other].source != none && same_[scene_->textures[other].source] == same_[texture]));
+    };
+    for (Index other = 0; other < textures_.size(); ++other)
+        if (reads(other)) return true;
+    return harmonics_.contains(same_[texture]);
 }
 
 const GpuTexture* Textures::find_noise(int dimensions) const {
@@ -294,8 +306,7 @@ GpuTexture Textures::make_empty(const Texture& declared) {
 const GpuTexture* Textures::noise(int dimensions) {
     auto& slot = noise_[dimensions];
     if (slot) return slot.get();
-    const int size = dimensions == 3 ? scene_->noise3d : scene_->noise2d;
-    const Identity identity = savings_ ? noise_identity(dimensions, size, *files_) : Identity{};
+    const Identity identity = savings_ ? noise_identity(dimensions, noise_size(dimensions), *files_) : Identity{};
     if ((slot = store_->textures.take(identity.key, {}, *diagnostics_))) {
         for (const std::string& path : identity.files) files_->keep(path);
         counters_->gpu_bytes += slot->bytes;
@@ -304,16 +315,21 @@ const GpuTexture* Textures::noise(int dimensions) {
     const std::size_t said = diagnostics_->items().size();
     const Stopwatch watch;
     slot = std::make_shared<GpuTexture>(make_noise(dimensions));
-    slot->load_ms = watch.milliseconds();
+    slot->load_ms += watch.milliseconds();
     store_->textures.put(identity.key, slot, {}, *diagnostics_, said);
     return slot.get();
 }
 
 GpuTexture Textures::make_noise(int dimensions) {
-    const int size = dimensions == 3 ? scene_->noise3d : scene_->noise2d;
-    content::Image image = content::to_rgba(load_noise(dimensions, size, *files_, *diagnostics_));
-    if (!image.bottom_first) image = content::flipped(image);
     GpuTexture gpu;
+    content::Image image;
+    if (auto found = preloaded_noise_.extract(dimensions); !found.empty()) {
+        say_once(found.mapped().said, *diagnostics_);
+        image = std::move(found.mapped().image);
+        gpu.load_ms = found.mapped().milliseconds;
+    } else {
+        image = read_noise(dimensions, *diagnostics_);
+    }
     gpu.target = dimensions == 3 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
     gpu.size = {image.width, image.height, image.depth};
     gpu.texture = gl::make_texture(gpu.target, texels(image), {});

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "src/plan/files.h"
 #include "src/plan/identity.h"
 #include "src/plan/plan.h"
+#include "src/runtime/jobs.h"
 #include "src/runtime/runtime.h"
 #include "src/runtime/store.h"
 
@@ -37,8 +39,8 @@ public:
     Textures(const Scene& scene, Files& files, const gl::Caps& caps, Counters& counters, std::shared_ptr<Store> store,
              bool savings, Diagnostics& diagnostics);
 
-    // Reads those from files on all cores; realise() finds them then.
-    void preload(const std::vector<Index>& wanted);
+    // What reads those from files, and noise of so many dimensions; realise() and noise() find them when it is done.
+    void preload(const std::vector<Index>& wanted, const std::set<int>& noise, std::vector<Job>& jobs);
     // Null when it can't be had (too large for this OpenGL; an error was given).
     const GpuTexture* realise(Index texture);
     const GpuTexture* noise(int dimensions);
@@ -50,6 +52,8 @@ public:
     // Null when it was not realised.
     const GpuTexture* find(Index texture) const;
     const GpuTexture* find_noise(int dimensions) const;
+    // Something reads it, directly or by what is computed from it, or tried to.
+    bool asked(Index texture) const;
     // The first texture that is declared just so, and shares everything with this one.
     Index first(Index texture) const { return same_[texture]; }
     // The files and their decoded pictures are needed only while textures are realised.
@@ -65,9 +69,13 @@ private:
         Diagnostics said;
         double milliseconds = 0;
     };
+    void preload_image(Index texture, Preloaded& into);
+    void preload_noise(int dimensions, Preloaded& into);
     std::optional<Preloaded> take_preloaded(Index texture);
     content::Image read_image(Index texture, Diagnostics& diagnostics);
     content::CubeFaces read_faces(Index texture, Diagnostics& diagnostics);
+    content::Image read_noise(int dimensions, Diagnostics& diagnostics);
+    int noise_size(int dimensions) const { return dimensions == 3 ? scene_->noise3d : scene_->noise2d; }
     Identity key_of(Index texture) const;
     std::shared_ptr<GpuTexture> take_or_make(Index texture);
     GpuTexture make(Index texture);
@@ -98,6 +106,7 @@ private:
     std::map<std::tuple<int, int, bool, bool>, gl::Sampler> samplers_;
     ImageCache images_;
     std::map<Index, Preloaded> preloaded_;
+    std::map<int, Preloaded> preloaded_noise_;   // by dimensions
     std::map<Index, content::CubeFaces> faces_;  // by the first texture that is declared just so
     std::map<Index, std::shared_ptr<content::Harmonics>> harmonics_;
 };

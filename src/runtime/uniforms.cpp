@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <vector>
 
 #include "src/plan/plan.h"
@@ -15,17 +16,20 @@ namespace {
 
 using glsl::System;
 
+using Floats = std::vector<float>;
+
 template <typename Matrix>
-std::vector<float> floats(const Matrix& matrix) {
-    std::vector<float> values;
+void append(Floats& out, const Matrix& matrix) {
     for (int column = 0; column < matrix.length(); ++column)
-        for (int row = 0; row < matrix[column].length(); ++row)
-            values.push_back(static_cast<float>(matrix[column][row]));
-    return values;
+        for (int row = 0; row < matrix[column].length(); ++row) out.push_back(static_cast<float>(matrix[column][row]));
 }
 
-std::vector<float> vec3(const glm::dvec4& v) {
-    return {static_cast<float>(v.x / v.w), static_cast<float>(v.y / v.w), static_cast<float>(v.z / v.w)};
+void append(Floats& out, const glm::dvec4& point) {
+    for (int i = 0; i < 3; ++i) out.push_back(static_cast<float>(point[i] / point.w));
+}
+
+void append(Floats& out, std::initializer_list<double> numbers) {
+    for (const double number : numbers) out.push_back(static_cast<float>(number));
 }
 
 // A singular matrix has no inverse: zero instead of infinities that would spread over the picture.
@@ -37,111 +41,136 @@ glm::dmat4 inverse(const glm::dmat4& matrix) {
     return result;
 }
 
-std::vector<float> texture_matrices(const glm::dmat4& first, int size) {
-    std::vector<float> values = floats(first);
-    for (int i = 1; i < size; ++i) {
-        const std::vector<float> identity = floats(glm::dmat4(1));
-        values.insert(values.end(), identity.begin(), identity.end());
-    }
-    return values;
-}
-
 // As many coefficients as the program reads; black where nothing names a cube map.
-std::vector<float> harmonics(const DrawContext& c, int size) {
-    std::vector<float> values(3 * static_cast<std::size_t>(size), 0.0F);
-    if (c.harmonics)
-        for (std::size_t i = 0; i < std::min<std::size_t>(c.harmonics->size() * 3, values.size()); ++i)
-            values[i] = (*c.harmonics)[i / 3][i % 3];
-    return values;
+void append_harmonics(Floats& out, const DrawContext& c, int size) {
+    const std::size_t wanted = 3 * static_cast<std::size_t>(size);
+    const std::size_t there = c.harmonics ? std::min(c.harmonics->size() * 3, wanted) : 0;
+    for (std::size_t i = 0; i < wanted; ++i) out.push_back(i < there ? (*c.harmonics)[i / 3][i % 3] : 0.0F);
 }
 
-std::vector<float> value_of(System system, const DrawContext& c, int size) {
-    const auto number = [](double v) { return std::vector<float>{static_cast<float>(v)}; };
+// ---- matrices of four columns ------------------------------------------------------------------------------
+
+enum class Product : std::uint8_t {
+    model_view,
+    projection,
+    model_view_projection,
+    texture,
+    model,
+    view,
+    view_projection
+};
+enum class Form : std::uint8_t { plain, inverse, transpose, inverse_transpose };
+
+struct MatrixUniform {
+    System system;
+    Product product;
+    Form form;
+};
+
+constexpr MatrixUniform matrix_uniforms[]{
+    {System::model_view, Product::model_view, Form::plain},
+    {System::model_view_inverse, Product::model_view, Form::inverse},
+    {System::model_view_transpose, Product::model_view, Form::transpose},
+    {System::model_view_inverse_transpose, Product::model_view, Form::inverse_transpose},
+    {System::projection, Product::projection, Form::plain},
+    {System::projection_inverse, Product::projection, Form::inverse},
+    {System::projection_transpose, Product::projection, Form::transpose},
+    {System::projection_inverse_transpose, Product::projection, Form::inverse_transpose},
+    {System::model_view_projection, Product::model_view_projection, Form::plain},
+    {System::model_view_projection_inverse, Product::model_view_projection, Form::inverse},
+    {System::model_view_projection_transpose, Product::model_view_projection, Form::transpose},
+    {System::model_view_projection_inverse_transpose, Product::model_view_projection, Form::inverse_transpose},
+    {System::texture_matrix, Product::texture, Form::plain},
+    {System::texture_matrix_inverse, Product::texture, Form::inverse},
+    {System::texture_matrix_transpose, Product::texture, Form::transpose},
+    {System::texture_matrix_inverse_transpose, Product::texture, Form::inverse_transpose},
+    {System::model, Product::model, Form::plain},
+    {System::model_inverse, Product::model, Form::inverse},
+    {System::view, Product::view, Form::plain},
+    {System::view_inverse, Product::view, Form::inverse},
+    {System::view_projection, Product::view_projection, Form::plain},
+};
+
+const MatrixUniform* matrix_uniform(System system) {
+    const auto* found = std::ranges::find(matrix_uniforms, system, &MatrixUniform::system);
+    return found == std::end(matrix_uniforms) ? nullptr : found;
+}
+
+glm::dmat4 product(Product which, const DrawContext& c) {
+    switch (which) {
+        case Product::model_view:
+            return c.view * c.model;
+        case Product::projection:
+            return c.projection;
+        case Product::model_view_projection:
+            return c.projection * c.view * c.model;
+        case Product::texture:
+            return c.texture;
+        case Product::model:
+            return c.model;
+        case Product::view:
+            return c.view;
+        case Product::view_projection:
+            return c.projection * c.view;
+    }
+    return glm::dmat4(1);
+}
+
+void append_matrix(Floats& out, const MatrixUniform& uniform, const DrawContext& c, int size) {
+    glm::dmat4 matrix = product(uniform.product, c);
+    if (uniform.form == Form::inverse || uniform.form == Form::inverse_transpose) matrix = inverse(matrix);
+    if (uniform.form == Form::transpose || uniform.form == Form::inverse_transpose) matrix = glm::transpose(matrix);
+    append(out, matrix);
+    // Only the first unit has a texture matrix that moves.
+    for (int i = 1; i < size && uniform.product == Product::texture; ++i) append(out, glm::dmat4(1));
+}
+
+// ---- all others --------------------------------------------------------------------------------------------
+
+double normal_scale(const DrawContext& c) {
+    const double length = glm::length(glm::dvec3(glm::row(inverse(c.view * c.model), 2)));
+    return length > 0 ? 1 / length : 1;
+}
+
+void append_value(Floats& out, System system, const DrawContext& c, int size) {
+    if (const MatrixUniform* matrix = matrix_uniform(system)) return append_matrix(out, *matrix, c, size);
     const glm::dvec4 origin(0, 0, 0, 1);
     switch (system) {
-        case System::model_view:
-            return floats(c.view * c.model);
-        case System::projection:
-            return floats(c.projection);
-        case System::model_view_projection:
-            return floats(c.projection * c.view * c.model);
         case System::normal_matrix:
-            return floats(normal_matrix(c.view * c.model));
-        case System::model_view_inverse:
-            return floats(inverse(c.view * c.model));
-        case System::projection_inverse:
-            return floats(inverse(c.projection));
-        case System::model_view_projection_inverse:
-            return floats(inverse(c.projection * c.view * c.model));
-        case System::model_view_transpose:
-            return floats(glm::transpose(c.view * c.model));
-        case System::projection_transpose:
-            return floats(glm::transpose(c.projection));
-        case System::model_view_projection_transpose:
-            return floats(glm::transpose(c.projection * c.view * c.model));
-        case System::model_view_inverse_transpose:
-            return floats(glm::transpose(inverse(c.view * c.model)));
-        case System::projection_inverse_transpose:
-            return floats(glm::transpose(inverse(c.projection)));
-        case System::model_view_projection_inverse_transpose:
-            return floats(glm::transpose(inverse(c.projection * c.view * c.model)));
-        case System::texture_matrix:
-            return texture_matrices(c.texture, size);
-        case System::texture_matrix_inverse:
-            return texture_matrices(inverse(c.texture), size);
-        case System::texture_matrix_transpose:
-            return texture_matrices(glm::transpose(c.texture), size);
-        case System::texture_matrix_inverse_transpose:
-            return texture_matrices(glm::transpose(inverse(c.texture)), size);
-        case System::model:
-            return floats(c.model);
-        case System::view:
-            return floats(c.view);
-        case System::view_projection:
-            return floats(c.projection * c.view);
-        case System::model_inverse:
-            return floats(inverse(c.model));
-        case System::view_inverse:
-            return floats(inverse(c.view));
+            return append(out, normal_matrix(c.view * c.model));
         case System::model_normal_matrix:
-            return floats(normal_matrix(c.model));
+            return append(out, normal_matrix(c.model));
         case System::camera_position:
-            return vec3(inverse(c.view) * origin);
+            return append(out, inverse(c.view) * origin);
         case System::viewer_position_eye:
-            return vec3(inverse(c.scene) * origin);
-        case System::normal_scale: {
-            const double length = glm::length(glm::dvec3(glm::row(inverse(c.view * c.model), 2)));
-            return number(length > 0 ? 1 / length : 1);
-        }
+            return append(out, inverse(c.scene) * origin);
+        case System::normal_scale:
+            return append(out, {normal_scale(c)});
         case System::timer:
-            return number(timer_value(c.time, c.timer_period));
+            return append(out, {timer_value(c.time, c.timer_period)});
         case System::time:
-            return number(c.time);
+            return append(out, {c.time});
         case System::resolution:
-            return {static_cast<float>(c.width), static_cast<float>(c.height)};
-        case System::mouse:
-            return {static_cast<float>(c.mouse_x), static_cast<float>(c.mouse_y)};
-        case System::noise2:
-        case System::noise3:
-            return {};  // samplers: bound with the textures
-        case System::face_index:
-            return number(c.face_index);
-        case System::depth_range_near:
-            return number(0);
-        case System::depth_range_far:
-            return number(1);
-        case System::depth_range_diff:
-            return number(1);
-        case System::point_size:
-            return number(c.point_size);
-        case System::line_width:
-            return number(c.line_width);
         case System::viewport:
-            return {static_cast<float>(c.width), static_cast<float>(c.height)};
+            return append(out, {c.width, c.height});
+        case System::mouse:
+            return append(out, {c.mouse_x, c.mouse_y});
+        case System::face_index:
+            return append(out, {static_cast<double>(c.face_index)});
+        case System::depth_range_near:
+            return append(out, {0});
+        case System::depth_range_far:
+        case System::depth_range_diff:
+            return append(out, {1});
+        case System::point_size:
+            return append(out, {c.point_size});
+        case System::line_width:
+            return append(out, {c.line_width});
         case System::harmonics:
-            return harmonics(c, size);
+            return append_harmonics(out, c, size);
+        default:
+            return;  // noise: samplers, bound with the textures
     }
-    return {};
 }
 
 void upload(const SystemUniform& uniform, const std::vector<float>& v) {
@@ -231,6 +260,17 @@ void upload(const UserUniform& uniform, ValueType type, const std::vector<double
     }
 }
 
+// Mostly where it was the last time.
+const Control* control_of(UserUniform& uniform, Index program, const Controls& controls) {
+    const auto& items = controls.items;
+    if (uniform.control < items.size() && items[uniform.control].program == program &&
+        items[uniform.control].name == uniform.name)
+        return &items[uniform.control];
+    const Control* found = controls.find(program, uniform.name);
+    if (found) uniform.control = static_cast<std::size_t>(found - items.data());
+    return found;
+}
+
 }  // namespace
 
 glm::dmat4 about_origin(const Transformation& transformation, const glm::dmat4& view) {
@@ -248,17 +288,25 @@ double timer_value(double time, double period) {
 }
 
 std::vector<float> system_value(System system, const DrawContext& context, int size) {
-    return value_of(system, context, size);
+    Floats value;
+    append_value(value, system, context, size);
+    return value;
 }
 
 int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
+    // Coefficients may be others at the same place.
+    if (!all && !context.harmonics && program.shown == context) return 0;
+    program.shown = context;
     int uploads = 0;
+    Floats value;
+    value.reserve(16);
     for (SystemUniform& uniform : program.system) {
         if (uniform.system == System::face_index) continue;
-        std::vector<float> value = value_of(uniform.system, context, uniform.size);
+        value.clear();
+        append_value(value, uniform.system, context, uniform.size);
         if (value.empty() || (value == uniform.last && !all)) continue;
         upload(uniform, value);
-        uniform.last = std::move(value);
+        uniform.last = value;
         ++uploads;
     }
     return uploads;
@@ -267,7 +315,7 @@ int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
 int set_user(LinkedProgram& program, Index index, const Controls& controls, bool all) {
     int uploads = 0;
     for (UserUniform& uniform : program.user) {
-        const Control* control = controls.find(index, uniform.name);
+        const Control* control = control_of(uniform, index, controls);
         const bool usable = control && control->active && control->value.size() == uniform.last.size();
         // Another draw with the same program may have set what this one leaves alone.
         const std::vector<double>& value = usable ? control->value : uniform.initial;

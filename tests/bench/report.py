@@ -138,7 +138,19 @@ def page(folder):
             yield "\n"
 
 
+# What stands below this line was written by hand and stays.
+BY_HAND = "<!-- by hand -->"
+
+
+def kept(path):
+    if not os.path.exists(path):
+        return ""
+    with open(path, encoding="utf-8") as file:
+        _, mark, rest = file.read().partition(BY_HAND)
+    return "\n" + mark + rest if mark else ""
+
+
 if __name__ == "__main__":
-    text = "".join(page(sys.argv[1])).rstrip() + "\n"
+    text = "".join(page(sys.argv[1])).rstrip() + "\n" + kept(sys.argv[2])
     with open(sys.argv[2], "w", encoding="utf-8") as target:
         target.write(text)
