@@ -49,6 +49,9 @@ Caps query_caps() {
     caps.tessellation = caps.es ? version >= 32 : version >= 40;
     caps.program_interface_query =
         caps.es ? version >= 31 : version >= 43 || epoxy_has_gl_extension("GL_ARB_program_interface_query");
+    std::array<GLint, 2> viewport{};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    caps.max_viewport = std::min(viewport[0], viewport[1]);
     caps.max_texture = integer(GL_MAX_TEXTURE_SIZE);
     caps.max_texture_3d = integer(GL_MAX_3D_TEXTURE_SIZE);
     caps.max_cube = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);

@@ -13,6 +13,7 @@ struct Caps {
     bool fp64 = false;
     bool geometry = true, tessellation = false;
     bool program_interface_query = false;
+    int max_viewport = 0;
     int max_texture = 0, max_texture_3d = 0, max_cube = 0, max_units = 0, max_vertex_attributes = 0;
     int max_texture_buffer = 0;  // texels; 0: there are none
     int max_samples = 0, max_draw_buffers = 0, max_uniform_components = 0, max_patch_vertices = 0;

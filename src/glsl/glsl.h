@@ -49,6 +49,8 @@ struct Options {
     // Lines become quads of `snell_LineWidth` pixels in `snell_Viewport`, by a geometry stage that passes every
     // varying on. For programs of a vertex and a fragment shader only.
     bool wide_lines = false;
+    // gl_FragCoord is that of the whole picture where only a part of it is drawn: `snell_Place` is added.
+    bool placed = false;
     int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
     IncludeReader include;
     Limits limits;  // of includes
@@ -85,6 +87,7 @@ struct Translation {
     // Every vertex goes where the model-view-projection matrix puts it, and no stage reads a depth or the projection:
     // the near and the far plane may be moved without any other change.
     bool plain_depth = false;
+    bool reads_place = false;  // the fragment shader names gl_FragCoord
 };
 
 // Translates all stages of one program together: interfaces between them are made to match.
@@ -163,6 +166,7 @@ enum class System : std::uint8_t {
     point_size,
     line_width,
     viewport,   // pixels
+    place,      // of the part of the picture that is drawn: pixels from the left, the bottom and the top
     harmonics,  // nine coefficients of the cube map that the last Irradiance names
 };
 struct SystemName {

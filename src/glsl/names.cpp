@@ -85,6 +85,7 @@ constexpr SystemName legacy_systems[] = {
     {"snell_PointSize", System::point_size, "float", true},
     {"snell_LineWidth", System::line_width, "float", true},
     {"snell_Viewport", System::viewport, "vec2", true},
+    {"snell_Place", System::place, "vec3", true},
 };
 
 constexpr SystemName modern_systems[] = {

@@ -71,6 +71,8 @@ void complete_geometry(Program& program, Unit& geometry);
 void provide_helpers(const Target& target, Unit& unit);
 // gl_… to snell_….
 void replace_legacy(Program& program);
+// As Options::placed says. True: there was something to do, or would be.
+bool place_in_picture(Program& program);
 // Whether a geometry stage of ours will stand between the two of the program.
 bool widens_lines(const Program& program);
 // Its text; makes the shaders on both sides give and take what it hands on. Nothing where it isn't wanted or,

@@ -122,6 +122,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     const std::optional<std::string> lines = widen_lines(program);
 
     Translation out;
+    out.reads_place = place_in_picture(program);
     out.plain_depth = !lines && plain_depth;
     for (Unit& u : program.units) {
         if (lines && u.stage == Stage::fragment)

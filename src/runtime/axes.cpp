@@ -1,4 +1,5 @@
 // White axes of length 1.5 with their letters, about three pixels wide, turning with the scene.
+#include "src/plan/lens.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -34,32 +35,21 @@ content::Mesh axes_mesh() {
 
 }  // namespace
 
-// The camera of the last draw in the window, or the default one where nothing is drawn.
-Camera Runtime::Impl::axes_camera() const {
-    const Scene& scene = plan.scene;
-    Camera camera;
-    for (const Pass& pass : scene.passes)
-        if (pass.kind == Pass::Kind::window)
-            for (const Item& item : pass.items)
-                if (item.kind == Item::Kind::draw) camera = scene.cameras[scene.draws[item.index].camera];
-    return camera;
-}
-
 void Runtime::Impl::ready_axes() {
     if (!axes) axes = runtime::upload(axes_mesh());
 }
 
 void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
-    glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
-    glViewport(0, 0, surface.width, surface.height);
-    const Camera camera = axes_camera();
+    runtime::aim(surface);
+    const Camera camera = window_camera(plan.scene);
     runtime::DrawContext context;
     context.view = frame.view.eye.matrix() * view_matrix(camera);
-    context.scene = runtime::about_origin(frame.view.scene, context.view);
+    const Lens lens = lens_of(camera, frame.view.projection, context.view);
+    context.scene = lens.shift * runtime::about_origin(frame.view.scene, context.view);
     context.width = surface.width;
     context.height = surface.height;
     const double aspect = static_cast<double>(surface.width) / surface.height;
-    context.projection = projection_matrix(camera, aspect, fitted_depth(frame)) * context.scene;
+    context.projection = projection_matrix(lens.camera, aspect, fitted_depth(frame)) * context.scene;
     state.forget();
     RasterState raster;
     raster.line_width = context.line_width = 3;

@@ -199,6 +199,9 @@ runtime::Variant Runtime::Impl::variant_of(Index pass, const Draw& draw) const {
     runtime::Variant variant{
         plan.scene.rasters[draw.raster].flat, false, outputs_of(plan.scene.passes[pass], caps), {}};
     if (draw.program != none) variant.rungs = working[draw.program].value_or(rungs_of(draw.program));
+    if (!parts || plan.scene.passes[pass].kind != Pass::Kind::window) return variant;
+    const auto whole = programs.find({draw.program, variant});
+    variant.placed = whole != programs.end() && whole->second && whole->second->reads_place;
     return variant;
 }
 

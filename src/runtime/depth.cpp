@@ -1,5 +1,6 @@
 // Near and far planes as tight as the scene allows, so that surfaces that nearly touch do not fight over pixels.
 #include <utility>
+#include "src/plan/lens.h"
 
 #include "src/runtime/impl.h"
 
@@ -30,12 +31,22 @@ std::optional<DepthRange> Runtime::Impl::fit(const Frame& frame) const {
             boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
         }
     }
-    if (boxes.empty() || !scene.cameras[camera].perspective) return std::nullopt;
-    if (frame.view.axes && axes) {
-        const glm::dmat4 eye = frame.view.eye.matrix() * view_matrix(axes_camera());
-        boxes.push_back({runtime::about_origin(frame.view.scene, eye) * eye, axes->min, axes->max});
-    }
+    if (boxes.empty()) return std::nullopt;
+    const glm::dmat4 eye = frame.view.eye.matrix() * view_matrix(scene.cameras[camera]);
+    const Lens lens = lens_of(scene.cameras[camera], frame.view.projection, eye);
+    if (!lens.camera.perspective) return std::nullopt;
+    if (frame.view.axes && axes)  // through the same camera
+        boxes.push_back({lens.shift * runtime::about_origin(frame.view.scene, eye) * eye, axes->min, axes->max});
     return fit_depth(boxes);
+}
+
+// The projection undone: z in front of the eye that it takes to this depth.
+double Runtime::Impl::distance(Index draw, double depth, const Frame& frame, const Surface& surface) const {
+    const double aspect = static_cast<double>(surface.width) / surface.height, ndc = 2 * depth - 1;
+    const Camera& camera = plan.scene.cameras[plan.scene.draws[draw].camera];
+    const Lens lens = lens_of(camera, frame.view.projection, frame.view.eye.matrix() * view_matrix(camera));
+    const glm::dmat4 p = projection_matrix(lens.camera, aspect, fitted_depth(frame));
+    return (p[3][2] - ndc * p[3][3]) / (p[2][2] - ndc * p[2][3]);
 }
 
 }  // namespace snell

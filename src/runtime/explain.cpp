@@ -172,6 +172,7 @@ private:
             if (!window) target(ready, pass);
             Paid paid;
             paid.kind = Kind::pass;
+            paid.pass = i;
             for (const auto& item : ready.items)
                 if (item) {
                     paid.draws.push_back(item->draw);

@@ -41,6 +41,7 @@ struct Explanation {
         std::uint64_t triangles = 0;     // of a mesh, of all draws of a pass
         bool kept = false;               // a pass that is drawn again only when what it shows changed
         std::optional<FrameCost> frame;  // of a pass or a program; none: not measured
+        Index pass = none;               // of a pass: Scene::passes
     };
     struct Unpaid {
         std::string name, why;

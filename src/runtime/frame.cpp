@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/plan/lens.h"
+#include "src/plan/objects.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -23,8 +25,9 @@ glm::dmat4 matrix(const Mat4& m) {
     return result;
 }
 
-void clear(const Vec4& color) {
-    glDisable(GL_SCISSOR_TEST);
+// `region`: what is scissored then, and stays so.
+void clear(const Vec4& color, const std::optional<std::array<int, 4>>& region) {
+    if (!region) glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     const auto part = [&](size_t i) { return static_cast<float>(std::clamp(color[i], 0.0, 1.0)); };
@@ -50,11 +53,11 @@ DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView
     DrawContext result;
     const glm::dmat4 placed = view.view ? *view.view : view_matrix(scene.cameras[camera]);
     result.view = view.view ? placed : frame.view.eye.matrix() * placed;
-    result.scene = view.view ? glm::dmat4(1) : runtime::about_origin(frame.view.scene, result.view);
+    const Lens lens = lens_of(scene.cameras[camera], frame.view.projection, result.view);
+    result.scene = view.view ? glm::dmat4(1) : lens.shift * runtime::about_origin(frame.view.scene, result.view);
     const double aspect = static_cast<double>(view.width) / view.height;
     result.projection =
-        (view.projection ? *view.projection : projection_matrix(scene.cameras[camera], aspect, view.depth)) *
-        result.scene;
+        (view.projection ? *view.projection : projection_matrix(lens.camera, aspect, view.depth)) * result.scene;
     if (view.shift != std::array<double, 2>{0, 0})
         result.projection =
             glm::translate(glm::dmat4(1), {2 * view.shift[0] / view.width, 2 * view.shift[1] / view.height, 0}) *
@@ -64,6 +67,7 @@ DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView
     result.timer_period = scene.timer_period;
     result.width = view.width;
     result.height = view.height;
+    result.place = view.place;
     result.mouse_x = frame.view.mouse_x;
     result.mouse_y = frame.view.mouse_y;
     return result;
@@ -80,7 +84,7 @@ DrawContext& Runtime::Impl::context(const Draw& draw, const Frame& frame, PassVi
     const auto index = static_cast<Index>(&draw - scene.draws.data());
     if (!frame.view.objects.empty())
         if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
-            result.model = result.model * object->second.matrix();
+            result.model = placed(object->second, view_matrix(scene.cameras[draw.camera]), result.model);
     result.point_size = scene.rasters[draw.raster].point_size;
     result.line_width = scene.rasters[draw.raster].line_width;
     return result;
@@ -88,18 +92,22 @@ DrawContext& Runtime::Impl::context(const Draw& draw, const Frame& frame, PassVi
 
 void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     if (surface.width <= 0 || surface.height <= 0) return;
+    take_parts(surface.part.has_value());
     state.forget();
     if (frame.view.axes) ready_axes();
     if (!caps.es) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // OpenGL ES 3 is always so
     const std::uint64_t before = state.changes();
     std::set<std::vector<Index>> cleared;
     bool first_window = true;
-    settled = true;
+    const bool only_window = frame.standing && !redrawn();
+    if (!only_window) settled = true;
     for (Index pass = 0; pass < passes.size(); ++pass) {
         if (!passes[pass].live) continue;
+        if (only_window && plan.scene.passes[pass].kind != Pass::Kind::window) continue;
         switch (plan.scene.passes[pass].kind) {
             case Pass::Kind::window:
                 draw_window(pass, frame, surface, first_window);
+                if (surface.region) glDisable(GL_SCISSOR_TEST);
                 first_window = false;
                 break;
             case Pass::Kind::textures:
@@ -109,21 +117,32 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
                 draw_cube(pass, frame);
                 break;
         }
+        runtime::told(frame, {pass});
     }
     if (frame.view.axes) draw_axes(frame, surface);
+    if (surface.region) glDisable(GL_SCISSOR_TEST);
     glBindVertexArray(0);
     glUseProgram(0);
     counters.state_changes += state.changes() - before;
     ++counters.frames;
 }
 
+// The window's background.
+Vec4 Runtime::Impl::behind(const Frame& frame) const {
+    if (frame.background) return *frame.background;
+    return frame.view.background ? background_of(*frame.view.background) : plan.scene.background;
+}
+
 void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& surface, bool first) {
-    glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
-    glViewport(0, 0, surface.width, surface.height);
-    PassView view{surface.width, surface.height, plan.scene.background};
+    runtime::aim(surface);
+    PassView view{surface.width, surface.height, behind(frame)};
+    if (const auto& part = surface.part)
+        view.place = {static_cast<float>(part->left), static_cast<float>(part->bottom),
+                      static_cast<float>(surface.height - part->bottom - part->height)};
+    view.region = surface.region;
     view.depth = fitted_depth(frame);
     view.shift = frame.shift;
-    if (first) clear(view.background);
+    if (first) clear(view.background, view.region);
     if (passes[pass].items.empty()) return;
     state.forget();
     draw_items(pass, frame, view);
@@ -136,7 +155,7 @@ void Runtime::Impl::draw_textures(Index pass, const Frame& frame, std::set<std::
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glViewport(0, 0, ready.width, ready.height);
     PassView view{ready.width, ready.height, plan.scene.passes[pass].background.value_or(Vec4{0, 0, 0, 0})};
-    if (cleared.insert(ready.textures).second) clear(view.background);
+    if (cleared.insert(ready.textures).second) clear(view.background, {});
     state.forget();
     draw_items(pass, frame, view);
     finish_pass(pass);
@@ -146,22 +165,18 @@ void Runtime::Impl::draw_textures(Index pass, const Frame& frame, std::set<std::
 std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const {
     std::vector<double> seen{1};
     bool moves = false;
+    const auto add = [&seen](const auto& numbers) { seen.insert(seen.end(), numbers.begin(), numbers.end()); };
     for (const auto& item : passes[pass].items) {
         if (!item) continue;
         seen.push_back(hidden(frame, item->draw) ? 1 : 0);
-        if (const auto object = frame.view.objects.find(item->draw); object != frame.view.objects.end()) {
-            const Transformation& t = object->second;
-            seen.insert(seen.end(), {t.rotate_x, t.rotate_y, t.scale, t.x, t.y, t.z});
-        }
+        if (const auto object = frame.view.objects.find(item->draw); object != frame.view.objects.end())
+            add(object->second.numbers());
         const LinkedProgram& program = *item->program;
         moves = moves || program.reads(glsl::System::timer) || program.reads(glsl::System::time);
         for (const Control& control : frame.controls.items)
             if (control.program == plan.scene.draws[item->draw].program)
-                seen.insert(seen.end(), control.value.begin(), control.value.end());
-        if (program.reads(glsl::System::texture_matrix)) {
-            const Transformation& t = frame.view.texture;
-            seen.insert(seen.end(), {t.rotate_x, t.rotate_y, t.scale, t.x, t.y, t.z});
-        }
+                add(control.value);
+        if (program.reads(glsl::System::texture_matrix)) add(frame.view.texture.numbers());
         if (program.reads(glsl::System::mouse)) seen.insert(seen.end(), {frame.view.mouse_x, frame.view.mouse_y});
     }
     if (moves) seen.push_back(frame.time);
@@ -179,6 +194,15 @@ bool Runtime::Impl::reads_other_passes(const ReadyPass& pass) const {
         for (const ReadyPass& other : passes)
             for (const Index rendered : other.textures)
                 if (item && reads(*item, rendered)) return true;
+    return false;
+}
+
+// Some texture is drawn to more than once in a frame: what reads it in between needs all that came before.
+bool Runtime::Impl::redrawn() const {
+    std::set<Index> drawn;
+    for (const ReadyPass& pass : passes)
+        for (const Index texture : pass.textures)
+            if (pass.live && !drawn.insert(texture).second) return true;
     return false;
 }
 
@@ -216,7 +240,7 @@ void Runtime::Impl::draw_face(Index pass, int face, const Frame& frame) {
                   &view_matrix};
     glBindFramebuffer(GL_FRAMEBUFFER, targets.at(ready.textures)[static_cast<size_t>(face)].framebuffer.get());
     glViewport(0, 0, ready.width, ready.height);
-    clear(view.background);
+    clear(view.background, {});
     state.forget();
     draw_items(pass, frame, view);
     ++counters.cube_faces;
@@ -242,15 +266,17 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
         if (batch != passes[pass].batches.end() && batch->first == i) {
             runtime::Batch& next = *batch++;
             if (draw_batch(pass, next, frame, view)) {
+                runtime::told(frame, {pass, declared.items[i].index, next.count});
                 i += next.count - 1;
                 continue;
             }
         }
         if (declared.items[i].kind == Item::Kind::clear) {
-            clear(view.background);
+            clear(view.background, view.region);
             state.forget();
         } else if (passes[pass].items[i] && !hidden(frame, declared.items[i].index)) {
             draw_one(*passes[pass].items[i], frame, view);
+            runtime::told(frame, {pass, declared.items[i].index, 1});
         }
     }
 }

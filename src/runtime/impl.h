@@ -21,6 +21,23 @@ namespace snell {
 
 namespace runtime {
 
+class Picker;
+
+// For all that follows.
+inline void aim(const Surface& surface) {
+    glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
+    const Surface::Part part = surface.part.value_or(Surface::Part{});
+    glViewport(-part.left, -part.bottom, surface.width, surface.height);
+    if (!surface.region) return;
+    const auto& [left, bottom, width, height] = *surface.region;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(left, bottom, width, height);
+}
+
+inline void told(const Frame& frame, const Step& step) {
+    if (frame.after) (*frame.after)(step);
+}
+
 inline bool hidden(const Frame& frame, Index draw) {
     return frame.hidden && draw < frame.hidden->size() && (*frame.hidden)[draw];
 }
@@ -129,6 +146,8 @@ struct Runtime::Impl {
 
     // ladders.cpp
     bool choose(const Rungs& rungs);
+    // Parts of pictures need other programs, where these ask for places in the picture.
+    void take_parts(bool wanted);
     Rungs rungs_of(Index program) const;
     runtime::LinkedProgram* link_chosen(Index program, runtime::Variant variant, Loading& loading);
 
@@ -139,11 +158,13 @@ struct Runtime::Impl {
         Vec4 background{0, 0, 0, 1};
         const glm::dmat4* projection = nullptr;  // replaces the draw's camera, with `view`
         const glm::dmat4* view = nullptr;
-        std::optional<DepthRange> depth;    // else the usual
-        std::array<double, 2> shift{0, 0};  // of the picture, in pixels
+        std::optional<DepthRange> depth;                          // else the usual
+        std::array<double, 2> shift{0, 0};                        // of the picture, in pixels
+        std::optional<std::array<int, 4>> region = std::nullopt;  // see Surface
         // Of the last draw, for the next one through the same camera.
         std::optional<runtime::DrawContext> shared = std::nullopt;
         Index camera = none;
+        std::array<float, 3> place{};  // as glsl::System::place
     };
     void draw(const Frame& frame, const Surface& surface);
     void draw_window(Index pass, const Frame& frame, const Surface& surface, bool first);
@@ -159,19 +180,28 @@ struct Runtime::Impl {
     void draw_mesh(const runtime::ReadyDraw& ready);
     void count_draw(Topology topology, std::uint32_t count, std::uint64_t instances = 1);
     bool reads_other_passes(const runtime::ReadyPass& pass) const;
+    bool redrawn() const;
     void draw_axes(const Frame& frame, const Surface& surface);
     void ready_axes();
-    Camera axes_camera() const;
 
     // depth.cpp
     // The planes that all draws in the window lie between; none where some program might see the difference, or
     // place its vertices itself.
     std::optional<DepthRange> fitted_depth(const Frame& frame) const;
     std::optional<DepthRange> fit(const Frame& frame) const;
+    double distance(Index draw, double depth, const Frame& frame, const Surface& surface) const;
     std::vector<double> seen_by(Index pass, const Frame& frame) const;
+    Vec4 behind(const Frame& frame) const;
     runtime::DrawContext look(Index camera, const Frame& frame, const PassView& view) const;
     // Stands in `view` until the next call.
     runtime::DrawContext& context(const Draw& draw, const Frame& frame, PassView& view) const;
+
+    // pick.cpp
+    bool ready_picker(int width, int height);
+    void draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth);
+    void pick_window(Index pass, const Frame& frame, PassView& view, bool& first);
+    std::vector<Index> pick(const Frame& frame, int width, int height, std::array<int, 4> region);
+    void outline(const Frame& frame, const Surface& surface, Index draw, float line);
 
     Plan plan;
     gl::Caps caps;
@@ -200,10 +230,12 @@ struct Runtime::Impl {
         View view;  // what it depends on
         std::optional<DepthRange> planes;
     };
-    mutable std::optional<Fitted> fitted;  // none: what is drawn is another
+    mutable std::optional<Fitted> fitted;     // none: what is drawn is another
+    std::shared_ptr<runtime::Picker> picker;  // from the first pick on
     runtime::State state;
     bool animated = false, mouse = false;
     bool settled = true;  // as of the last frame
+    bool parts = false;   // programs are those for parts of pictures
 };
 
 }  // namespace snell

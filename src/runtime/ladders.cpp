@@ -33,6 +33,16 @@ bool Runtime::Impl::choose(const Rungs& rungs) {
     return true;
 }
 
+void Runtime::Impl::take_parts(bool wanted) {
+    if (parts == wanted) return;
+    parts = wanted;
+    const auto reads_place = [](const auto& program) { return program.second && program.second->reads_place; };
+    if (std::ranges::none_of(programs, reads_place)) return;
+    Diagnostics heard_before;
+    textures.resume(*files, heard_before);
+    prepare(heard_before);
+}
+
 // The chosen rungs that a program knows of.
 Rungs Runtime::Impl::rungs_of(Index program) const {
     const auto known = static_cast<std::ptrdiff_t>(plan.scene.programs[program].ladders);

@@ -306,6 +306,7 @@ std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::v
     options.limits = files.limits();
     options.flat_color = variant.flat;
     options.wide_lines = variant.wide;
+    options.placed = variant.placed;
     options.defines = ladder_defines(ladders, variant.rungs);
     options.color_outputs = variant.outputs;
     const glsl::Translation translation = glsl::translate(stages, sources, options, diagnostics);
@@ -337,6 +338,7 @@ std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::v
     linked->program = std::move(result.program);
     linked->opaque = !translation.uses_alpha;
     linked->plain_depth = translation.plain_depth;
+    linked->reads_place = translation.reads_place;
     linked->wide = variant.wide;
     note_geometry(*linked, translation);
     introspect(*linked, program, translation, caps);

@@ -62,6 +62,7 @@ struct LinkedProgram {
     double load_ms = 0;                    // to translate, compile and link
     bool opaque = false;                   // writes alpha 1 whatever happens
     bool plain_depth = false;              // as Translation's
+    bool reads_place = false;              // as Translation's
     bool tessellates = false;
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
@@ -71,10 +72,11 @@ struct LinkedProgram {
 
 // One program may be compiled in several ways.
 struct Variant {
-    bool flat = false;  // the legacy colours are not interpolated
-    bool wide = false;  // lines are widened by a geometry stage of ours
-    int outputs = 1;    // textures rendered to at once: gl_FragColor is written to each
-    Rungs rungs;        // of the ladders that the program knows
+    bool flat = false;    // the legacy colours are not interpolated
+    bool wide = false;    // lines are widened by a geometry stage of ours
+    int outputs = 1;      // textures rendered to at once: gl_FragColor is written to each
+    Rungs rungs;          // of the ladders that the program knows
+    bool placed = false;  // for parts of pictures
     auto operator<=>(const Variant&) const = default;
 };
 

@@ -57,6 +57,16 @@ void Runtime::draw(const Frame& frame, const Surface& surface) {
 }
 void Runtime::skip_frame() { ++impl_->counters.frames_skipped; }
 bool Runtime::settled() const { return impl_->settled; }
+double Runtime::distance(Index draw, double depth, const Frame& frame, const Surface& surface) const {
+    return impl_->distance(draw, depth, frame, surface);
+}
+std::vector<Index> Runtime::pick(const Frame& frame, int width, int height, const std::array<int, 4>& region) {
+    impl_->choose(frame.controls.rungs);
+    return impl_->pick(frame, width, height, region);
+}
+void Runtime::outline(const Frame& frame, const Surface& surface, Index draw, float line) {
+    impl_->outline(frame, surface, draw, line);
+}
 const Counters& Runtime::counters() const { return impl_->counters; }
 
 }  // namespace snell

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,13 @@
 
 namespace snell {
 
+// What has just been handed to the driver: `count` draws of a pass, the first of which is `draw` (Scene::draws); none:
+// the pass is done.
+struct Step {
+    Index pass = none, draw = none;
+    std::size_t count = 0;
+};
+
 // All that may vary between frames.
 struct Frame {
     double time = 0;  // seconds since the scene began
@@ -30,14 +38,29 @@ struct Frame {
     bool paced = false;
     // The window's picture is shifted by so many pixels, right and up: for pictures between the pixels.
     std::array<double, 2> shift{0, 0};
+    // Behind the window's picture, where it is not the scene's.
+    std::optional<Vec4> background;
     // By Scene::draws: true for those that are left out. Shorter: the others are drawn.
     const std::vector<bool>* hidden = nullptr;
+    // What is off-screen stands as the last frame drew it, at the same time with the same values: only the window is
+    // drawn.
+    bool standing = false;
+    // Called after each draw and each pass, for who has a clock.
+    const std::function<void(const Step&)>* after = nullptr;
 };
 
 // All that a platform is. The framebuffer may be multisampled; row 0 of its pixels is the bottom.
 struct Surface {
     unsigned framebuffer = 0;
-    int width = 0, height = 0;
+    int width = 0, height = 0;  // of the picture
+    // Left, bottom, width, height: of the window's pixels only these are drawn. None: all.
+    std::optional<std::array<int, 4>> region;
+    // What the framebuffer holds of the picture; none: all. The parts are together what the whole would be: even
+    // numbers keep what shaders derive from neighbouring pixels. Pixels from the bottom left.
+    struct Part {
+        int left = 0, bottom = 0, width = 0, height = 0;
+    };
+    std::optional<Part> part;
 };
 
 // Since the runtime was made; exact, always on. Sums, but for gpu_bytes.
@@ -126,6 +149,15 @@ public:
     void skip_frame();
     // False after a paced frame whose cube maps still show something older: the same frame again would be another.
     bool settled() const;
+    // How far in front of the eye, along its line of sight, a draw of the window (Scene::draws) is where it left
+    // `depth` (0 to 1): in the units of the scene. As Frame::view holds the scene.
+    double distance(Index draw, double depth, const Frame& frame, const Surface& surface) const;
+    // Which draw of the window (Scene::draws) is seen at each pixel, at its middle, of a picture of that size: the last
+    // one that changed it. none: the background. Of `region` (left, bottom, width, height), the bottom row first; as much
+    // of it as lies in the picture. Empty: the context refused what it takes, which is made at the first call.
+    std::vector<Index> pick(const Frame& frame, int width, int height, const std::array<int, 4>& region);
+    // Over what the surface shows: a line around what that draw covers, be it hidden or not.
+    void outline(const Frame& frame, const Surface& surface, Index draw, float line = 2);
     const Counters& counters() const;
     // Without times of frames: these are for who has a clock.
     Explanation explain() const;

@@ -155,6 +155,8 @@ void append_value(Floats& out, System system, const DrawContext& c, int size) {
             return append(out, {c.width, c.height});
         case System::mouse:
             return append(out, {c.mouse_x, c.mouse_y});
+        case System::place:
+            return static_cast<void>(out.insert(out.end(), c.place.begin(), c.place.end()));
         case System::face_index:
             return append(out, {static_cast<double>(c.face_index)});
         case System::depth_range_near:

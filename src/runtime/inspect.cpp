@@ -1,0 +1,74 @@
+#include "src/runtime/inspect.h"
+
+#include <algorithm>
+
+namespace snell {
+
+namespace {
+
+// A rectangle of the framebuffer that is bound for reading.
+void read(const std::array<int, 4>& region, GLenum format, std::vector<float>& values) {
+    const auto& [left, bottom, width, height] = region;
+    const std::size_t channels = format == GL_RGBA ? 4 : 1;
+    values.resize(channels * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(left, bottom, width, height, format, GL_FLOAT, values.data());
+}
+
+}  // namespace
+
+bool FloatPicture::resize(int width, int height) {
+    if (target_.framebuffer && target_.width == width && target_.height == height) return true;
+    target_ = {};
+    target_ = gl::make_target(width, height, 1, gl::Pixels::rgba32f);
+    return static_cast<bool>(target_.framebuffer);
+}
+
+void FloatPicture::draw(Runtime& runtime, const Frame& frame, std::vector<float>& rgba) {
+    const int width = target_.width, height = target_.height;
+    runtime.draw(frame, {target_.framebuffer.get(), width, height});
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer.get());
+    read({0, 0, width, height}, GL_RGBA, rgba);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    const auto row = static_cast<std::ptrdiff_t>(width) * 4;
+    for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom)
+        std::swap_ranges(rgba.begin() + top * row, rgba.begin() + (top + 1) * row, rgba.begin() + bottom * row);
+}
+
+void FloatPicture::inspect(Runtime& runtime, const Frame& frame, int x, int y, int radius, Inspection& found) {
+    const int width = target_.width, height = target_.height;
+    found.x = x = std::clamp(x, 0, width - 1);
+    found.y = y = std::clamp(y, 0, height - 1);
+    found.radius = radius = std::max(0, radius);
+    const int left = std::max(0, x - radius), right = std::min(width - 1, x + radius);
+    const int top = std::max(0, y - radius), bottom = std::min(height - 1, y + radius);
+    const std::array<int, 4> region{left, height - 1 - bottom, right - left + 1, bottom - top + 1};
+    Surface surface{target_.framebuffer.get(), width, height};
+    surface.region = region;
+    runtime.draw(frame, surface);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer.get());
+    read(region, GL_RGBA, rows_);
+    const auto side = static_cast<std::size_t>(2 * radius + 1);
+    found.rgba.assign(4 * side * side, 0);
+    found.inside.assign(side * side, 0);
+    for (int row = top; row <= bottom; ++row) {
+        const auto from = rows_.begin() + static_cast<std::ptrdiff_t>(bottom - row) * region[2] * 4;
+        const std::size_t to = found.at(left - x, row - y);
+        std::copy_n(from, region[2] * 4, found.rgba.begin() + static_cast<std::ptrdiff_t>(4 * to));
+        std::fill_n(found.inside.begin() + static_cast<std::ptrdiff_t>(to), region[2], 1);
+    }
+    found.depth.reset();
+    found.distance.reset();
+    const std::array<int, 4> middle{x, height - 1 - y, 1, 1};
+    if (epoxy_is_desktop_gl()) {  // OpenGL ES reads no depths
+        read(middle, GL_DEPTH_COMPONENT, rows_);
+        found.depth = rows_[0];
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    const std::vector<Index> drawn = runtime.pick(frame, width, height, middle);
+    found.draw = drawn.empty() ? none : drawn.front();
+    if (found.draw != none && found.depth && *found.depth < 1)
+        found.distance = runtime.distance(found.draw, *found.depth, frame, surface);
+}
+
+}  // namespace snell

@@ -1,0 +1,54 @@
+// What pixels of a picture are before they are made bytes, and what drew them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "parser/scene.h"
+#include "src/gl/target.h"
+#include "src/runtime/runtime.h"
+
+namespace snell {
+
+// A square of pixels about one of them.
+struct Inspection {
+    int x = 0, y = 0;  // that pixel, from the left and from the top
+    int radius = 0;    // the square is 2 radius + 1 wide
+    std::vector<float> rgba;
+    std::vector<char> inside;        // of the picture: 0 or 1, as many as there are pixels in the square
+    std::optional<double> depth;     // of the pixel: 0 to 1; none: the context does not tell
+    std::optional<double> distance;  // from the eye along its line of sight, in the scene's units; none: nothing there
+    Index draw = none;               // Scene::draws: what is seen there
+
+    // `right` and `down` of the pixel, at most `radius` away. Rows are kept top first.
+    std::size_t at(int right, int down) const {
+        return static_cast<std::size_t>((down + radius) * (2 * radius + 1) + right + radius);
+    }
+    std::span<const float, 4> pixel(int right = 0, int down = 0) const {
+        return std::span<const float>(rgba).subspan(4 * at(right, down)).first<4>();
+    }
+};
+
+// A picture in 32-bit floats: nothing is clamped, not even between blended draws. One sample at the middle of each
+// pixel. Off-screen targets hold bytes as ever.
+class FloatPicture {
+public:
+    // False: the context refused it. Nothing happens where it has that size.
+    bool resize(int width, int height);
+    int width() const { return target_.width; }
+    int height() const { return target_.height; }
+
+    // Draws the frame, and reads it: rows top first.
+    void draw(Runtime& runtime, const Frame& frame, std::vector<float>& rgba);
+    // Draws only the square, to the same values, and reads it with its depth.
+    void inspect(Runtime& runtime, const Frame& frame, int x, int y, int radius, Inspection& found);
+
+private:
+    gl::Target target_;
+    std::vector<float> rows_;
+};
+
+}  // namespace snell
