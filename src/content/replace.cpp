@@ -57,33 +57,62 @@ bool is_stream(const std::string& path) {
     return opened ? fs::exists(status) : fs::is_fifo(status) || fs::is_character_file(status);
 }
 
-// Closes the file.
 std::string write_all(int file, std::string_view bytes) {
-    if (file < 0) return std::strerror(errno);
     while (!bytes.empty()) {
         const ssize_t count = write(file, bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            std::string why = std::strerror(errno);
-            close(file);
-            return why;
-        }
+        if (count <= 0) return std::strerror(count < 0 ? errno : ENOSPC);
         bytes.remove_prefix(static_cast<std::size_t>(count));
     }
-    return close(file) == 0 ? "" : std::strerror(errno);
+    return {};
+}
+
+// A link that stands under the temporary name is not followed.
+int new_file(const fs::path& path) {
+    unlink(path.c_str());
+    return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+}
+
+std::string write_and_close(int file, std::string_view bytes) {
+    if (file < 0) return std::strerror(errno);
+    std::string wrong = write_all(file, bytes);
+    if (close(file) != 0 && wrong.empty()) wrong = std::strerror(errno);
+    return wrong;
 }
 
 }  // namespace
 
-std::string write_file(const fs::path& path, std::string_view bytes) {
-    // A link that stands under the temporary name is not followed.
-    unlink(path.c_str());
-    return write_all(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666), bytes);
+PartFile::PartFile(const fs::path& path) : file_(new_file(path)) {
+    if (file_ < 0) wrong_ = std::strerror(errno);
 }
+
+PartFile::~PartFile() {
+    if (file_ >= 0) ::close(file_);
+}
+
+std::string PartFile::write(std::string_view bytes) {
+    constexpr std::size_t piece = std::size_t{1} << 20;
+    pending_ += bytes;
+    if (!wrong_.empty()) pending_.clear();
+    if (pending_.size() < piece) return wrong_;
+    wrong_ = write_all(file_, pending_);
+    pending_.clear();
+    return wrong_;
+}
+
+std::string PartFile::close() {
+    if (file_ < 0) return wrong_;
+    if (wrong_.empty()) wrong_ = write_all(file_, pending_);
+    if (::close(file_) != 0 && wrong_.empty()) wrong_ = std::strerror(errno);
+    file_ = -1;
+    return wrong_;
+}
+
+std::string write_file(const fs::path& path, std::string_view bytes) { return write_and_close(new_file(path), bytes); }
 
 std::string replace_file(const std::string& path, std::string_view bytes) {
     if (is_stream(path)) {
-        const std::string wrong = write_all(open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC), bytes);
+        const std::string wrong = write_and_close(open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC), bytes);
         return wrong.empty() ? "" : path + ": " + wrong;
     }
     Replacement replacement(path);

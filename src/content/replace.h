@@ -28,6 +28,23 @@ private:
     bool kept_ = false;
 };
 
+// A new file that is written piece by piece. What went wrong first is said by all that follows.
+class PartFile {
+public:
+    explicit PartFile(const std::filesystem::path& path);
+    ~PartFile();
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+
+    // "" or why not: at the latest close() says it.
+    std::string write(std::string_view bytes);
+    std::string close();
+
+private:
+    int file_;
+    std::string pending_, wrong_;
+};
+
 // "" or why not.
 std::string write_file(const std::filesystem::path& path, std::string_view bytes);
 

@@ -10,7 +10,7 @@ extern "C" {
 #include <stddef.h>
 #endif
 
-enum { snell_oiio_version = 1 };
+enum { snell_oiio_version = 2 };
 
 typedef enum SnellOiioType { snell_oiio_u8 = 1, snell_oiio_f16 = 2, snell_oiio_f32 = 4 } SnellOiioType;
 
@@ -37,9 +37,13 @@ typedef struct SnellOiioDifference {
    up; 3: the file ended or broke off within the pixels, of which those before it are there. */
 int snell_oiio_read(const char* path, const char* format, SnellOiioAllocate allocate, void* context, char* message,
                     size_t message_size);
-/* `format` is an extension or OpenImageIO's name. Channels that the format can't hold are left out. */
-int snell_oiio_write(const char* path, const char* format, const SnellOiioShape* shape, const void* pixels,
-                     char* message, size_t message_size);
+/* A picture that is written row by row, top first. `format` is an extension or OpenImageIO's name. Channels that the
+   format can't hold are left out. Null when it failed. */
+void* snell_oiio_begin(const char* path, const char* format, const SnellOiioShape* shape, char* message,
+                       size_t message_size);
+int snell_oiio_rows(void* picture, const void* rows, int count, char* message, size_t message_size);
+/* Frees it; `whole` 0: gives it up. */
+int snell_oiio_end(void* picture, int whole, char* message, size_t message_size);
 /* Of two pictures of one shape. */
 int snell_oiio_compare(const SnellOiioShape* shape, const void* a, const void* b, double threshold,
                        SnellOiioDifference* difference, char* message, size_t message_size);

@@ -1,11 +1,19 @@
 // The only file of snell that includes OpenImageIO. Loading it brings some 260 shared libraries along, so it is
 // a module that is opened when a picture first needs it.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <string>
@@ -107,15 +115,81 @@ int read(const char* path, const char* format, SnellOiioAllocate allocate, void*
     return message(done, "");
 }
 
-int write(const char* path, const char* format, const SnellOiioShape& shape, const void* pixels,
-          const Message& message) {
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+// The file. Some of the writers forget to look whether it took what they wrote, and libjpeg ends the process when it
+// did not: they hear of no failure, the caller does.
+class OutputFile : public OIIO::Filesystem::IOProxy {
+public:
+    explicit OutputFile(const char* path) : IOProxy(path, Write), file_((unlink(path), open(path, flags, 0666))) {
+        if (file_ < 0) error_ = errno;
+    }
+    ~OutputFile() override { finish(); }
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    const char* proxytype() const override { return "snell"; }
+    std::size_t write(const void* bytes, std::size_t size) override {
+        pwrite(bytes, size, m_pos);
+        m_pos += static_cast<std::int64_t>(size);
+        return size;
+    }
+    std::size_t pwrite(const void* bytes, std::size_t size, std::int64_t offset) override {
+        const char* from = static_cast<const char*>(bytes);
+        for (std::size_t rest = size; rest > 0 && error_ == 0;) {
+            const ssize_t count = ::pwrite(file_, from, rest, offset);
+            if (count < 0 && errno == EINTR) continue;
+            if (count <= 0) {
+                error_ = count < 0 ? errno : ENOSPC;
+                break;
+            }
+            from += count;
+            offset += count;
+            rest -= static_cast<std::size_t>(count);
+        }
+        return size;
+    }
+    std::size_t read(void* bytes, std::size_t size) override {
+        const std::size_t count = pread(bytes, size, m_pos);
+        m_pos += static_cast<std::int64_t>(count);
+        return count;
+    }
+    std::size_t pread(void* bytes, std::size_t size, std::int64_t offset) override {
+        const ssize_t count = ::pread(file_, bytes, size, offset);
+        return static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    }
+    std::size_t size() const override {
+        struct stat now {};
+        return fstat(file_, &now) == 0 ? static_cast<std::size_t>(now.st_size) : 0;
+    }
+    // 0, or errno of what failed.
+    int finish() {
+        if (file_ >= 0 && ::close(file_) != 0 && error_ == 0) error_ = errno;
+        file_ = -1;
+        return error_;
+    }
+
+private:
+    static constexpr int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    int file_, error_ = 0;
+};
+
+struct Picture {
+    std::unique_ptr<OutputFile> file;  // none: the format writes by name only
+    std::unique_ptr<OIIO::ImageOutput> output;
+    SnellOiioShape shape{};
+    int row = 0;
+};
+
+std::unique_ptr<Picture> begin(const char* path, const char* format, const SnellOiioShape& shape,
+                               const Message& message) {
+    auto picture = std::make_unique<Picture>();
+    std::unique_ptr<OIIO::ImageOutput>& output = picture->output;
+    output = OIIO::ImageOutput::create(format);
     if (!output) {
         OIIO::geterror();  // names the temporary file: the caller knows better
-        return message(failed, std::string("no picture format is known by the extension '") + format + "'");
+        message(failed, std::string("no picture format is known by the extension '") + format + "'");
+        return nullptr;
     }
-    const OIIO::TypeDesc type = type_of(shape.type);
-    const OIIO::stride_t pixel = static_cast<OIIO::stride_t>(type.size()) * shape.channels;
+    picture->shape = shape;
     SnellOiioShape stored = shape;
     // The WebP writer divides by alpha what was never multiplied: better without.
     if (shape.has_alpha && (!output->supports("alpha") || std::string(output->format_name()) == "webp")) {
@@ -125,9 +199,34 @@ int write(const char* path, const char* format, const SnellOiioShape& shape, con
     OIIO::ImageSpec spec = spec_of(stored);
     if (shape.type == snell_oiio_u8 && std::string(output->format_name()) == "openexr")
         spec.set_format(OIIO::TypeDesc::HALF);
-    if (!output->open(path, spec)) return message(failed, output->geterror());
-    if (!output->write_image(type, pixels, pixel) || !output->close()) return message(failed, output->geterror());
+    if (output->supports("ioproxy")) {
+        picture->file = std::make_unique<OutputFile>(path);
+        if (!output->set_ioproxy(picture->file.get())) picture->file.reset();
+    }
+    if (output->open(path, spec)) return picture;
+    const int wrong = picture->file ? picture->file->finish() : 0;
+    message(failed, wrong ? std::strerror(wrong) : output->geterror());
+    return nullptr;
+}
+
+int rows(Picture& picture, const void* pixels, int count, const Message& message) {
+    const OIIO::TypeDesc type = type_of(picture.shape.type);
+    const OIIO::stride_t pixel = static_cast<OIIO::stride_t>(type.size()) * picture.shape.channels;
+    const OIIO::stride_t row = pixel * picture.shape.width;
+    const int end = picture.row + count;
+    if (!picture.output->write_scanlines(picture.row, end, 0, type, pixels, pixel, row))
+        return message(failed, picture.output->geterror());
+    picture.row = end;
     return message(done, "");
+}
+
+int end(std::unique_ptr<Picture> picture, bool whole, const Message& message) {
+    const bool closed = picture->output->close();
+    const std::string why = closed ? "" : picture->output->geterror();
+    const int wrong = picture->file ? picture->file->finish() : 0;
+    if (!whole) return message(done, "");
+    if (wrong) return message(failed, std::strerror(wrong));
+    return closed ? message(done, "") : message(failed, why);
 }
 
 int compare(const SnellOiioShape& shape, const void* a, const void* b, double threshold,
@@ -169,10 +268,25 @@ SNELL_EXPORT int snell_oiio_read(const char* path, const char* format, SnellOiio
     return guarded(say, [&] { return read(path, format, allocate, context, say); });
 }
 
-SNELL_EXPORT int snell_oiio_write(const char* path, const char* format, const SnellOiioShape* shape, const void* pixels,
-                                  char* message, size_t message_size) {
+SNELL_EXPORT void* snell_oiio_begin(const char* path, const char* format, const SnellOiioShape* shape, char* message,
+                                    size_t message_size) {
     const Message say{message, message_size};
-    return guarded(say, [&] { return write(path, format, *shape, pixels, say); });
+    void* picture = nullptr;
+    guarded(say, [&] {
+        picture = begin(path, format, *shape, say).release();
+        return 0;
+    });
+    return picture;
+}
+
+SNELL_EXPORT int snell_oiio_rows(void* picture, const void* pixels, int count, char* message, size_t message_size) {
+    const Message say{message, message_size};
+    return guarded(say, [&] { return rows(*static_cast<Picture*>(picture), pixels, count, say); });
+}
+
+SNELL_EXPORT int snell_oiio_end(void* picture, int whole, char* message, size_t message_size) {
+    const Message say{message, message_size};
+    return guarded(say, [&] { return end(std::unique_ptr<Picture>(static_cast<Picture*>(picture)), whole != 0, say); });
 }
 
 SNELL_EXPORT int snell_oiio_compare(const SnellOiioShape* shape, const void* a, const void* b, double threshold,
