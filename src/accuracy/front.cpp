@@ -32,6 +32,11 @@ private:
     std::vector<Interval> ratios_;
 };
 
+// How one rung stands to another, `cost` being the other's over its own.
+bool is_better(const Point& other, const Point& own) { return other.error < own.error * (1 - better_error); }
+bool is_no_worse(const Point& other, const Point& own) { return other.error <= own.error * (1 + same_error); }
+bool costs_no_more(const Interval& cost) { return equal_cost(cost) || cost.middle <= same_cost; }
+
 }  // namespace
 
 bool surely_cheaper(const Interval& ratio) { return ratio.high < 1; }
@@ -55,15 +60,30 @@ std::vector<Verdict> pareto_front(std::span<const Point> points, std::uint64_t s
         for (std::size_t j = 0; j < points.size(); ++j) {
             if (j == i || !measured(points[j])) continue;
             const Interval& cost = ratios.of(j, i);
-            const bool better = points[j].error < points[i].error * (1 - better_error);
-            const bool no_worse = points[j].error <= points[i].error * (1 + same_error);
-            if (no_worse && surely_cheaper(cost))
+            if (is_no_worse(points[j], points[i]) && surely_cheaper(cost))
                 blame(Standing::dominated, j);
-            else if (better && (equal_cost(cost) || cost.high <= same_cost))
+            else if (is_better(points[j], points[i]) && costs_no_more(cost))
                 blame(Standing::saves_none, j);
         }
     }
     return verdicts;
+}
+
+bool undecided(std::span<const Point> points, std::uint64_t seed) {
+    const Ratios ratios(points, seed);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        bool beaten = false, open = false;
+        for (std::size_t j = 0; j < points.size(); ++j) {
+            if (j == i || !measured(points[i]) || !measured(points[j])) continue;
+            const Interval& cost = ratios.of(j, i);
+            const bool better = is_better(points[j], points[i]);
+            beaten = beaten || (is_no_worse(points[j], points[i]) && surely_cheaper(cost)) ||
+                     (better && cost.high <= same_cost);
+            open = open || (better && cost.low <= same_cost && cost.high > same_cost);
+        }
+        if (open && !beaten) return true;
+    }
+    return false;
 }
 
 Control control(std::span<const double> first, std::span<const double> again, std::uint64_t seed) {

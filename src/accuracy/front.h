@@ -36,9 +36,12 @@ struct Verdict {
 bool surely_cheaper(const Interval& ratio);
 bool equal_cost(const Interval& ratio);
 
-// Errors within a thousandth are the same; better by less than a hundredth is no better. What is surely less than
-// 3 % dearer costs the same.
+// Errors within a thousandth are the same; better by less than a hundredth is no better. What is less than 3 %
+// dearer, by the median of its ratios, costs the same.
 std::vector<Verdict> pareto_front(std::span<const Point> points, std::uint64_t seed = 1);
+// Another run might well draw another front: the intervals of some rung that nothing surely beats lie on both sides of
+// these 3 %.
+bool undecided(std::span<const Point> points, std::uint64_t seed = 1);
 
 // The control: one rung that was timed twice under two names.
 struct Control {

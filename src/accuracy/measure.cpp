@@ -12,6 +12,8 @@ namespace snell::accuracy {
 namespace {
 
 constexpr std::size_t fewest_rounds = 7;  // of which an interval of the median can be told
+constexpr int most_rounds = 8;            // times those asked for, while they tell too little and there is time
+constexpr int looked_at_every = 5;        // rounds
 constexpr double too_far = 3;             // degrees
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -20,6 +22,35 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 const std::vector<double>& times_of(const RungResult& rung, ClockKind clock) {
     return clock == ClockKind::cpu ? rung.cpu : clock == ClockKind::gpu ? rung.gpu : rung.wall;
+}
+
+std::vector<double> taken(const std::vector<double>& times) {
+    std::vector<double> result;
+    std::ranges::copy_if(times, std::back_inserter(result), [](double t) { return t > 0; });
+    return result;
+}
+
+std::vector<Point> points_of(const SweepResult& result) {
+    std::vector<Point> points;
+    for (const RungResult& rung : result.rungs) {
+        const std::vector<double>& times = times_of(rung, result.clock);
+        points.push_back(
+            {rung.drawn ? result.error(rung) : std::nan(""), taken(times).empty() ? std::vector<double>{} : times});
+    }
+    return points;
+}
+
+// RMSE ranks nothing where directions are far off; degrees do, if all rungs have them.
+void choose_metric(SweepResult& result) {
+    const bool all_known = std::ranges::all_of(
+        result.rungs, [](const RungResult& rung) { return !rung.drawn || rung.degrees.has_value(); });
+    bool far = false;
+    for (RungResult& rung : result.rungs) {
+        const bool by_angle = rung.degrees && rung.degrees->pixels > 0;
+        rung.saturated = rung.drawn && (by_angle ? rung.degrees->mean > too_far : rung.own.unrelated);
+        far = far || (by_angle && rung.saturated);
+    }
+    result.metric = all_known && far ? Metric::degrees : Metric::rmse;
 }
 
 class Measurement {
@@ -31,6 +62,7 @@ public:
 
     SweepResult run() {
         pictures();
+        choose_metric(result_);
         if (options_.times && !stopped()) rounds();
         conclude(result_, again_, options_.seed);
         return std::move(result_);
@@ -112,10 +144,12 @@ private:
         const auto start = std::chrono::steady_clock::now();
         std::mt19937_64 random(options_.seed);
         const std::size_t again = frame.size();
-        // One interval in twenty misses 1 by chance: more rounds tell.
-        for (int round = 0; round < 2 * options_.rounds; ++round) {
-            if (round >= options_.rounds && !still_noisy()) break;
-            if (round >= options_.rounds && seconds_since(start) > options_.seconds) break;
+        // One interval in twenty misses 1 by chance, and many are too wide at first: more rounds tell.
+        for (int round = 0; round < most_rounds * options_.rounds; ++round) {
+            const bool enough = round >= options_.rounds;
+            if (enough && seconds_since(start) > options_.seconds) break;
+            if (enough && (round - options_.rounds) % looked_at_every == 0 && !still_noisy() && !still_undecided())
+                break;
             std::vector<std::size_t> order;
             for (std::size_t i = 0; i < frame.size(); ++i)
                 if (frame[i] && static_cast<std::size_t>(round) % stride[i] == 0) order.push_back(i);
@@ -146,17 +180,13 @@ private:
         return control(times_of(base, result_.clock), again_, options_.seed).noisy;
     }
 
+    bool still_undecided() const { return undecided(points_of(result_), options_.seed); }
+
     Bench& bench_;
     const MeasureOptions& options_;
     SweepResult result_;
     std::vector<double> again_;
 };
-
-std::vector<double> taken(const std::vector<double>& times) {
-    std::vector<double> result;
-    std::ranges::copy_if(times, std::back_inserter(result), [](double t) { return t > 0; });
-    return result;
-}
 
 // Where the last steps shrink as a geometric series does, its remainder; else nothing is known.
 void estimate_residual(SweepResult& result) {
@@ -181,7 +211,6 @@ void estimate_residual(SweepResult& result) {
 void conclude_times(SweepResult& result, std::span<const double> base_again, std::uint64_t seed) {
     const std::vector<double>& base = times_of(result.rungs[result.sweep.current], result.clock);
     result.control = control(base, base_again, seed);
-    std::vector<Point> points;
     for (RungResult& rung : result.rungs) {
         const std::vector<double>& times = times_of(rung, result.clock);
         const std::vector<double> present = taken(times);
@@ -193,9 +222,8 @@ void conclude_times(SweepResult& result, std::span<const double> base_again, std
             rung.high = interval.high;
         }
         rung.ratio = paired_ratio(times, base, seed);
-        const double nan = std::nan("");
-        points.push_back({rung.drawn ? result.error(rung) : nan, present.empty() ? std::vector<double>{} : times});
     }
+    const std::vector<Point> points = points_of(result);
     result.few_rounds = result.rungs[result.sweep.current].rounds < fewest_rounds;
     const std::vector<Verdict> verdicts = pareto_front(points, seed);
     const bool row = result.sweep.kind != SweepKind::lattice;
@@ -213,15 +241,7 @@ double SweepResult::error(const RungResult& rung) const {
 }
 
 void conclude(SweepResult& result, std::span<const double> base_again, std::uint64_t seed) {
-    const bool all_known = std::ranges::all_of(
-        result.rungs, [](const RungResult& rung) { return !rung.drawn || rung.degrees.has_value(); });
-    bool far = false;
-    for (RungResult& rung : result.rungs) {
-        const bool by_angle = rung.degrees && rung.degrees->pixels > 0;
-        rung.saturated = rung.drawn && (by_angle ? rung.degrees->mean > too_far : rung.own.unrelated);
-        far = far || (by_angle && rung.saturated);
-    }
-    result.metric = all_known && far ? Metric::degrees : Metric::rmse;
+    choose_metric(result);
     estimate_residual(result);
     conclude_times(result, base_again, seed);
 }

@@ -58,10 +58,10 @@ struct Progress {
 };
 
 struct MeasureOptions {
-    int rounds = 31;      // at least 3
-    double seconds = 30;  // for this sweep; dear rungs sit rounds out to keep it
-    bool times = true;    // false: errors only
-    double at_least = 5;  // milliseconds of a sample: quicker frames are drawn several times
+    int rounds = 31;       // at least 3; more while the control is noisy and seconds are left
+    double seconds = 30;   // for this sweep; dear rungs sit rounds out to keep it
+    bool times = true;     // false: errors only
+    double at_least = 20;  // milliseconds of a sample: quicker frames are drawn several times
     std::uint64_t seed = 1;
     std::function<bool()> stop;                   // asked between frames
     std::function<void(const Progress&)> report;  // called between frames

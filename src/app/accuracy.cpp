@@ -163,49 +163,60 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
     return nullptr;
 }
 
+// What there is to do: sweeps, advice counting as one; and their rungs, to share the budget by.
+struct Work {
+    static constexpr std::size_t advice_rungs = 16;  // about as many combinations as it tries
+    std::size_t sweeps = 0, rungs = 0;
+};
+
 // Measures one sweep after another, and prints each when it is done. The budget is shared by those to come.
 class Run {
 public:
-    // `sweeps`: counting advice as one.
-    Run(const AccuracyOptions& options, std::size_t sweeps) : options_(options), sweeps_(sweeps) {}
+    Run(const AccuracyOptions& options, Work all) : options_(options), all_(all) {}
 
     void measure_all(Bench& bench, const Subject& subject, Report& report) {
         for (const Sweep& sweep : subject.sweeps) {
             if (interrupted) return;
-            SweepResult result = measure(bench, sweep, next());
+            SweepResult result = measure(bench, sweep, next(sweep.rungs.size()));
             result.scene = subject.path;
             if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
             fmt::print("{}", table_text(result));
             std::fflush(stdout);
             report.sweeps.push_back(std::move(result));
-            ++done_;
+            finish(sweep.rungs.size());
         }
     }
 
     bool advise(Bench& bench, const Subject& subject, Report& report) {
-        const bool told = give_advice(options_, subject.path, bench, subject.plan.rungs, next(), report);
-        ++done_;
+        const bool told =
+            give_advice(options_, subject.path, bench, subject.plan.rungs, next(Work::advice_rungs), report);
+        finish(Work::advice_rungs);
         return told;
     }
 
 private:
-    MeasureOptions next() const {
+    MeasureOptions next(std::size_t rungs) const {
         const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        const std::size_t left = sweeps_ - done_;
-        const double share = std::max(options_.budget - spent, 0.0) / static_cast<double>(left);
+        const double left = std::max(options_.budget - spent, 0.0);
+        const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
         MeasureOptions measuring;
         measuring.rounds = options_.rounds;
         measuring.seconds = std::max(share, .1);
         measuring.times = !options_.no_time;
         measuring.stop = [] { return interrupted.load(); };
-        measuring.report = [this, later = share * static_cast<double>(left - 1)](const Progress& progress) {
-            show_progress(progress, done_, sweeps_, later);
+        measuring.report = [this, later = left - share](const Progress& progress) {
+            show_progress(progress, done_.sweeps, all_.sweeps, later);
         };
         return measuring;
     }
 
+    void finish(std::size_t rungs) {
+        ++done_.sweeps;
+        done_.rungs += rungs;
+    }
+
     const AccuracyOptions& options_;
-    std::size_t sweeps_, done_ = 0;
+    Work all_, done_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -227,10 +238,12 @@ int accuracy(const AccuracyOptions& options) {
     const gl::Caps caps = gl::query_caps();
     bool errors = false;
     std::vector<std::unique_ptr<Subject>> subjects;
-    std::size_t sweeps = 0;
+    Work work;
     for (const std::string& path : options.scenes)
         if (auto subject = read_subject(path, options, errors)) {
-            sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
+            work.sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
+            for (const Sweep& sweep : subject->sweeps) work.rungs += sweep.rungs.size();
+            if (asks_for_advice(options)) work.rungs += Work::advice_rungs;
             subjects.push_back(std::move(subject));
         }
     if (subjects.empty()) return exit_input;
@@ -240,7 +253,7 @@ int accuracy(const AccuracyOptions& options) {
     Report report{circumstances(options, caps, settings), {}, {}};
     interrupted = false;
     const auto before = std::signal(SIGINT, on_interrupt);
-    Run run(options, sweeps);
+    Run run(options, work);
     for (const auto& subject : subjects) {
         Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
         run.measure_all(bench, *subject, report);

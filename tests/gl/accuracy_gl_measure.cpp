@@ -68,7 +68,7 @@ TEST_F(Measure, LadderOfKnownCostsAndErrorsComesOutRightThreeTimes) {
         }
         if (!result.trusted()) continue;  // the machine is too noisy for a front, and the result says so
         for (std::size_t i : {0U, 1U, 4U, 5U}) EXPECT_EQ(result.rungs[i].verdict.standing, Standing::front) << i;
-        // 'same' costs what 'half' does: dominated only if noise makes it look dearer.
+        // 'same' costs what 'half' does: dominated only if noise makes it look dearer. In no run it is on the front.
         EXPECT_EQ(result.rungs[2].verdict.by, 1U);
         EXPECT_EQ(result.rungs[3].verdict, (Verdict{Standing::dominated, 1}));
     }

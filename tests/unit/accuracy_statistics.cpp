@@ -114,6 +114,45 @@ TEST(Front, WorseAtEqualCostSavesNothing) {
     EXPECT_EQ(verdicts[2].standing, Standing::front);
 }
 
+TEST(Front, HardlyDearerCostsTheSame) {
+    const std::vector<double> one(15, 1), two_percent(15, 1.02), five_percent(15, 1.05);
+    EXPECT_EQ(pareto_front(points({.5, 0}, {one, two_percent}))[0], (Verdict{Standing::saves_none, 1}));
+    EXPECT_EQ(pareto_front(points({.5, 0}, {one, five_percent}))[0].standing, Standing::front);
+    EXPECT_EQ(pareto_front(points({0, .5}, {two_percent, one}))[1], (Verdict{Standing::saves_none, 0}));
+}
+
+// Where the interval lies on both sides of what counts as a saving, more rounds are asked for; these decide.
+TEST(Front, IsUndecidedWhileNoiseIsWiderThanTheSaving) {
+    Machine machine(12);
+    const auto few = points({.5, 0}, machine.measure({10, 10.6}, 7, .2));
+    EXPECT_TRUE(undecided(few));
+    const auto many = points({.5, 0}, machine.measure({10, 10.6}, 121, .02));
+    EXPECT_FALSE(undecided(many));
+    EXPECT_FALSE(undecided(points({.5, 0}, machine.measure({10, 20}, 15, .02)))) << "far apart";
+    EXPECT_FALSE(undecided(points({.5, 0}, machine.measure({20, 10}, 15, .02)))) << "dominated";
+    EXPECT_FALSE(undecided({}));
+}
+
+// What one run says of rungs that differ, another one says too.
+TEST(Front, TwoRunsThatAreDecidedAgree) {
+    int agree = 0;
+    for (unsigned run = 0; run < 20; ++run) {
+        std::vector<Verdict> verdicts[2];
+        for (unsigned again : {0U, 1U}) {
+            Machine machine(100 + 2 * run + again);
+            std::vector<Point> measured;
+            for (int rounds = 15; rounds <= 120; rounds *= 2) {
+                measured = points({.5, .2, .3, .1, 0}, machine.measure({10, 10.8, 11, 10.85, 14}, rounds, .03));
+                if (!undecided(measured)) break;
+            }
+            verdicts[again] = pareto_front(measured);
+        }
+        const auto on_front = [](const Verdict& v) { return v.standing == Standing::front; };
+        agree += std::ranges::equal(verdicts[0], verdicts[1], {}, on_front, on_front);
+    }
+    EXPECT_GE(agree, 19);
+}
+
 TEST(Front, TwinsAreBothOnIt) {
     Machine machine(8);
     const auto verdicts = pareto_front(points({.3, .3}, machine.measure({5, 5}, 31)));
