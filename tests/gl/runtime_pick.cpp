@@ -125,7 +125,7 @@ TEST_P(Pick, GeometryThatIsTessellated) {
     const std::string patch =
         "NumPatchVertices 3\nglBegin gl_patches\nglVertex 1. 0. .3\nglVertex 0. 1. .3\nglVertex -.7 -.7 .3\nglEnd";
     expect_exact("Perspective 50\nLookAt 0 1 4 0 0 0 0 1 0\nVertex plain.vert\nFragment color.frag\n" +
-                 object(1, "QuadXY .9 .5") + "Vertex bare.vert\nTessControl round.tcs\nTessEvaluation round.tes\n" +
+                 object(1, "QuadXY .5 1.4") + "Vertex bare.vert\nTessControl round.tcs\nTessEvaluation round.tes\n" +
                  object(2, patch));
 }
 
