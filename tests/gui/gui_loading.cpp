@@ -1,0 +1,49 @@
+// A scene that takes long to load: the window shows a bar meanwhile, over the picture that it had.
+#include <chrono>
+
+#include "tests/gui/desk.h"
+
+namespace snell::test {
+namespace {
+
+class Loading : public Desk {
+protected:
+    void SetUp() override {
+        Desk::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        save("paint.vert", "void main() { gl_Position = ftransform(); }\n");
+        save("paint.frag", "uniform vec3 uPaint;\nvoid main() { gl_FragColor = vec4(uPaint, 1.); }\n");
+        save("noise.frag",
+             "uniform vec3 uPaint;\nuniform sampler3D Noise3;\n"
+             "void main() { gl_FragColor = vec4(uPaint + 1e-6 * texture3D(Noise3, vec3(.5)).rgb, 1.); }\n");
+    }
+    static std::string scene(const std::string& shader, const std::string& color) {
+        return "Noise3D 320\nOrtho -1 1 -1 1\nVertex paint.vert\nFragment " + shader + "\nProgram Paint uPaint [" +
+               color + "]\nQuadXY 0. 9.\n";
+    }
+    // In the window of 800 x 600: where the bar's text and frame are, and away from it.
+    static Pixel middle(const Picture& picture) { return picture.at(250, 300); }
+    static Pixel corner(const Picture& picture) { return picture.at(20, 20); }
+    static constexpr Pixel red{255, 0, 0}, green{0, 255, 0};
+};
+
+TEST_F(Loading, ABarStandsOverTheOldPictureUntilTheNewOneIsThere) {
+    using Clock = std::chrono::steady_clock;
+    save("scene.glib", scene("paint.frag", "1. 0. 0."));
+    open("scene.glib");
+    EXPECT_EQ(middle(look()), red);
+    save("scene.glib", scene("noise.frag", "0. 1. 0."));
+    const auto start = Clock::now();
+    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    bool bar = false;
+    Picture picture = look();
+    for (; seconds() < 30 && corner(picture) != green; picture = look())
+        bar = bar || (corner(picture) == red && middle(picture) != red);
+    EXPECT_EQ(corner(picture), green);
+    EXPECT_EQ(middle(look()), green) << "the bar is gone";
+    if (!bar && seconds() < 1.2) GTEST_SKIP() << "this machine is too fast for the test: " << seconds() << " s";
+    EXPECT_TRUE(bar);
+}
+
+}  // namespace
+}  // namespace snell::test
