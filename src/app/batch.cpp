@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "parser/utf8.h"
+#include "src/app/painting.h"
 #include "src/app/picture.h"
 #include "src/app/quality.h"
 #include "src/app/view_text.h"
@@ -219,35 +220,44 @@ double Batch::time_of(const Open& open, const Shot& shot) const {
     return time;
 }
 
-// The one before serves again if it can.
-bool Batch::ready_target(const Document& document) {
+PictureSize Batch::size_of(const Document& document) const {
     const auto [width, height] =
         options_.size.value_or(std::pair(document.scene().window_size[0], document.scene().window_size[1]));
-    if (target_.framebuffer && target_.width == width && target_.height == height) return true;
-    // Colour, depth and stencil for every sample, and the picture itself.
-    const double bytes =
-        static_cast<double>(width) * height * (options_.samples * 8. + 16.) * (holds_floats(options_.output) ? 2. : 1.);
-    if (bytes > static_cast<double>(options_.access.limits.output_bytes)) {
-        fmt::print(stderr, "snell: error: {}x{} with {} samples takes too much memory\n   help: {}\n", width, height,
-                   options_.samples, limit_help(options_.access.limits, &Limits::output_bytes));
+    return {width, height, options_.samples, holds_floats(options_.output)};
+}
+
+// The one before serves again if it can.
+bool Batch::ready_target(const Document& document) {
+    const PictureSize size = size_of(document);
+    if (target_.framebuffer && size == size_) return true;
+    size_ = size;
+    tiling_ = tile(size, options_.access.limits, caps_, options_.tile);
+    target_ = {};
+    if (!tiling_.error.empty()) {
+        fmt::print(stderr, "snell: error: {}\n", tiling_.error);
         return false;
     }
-    if (width > caps_.max_texture || height > caps_.max_texture) {
-        fmt::print(stderr, "snell: error: {}x{} is more than this OpenGL draws ({})\n", width, height,
-                   caps_.max_texture);
-        return false;
-    }
-    floats_ = holds_floats(options_.output);
-    target_ = gl::make_target(width, height, options_.samples, floats_ ? gl::Pixels::rgba32f : gl::Pixels::rgba8);
+    if (!tiling_.whole(size)) return true;
+    target_ =
+        gl::make_target(size.width, size.height, size.samples, size.floats ? gl::Pixels::rgba32f : gl::Pixels::rgba8);
     if (target_.framebuffer) return true;
-    fmt::print(stderr, "snell: error: this OpenGL gives no picture of {}x{} with {} samples\n", width, height,
-               options_.samples);
+    fmt::print(stderr, "snell: error: this OpenGL gives no picture of {}x{} with {} samples\n", size.width, size.height,
+               size.samples);
     fail(exit_graphics);
     return false;
 }
 
+// Each part has the whole time. "" or why there is no picture.
+std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::string& file) {
+    Painting painting(file, size_, tiling_, options_.transparent);
+    if (painting.without_graphics()) fail(exit_graphics);
+    while (painting.step(runtime, frame)) deadline_.begin(fmt::format("drawing '{}'", file));
+    return painting.error();
+}
+
 void Batch::draw(Open& open, const Shot& shot) {
-    deadline_.begin(fmt::format("drawing '{}'", shots_.files[shot.index]));
+    const std::string& file = shots_.files[shot.index];
+    deadline_.begin(fmt::format("drawing '{}'", file));
     if (!open.document->runtime || !take_rungs(open, shot)) return;
     const auto controls = controls_of(open, shot);
     if (!controls) return fail();
@@ -257,14 +267,23 @@ void Batch::draw(Open& open, const Shot& shot) {
     view.axes = options_.axes;
     Runtime& runtime = *open.document->runtime;
     const Frame frame{time_of(open, shot), view, *controls};
-    runtime.draw(frame, {target_.framebuffer.get(), target_.width, target_.height});
-    content::Image picture = read_picture(target_, floats_);
+    std::optional<content::Image> picture;
+    std::string wrong;
+    if (target_.framebuffer)
+        picture = draw_picture(runtime, frame, target_, {.width = size_.width, .height = size_.height},
+                               {size_.floats, options_.transparent});
+    else
+        wrong = draw_parts(runtime, frame, file);
     records_.push_back({shot, false, frame.time, milliseconds_since(start)});
     timings_.frame += records_.back().milliseconds;
     deadline_.rest();
-    writer_.add(shots_.files[shot.index], std::move(picture));
+    writer_.add(file, std::move(picture), wrong);
     if (!options_.count_non_finite) return;
-    const auto found = count_non_finite(runtime, frame, target_.width, target_.height);
+    if (!target_.framebuffer)
+        return fmt::print(stderr,
+                          "snell: warning: a picture that is drawn part by part is not counted: take a smaller "
+                          "--size [non-finite]\n");
+    const auto found = count_non_finite(runtime, frame, size_.width, size_.height);
     if (!found) fmt::print(stderr, "snell: warning: this OpenGL has no pictures of floats: nothing is counted\n");
     if (found) {
         non_finite_ = non_finite_.value_or(NonFinite{});

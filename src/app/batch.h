@@ -17,6 +17,7 @@
 #include "src/app/non_finite.h"
 #include "src/app/progress.h"
 #include "src/app/shots.h"
+#include "src/app/tiles.h"
 #include "src/app/writer.h"
 #include "src/gl/target.h"
 
@@ -67,6 +68,8 @@ private:
     std::optional<Controls> controls_of(const Open& open, const Shot& shot);
     double time_of(const Open& open, const Shot& shot) const;
     bool ready_target(const Document& document);
+    PictureSize size_of(const Document& document) const;
+    std::string draw_parts(Runtime& runtime, const Frame& frame, const std::string& file);
     void draw(Open& open, const Shot& shot);
     void skip(const Shot& shot);
     void say(const Diagnostics& diagnostics, const Sources& sources);
@@ -79,8 +82,9 @@ private:
     std::unique_ptr<HeadlessContext> context_;
     bool refused_ = false;  // there is no context
     gl::Caps caps_;
-    gl::Target target_;
-    bool floats_ = false;
+    gl::Target target_;  // none where pictures are drawn in parts
+    PictureSize size_;
+    Tiling tiling_;
     Timings timings_;
     std::optional<NonFinite> non_finite_;
     ProgressLine progress_;

@@ -33,8 +33,11 @@ std::string render_command(const Document& document, const Picture& picture) {
     const std::string stem = std::filesystem::path(document.path).stem().string();
     const auto file = [](const std::string& name) { return name.starts_with('-') ? "./" + name : name; };
     std::string line = fmt::format("snell render {} -o {} --size {}x{}", shell_word(file(document.path)),
-                                   shell_word(file(stem + ".png")), picture.width, picture.height);
+                                   shell_word(file(picture.file.empty() ? stem + ".png" : picture.file)), picture.width,
+                                   picture.height);
     if (picture.samples > 1) line += fmt::format(" --samples {}", picture.samples);
+    if (picture.transparent) line += " --transparent";
+    if (picture.frames > 0) line += fmt::format(" --frames {} --fps {}", picture.frames, picture.rate);
     if (picture.view.axes) line += " --axes";
     if (picture.time != 0) line += fmt::format(" --time {}", picture.time);
     if (const std::string view = view_text(picture.view); !view.empty()) line += " --view " + shell_word(view);

@@ -13,6 +13,10 @@ struct Picture {
     int width = 0, height = 0, samples = 1;
     double time = 0;
     View view;
+    std::string file = {};  // as `snell render -o` takes it; empty: named as the scene
+    bool transparent = false;
+    int frames = 0;  // at `rate` a second; 0: one picture
+    double rate = 25;
 };
 
 // A line for a POSIX shell that draws the same picture: values and rungs that are not the scene's, view, time, size.

@@ -25,7 +25,9 @@ struct RenderOptions {
     std::vector<std::string> sets, ladders;
     std::string quality;  // "", or a preset that was measured: src/app/quality.h
     int samples = 1;
-    std::string view;  // src/app/view_text.h
+    bool transparent = false;  // without the background
+    int tile = 0;              // the largest part that is drawn at once, in pixels along a side; 0: as memory allows
+    std::string view;          // src/app/view_text.h
     bool axes = false;
     bool count_non_finite = false;  // pixels that are no numbers: said, and in the statistics
     int frames = 0;                 // frame k is at time + k / fps; 0: no animation
@@ -42,6 +44,7 @@ struct SaveOptions {
     std::string scene, output;  // no output: the scene's own file
     std::vector<std::string> sets, ladders;
     std::string context;
+    Access access;
 };
 int save(const SaveOptions& options);
 

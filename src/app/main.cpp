@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -156,6 +157,9 @@ struct CommandLine {
         command.add_option("--quality", render.quality, "rungs as `snell accuracy --save-quality` found them")
             ->check(CLI::IsMember({"fast", "balanced", "exact"}));
         command.add_option("--samples", render.samples, "samples a pixel")->check(CLI::Range(1, 64));
+        command.add_flag("--transparent", render.transparent, "without the background: PNG and EXR");
+        command.add_option("--tile", render.tile, "draw at most so many pixels along a side at once")
+            ->check(CLI::Range(64, 65536));
         command.add_option("--shard", render.shard, "I/N: draw only the pictures of part I of N, 0/N to N-1/N")
             ->check(check_shard);
         command.add_flag("--skip-existing", render.skip_existing, "draw only the pictures that are not there yet");
@@ -217,6 +221,7 @@ struct CommandLine {
     void add_save() {
         save_command = app.add_subcommand("save", "write values into a scene: only its numbers change");
         save_command->add_option("SCENE", save.scene)->required();
+        add_access(*save_command);
         add_repeated(*save_command, "--set", save.sets, "uniform=value or Program.uniform=value; may be repeated");
         add_repeated(*save_command, "--ladder", save.ladders, "ladder=rung, which is then the marked one");
         save_command->add_option("-o,--output", save.output, "another file than the scene's own");
@@ -306,7 +311,7 @@ struct CommandLine {
         if (!accuracy_within.empty()) accuracy.within = app::parse_milliseconds(accuracy_within);
         if (!accuracy_size.empty()) parse_size(accuracy_size, accuracy.size.emplace());
         if (!explain_size.empty()) parse_size(explain_size, explain.size.emplace());
-        window.access = render.access = check.access = accuracy.access = explain.access = access();
+        window.access = render.access = check.access = accuracy.access = explain.access = save.access = access();
         if (!sizes_fit(render.access.limits)) return app::exit_usage;
         if (explain_command->parsed()) return app::explain(explain);
         if (accuracy_command->parsed()) return app::accuracy(accuracy);
@@ -326,6 +331,8 @@ struct CommandLine {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // A file that grows beyond what is allowed is an error as a full disk is, not the end of the process.
+    std::signal(SIGXFSZ, SIG_IGN);
     CommandLine line;
     try {
         line.app.parse(argc, argv);

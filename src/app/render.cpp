@@ -9,6 +9,7 @@
 #include "parser/utf8.h"
 #include "src/app/batch.h"
 #include "src/app/commands.h"
+#include "src/app/picture.h"
 #include "src/app/reports.h"
 #include "src/app/sheet.h"
 
@@ -66,6 +67,9 @@ bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard
 bool usable(const RenderOptions& options, const Shots& shots) {
     if (!options.stats.empty() && shots.scenes.size() > 1)
         return complain("--stats tells of one scene; --json lists the pictures of many");
+    for (const std::string& file : shots.files)
+        if (options.transparent && !holds_alpha(file))
+            return complain(fmt::format("'{}' can't be transparent: PNG and EXR can", file));
     for (const std::string& file : shots.files)
         if (file == options.sheet || file == options.json || file == options.stats)
             return complain(fmt::format("'{}' would be a picture and something else", file));

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "parser/utf8.h"
 #include "src/app/commands.h"
 #include "src/app/headless.h"
 #include "src/app/save_values.h"
@@ -13,7 +14,7 @@ namespace snell::app {
 namespace {
 
 int complain(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", what);
+    fmt::print(stderr, "snell: error: {}\n", utf8::printable(what));
     return exit_input;
 }
 
@@ -35,9 +36,10 @@ int save(const SaveOptions& options) {
     const auto context = headless_context(options.context);
     if (!context) return exit_graphics;
     Diagnostics problems;
-    const auto document = open_document(options.scene, gl::query_caps(), [&](const Scene& scene, Rungs& rungs) {
+    const auto choose = [&](const Scene& scene, Rungs& rungs) {
         for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, problems);
-    });
+    };
+    const auto document = open_document(options.scene, gl::query_caps(), choose, nullptr, {}, options.access);
     if (!document->runtime) {
         fmt::print(stderr, "{}", snell::render(document->diagnostics, document->sources));
         return exit_input;

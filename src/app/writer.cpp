@@ -38,9 +38,13 @@ Written write(const std::string& path, std::optional<content::Image> picture, co
 
 Writer::~Writer() { finish(); }
 
-void Writer::add(std::string path, std::optional<content::Image> picture) {
+void Writer::add(std::string path, std::optional<content::Image> picture, const std::string& wrong) {
     const std::size_t threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most_threads);
     std::unique_lock lock(mutex_);
+    if (!wrong.empty()) {
+        written_.push_back({.error = wrong});
+        return;
+    }
     change_.wait(lock, [&] { return queue_.size() < most_waiting; });
     queue_.push_back({written_.size(), std::move(path), std::move(picture)});
     written_.emplace_back();

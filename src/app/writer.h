@@ -34,8 +34,9 @@ public:
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
-    // Waits when more than a few are on their way. No picture: the file is there already, and is only looked at.
-    void add(std::string path, std::optional<content::Image> picture);
+    // Waits when more than a few are on their way. No picture: the file is there already, and is only looked at; unless
+    // `wrong` says why it is not.
+    void add(std::string path, std::optional<content::Image> picture, const std::string& wrong = {});
     // Waits for all; in the order in which they were added.
     const std::vector<Written>& finish();
 

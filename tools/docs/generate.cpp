@@ -210,6 +210,8 @@ std::string limits() {
         out += "| `" + std::string(limit.name) + "` | " + std::to_string(defaults.*limit.value) + " | " +
                std::string(limit.unit) + " " + std::string(limit.doc) + " | " + std::to_string(limit.most) + " |\n";
     return out +
+           "\nA picture of more than `output-bytes`, or half a gigabyte, is drawn part by part and written row by row: "
+           "what does not fit\neven in parts of 64x64 pixels is an error.\n"
            "\nOpenGL has limits of its own, which `snell info` tells: a texture or picture that exceeds them is an "
            "error "
            "too.\nMesa's llvmpipe ends every loop of a shader after 65,535 rounds and says nothing "
