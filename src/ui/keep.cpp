@@ -34,6 +34,7 @@ void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
     follow(button_width("Copy command"));
     requests.copy_command |= button("Copy command", true, "the 'snell render' line that draws this picture");
     layout.note("copy command");
+    picture_button(requests, layout);
 
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Snapshots");

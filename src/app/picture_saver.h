@@ -1,0 +1,58 @@
+// Saves pictures of what the window shows, part by part, while the window goes on.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/app/command_text.h"
+#include "src/app/document.h"
+#include "src/app/painting.h"
+#include "src/platform/window.h"
+#include "src/ui/state.h"
+
+namespace snell {
+
+class PictureSaver {
+public:
+    // Needs the GL context of `caps` to be current, for all of its life.
+    PictureSaver(gl::Caps caps, Limits limits) : caps_(std::move(caps)), limits_(limits) {}
+
+    // `shown`: what the window shows now.
+    void serve(const ui::Requests& requests, const Document& document, const Picture& shown, Window& window,
+               ui::Memory& memory);
+    bool busy() const { return work_ != nullptr; }
+    // Draws the next part, or gives up where `document`, read `revision` times, is no longer what it was. To be called
+    // while busy.
+    void step(Document* document, std::uint64_t revision, ui::Memory& memory);
+
+private:
+    // All that the pictures are drawn from: what is changed meanwhile does not matter.
+    struct Work {
+        const Document* document = nullptr;
+        std::uint64_t revision = 0;
+        std::vector<std::string> files;
+        std::size_t done = 0;
+        double from = 0, rate = 25;
+        View view;
+        Controls controls;
+        app::PictureSize size;
+        app::Tiling tiling;
+        bool transparent = false;
+        std::unique_ptr<app::Painting> painting;
+    };
+
+    void fill(const Document& document, const Picture& shown, ui::PictureMemory& picture);
+    std::string begin(const Document& document, const Picture& shown, ui::PictureMemory& picture, bool replace);
+    void end(ui::Memory& memory, const std::string& error);
+
+    gl::Caps caps_;
+    Limits limits_;
+    std::unique_ptr<Work> work_;
+    std::string filled_for_;  // the scene
+    std::uint64_t revision_ = 0;
+};
+
+}  // namespace snell
