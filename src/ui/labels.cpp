@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 namespace snell::ui {
@@ -21,17 +22,27 @@ std::string label_of(const Scene& scene, const Control& control) {
     return text;
 }
 
+std::string cut_name(const std::string& label, std::size_t columns) {
+    const std::size_t equals = std::min(label.find(" = "), label.size());
+    const std::string value = label.substr(equals);
+    std::size_t kept = std::min(equals, columns > value.size() + 1 ? columns - value.size() - 1 : 0);
+    while (kept > 0 && (label[kept] & 0xC0) == 0x80) --kept;
+    return label.substr(0, kept) + "\u2026" + value;
+}
+
 void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts) {
     if (!facts.scene) return;
     const auto labelled = [](const Control& c) { return c.listed && c.active && c.widget != Widget::none; };
     const float size = fonts.mono->FontSize, line = std::round(size * 1.25F), margin = std::round(size * .6F);
+    const float room = (scene.width - 2 * margin) / fonts.mono->CalcTextSizeA(size, FLT_MAX, 0, "M").x;
     const auto count = static_cast<float>(std::ranges::count_if(controls.items, labelled));
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({scene.x, scene.y}, {scene.x + scene.width, scene.y + scene.height});
     float y = scene.y + scene.height - margin - count * line;
     for (const Control& control : controls.items) {
         if (!labelled(control)) continue;
-        const std::string text = label_of(*facts.scene, control);
+        std::string text = label_of(*facts.scene, control);
+        if (const auto columns = static_cast<std::size_t>(room); text.size() > columns) text = cut_name(text, columns);
         const ImVec2 at(scene.x + margin, y);
         // White is seen on white pictures too.
         for (const ImVec2 off : {ImVec2(1, 1), ImVec2(-1, 1), ImVec2(1, -1), ImVec2(-1, -1)})

@@ -12,4 +12,7 @@ void value_labels(const Facts& facts, const Controls& controls, const Rect& scen
 // "Glass : uEta =     1.1000", as glman writes it.
 std::string label_of(const Scene& scene, const Control& control);
 
+// Of a label with more columns than these: the name gives way, not the value.
+std::string cut_name(const std::string& label, std::size_t columns);
+
 }  // namespace snell::ui

@@ -40,6 +40,8 @@ protected:
 
     // Opens a window on `scene` and waits for its first picture.
     void open(const std::string& scene, std::vector<std::string> more = {});
+    // Ends the window, so that another can be opened.
+    void end_window();
     // The exit status of the program with these arguments.
     int run(const std::vector<std::string>& arguments, const std::string& display);
     // Ends it by its window's close button or by force; the exit status.
@@ -57,10 +59,13 @@ protected:
     std::array<int, 2> on(const std::string& widget, double fraction = .5) const;
     void drag(std::array<int, 2> from, std::array<int, 2> to, int button = 1) const;
     Picture look() const;
+    // What the screen shows, as screens/NAME.png in the build folder: for people, and for docs/guide.md.
+    void keep(const std::string& name) const;
     // In the middle of the scene's area, moved by so many pixels.
     Pixel scene_pixel(int right = 0, int down = 0) const;
 
     std::string display_;
+    int dots_per_inch_ = 96;  // of the screen
 
 private:
     Scratch folder_;

@@ -75,9 +75,9 @@ std::string output_of(const std::vector<std::string>& words, const std::string& 
     int ends[2];
     if (pipe(ends) != 0) return {};
     const pid_t child = start(words, display, ends[1]);
-    close(ends[1]);
+    ::close(ends[1]);
     std::string text = read_all(ends[0]);
-    close(ends[0]);
+    ::close(ends[0]);
     finish(child);
     return text;
 }
@@ -97,11 +97,15 @@ void Desk::SetUp() {
     std::filesystem::create_directory(file("out"));
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);
-    server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"}, "", ends[1]);
-    close(ends[1]);
+    // What windows remember from run to run is the test's own.
+    setenv("XDG_STATE_HOME", file("state").c_str(), 1);
+    server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp", "-dpi",
+                     std::to_string(dots_per_inch_)},
+                    "", ends[1]);
+    ::close(ends[1]);
     std::string number;
     for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
-    close(ends[0]);
+    ::close(ends[0]);
     ASSERT_FALSE(number.empty()) << "Xvfb does not start";
     display_ = ":" + number;
 }
@@ -129,6 +133,11 @@ void Desk::open(const std::string& scene, std::vector<std::string> more) {
     window_ = start(words, display_);
     ASSERT_TRUE(wait([](const auto& s) { return s["frames"] >= 1; }, 20)) << "no first picture";
     settle();
+}
+
+void Desk::end_window() {
+    end(window_);
+    std::filesystem::remove(file("out/state.json"));
 }
 
 int Desk::run(const std::vector<std::string>& arguments, const std::string& display) {
@@ -205,6 +214,16 @@ Picture Desk::look() const {
     }
     picture.rgb.assign(ppm.begin() + begin + 1, ppm.end());
     return picture;
+}
+
+void Desk::keep(const std::string& name) const {
+    const std::string folder = SNELL_BIN "/../screens";
+    std::filesystem::create_directories(folder);
+    const std::string window = output_of({"xdotool", "search", "--onlyvisible", "--name", "snell"}, display_);
+    ASSERT_EQ(finish(start({"import", "-window", window.substr(0, window.find('\n')), "-depth", "8",
+                            folder + "/" + name + ".png"},
+                           display_)),
+              0);
 }
 
 Pixel Desk::scene_pixel(int right, int down) const {

@@ -46,7 +46,7 @@ protected:
             const std::size_t count = batch_of(rest);
             gui_.input(screen_, seconds, rest.first(count));
             gui_.begin();
-            facts_.scene = &scene_;
+            facts_.scene = no_scene_ ? nullptr : &scene_;
             facts_.linked = linked_;
             requests_ = shell(facts_, controls_, view_, memory_, gui_.fonts(), layout_);
             picture_ = gui_.end();
@@ -92,6 +92,7 @@ protected:
     }
 
     Scene scene_;
+    bool no_scene_ = false;
     std::vector<char> linked_;
     Controls controls_;
     View view_;

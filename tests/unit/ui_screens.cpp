@@ -3,8 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
+#include "src/runtime/inspect.h"
 #include "tests/unit/ui_paint.h"
 #include "tests/unit/ui_screen.h"
 
@@ -149,6 +152,54 @@ public:
         listing_.entries.clear();
         listing_.error = listing_.folder + ": Permission denied";
     }
+    void view() {
+        add_slider("uEta", .1, 1.1, 5);
+        memory_.open.emplace("View");
+        facts_.object = long_name;
+    }
+    void pixels() {
+        flags_.pixels = {0, 1234567, 1234567, 1234567, 1234567};
+        pixels_.flags = flags_;
+        facts_.pixels = &pixels_;
+        memory_.pixels.flags = true;
+        memory_.open.emplace("Pixels");
+    }
+    void inspected() {
+        found_.x = 1234;
+        found_.y = 1234;
+        found_.radius = 4;
+        found_.rgba.assign(4 * 81, -1.234567e-30F);
+        found_.rgba[4 * 40] = std::numeric_limits<float>::quiet_NaN();
+        found_.inside.assign(81, 1);
+        found_.depth = .987654321;
+        found_.distance = 1234.5678;
+        pixels_.inspection = &found_;
+        pixels_.statement = "Sphere 1.23456 50 50 # the ball in the middle, as large as it was before";
+        pixels_.place = long_path + ":1234";
+        facts_.pixels = &pixels_;
+        pointed_ = true;
+    }
+    void frame_cost() {
+        for (int i = 0; i < 100; ++i) frames_.push_back(16 + 3 * std::sin(static_cast<float>(i)));
+        rows_ = {{"the window", "", 12.34, false},
+                 {"Sphere 1.23456 50 50 # the ball in the middle", "scene.glib:12", 1.23, true},
+                 {long_name, long_path + ":1234", 123.4, true}};
+        frame_cost_ = {"CPU time of the process", frames_, 16, 19, rows_, rows_, "the wall's clock", .3};
+        facts_.frame_cost = &frame_cost_;
+        memory_.open.emplace("Frame cost");
+    }
+    void picture() {
+        facts_.animated = true;
+        memory_.picture.open = true;
+        std::ranges::copy(long_path + ".png", memory_.picture.file.begin());
+        memory_.picture.width = memory_.picture.height = 16384;
+        memory_.picture.sequence = memory_.picture.transparent = true;
+        memory_.picture.error = long_path + ": there is no such folder, so nothing was written into it";
+    }
+    void keys() {
+        ladder("FRESNEL", {"f0", "exact"});
+        memory_.keys = true;
+    }
     void nothing() {
         no_scene_ = true;
         errors();
@@ -180,6 +231,7 @@ protected:
         frame({move((scene.width + screen_.width) / 2, screen_.height * .8)});
         for (int i = 0; i < 100; ++i) frame({wheel(steps)});
         frame({move(1, screen_.height - 1)});
+        if (pointed_) frame({move(scene.width / 2, scene.height / 2), key(Key::i, true)});
         settle();
     }
     void unfold() {
@@ -200,7 +252,7 @@ protected:
     }
     void expect_legible(const std::string& where) {
         for (const std::string& flaw : flaws(*ImGui::GetDrawData())) ADD_FAILURE() << where << ": " << flaw;
-        if (memory_.browser.open) return;
+        if (memory_.browser.open || memory_.picture.open) return;
         for (const std::string& widget : beyond_the_panel()) ADD_FAILURE() << where << ": " << widget;
     }
     void keep_picture(const std::string& name) {
@@ -215,6 +267,13 @@ protected:
     std::vector<FileRow> files_{{"room.glib", "/room.glib"}, {"glass.vert", "/glass.vert"}, {long_path, long_path}};
     std::vector<std::string> recent_, unfolded_;
     Listing listing_;
+    FlagCounts flags_;
+    PixelFacts pixels_;
+    Inspection found_;
+    bool pointed_ = false;  // the mouse rests on the picture, with I held
+    std::vector<float> frames_;
+    std::vector<CostRow> rows_;
+    FrameCostFacts frame_cost_;
 };
 
 TEST_P(Screens, AreLegible) {
@@ -266,6 +325,12 @@ const Panel panels[] = {
     {"window", "larger", &Screens::window},
     {"browser", "browser.entry.scene1.glib", &Screens::browser},
     {"refused-folder", "browser.cancel", &Screens::refused_folder},
+    {"view", "perspective", &Screens::view},
+    {"pixels", "flag counts", &Screens::pixels},
+    {"inspector", "inspector", &Screens::inspected},
+    {"frame-cost", "frame cost.plot", &Screens::frame_cost},
+    {"picture", "picture save", &Screens::picture},
+    {"keys", "close keys", &Screens::keys},
     {"no-scene", "open", &Screens::nothing},
 };
 

@@ -1,0 +1,126 @@
+#include <X11/Xatom.h>
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <memory>
+
+#include "tests/gui/drop.h"
+
+namespace snell::test {
+
+namespace {
+
+struct Closer {
+    void operator()(Display* display) const { XCloseDisplay(display); }
+};
+
+class Source {
+public:
+    Source(Display* display, std::string uris) : display_(display), uris_(std::move(uris)) {
+        window_ = XCreateSimpleWindow(display_, DefaultRootWindow(display_), 0, 0, 1, 1, 0, 0, 0);
+        XSetSelectionOwner(display_, atom("XdndSelection"), window_, CurrentTime);
+    }
+
+    ::Window target() const {
+        ::Window root = 0, parent = 0, *children = nullptr, found = 0;
+        unsigned count = 0;
+        if (!XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count)) return 0;
+        for (unsigned i = 0; i < count; ++i)
+            if (takes_drops(children[i])) found = children[i];
+        XFree(children);
+        return found;
+    }
+
+    bool drop_on(::Window target) {
+        XWindowAttributes place;
+        XGetWindowAttributes(display_, target, &place);
+        const long at = (place.x + place.width / 2) << 16 | (place.y + place.height / 2);
+        send(target, "XdndEnter", 5L << 24, static_cast<long>(atom("text/uri-list")), 0, 0);
+        send(target, "XdndPosition", 0, at, CurrentTime, static_cast<long>(atom("XdndActionCopy")));
+        if (!answer("XdndStatus")) return false;
+        send(target, "XdndDrop", 0, CurrentTime, 0, 0);
+        return answer("XdndFinished");
+    }
+
+private:
+    Atom atom(const char* name) const { return XInternAtom(display_, name, False); }
+
+    bool takes_drops(::Window window) const {
+        Atom type = 0;
+        int format = 0;
+        unsigned long count = 0, rest = 0;
+        unsigned char* data = nullptr;
+        XGetWindowProperty(display_, window, atom("XdndAware"), 0, 1, False, AnyPropertyType, &type, &format, &count,
+                           &rest, &data);
+        if (data) XFree(data);
+        XWindowAttributes attributes;
+        return count > 0 && XGetWindowAttributes(display_, window, &attributes) && attributes.map_state == IsViewable;
+    }
+
+    void send(::Window target, const char* what, long a, long b, long c, long d) const {
+        XEvent event{};
+        event.xclient = {.type = ClientMessage,
+                         .serial = 0,
+                         .send_event = True,
+                         .display = display_,
+                         .window = target,
+                         .message_type = atom(what),
+                         .format = 32,
+                         .data = {}};
+        const long words[5] = {static_cast<long>(window_), a, b, c, d};
+        for (int i = 0; i < 5; ++i) event.xclient.data.l[i] = words[i];
+        XSendEvent(display_, target, False, NoEventMask, &event);
+        XFlush(display_);
+    }
+
+    // Hands the files over when asked for them.
+    bool answer(const char* what) {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+        while (std::chrono::steady_clock::now() < until) {
+            if (XPending(display_) == 0) {
+                usleep(2000);
+                continue;
+            }
+            XEvent event;
+            XNextEvent(display_, &event);
+            if (event.type == ClientMessage && event.xclient.message_type == atom(what)) return true;
+            if (event.type != SelectionRequest) continue;
+            const XSelectionRequestEvent& asked = event.xselectionrequest;
+            XChangeProperty(display_, asked.requestor, asked.property, asked.target, 8, PropModeReplace,
+                            reinterpret_cast<const unsigned char*>(uris_.data()), static_cast<int>(uris_.size()));
+            XEvent done{};
+            done.xselection = {.type = SelectionNotify,
+                               .serial = 0,
+                               .send_event = True,
+                               .display = display_,
+                               .requestor = asked.requestor,
+                               .selection = asked.selection,
+                               .target = asked.target,
+                               .property = asked.property,
+                               .time = asked.time};
+            XSendEvent(display_, asked.requestor, False, NoEventMask, &done);
+            XFlush(display_);
+        }
+        return false;
+    }
+
+    Display* display_;
+    std::string uris_;
+    ::Window window_ = 0;
+};
+
+}  // namespace
+
+bool drop_files(const std::string& display, const std::vector<std::string>& paths) {
+    const std::unique_ptr<Display, Closer> connection(XOpenDisplay(display.c_str()));
+    if (!connection) return false;
+    std::string uris;
+    for (const std::string& path : paths) uris += "file://" + path + "\r\n";
+    Source source(connection.get(), uris);
+    const ::Window target = source.target();
+    return target != 0 && source.drop_on(target);
+}
+
+}  // namespace snell::test

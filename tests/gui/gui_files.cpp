@@ -1,0 +1,237 @@
+// Scenes that are opened, files that lead to an editor, and looks that are kept.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "tests/gui/desk.h"
+#include "tests/gui/drop.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+std::string scene(const std::string& green) {
+    return "Perspective 50\nLookAt 0 0 4  0 0 0  0 1 0\nBackground 0 0 0\nVertex paint.vert\nFragment paint.frag\n"
+           "Program Paint uRed <0. .2 1.> uGreen <0. " +
+           green + " 1.>\nQuadXY 0. 1.\n";
+}
+
+constexpr const char* fragment =
+    "#version 330 compatibility\nuniform float uRed, uGreen;\n"
+    "void main() { gl_FragColor = vec4(uRed, uGreen, .2, 1.); }\n";
+
+class FilesWindow : public Desk {
+protected:
+    void SetUp() override {
+        Desk::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        save("one.glib", scene(".4"));
+        std::filesystem::create_directory(file("other"));
+        save("other/two.glib", scene(".8"));
+        for (const char* folder : {"", "other/"}) {
+            save(std::string(folder) + "paint.vert",
+                 "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n");
+            save(std::string(folder) + "paint.frag", fragment);
+        }
+    }
+
+    void click(const std::string& widget, double fraction = .5) {
+        const auto [x, y] = on(widget, fraction);
+        user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+        settle();
+    }
+    void expect_pixel(double red, double green) const {
+        const Pixel pixel = scene_pixel(20, 20);
+        EXPECT_NEAR(pixel.red, std::lround(255 * red), 1);
+        EXPECT_NEAR(pixel.green, std::lround(255 * green), 1);
+    }
+    bool shows(const std::string& name) {
+        const bool found = wait([&](const json& s) { return s["file"] == file(name); });
+        settle();
+        return found;
+    }
+    std::string bytes(const std::string& name) const {
+        std::ifstream in(file(name));
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    // A program that writes its arguments into "told".
+    std::string editor(const std::string& name) {
+        save(name, "#!/bin/sh\nprintf '%s\\n' \"$@\" >'" + file("told.new") + "'\nmv '" + file("told.new") + "' '" +
+                       file("told") + "'\n");
+        std::filesystem::permissions(file(name), std::filesystem::perms::owner_all);
+        return file(name);
+    }
+    bool told() {
+        return wait([&](const json&) { return std::filesystem::exists(file("told")); });
+    }
+};
+
+TEST_F(FilesWindow, ADroppedSceneIsOpened) {
+    open("one.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    drag({200, 300}, {260, 300});
+    EXPECT_NE(state()["view"]["rotate_y"], 0);
+    ASSERT_TRUE(drop_files(display_, {file("other/two.glib")}));
+    ASSERT_TRUE(shows("other/two.glib"));
+    expect_pixel(.2, .8);
+    EXPECT_EQ(state()["view"]["rotate_y"], 0) << "as if the window had been opened on it";
+    EXPECT_EQ(state()["errors"], 0);
+    // Its files are the ones that are watched now.
+    save("other/two.glib", scene(".6"));
+    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uGreen"][0] == .6; }, 1));
+    settle();
+    expect_pixel(.2, .6);
+    const auto revision = state()["revision"];
+    save("one.glib", scene(".1"));
+    EXPECT_FALSE(wait([&](const json& s) { return s["revision"] != revision; }, .5));
+    ASSERT_TRUE(drop_files(display_, {file("other/paint.frag")}));
+    EXPECT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().starts_with("no .glib"); }));
+    EXPECT_EQ(state()["file"], file("other/two.glib"));
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+TEST_F(FilesWindow, TheBrowserOpensAnotherSceneAndTheLastOneIsRecent) {
+    open("one.glib");
+    user("key ctrl+o");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.entry.one.glib"); }));
+    settle();
+    keep("guide-browser");
+    EXPECT_FALSE(state()["widgets"].contains("browser.entry.paint.frag")) << "scenes only";
+    user("type --delay 30 oth");
+    user("key Return");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.entry.two.glib"); }));
+    const auto [x, y] = on("browser.entry.two.glib", .3);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click --repeat 2 --delay 60 1");
+    ASSERT_TRUE(shows("other/two.glib"));
+    expect_pixel(.2, .8);
+    user("key ctrl+o");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.recent.one.glib"); }));
+    settle();
+    click("browser.recent.one.glib");
+    ASSERT_TRUE(shows("one.glib"));
+    expect_pixel(.2, .4);
+    // What can't be opened leaves all as it is.
+    user("key ctrl+o");
+    settle();
+    user("type --delay 20 ./none.glib");
+    user("key Return");
+    ASSERT_TRUE(
+        wait([](const json& s) { return s["notice"].get<std::string>().find("none.glib") != std::string::npos; }));
+    EXPECT_EQ(state()["file"], file("one.glib"));
+    expect_pixel(.2, .4);
+}
+
+TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {
+    setenv("VISUAL", (editor("code") + " --wait").c_str(), 1);
+    open("one.glib");
+    save("paint.frag",
+         "#version 330 compatibility\nuniform float uRed, uGreen;\n"
+         "void main() { gl_FragColor = vec4(uRed, uGreen + nonsense, .2, 1.); }\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("problem.0"); }));
+    settle();
+    keep("guide-error");
+    expect_pixel(.2, .4);
+    click("problem.0", .3);
+    ASSERT_TRUE(told());
+    const std::string arguments = bytes("told");
+    EXPECT_TRUE(arguments.starts_with("--wait\n--goto\n" + file("paint.frag") + ":3:")) << arguments;
+    save("paint.frag", fragment);
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }, 1));
+    settle();
+    EXPECT_FALSE(state()["widgets"].contains("problem.0"));
+
+    std::filesystem::remove(file("told"));
+    user("mousemove 700 550 click --repeat 30 5");
+    settle();
+    click("files");
+    click("file.paint.vert", .2);
+    ASSERT_TRUE(told());
+    EXPECT_EQ(bytes("told"), "--wait\n--goto\n" + file("paint.vert") + ":1:1\n");
+    unsetenv("VISUAL");
+}
+
+TEST_F(FilesWindow, LooksAreKeptFromRunToRun) {
+    open("one.glib", {"--size", "1000x700"});
+    const std::array<double, 4> before = state()["widgets"]["reload"];
+    const std::array<double, 4> area = state()["scene"];
+    const auto panel = [&] { return look().at(area[2] + 8, 690); };
+    EXPECT_GT(panel().red, 200);
+    user("key ctrl+plus");
+    user("key ctrl+plus");
+    ASSERT_TRUE(wait([](const json& s) { return s["zoom"] == 1.25; }));
+    user("mousemove 950 600 click --repeat 30 5");
+    settle();
+    click("window");
+    user("mousemove 950 600 click --repeat 30 5");
+    settle();
+    click("dark", .1);
+    ASSERT_TRUE(wait([](const json& s) { return s["dark"] == true; }));
+    settle();
+    EXPECT_LT(panel().red, 60);
+    end_window();
+    open("one.glib", {"--size", "1000x700"});
+    EXPECT_EQ(state()["zoom"], 1.25);
+    EXPECT_EQ(state()["dark"], true);
+    EXPECT_LT(panel().red, 60);
+    const std::array<double, 4> after = state()["widgets"]["reload"];
+    EXPECT_NEAR(after[3] / before[3], 1.25, .1);
+    EXPECT_LT(state()["scene"][2], area[2]) << "the panel has more room";
+    user("key ctrl+0");
+    EXPECT_TRUE(wait([](const json& s) { return s["zoom"] == 1; }));
+}
+
+class SharpScreen : public FilesWindow {
+protected:
+    SharpScreen() { dots_per_inch_ = 192; }
+};
+
+TEST_F(SharpScreen, EverythingIsTwiceAsLarge) {
+    open("one.glib", {"--size", "1024x768"});
+    const json now = state();
+    const std::array<double, 4> reload = now["widgets"]["reload"];
+    EXPECT_NEAR(reload[3], 2 * 24, 4);
+    EXPECT_GT(now["scene"][2], 300) << "and there is a picture still";
+    EXPECT_TRUE(now["widgets"].contains("Paint.uRed"));
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    EXPECT_NEAR(state()["controls"]["Paint.uRed"][0].get<double>(), .75, .03);
+    expect_pixel(state()["controls"]["Paint.uRed"][0], .4);
+    keep("window-at-192-dpi");
+}
+
+// A scene of ours for docs/guide.md, as a class sees it.
+TEST_F(FilesWindow, TheGuidesPicture) {
+    setenv("VISUAL", "code", 1);
+    std::filesystem::copy("scenes/refraction-room", file("room"));
+    open("room/refraction-room.glib", {"--size", "1024x720"});
+    EXPECT_EQ(state()["errors"], 0) << state()["problems"];
+    drag({300, 300}, {360, 320});
+    user("mousemove 900 650 click --repeat 30 5");
+    settle();
+    click("files");
+    user("mousemove 900 650 click --repeat 30 4");
+    settle();
+    user("mousemove 600 716");
+    settle();
+    keep("guide-window");
+    user("key ctrl+plus");
+    user("key ctrl+plus");
+    user("key ctrl+plus");
+    settle();
+    user("mousemove 900 600 click --repeat 30 5");
+    settle();
+    click("window");
+    user("mousemove 900 600 click --repeat 30 5");
+    settle();
+    click("dark", .1);
+    user("mousemove 300 716");
+    settle();
+    keep("guide-dark");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+    unsetenv("VISUAL");
+}
+
+}  // namespace
+}  // namespace snell::test

@@ -1,0 +1,154 @@
+// The listing of the file browser, and what a window remembers from run to run.
+#include <algorithm>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "src/app/folder.h"
+#include "src/app/opener.h"
+#include "src/app/settings.h"
+#include "tests/scratch.h"
+
+namespace snell {
+namespace {
+
+std::vector<std::string> names(const ui::Listing& listing) {
+    std::vector<std::string> found;
+    for (const ui::Entry& entry : listing.entries) found.push_back(entry.name + (entry.folder ? "/" : ""));
+    return found;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Folder, FoldersThenScenesAsPeopleSortThem) {
+    const Scratch folder;
+    for (const char* name : {"room10.glib", "Room2.glib", "ball.GLIB", "b/x.glib", "A/x.glib", "notes.txt",
+                             ".hidden.glib", ".git/x", "room.glib.bak", ".glib"})
+        folder.write(name, "12345");
+    const ui::Listing listing = list_folder(folder.path(), false);
+    EXPECT_EQ(names(listing), (Names{"A/", "b/", "ball.GLIB", "Room2.glib", "room10.glib"}));
+    EXPECT_EQ(listing.entries[2].size, "5 B");
+    EXPECT_EQ(listing.entries[2].path, std::filesystem::canonical(folder.path()).string() + "/ball.GLIB");
+    EXPECT_EQ(listing.entries[2].date.size(), std::string("2026-01-01 12:00").size());
+    EXPECT_EQ(names(list_folder(folder.path(), true)),
+              (Names{"A/", "b/", "ball.GLIB", "notes.txt", "room.glib.bak", "Room2.glib", "room10.glib"}));
+}
+
+TEST(Folder, OrderIsStrictForAnyNames) {
+    const Names all{"",  "a", "A",  "a1", "a01", "a2", "a10", "a10b", "a9999999999999999999999",
+                    "b", "1", "01", "10", "\xFF"};
+    for (const auto& x : all) {
+        EXPECT_FALSE(before(x, x)) << x;
+        for (const auto& y : all) {
+            EXPECT_FALSE(before(x, y) && before(y, x)) << x << " " << y;
+            for (const auto& z : all) {
+                if (before(x, y) && before(y, z)) {
+                    EXPECT_TRUE(before(x, z)) << x << " " << y << " " << z;
+                }
+            }
+        }
+    }
+    EXPECT_TRUE(before("a2", "a10"));
+    EXPECT_TRUE(before("a9", "b1"));
+}
+
+TEST(Folder, NamesThatNoTerminalShouldSeeAreEscaped) {
+    const Scratch folder;
+    const std::string path = folder.write("a\x1B[31m\n.glib", "");
+    const ui::Listing listing = list_folder(folder.path(), false);
+    ASSERT_EQ(listing.entries.size(), 1u);
+    EXPECT_EQ(listing.entries[0].name.find_first_of("\x1B\n"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(listing.entries[0].path)) << "and opened under their own";
+}
+
+TEST(Folder, SaysWhyThereIsNothing) {
+    const Scratch folder;
+    EXPECT_NE(list_folder(folder.path("none"), false).error, "");
+    EXPECT_NE(list_folder(folder.write("a.glib", ""), false).error, "");
+    EXPECT_EQ(list_folder(folder.path(), false).error, "");
+    // Pipes are no scenes, and links that lead nowhere are nothing.
+    mkfifo(folder.path("pipe.glib").c_str(), 0600);
+    std::filesystem::create_symlink("nowhere", folder.path("link.glib"));
+    EXPECT_EQ(names(list_folder(folder.path(), false)), Names{"a.glib"});
+}
+
+TEST(Folder, TheTildeIsHome) {
+    const Scratch folder;
+    folder.write("scenes/a.glib", "");
+    const char* before = std::getenv("HOME");
+    const std::string kept = before ? before : "";
+    setenv("HOME", folder.path().c_str(), 1);
+    EXPECT_EQ(names(list_folder("~/scenes", false)), Names{"a.glib"});
+    EXPECT_EQ(without_tilde("~"), folder.path());
+    EXPECT_EQ(without_tilde("~ann/x"), "~ann/x");
+    setenv("HOME", kept.c_str(), 1);
+}
+
+TEST(WindowSettings, ComeBack) {
+    const Scratch folder;
+    const std::string file = folder.path("new/folder/window.json");
+    EXPECT_EQ(read_settings(file), Settings{});
+    Settings settings;
+    settings.dark = true;
+    settings.zoom = 1.5;
+    settings.panel_width = 30;
+    settings.open = {"Costs", "Files"};
+    settings.width = 1024;
+    settings.height = 768;
+    settings.recent = {"/a.glib", "/b \xC3\xA4.glib"};
+    ASSERT_EQ(write_settings(file, settings), "");
+    EXPECT_EQ(read_settings(file), settings);
+    EXPECT_EQ(folder.entries(), 3u) << "nothing is left beside it";
+    ui::Memory memory;
+    restore(settings, memory);
+    Settings again;
+    gather(memory, again);
+    EXPECT_TRUE(again.dark);
+    EXPECT_EQ(again.zoom, 1.5);
+    EXPECT_EQ(again.open, settings.open);
+}
+
+TEST(WindowSettings, WhatIsDamagedIsAsInAFirstRun) {
+    const Scratch folder;
+    for (const char* text : {"", "{", "[1]", "null", R"({"zoom": 1e300, "panel_width": -1, "width": "x", "recent": 5})",
+                             R"({"zoom": 0, "open": [1, {}], "recent": [null], "height": 1e9})"})
+        EXPECT_EQ(read_settings(folder.write("window.json", text)), Settings{}) << text;
+}
+
+TEST(WindowSettings, TwoWindowsShareTheListOfScenes) {
+    const Scratch folder;
+    const std::string file = folder.path("window.json");
+    Settings one, two;
+    remember(one.recent, "/one.glib");
+    remember(two.recent, "/two.glib");
+    ASSERT_EQ(write_settings(file, one), "");
+    ASSERT_EQ(write_settings(file, two), "");
+    EXPECT_EQ(read_settings(file).recent, (Names{"/two.glib", "/one.glib"}));
+    remember(two.recent, "/x/../three.glib");
+    remember(two.recent, "/two.glib");
+    EXPECT_EQ(two.recent, (Names{"/two.glib", "/three.glib"}));
+    for (int i = 0; i < 50; ++i) remember(two.recent, "/" + std::to_string(i));
+    EXPECT_EQ(two.recent.size(), most_recent);
+}
+
+TEST(DroppedFiles, TheFirstSceneAmongThemIsOpened) {
+    const Scratch folder;
+    const std::string scene = folder.write("a.glib", ""), text = folder.write("a.txt", "");
+    Opener opener(folder.path("window.json"));
+    ui::Memory memory;
+    EXPECT_EQ(opener.serve_dropped({text, scene}, memory), scene);
+    EXPECT_EQ(opener.serve_dropped({text}, memory), std::nullopt);
+    EXPECT_NE(memory.notice.find("a.txt"), std::string::npos);
+    EXPECT_FALSE(memory.browser.open);
+    EXPECT_EQ(opener.serve_dropped({folder.path()}, memory), std::nullopt);
+    EXPECT_TRUE(memory.browser.open) << "a folder is looked into";
+    ui::Facts facts;
+    opener.tell(facts, scene, {scene, text});
+    EXPECT_EQ(names(*facts.listing), Names{"a.glib"});
+    ASSERT_EQ(facts.files.size(), 2u);
+    EXPECT_EQ(facts.files[1].name, "a.txt") << "from the scene's folder";
+}
+
+}  // namespace
+}  // namespace snell
