@@ -13,7 +13,7 @@ namespace snell {
 namespace {
 
 Key key_of(int code) {
-    static constexpr std::array<std::pair<int, Key>, 30> table{{
+    static constexpr std::array<std::pair<int, Key>, 31> table{{
         {GLFW_KEY_TAB, Key::tab},
         {GLFW_KEY_LEFT, Key::left},
         {GLFW_KEY_RIGHT, Key::right},
@@ -36,6 +36,7 @@ Key key_of(int code) {
         {GLFW_KEY_I, Key::i},
         {GLFW_KEY_N, Key::n},
         {GLFW_KEY_O, Key::o},
+        {GLFW_KEY_P, Key::p},
         {GLFW_KEY_R, Key::r},
         {GLFW_KEY_S, Key::s},
         {GLFW_KEY_V, Key::v},

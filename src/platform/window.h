@@ -36,6 +36,7 @@ enum class Key : std::uint8_t {
     i,
     n,
     o,
+    p,
     r,
     s,
     v,
