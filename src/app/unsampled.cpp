@@ -10,7 +10,8 @@ namespace snell {
 namespace {
 
 bool about_unsampled(const Document& document, const Diagnostic& diagnostic) {
-    if (diagnostic.code != "file-not-found" && diagnostic.code != "file-unreadable") return false;
+    // What lies outside of the folder that reading is confined to stays an error, read or not.
+    if (diagnostic.code != "file-not-found") return false;
     const auto& textures = document.scene().textures;
     for (Index i = 0; i < textures.size(); ++i)
         if (std::ranges::find(textures[i].files, diagnostic.span, &FileName::span) != textures[i].files.end() &&
