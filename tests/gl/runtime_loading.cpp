@@ -125,6 +125,15 @@ TEST_F(Loading, AFileThatNothingSamplesMayBeMissing) {
 TEST_F(Loading, AMissingFileIsAnErrorBesideOthers) {
     folder.write("broken.frag",
                  "#include \"gone.glsl\"\nuniform sampler2D uUnit;\nvoid main() { gl_FragColor = vec4(1.); }\n");
+    const auto document =
+        open("Texture2D 6 gone.bmp\nVertex plain.vert\nFragment broken.frag\nProgram A uUnit 6\nQuadXY\n");
+    const Diagnostic* missing = find(*document, "file-not-found");
+    ASSERT_TRUE(missing);
+    EXPECT_EQ(missing->severity, Severity::error);
+}
+
+TEST_F(Loading, WhatNothingSamplesIsReadWhereItIsAskedFor) {
+    folder.write("broken.bmp", "no picture at all");
     const auto document = open("Texture2D 5 a.bmp\nTexture2D 6 broken.bmp\n" + std::string(one_sampled));
     EXPECT_TRUE(document->diagnostics.empty()) << "it is not even opened";
     EXPECT_EQ(document->runtime->counters().files_opened, 1U + 2U + 1U);
