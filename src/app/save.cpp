@@ -45,7 +45,12 @@ int save(const SaveOptions& options) {
         return exit_input;
     }
     for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, problems);
-    fmt::print(stderr, "{}", snell::render(problems, document->sources));
+    // A value may be missing because of an error in the scene.
+    Diagnostics said;
+    for (const Diagnostic& diagnostic : document->diagnostics.items())
+        if (diagnostic.severity == Severity::error) said.add(diagnostic);
+    said.append(problems);
+    fmt::print(stderr, "{}", snell::render(said, document->sources));
     if (problems.has_errors()) return exit_input;
 
     const Saved saved = saved_values(*document);

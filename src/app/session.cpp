@@ -22,6 +22,18 @@ bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
     });
 }
 
+ui::Problem problem_of(const Diagnostic& diagnostic, const Sources& sources) {
+    ui::Problem problem{diagnostic.severity, render(diagnostic, sources), {}};
+    const Span span = diagnostic.span;
+    if (!diagnostic.has_span || span.file >= sources.size()) return problem;
+    const Position at = sources.position(span.file, span.begin);
+    std::error_code error;
+    const std::string name(sources.name(span.file));
+    // What is built in has a name and no file.
+    if (std::filesystem::is_regular_file(name, error)) problem.place = {name, at.line, at.column};
+    return problem;
+}
+
 std::string folder_of(const std::string& file) {
     const std::string folder = std::filesystem::path(file).parent_path().string();
     return folder.empty() ? "." : folder;
@@ -38,21 +50,40 @@ Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs firs
     reload();
 }
 
-void Session::reload() {
-    ++revision_;
+std::unique_ptr<Document> Session::read(const std::string& path, const Document* previous, const FirstRungs& first) {
     Diagnostics refused;
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
-        if (shown_)
-            carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
-        else if (first_)
-            first_(scene, rungs, refused);
+        if (previous && path == path_)
+            carry_over(previous->controls.rungs, previous->scene(), rungs, scene);
+        else if (first)
+            first(scene, rungs, refused);
     };
     RuntimeOptions options;
-    options.previous = shown_ ? &*shown_->runtime : nullptr;
+    options.previous = previous ? &*previous->runtime : nullptr;
     options.progress = progress_;
-    std::unique_ptr<Document> read = open_document(path_, caps_, choose, nullptr, options, access_);
+    std::unique_ptr<Document> read = open_document(path, caps_, choose, nullptr, options, access_);
     read->diagnostics.append(refused);
-    take(std::move(read));
+    return read;
+}
+
+void Session::reload() {
+    ++revision_;
+    take(read(path_, shown_.get(), first_));
+}
+
+std::string Session::open(std::string path) {
+    std::unique_ptr<Document> fresh = read(path, shown_.get(), nullptr);
+    if (!fresh->runtime) {
+        const auto& problems = fresh->diagnostics.items();
+        return problems.empty() ? "can't read " + path : problems.front().message;
+    }
+    ++revision_;
+    path_ = std::move(path);
+    first_ = nullptr;
+    // What both scenes have is taken over by now; values are not.
+    shown_.reset();
+    take(std::move(fresh));
+    return {};
 }
 
 bool Session::reload_if_saved() {
@@ -64,7 +95,7 @@ bool Session::reload_if_saved() {
 void Session::take(std::unique_ptr<Document> read) {
     problems_.clear();
     for (const Diagnostic& diagnostic : read->diagnostics.items())
-        problems_.push_back({diagnostic.severity, render(diagnostic, read->sources)});
+        problems_.push_back(problem_of(diagnostic, read->sources));
     errors_ = file_errors_ = read->diagnostics.errors();
     file_problems_ = problems_.size();
     watch(*read);
@@ -81,8 +112,7 @@ bool Session::follow_rungs() {
     ++revision_;
     const Diagnostics& found = shown_->runtime->ladder_problems();
     problems_.resize(file_problems_);
-    for (const Diagnostic& diagnostic : found.items())
-        problems_.push_back({diagnostic.severity, render(diagnostic, shown_->sources)});
+    for (const Diagnostic& diagnostic : found.items()) problems_.push_back(problem_of(diagnostic, shown_->sources));
     errors_ = file_errors_ + found.errors();
     return true;
 }
@@ -94,7 +124,10 @@ void Session::watch(const Document& read) {
         const std::vector<std::string> more = shown_->files->read_paths();
         paths.insert(paths.end(), more.begin(), more.end());
     }
-    paths.push_back(path_);
+    paths.insert(paths.begin(), path_);
+    files_.clear();
+    for (const std::string& path : paths)
+        if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
     // A file that was missing may appear: that changes its folder.
     if (read.diagnostics.has_errors()) {
         std::vector<std::string> folders;

@@ -26,6 +26,8 @@ public:
     // Reads the files again. A state with errors that the shown one does not have is not shown: its problems
     // are, over the last good picture. Values of controls carry over.
     void reload();
+    // Shows another scene, as it is in its file. "", or why the one that is shown stays.
+    std::string open(std::string path);
     // Reloads when a file in use was saved. True: it did.
     bool reload_if_saved();
 
@@ -41,8 +43,12 @@ public:
     bool stale() const { return stale_; }
     std::uint64_t revision() const { return revision_; }  // readings and choices of rungs so far
     std::string problems_text() const;
+    // Every file in use, the scene first; of a broken edit, both what it reads and what is shown.
+    const std::vector<std::string>& files() const { return files_; }
+    const std::string& path() const { return path_; }
 
 private:
+    std::unique_ptr<Document> read(const std::string& path, const Document* previous, const FirstRungs& first);
     void take(std::unique_ptr<Document> read);
     void watch(const Document& read);
 
@@ -57,6 +63,7 @@ private:
     std::size_t errors_ = 0;
     bool stale_ = false;
     std::uint64_t revision_ = 0;
+    std::vector<std::string> files_;
     Watch watch_;
 };
 

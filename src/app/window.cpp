@@ -10,10 +10,16 @@
 #include <utility>
 #include <vector>
 
+#include "parser/utf8.h"
 #include "src/app/accuracy_view.h"
 #include "src/app/commands.h"
+#include "src/app/frame_costs.h"
 #include "src/app/keeper.h"
 #include "src/app/loading_screen.h"
+#include "src/app/opener.h"
+#include "src/app/picking.h"
+#include "src/app/picture_saver.h"
+#include "src/app/pixel_view.h"
 #include "src/app/quality.h"
 #include "src/app/session.h"
 #include "src/app/window_state.h"
@@ -35,6 +41,7 @@ struct Drawn {
     std::uint64_t revision = 0;
     Stand stand;
     Rungs rungs;
+    Index object = none;  // that is outlined
 
     bool operator==(const Drawn&) const = default;
 };
@@ -52,6 +59,8 @@ FirstRungs first_rungs(const WindowOptions& options) {
     };
 }
 
+std::string title_of(const std::string& scene) { return "snell \u2014 " + utf8::printable(scene); }
+
 class App {
 public:
     App(const WindowOptions& options, std::unique_ptr<Window> window)
@@ -64,12 +73,17 @@ public:
           session_(options.scene, caps_, options.access, first_rungs(options), loading_.watcher(size_without_scene())),
           keeper_(options.scene),
           accuracy_(options.scene, caps_),
+          frame_costs_(caps_),
+          opener_(settings_file()),
+          saver_(caps_, options.access.limits),
           layout_(!options.state_file.empty()) {
         view_.axes = true;
+        restore(opener_.settings(), memory_);
     }
 
     void run() {
         report();
+        if (readable()) opener_.opened(session_.path());
         window_->show(first_size());
         began_ = ticked_ = window_->now();
         last_input_ = began_;
@@ -78,6 +92,7 @@ public:
             if (options_.exit_after > 0 && window_->now() - began_ > options_.exit_after) break;
             step();
         }
+        opener_.look(memory_);
     }
 
     bool readable() { return session_.document() != nullptr; }
@@ -93,14 +108,24 @@ private:
     PixelSize first_size() {
         if (options_.size) return {options_.size->first, options_.size->second};
         const double scale = window_->content_scale();
+        const Settings& kept = opener_.settings();
         PixelSize size{1280, 800};
-        if (Document* document = session_.document();
-            document && document->scene().window_size != Scene{}.window_size) {
-            const auto [width, height] = document->scene().window_size;
-            size = {width + 352, height + 24};  // the panel's and the last line's
+        if (own_size()) {
+            const auto [width, height] = session_.document()->scene().window_size;
+            const double letters = 16 * memory_.zoom;  // the panel's and the last line's
+            size = {width + static_cast<int>(memory_.panel ? memory_.panel_width * letters : 0),
+                    height + static_cast<int>(1.5 * letters)};
+        } else if (kept.width > 0 && kept.height > 0) {
+            size = {kept.width, kept.height};
         }
         return {static_cast<int>(std::clamp(size.width * scale, 320.0, 16384.0)),
                 static_cast<int>(std::clamp(size.height * scale, 240.0, 16384.0))};
+    }
+
+    // The scene says how large it is.
+    bool own_size() {
+        Document* document = session_.document();
+        return document && document->scene().window_size != Scene{}.window_size;
     }
 
     bool held() const { return memory_.accuracy.open && memory_.accuracy.hold_time; }
@@ -116,14 +141,14 @@ private:
     double scene_time() {
         const double now = window_->now();
         ui::Clock& clock = memory_.clock;
-        if (!held() && !clock.paused) clock.time += (now - ticked_) * clock.speed;
+        if (!held() && !clock.paused && !saver_.busy()) clock.time += (now - ticked_) * clock.speed;
         ticked_ = now;
         return clock.time;
     }
 
     // How long nothing will happen without input.
     double pause() {
-        if (unsettled_ > 0 || (accuracy_.busy() && visible())) return 0;
+        if (unsettled_ > 0 || saver_.busy() || ((accuracy_.busy() || frame_costs_.busy()) && visible())) return 0;
         const double now = window_->now();
         double until = next_look_;
         if (moving() && visible()) until = std::min(until, last_picture_ + frame_time);
@@ -139,16 +164,21 @@ private:
     void step() {
         const double now = window_->now();
         bool woken = false, repaint = false;
-        if (now >= next_look_) {
+        if (saver_.busy()) unsettled_ = std::max(unsettled_, 1);
+        saver_.step(session_.document(), session_.revision(), memory_);
+        if (now >= next_look_ && !saver_.busy()) {
             next_look_ = now + look_at_files;
             if (session_.reload_if_saved()) {
                 report();
                 woken = true;
             }
+            woken |= opener_.look(memory_);
         }
         std::vector<Event> events = window_->take_events();
         for (const Event& event : events)
             repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
+        if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
+            show_scene(opener_.serve_dropped(dropped, memory_));
         woken |= !events.empty() || unsettled_ > 0 || (moving() && now >= last_picture_ + frame_time);
         if (!visible()) {
             unsettled_ = 0;  // all is drawn again when the window comes back: that is an event
@@ -169,7 +199,9 @@ private:
 
     // A step toward a better reference, while there is nothing else to do.
     bool refined() {
-        if (!accuracy_.step()) return false;
+        Document* document = session_.document();
+        const bool measured = document && frame_costs_.step(*document, drawn_.stand, canvas_.samples());
+        if (!measured && !accuracy_.step()) return false;
         unsettled_ = std::max(unsettled_, 1);
         return true;
     }
@@ -180,27 +212,32 @@ private:
         const PixelSize size = window_->size(), pixels = window_->framebuffer();
         const float density = size.width > 0 ? static_cast<float>(pixels.width) / static_cast<float>(size.width) : 1.0F;
         const ui::Screen screen{static_cast<float>(size.width), static_cast<float>(size.height), density,
-                                window_->content_scale() / density};
+                                window_->content_scale() / density * memory_.zoom, memory_.theme};
         if (gui_.input(screen, now - last_input_, events)) painter_.upload_fonts();
         last_input_ = now;
         gui_.begin();
         Controls no_controls;
         Document* document = session_.document();
+        if (document) picking_.follow(*document, session_.revision(), view_, memory_.hold);
         const ui::Requests requests =
             ui::shell(facts(), document ? document->controls : no_controls, view_, memory_, gui_.fonts(), layout_);
         interface_ = gui_.end();
         window_->set_cursor(gui_.cursor());
         for (const Event& event : events)
             if (event.down) memory_.notice.clear();
-        if (document)
-            keeper_.serve(requests, *document,
-                          {drawn_.stand.width, drawn_.stand.height, canvas_.samples(), drawn_.stand.time, view_},
-                          *window_, memory_.notice);
+        if (document) {
+            const Picture shown{drawn_.stand.width, drawn_.stand.height, canvas_.samples(), drawn_.stand.time, view_};
+            keeper_.serve(requests, *document, shown, *window_, memory_.notice);
+            saver_.serve(requests, *document, shown, *window_, memory_);
+        }
+        if (document) picking_.serve(requests, *document, drawn_.stand, density, memory_.hold);
+        show_scene(opener_.serve(requests, session_.path(), memory_));
         if (session_.follow_rungs()) {
             report();
             unsettled_ = 3;
         }
         if (requests.measure) accuracy_.measure(memory_.accuracy);
+        if (requests.measure_frame) frame_costs_.measure();
         if (requests.reload) {
             session_.reload();
             report();
@@ -210,7 +247,7 @@ private:
 
     ui::Facts facts() {
         ui::Facts facts;
-        file_ = std::filesystem::path(options_.scene).filename().string();
+        file_ = utf8::printable(std::filesystem::path(session_.path()).filename().string());
         facts.file = file_;
         if (Document* document = session_.document()) {
             facts.scene = &document->scene();
@@ -233,30 +270,84 @@ private:
         if (Document* document = session_.document(); document && memory_.costs) {
             if (explained_ != session_.revision()) explanation_ = document->runtime->explain();
             explained_ = session_.revision();
+            frame_costs_.fill(explanation_);
             facts.explanation = &explanation_;
             facts.sources = &document->sources;
         }
         keeper_.tell(facts, session_.document());
-        facts.accuracy = accuracy_.facts(memory_.accuracy);
+        picking_.tell(facts, session_.document(), memory_.hold);
+        opener_.tell(facts, session_.path(), session_.files());
+        tell_measured(facts);
         return facts;
+    }
+
+    // Another scene, as if the window had been opened on it; what its looks are stays.
+    void show_scene(const std::optional<std::string>& path) {
+        if (!path) return;
+        if (std::string wrong = session_.open(*path); !wrong.empty()) {
+            memory_.notice = utf8::printable(wrong);
+            return;
+        }
+        ui::Memory fresh;
+        carry_looks(memory_, fresh);
+        memory_ = std::move(fresh);
+        const bool axes = view_.axes;
+        view_ = {};
+        view_.axes = axes;
+        keeper_ = Keeper(*path);
+        accuracy_ = AccuracyView(*path, caps_);
+        explained_ = 0;
+        opener_.opened(*path);
+        window_->set_title(title_of(*path));
+        report();
+        unsettled_ = 3;
+    }
+
+    void tell_measured(ui::Facts& facts) {
+        facts.accuracy = accuracy_.facts(memory_.accuracy);
+        facts.frame_cost = frame_costs_.facts(session_.document());
+        facts.pixels = pixels_.facts();
     }
 
     // Draws the scene if its picture would be another, and presents if anything is.
     void show(bool repaint) {
         const PixelSize pixels = window_->framebuffer();
+        remember_size();
         const bool drew = draw_scene(pixels);
         if (Document* document = session_.document())
             accuracy_.follow(*document, session_.stale(), drawn_.stand, memory_.accuracy);
+        const bool told = look_at_pixels();
         const std::uint64_t beside = accuracy_.revision(memory_.accuracy);
-        if (drew || repaint || interface_ != presented_ || beside != presented_beside_) {
+        if (drew || told || repaint || interface_ != presented_ || beside != presented_beside_) {
             present(pixels);
             presented_ = interface_;
             presented_beside_ = beside;
             ++counters_.presents;
         }
-        if (!options_.state_file.empty())
-            write_window_state(options_.state_file, counters_, session_, view_, layout_, memory_,
-                               accuracy_.facts(memory_.accuracy), pixels);
+        if (options_.state_file.empty()) return;
+        ui::Facts measured;
+        tell_measured(measured);
+        write_window_state(options_.state_file, counters_, session_, view_, layout_, memory_, measured, pixels);
+    }
+
+    // True: there is something else to show.
+    bool look_at_pixels() {
+        Document* document = session_.document();
+        const Stand& stand = drawn_.stand;
+        if (!document || memory_.scene.width <= 0) return false;
+        const float density = static_cast<float>(stand.width) / memory_.scene.width;
+        if (!pixels_.follow(*document, stand, counters_.frames, memory_.pixels, density)) return false;
+        unsettled_ = std::max(unsettled_, 1);  // the panels tell of it
+        return true;
+    }
+
+    // That the user gave it.
+    void remember_size() {
+        if (options_.size || own_size()) return;
+        const PixelSize size = window_->size();
+        const double scale = window_->content_scale();
+        opener_.resized(static_cast<int>(std::lround(size.width / scale)),
+                        static_cast<int>(std::lround(size.height / scale)));
     }
 
     bool draw_scene(PixelSize pixels) {
@@ -272,16 +363,22 @@ private:
         stand.view = view_;
         gather(document->controls, stand.values);
         next_.rungs = document->controls.rungs;
+        next_.object = memory_.hold.object;
         if (next_ == drawn_ && document->runtime->settled()) {
             document->runtime->skip_frame();
             return false;
         }
         if (!canvas_.resize(stand.width, stand.height, samples)) return false;
         const double start = window_->now();
-        document->runtime->draw({stand.time, view_, document->controls, true},
-                                {canvas_.framebuffer(), stand.width, stand.height});
+        frame_costs_.open(memory_.frame_cost);
+        Frame frame{stand.time, view_, document->controls, true};
+        frame.after = frame_costs_.begin(next_.revision);
+        const Surface surface{canvas_.framebuffer(), stand.width, stand.height};
+        document->runtime->draw(frame, surface);
+        if (next_.object != none) document->runtime->outline(frame, surface, next_.object, std::ceil(2 * density));
         canvas_.resolve();
         gl::finish();
+        frame_costs_.end();
         last_picture_ = start;
         counters_.frame_ms = (window_->now() - start) * 1e3;
         counters_.time = stand.time;
@@ -297,6 +394,7 @@ private:
         if (session_.document()) {
             canvas_.show(0, pixels.height - drawn_.stand.height);
             accuracy_.show(pixels.height - drawn_.stand.height, memory_.accuracy);
+            pixels_.show(pixels.height - drawn_.stand.height);
         }
         painter_.paint();
         window_->present();
@@ -319,6 +417,11 @@ private:
     Session session_;
     Keeper keeper_;
     AccuracyView accuracy_;
+    FrameCosts frame_costs_;
+    PixelView pixels_;
+    Picking picking_;
+    Opener opener_;
+    PictureSaver saver_;
     View view_;
     ui::Memory memory_;
     ui::Layout layout_;
@@ -341,7 +444,7 @@ int run_window(const WindowOptions& options) {
         return app::exit_input;
     }
     std::string error;
-    std::unique_ptr<Window> window = Window::make({.title = "snell \u2014 " + options.scene}, error);
+    std::unique_ptr<Window> window = Window::make({.title = title_of(options.scene)}, error);
     if (!window) {
         fmt::print(stderr, "snell: error: no window: {}\n  help: 'snell render' draws without a display\n", error);
         return app::exit_graphics;

@@ -1,10 +1,13 @@
 #include "src/app/window_state.h"
 
-#include <cstdio>
-#include <fstream>
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
+#include "src/app/view_text.h"
+#include "src/content/replace.h"
 #include "src/gl/debug.h"
+#include "src/runtime/inspect.h"
 
 namespace snell {
 
@@ -21,10 +24,12 @@ json controls_of(const Document& document) {
     return controls;
 }
 
-json view_of(const View& view) {
+json view_of(const View& view, const ui::HoldMemory& hold) {
     const Transformation& t = view.scene;
-    return {{"rotate_x", t.rotate_x}, {"rotate_y", t.rotate_y}, {"scale", t.scale}, {"x", t.x}, {"y", t.y}, {"z", t.z},
-            {"axes", view.axes}};
+    return {{"rotate_x", t.rotate_x}, {"rotate_y", t.rotate_y}, {"scale", t.scale},
+            {"x", t.x},               {"y", t.y},               {"z", t.z},
+            {"axes", view.axes},      {"text", view_text(view)}, {"picking", hold.picking},
+            {"object", hold.object == none ? json() : json(hold.object)}};
 }
 
 json rungs_of(const Document& document) {
@@ -50,11 +55,43 @@ json accuracy_of(const ui::AccuracyMemory& memory, const ui::AccuracyFacts& fact
             {"points", std::move(points)}};
 }
 
+// Numbers as text: JSON has neither NaN nor infinity.
+json pixels_of(const ui::PixelFacts& facts) {
+    json pixels = json::object();
+    if (facts.flags)
+        for (const Flag flag : {Flag::nan, Flag::infinite, Flag::negative, Flag::above_one})
+            pixels["flags"][std::string(name(flag))] = (*facts.flags)[flag];
+    if (!facts.inspection) return pixels;
+    const Inspection& found = *facts.inspection;
+    pixels["at"] = {found.x, found.y};
+    for (const float value : found.pixel()) pixels["rgba"].push_back(fmt::format("{}", value));
+    if (found.depth) pixels["depth"] = *found.depth;
+    if (found.distance) pixels["distance"] = *found.distance;
+    pixels["statement"] = facts.statement;
+    pixels["place"] = facts.place;
+    return pixels;
+}
+
+json frame_cost_of(const ui::FrameCostFacts& facts) {
+    const auto rows = [](std::span<const ui::CostRow> costs) {
+        json list = json::array();
+        for (const ui::CostRow& cost : costs)
+            list.push_back({{"name", cost.name}, {"milliseconds", cost.milliseconds}, {"draw", cost.draw}});
+        return list;
+    };
+    return {{"clock", facts.clock},
+            {"pictures", facts.frames.size()},
+            {"median", facts.median},
+            {"high", facts.high},
+            {"passes", rows(facts.passes)},
+            {"apart", rows(facts.apart)},
+            {"measuring", facts.measuring.has_value()}};
+}
+
 }  // namespace
 
 void write_window_state(const std::string& file, const WindowCounters& counters, Session& session, const View& view,
-                        const ui::Layout& layout, const ui::Memory& memory, const ui::AccuracyFacts* accuracy,
-                        PixelSize size) {
+                        const ui::Layout& layout, const ui::Memory& memory, const ui::Facts& measured, PixelSize size) {
     json state{{"frames", counters.frames},
                {"presents", counters.presents},
                {"time", counters.time},
@@ -63,8 +100,12 @@ void write_window_state(const std::string& file, const WindowCounters& counters,
                {"errors", session.errors()},
                {"problems", session.problems_text()},
                {"stale", session.stale()},
-               {"view", view_of(view)},
+               {"view", view_of(view, memory.hold)},
                {"notice", memory.notice},
+               {"file", session.path()},
+               {"files", session.files()},
+               {"dark", memory.theme == ui::Theme::dark},
+               {"zoom", memory.zoom},
                {"scene", rect_of(memory.scene)},
                {"size", {size.width, size.height}},
                {"gl_errors", gl::take_errors()}};
@@ -75,14 +116,14 @@ void write_window_state(const std::string& file, const WindowCounters& counters,
         for (const CounterName& counter : counter_names())
             state["counters"][std::string(counter.name)] = drawn.*counter.value;
     }
-    if (accuracy) state["accuracy"] = accuracy_of(memory.accuracy, *accuracy);
+    if (measured.accuracy) state["accuracy"] = accuracy_of(memory.accuracy, *measured.accuracy);
+    if (measured.pixels) state["pixels"] = pixels_of(*measured.pixels);
+    if (measured.frame_cost) state["frame_cost"] = frame_cost_of(*measured.frame_cost);
     json widgets = json::object();
     for (const ui::Placed& placed : layout.items())
         if (placed.visible) widgets[placed.name] = rect_of(placed.rect);
     state["widgets"] = std::move(widgets);
-    const std::string fresh = file + ".new";
-    std::ofstream(fresh) << state.dump(-1, ' ', false, json::error_handler_t::replace) << '\n';
-    std::rename(fresh.c_str(), file.c_str());
+    content::replace_file(file, state.dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace snell

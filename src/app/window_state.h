@@ -20,7 +20,6 @@ struct WindowCounters {
 
 // The file is replaced as a whole: a reader never sees half of one.
 void write_window_state(const std::string& file, const WindowCounters& counters, Session& session, const View& view,
-                        const ui::Layout& layout, const ui::Memory& memory, const ui::AccuracyFacts* accuracy,
-                        PixelSize size);
+                        const ui::Layout& layout, const ui::Memory& memory, const ui::Facts& measured, PixelSize size);
 
 }  // namespace snell

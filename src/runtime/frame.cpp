@@ -101,6 +101,8 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     bool first_window = true;
     const bool only_window = frame.standing && !redrawn();
     if (!only_window) settled = true;
+    Frame off_screen = frame;
+    off_screen.unblended = false;
     for (Index pass = 0; pass < passes.size(); ++pass) {
         if (!passes[pass].live) continue;
         if (only_window && plan.scene.passes[pass].kind != Pass::Kind::window) continue;
@@ -111,10 +113,10 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
                 first_window = false;
                 break;
             case Pass::Kind::textures:
-                draw_textures(pass, frame, cleared);
+                draw_textures(pass, off_screen, cleared);
                 break;
             case Pass::Kind::cube:
-                draw_cube(pass, frame);
+                draw_cube(pass, off_screen);
                 break;
         }
         runtime::told(frame, {pass});
@@ -301,6 +303,7 @@ void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, DrawC
     const bool opaque =
         savings && (program.opaque || (draw.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color));
     RasterState raster = plan.scene.rasters[draw.raster];
+    if (frame.unblended) raster.blend = false;
     if (program.wide) {  // they are lines all the same: not outlined, and neither side is their back
         raster.wireframe = false;
         raster.cull = CullFace::none;

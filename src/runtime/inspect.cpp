@@ -24,12 +24,29 @@ bool FloatPicture::resize(int width, int height) {
     return static_cast<bool>(target_.framebuffer);
 }
 
+// Draws the surface's region, or all, and reads it: the bottom row first.
+void FloatPicture::take(Runtime& runtime, const Frame& frame, const Surface& surface, std::vector<float>& rows) {
+    const auto shoot = [&](const Frame& shot, std::vector<float>& values) {
+        runtime.draw(shot, surface);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, surface.framebuffer);
+        read(surface.region.value_or(std::array{0, 0, surface.width, surface.height}), GL_RGBA, values);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    };
+    const std::uint64_t before = runtime.counters().blended_draws;
+    shoot(frame, rows);
+    if (runtime.counters().blended_draws == before) return;
+    Frame written = frame;
+    written.standing = written.unblended = true;
+    shoot(written, written_);
+    for (std::size_t at = 0; at < rows.size(); at += 4)
+        if (const float alpha = written_[at + 3]; alpha < 0 || alpha > 1)
+            std::copy_n(written_.begin() + static_cast<std::ptrdiff_t>(at), 4,
+                        rows.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
 void FloatPicture::draw(Runtime& runtime, const Frame& frame, std::vector<float>& rgba) {
     const int width = target_.width, height = target_.height;
-    runtime.draw(frame, {target_.framebuffer.get(), width, height});
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer.get());
-    read({0, 0, width, height}, GL_RGBA, rgba);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    take(runtime, frame, {target_.framebuffer.get(), width, height}, rgba);
     const auto row = static_cast<std::ptrdiff_t>(width) * 4;
     for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom)
         std::swap_ranges(rgba.begin() + top * row, rgba.begin() + (top + 1) * row, rgba.begin() + bottom * row);
@@ -45,9 +62,8 @@ void FloatPicture::inspect(Runtime& runtime, const Frame& frame, int x, int y, i
     const std::array<int, 4> region{left, height - 1 - bottom, right - left + 1, bottom - top + 1};
     Surface surface{target_.framebuffer.get(), width, height};
     surface.region = region;
-    runtime.draw(frame, surface);
+    take(runtime, frame, surface, rows_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer.get());
-    read(region, GL_RGBA, rows_);
     const auto side = static_cast<std::size_t>(2 * radius + 1);
     found.rgba.assign(4 * side * side, 0);
     found.inside.assign(side * side, 0);

@@ -32,8 +32,9 @@ struct Inspection {
     }
 };
 
-// A picture in 32-bit floats: nothing is clamped, not even between blended draws. One sample at the middle of each
-// pixel. Off-screen targets hold bytes as ever.
+// A picture in 32-bit floats, one sample at the middle of each pixel. Off-screen targets hold bytes as ever. Nothing is
+// clamped, not even before blending, where bytes are: an alpha of 3 would triple its colour and take the background away
+// twice. Where the last fragment has an alpha beyond 0 to 1, its pixel is therefore what that fragment wrote.
 class FloatPicture {
 public:
     // False: the context refused it. Nothing happens where it has that size.
@@ -47,8 +48,10 @@ public:
     void inspect(Runtime& runtime, const Frame& frame, int x, int y, int radius, Inspection& found);
 
 private:
+    void take(Runtime& runtime, const Frame& frame, const Surface& surface, std::vector<float>& rows);
+
     gl::Target target_;
-    std::vector<float> rows_;
+    std::vector<float> rows_, written_;
 };
 
 }  // namespace snell

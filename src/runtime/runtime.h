@@ -45,6 +45,8 @@ struct Frame {
     // What is off-screen stands as the last frame drew it, at the same time with the same values: only the window is
     // drawn.
     bool standing = false;
+    // Nothing blends in the window: its pixels are what the last fragments there wrote.
+    bool unblended = false;
     // Called after each draw and each pass, for who has a clock.
     const std::function<void(const Step&)>* after = nullptr;
 };

@@ -54,7 +54,7 @@ void path_row(const Listing& listing, Memory& memory, Requests& requests, Layout
     for (std::size_t i = first; i < all.size(); ++i) {
         if (i > first) ImGui::SameLine(0, gap);
         ImGui::PushID(static_cast<int>(i));
-        const std::string name = shortened(all[i].name, ImGui::GetContentRegionAvail().x - button_width(""));
+        const Text name = shortened(all[i].name, ImGui::GetContentRegionAvail().x - button_width(""));
         if (ImGui::Button(name.c_str())) open_browser(all[i].path, memory, requests);
         layout.note("browser.folder", all[i].name);
         ImGui::PopID();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "src/ui/accuracy.h"
+#include "src/ui/widgets.h"
 
 namespace snell::ui {
 
@@ -15,21 +16,6 @@ namespace {
 
 using Kind = Explanation::Kind;
 using Paid = Explanation::Paid;
-
-// As much of the text as fits, the rest as dots; true: all of it.
-bool fitted(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) {
-        ImGui::TextUnformatted(text.c_str());
-        return true;
-    }
-    constexpr const char* dots = "\u2026";
-    std::size_t length = text.size();
-    do --length;
-    while (length > 0 &&
-           ((text[length] & 0xC0) == 0x80 || ImGui::CalcTextSize((text.substr(0, length) + dots).c_str()).x > width));
-    ImGui::TextUnformatted((text.substr(0, length) + dots).c_str());
-    return false;
-}
 
 // A line of two columns. What does not fit, `why` and the place in the files are told when the mouse is on it.
 void line(const Facts& facts, const std::string& name, const std::string& amount, const std::string& why,
@@ -55,6 +41,10 @@ void line(const Facts& facts, const std::string& name, const std::string& amount
 }
 
 std::string amount_of(const Paid& paid) {
+    if (paid.frame) {
+        const FrameCost& cost = *paid.frame;
+        return milliseconds_text(cost.gpu ? *cost.gpu : std::max(cost.cpu, cost.wall));
+    }
     if (paid.kind == Kind::pass) {
         if (paid.kept) return "kept";
         return fmt::format("{} draw{}", paid.draws.size(), paid.draws.size() == 1 ? "" : "s");
@@ -127,12 +117,11 @@ std::string bytes_text(std::uint64_t bytes) {
 }
 
 void costs_section(const Facts& facts, Memory& memory, Layout& layout) {
-    memory.costs = ImGui::CollapsingHeader("Costs");
-    layout.note("costs");
+    memory.costs = section("Costs", memory.open, layout, "costs");
     if (!memory.costs || !facts.explanation) return;
     std::uint64_t bytes = 0;
     for (const Paid& paid : facts.explanation->paid) bytes += paid.bytes;
-    ImGui::TextUnformatted((bytes_text(bytes) + " of GPU memory").c_str());
+    fitted(bytes_text(bytes) + " of GPU memory", ImGui::GetContentRegionAvail().x);
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("drawn again %s", facts.explanation->redraw.c_str());
     ImGui::PopTextWrapPos();

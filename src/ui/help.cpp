@@ -34,32 +34,60 @@ std::span<const KeyRow> key_rows() {
     return rows;
 }
 
-void help_panel(const Rect& scene, bool& open, Layout& layout) {
+namespace {
+
+// The stars are of the page.
+std::string shown(const char* what) {
+    std::string text = what;
+    std::erase(text, '*');
+    return text;
+}
+
+// In two columns, or below each other where there is no room for two.
+void list(float room) {
+    const float em = ImGui::GetFontSize();
+    float keys = 0, what = 0;
+    for (const KeyRow& row : key_rows()) {
+        keys = std::max(keys, ImGui::CalcTextSize(row.keys).x);
+        what = std::max(what, ImGui::CalcTextSize(shown(row.what).c_str()).x);
+    }
+    const float begin = ImGui::GetCursorPosX();
+    const bool beside = keys + em + what <= room;
+    const float column = begin + (beside ? keys + em : em);
+    for (const KeyRow& row : key_rows()) {
+        ImGui::PushTextWrapPos(begin + std::min(room, beside ? keys + em + what : std::max(keys, what + em)) + 1);
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+        ImGui::TextUnformatted(row.keys);
+        ImGui::PopStyleColor();
+        if (beside)
+            ImGui::SameLine(column);
+        else
+            ImGui::SetCursorPosX(column);
+        ImGui::TextUnformatted(shown(row.what).c_str());
+        ImGui::PopTextWrapPos();
+    }
+}
+
+}  // namespace
+
+void help_panel(bool& open, Layout& layout) {
     if (!open) return;
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({scene.x + scene.width / 2, scene.y + scene.height / 2}, 0, {.5F, .5F});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(em, scene.width - em), std::max(em, scene.height - em)});
-    ImGui::SetNextWindowBgAlpha(.97F);
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({all.x / 2, all.y / 2}, 0, {.5F, .5F});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(em, all.x - em), std::max(em, all.y - em)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, em * .8F});
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav;
     if (ImGui::Begin("##keys", nullptr, flags)) {
-        float widest = 0;
-        for (const KeyRow& row : key_rows()) widest = std::max(widest, ImGui::CalcTextSize(row.keys).x);
-        const float begin = ImGui::GetCursorPosX();
-        for (const KeyRow& row : key_rows()) {
-            ImGui::TextDisabled("%s", row.keys);
-            ImGui::SameLine(begin + widest + em);
-            // The stars are of the page.
-            std::string what = row.what;
-            std::erase(what, '*');
-            ImGui::TextUnformatted(what.c_str());
-        }
-        ImGui::Spacing();
         if (ImGui::Button("Close")) open = false;
         layout.note("close keys");
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("F1");
+        list(all.x - 3 * em - ImGui::GetStyle().ScrollbarSize);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

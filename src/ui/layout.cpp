@@ -14,4 +14,8 @@ void Layout::note(std::string_view first, std::string_view second) {
     if (listening_) note(std::string(first).append(".").append(second));
 }
 
+void Layout::place(std::string_view name, const Rect& rect) {
+    if (listening_) items_.push_back({std::string(name), rect, true});
+}
+
 }  // namespace snell::ui

@@ -28,6 +28,8 @@ public:
     // The last item of Dear ImGui.
     void note(std::string_view name);
     void note(std::string_view first, std::string_view second);
+    // What is no item.
+    void place(std::string_view name, const Rect& rect);
     const std::vector<Placed>& items() const { return items_; }
 
 private:

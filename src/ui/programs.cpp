@@ -28,26 +28,26 @@ bool is_integral(ValueType type) {
 
 // The name at the left, shortened where it must be, with `value` behind it; `remark` at the right, dimmed, if all have
 // room.
-void caption(const std::string& name, const std::string& value, const std::string& remark) {
+void caption(std::string_view name, std::string_view value, std::string_view remark) {
     const float width = ImGui::GetContentRegionAvail().x;
-    const float right = ImGui::CalcTextSize(remark.c_str()).x;
-    const float end = ImGui::GetCursorPosX() + width;
-    const std::string part = shortened(name, width - ImGui::CalcTextSize(value.c_str()).x);
-    const std::string text = shortened(part + value, width);
-    const float left = ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::TextUnformatted(text.c_str());
+    const auto width_of = [](std::string_view t) { return ImGui::CalcTextSize(t.data(), t.data() + t.size()).x; };
+    const float right = width_of(remark), end = ImGui::GetCursorPosX() + width;
+    Text whole = shortened(name, width - width_of(value));
+    const Text text = shortened(whole.append(value).view(), width);
+    const float left = width_of(text.view());
+    ImGui::TextUnformatted(text.begin(), text.end());
     if (left + right + ImGui::GetStyle().ItemSpacing.x > width) {
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s%s  %s", name.c_str(), value.c_str(), remark.c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", Text("{}{}  {}", name, value, remark).c_str());
         return;
     }
     ImGui::SameLine();
     ImGui::SetCursorPosX(end - right);
-    ImGui::TextDisabled("%s", remark.c_str());
+    ImGui::TextDisabled("%.*s", static_cast<int>(remark.size()), remark.data());
 }
 
 // As glman's: "uEta = 1.1000".
-std::string value_of(const Control& control) {
-    std::string text;
+Text value_of(const Control& control) {
+    Text text;
     for (std::size_t i = 0; i < control.value.size(); ++i)
         text.append(i == 0 ? " = " : ", ")
             .append(shown(control.value[i], control.min, control.max, is_integral(control.type)));
@@ -78,14 +78,18 @@ void slider_menu(Control& control, const Section& section) {
     ImGui::EndPopup();
 }
 
+void note_element(const Control& control, std::size_t i, const Section& section) {
+    if (control.value.size() == 1) return section.layout.note(section.program.name, control.name);
+    section.layout.note(section.program.name, Text("{}[{}]", control.name, i).view());
+}
+
 void sliders(Control& control, const Section& section) {
     SliderRange range{control.min, control.max, is_integral(control.type), is_logarithmic(control, section)};
     for (std::size_t i = 0; i < control.value.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (slider("##value", control.value[i], range, control.initial[i], section.memory.slider))
             control.value[i] = fit_to_type(control.value[i], control.type);
-        section.layout.note(section.program.name,
-                            control.value.size() == 1 ? control.name : fmt::format("{}[{}]", control.name, i));
+        note_element(control, i, section);
         ImGui::PopID();
     }
     control.min = range.min;
@@ -108,23 +112,23 @@ void numbers(Control& control, const Section& section) {
         ImGui::PushID(static_cast<int>(i));
         if (number("##value", control.value[i], is_integral(control.type), control.initial[i], width))
             control.value[i] = fit_to_type(control.value[i], control.type);
-        section.layout.note(section.program.name,
-                            control.value.size() == 1 ? control.name : fmt::format("{}[{}]", control.name, i));
+        note_element(control, i, section);
         ImGui::PopID();
     }
 }
 
 void check_box(Control& control, const Section& section) {
     bool on = control.value[0] != 0;
-    const std::string name = shortened(control.name, ImGui::GetContentRegionAvail().x - check_box_width(""));
-    if (ImGui::Checkbox((name + "###on").c_str(), &on)) control.value[0] = on ? 1 : 0;
+    Text name = shortened(control.name, ImGui::GetContentRegionAvail().x - check_box_width(""));
+    const bool whole = name == control.name;
+    if (ImGui::Checkbox(name.append("###on").c_str(), &on)) control.value[0] = on ? 1 : 0;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) control.value[0] = control.initial[0];
-    if (name != control.name && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", control.name.c_str());
+    if (!whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", control.name.c_str());
     section.layout.note(section.program.name, control.name);
 }
 
 // Why a uniform has no effect; empty when it has.
-std::string idle_reason(const Control& control, const Section& section) {
+std::string_view idle_reason(const Control& control, const Section& section) {
     if (control.active) return {};
     return section.linked ? "not used by the program" : "the program failed";
 }
@@ -140,7 +144,7 @@ void explain(const Control& control, const Section& section) {
 
 void row(Control& control, const Section& section) {
     if (control.value.empty() || control.initial.size() != control.value.size()) return;
-    const std::string reason = idle_reason(control, section);
+    const std::string_view reason = idle_reason(control, section);
     ImGui::PushID(control.name.c_str());
     ImGui::BeginDisabled(!control.active);
     ImGui::BeginGroup();
@@ -148,8 +152,8 @@ void row(Control& control, const Section& section) {
         case Widget::check_box:
             check_box(control, section);
             if (!reason.empty()) {
-                follow(ImGui::CalcTextSize(reason.c_str()).x);
-                ImGui::TextUnformatted(reason.c_str());
+                follow(ImGui::CalcTextSize(reason.data(), reason.data() + reason.size()).x);
+                ImGui::TextUnformatted(reason.data(), reason.data() + reason.size());
             }
             break;
         case Widget::color:
@@ -159,10 +163,11 @@ void row(Control& control, const Section& section) {
             break;
         case Widget::slider:
             ImGui::BeginGroup();
-            caption(control.name, value_of(control),
-                    !reason.empty() ? reason
-                                    : fmt::format("{:g} \u2026 {:g}{}", control.min, control.max,
-                                                  is_logarithmic(control, section) ? " log" : ""));
+            caption(control.name, value_of(control).view(),
+                    reason.empty() ? Text("{:g} \u2026 {:g}{}", control.min, control.max,
+                                          is_logarithmic(control, section) ? " log" : "")
+                                         .view()
+                                   : reason);
             ImGui::EndGroup();
             section.layout.note(control.name, "name");
             slider_menu(control, section);
@@ -203,10 +208,11 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
     ImGui::PushID(static_cast<int>(index));
     ImGui::SetNextItemOpen(open_at_first, ImGuiCond_Once);
     const std::string& name = section.program.name;
-    const std::string title =
+    Text title =
         shortened(name.empty() ? "Program" : name, ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight());
-    const bool open = ImGui::CollapsingHeader((title + "###program").c_str());
-    if (!name.empty() && title != name && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
+    const bool whole = name.empty() || title == name;
+    const bool open = ImGui::CollapsingHeader(title.append("###program").c_str());
+    if (!whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
     section.layout.note(name);
     if (open) {
         ImGui::Indent(ImGui::GetStyle().FramePadding.x * .5F);
@@ -247,7 +253,7 @@ void ladder_row(const Ladder& ladder, std::size_t& rung, Layout& layout) {
     fitted(ladder.name, width * .6F);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const std::string chosen = shortened(ladder.rungs[rung], ImGui::GetContentRegionAvail().x - arrow);
+    const Text chosen = shortened(ladder.rungs[rung], ImGui::GetContentRegionAvail().x - arrow);
     const bool open = ImGui::BeginCombo("##rung", chosen.c_str());
     if (!open && ImGui::IsItemClicked(ImGuiMouseButton_Right)) rung = ladder.current;
     layout.note(ladder.name);

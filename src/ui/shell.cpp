@@ -1,6 +1,5 @@
 #include "src/ui/shell.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,11 +10,17 @@
 #include "src/platform/window.h"
 #include "src/ui/clock.h"
 #include "src/ui/costs.h"
+#include "src/ui/files.h"
+#include "src/ui/frame_cost.h"
+#include "src/ui/help.h"
 #include "src/ui/keep.h"
 #include "src/ui/labels.h"
+#include "src/ui/picture_out.h"
+#include "src/ui/pixels.h"
 #include "src/ui/problems.h"
 #include "src/ui/programs.h"
 #include "src/ui/scene_mouse.h"
+#include "src/ui/view.h"
 
 namespace snell::ui {
 
@@ -33,11 +38,10 @@ struct Areas {
 Areas areas(Memory& memory) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
-    if (memory.panel_width <= 0) memory.panel_width = 22 * em;
+    const float half = all.x * .5F;
     const float width =
-        memory.panel
-            ? std::round(std::clamp(memory.panel_width, std::min(12 * em, all.x * .5F), std::max(12 * em, all.x * .5F)))
-            : 0;
+        memory.panel ? std::round(std::clamp(memory.panel_width * em, std::min(12 * em, half), std::max(12 * em, half)))
+                     : 0;
     const float line = std::round(ImGui::GetFrameHeight());
     Areas result;
     result.scene = {0, 0, std::max(1.0F, all.x - width), std::max(1.0F, all.y - line)};
@@ -51,49 +55,21 @@ void place(const Rect& rect) {
     ImGui::SetNextWindowSize({rect.width, rect.height});
 }
 
-void view_section(View& view, Layout& layout) {
-    if (!ImGui::CollapsingHeader("View")) return layout.note("view");
-    layout.note("view");
-    Transformation& t = view.scene;
-    struct Field {
-        const char* name;
-        double* value;
-        double initial;
-    };
-    const std::array<Field, 6> fields{{{"turn about x", &t.rotate_x, 0},
-                                       {"turn about y", &t.rotate_y, 0},
-                                       {"scale", &t.scale, 1},
-                                       {"move x", &t.x, 0},
-                                       {"move y", &t.y, 0},
-                                       {"move z", &t.z, 0}}};
-    const float width = ImGui::GetContentRegionAvail().x * .5F;
-    for (const Field& field : fields) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(field.name);
-        ImGui::SameLine(width);
-        ImGui::PushID(field.name);
-        number("##value", *field.value, false, field.initial, -FLT_MIN);
-        layout.note("view", field.name);
-        ImGui::PopID();
-    }
-    t.scale = std::clamp(t.scale, 1e-3, 1e3);
-}
-
-// True: reload.
-bool tools(View& view, Memory& memory, Layout& layout) {
+void tools(View& view, Memory& memory, Requests& requests, Layout& layout) {
+    if (ImGui::Button("Open\u2026")) open_browser({}, memory, requests);
+    layout.note("open");
+    follow(button_width("Reload"));
+    requests.reload |= ImGui::Button("Reload");
+    layout.note("reload");
+    follow(button_width("Reset view"));
+    if (ImGui::Button("Reset view")) reset_view(view);
+    layout.note("reset view");
     ImGui::Checkbox("Axes", &view.axes);
     layout.note("axes");
-    ImGui::SameLine();
+    follow(check_box_width("Values"), ImGui::GetFontSize());
     ImGui::Checkbox("Values", &memory.labels);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("name = value over the picture");
     layout.note("labels");
-    ImGui::SameLine(0, ImGui::GetFontSize());
-    if (ImGui::Button("Reset view")) view.scene = {};
-    layout.note("reset view");
-    ImGui::SameLine();
-    const bool reload = ImGui::Button("Reload");
-    layout.note("reload");
-    return reload;
 }
 
 // A strip over the panel's left edge that drags it wider.
@@ -106,7 +82,7 @@ void splitter(const Rect& panel, Memory& memory) {
         ImGui::GetWindowDrawList()->AddRectFilled({panel.x, panel.y}, {panel.x + grip * .5F, panel.y + panel.height},
                                                   ImGui::GetColorU32(palette().filled));
     }
-    if (ImGui::IsItemActive()) memory.panel_width = panel.width - ImGui::GetIO().MouseDelta.x;
+    if (ImGui::IsItemActive()) memory.panel_width = (panel.width - ImGui::GetIO().MouseDelta.x) / ImGui::GetFontSize();
 }
 
 void panel_window(const Facts& facts, const Rect& panel, Controls& controls, View& view, Memory& memory, Layout& layout,
@@ -114,20 +90,27 @@ void panel_window(const Facts& facts, const Rect& panel, Controls& controls, Vie
     place(panel);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     if (ImGui::Begin("##panel", nullptr, fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-        requests.reload |= tools(view, memory, layout);
+        // Where there is little room what stays in sight elsewhere is scrolled away too.
+        const bool low = panel.height < 40 * ImGui::GetFontSize();
+        if (low) ImGui::BeginChild("##programs", {0, 0});
+        tools(view, memory, requests, layout);
         keep_panel(facts, requests, layout);
         clock_panel(facts, memory, layout);
         ImGui::Separator();
-        ImGui::BeginChild("##programs", {0, 0});
+        if (!low) ImGui::BeginChild("##programs", {0, 0});
         if (facts.scene) {
             ladders_panel(facts, controls, layout);
             requests.measure = accuracy_section(facts, controls, memory.accuracy, layout);
             programs_panel(facts, controls, memory, layout);
-            view_section(view, layout);
+            view_section(facts, view, memory, layout);
+            pixels_section(memory.open, memory.pixels, layout);
+            requests.measure_frame = frame_cost_section(facts, memory, layout);
             costs_section(facts, memory, layout);
         } else {
             ImGui::TextDisabled("no scene");
         }
+        files_section(facts, memory, requests, layout);
+        look_section(memory, layout);
         ImGui::EndChild();
         splitter(panel, memory);
         ImGui::GetWindowDrawList()->AddLine({panel.x, panel.y}, {panel.x, panel.y + panel.height},
@@ -143,10 +126,10 @@ void problem_chip(const Facts& facts, Memory& memory, Layout& layout) {
                                       [](const Problem& p) { return p.severity == Severity::error; });
     const auto warnings = static_cast<std::ptrdiff_t>(facts.problems.size()) - errors;
     if (errors + warnings == 0) return;
-    std::string text = errors > 0 ? fmt::format("{} error{}", errors, errors == 1 ? "" : "s")
-                                  : fmt::format("{} warning{}", warnings, warnings == 1 ? "" : "s");
+    const auto count = errors > 0 ? errors : warnings;
+    const Text text("{} {}{}", count, errors > 0 ? "error" : "warning", count == 1 ? "" : "s");
     ImGui::SameLine();
-    ImGui::PushStyleColor(ImGuiCol_Text, errors > 0 ? ImVec4(.72F, .1F, .08F, 1) : ImVec4(.52F, .36F, 0, 1));
+    ImGui::PushStyleColor(ImGuiCol_Text, errors > 0 ? palette().error_text : palette().warning_text);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
     if (ImGui::Button(text.c_str())) {
         if (errors > 0)
@@ -163,11 +146,8 @@ void problem_chip(const Facts& facts, Memory& memory, Layout& layout) {
 void notice(const Memory& memory, float left, float right, Layout& layout) {
     if (right <= left) return;
     ImGui::SameLine(left);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string_view line = std::string_view(memory.notice).substr(0, memory.notice.find('\n'));
-    ImGui::PushClipRect(at, {at.x + right - left, at.y + ImGui::GetTextLineHeight()}, true);
-    ImGui::TextUnformatted(line.data(), line.data() + line.size());
-    ImGui::PopClipRect();
+    fitted(line, right - left);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", memory.notice.c_str());
     layout.note("notice");
 }
@@ -179,14 +159,15 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
                         {style.WindowPadding.x, (status.height - ImGui::GetFontSize()) * .5F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     if (ImGui::Begin("##status", nullptr, fixed | ImGuiWindowFlags_NoScrollbar)) {
-        ImGui::TextUnformatted(facts.file.data(), facts.file.data() + facts.file.size());
+        fitted(facts.file, status.width * .5F);
         problem_chip(facts, memory, layout);
         ImGui::SameLine();
         const float left = ImGui::GetCursorPosX();
-        const std::string cost = fmt::format(
-            "{}{:.1f} ms", facts.animated ? fmt::format("t = {:.2f} s   ", facts.time) : "", facts.frame_ms);
-        const std::string help = fmt::format("drag: turn   wheel: scale   right drag: move   R: reset   H: panel{}",
-                                             has_ladders(facts) ? "   A: accuracy" : "");
+        Text cost;
+        if (facts.animated) cost.add("t = {:.2f} s   ", facts.time);
+        cost.add("{:.1f} ms", facts.frame_ms);
+        const Text help("{}{}drag: turn   wheel: scale   right drag: move   R: reset   F1: keys{}", facts.object,
+                        facts.object.empty() ? "" : "   ", has_ladders(facts) ? "   A: accuracy" : "");
         const float right = ImGui::GetWindowContentRegionMax().x;
         const float cost_width = ImGui::CalcTextSize("t = 1000.00 s   100.0 ms").x;
         const float help_width = ImGui::CalcTextSize(help.c_str()).x;
@@ -213,23 +194,35 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout) {
     layout.clear();
     Requests requests;
-    if (!ImGui::GetIO().WantTextInput) {
+    if (!ImGui::GetIO().WantTextInput && !memory.browser.open && !memory.picture.open) {
         if (ImGui::IsKeyPressed(static_cast<int>(Key::h), false)) memory.panel = !memory.panel;
         requests.reload = ImGui::IsKeyPressed(static_cast<int>(Key::f5), false);
         keep_keys(facts, requests);
         clock_keys(facts, memory);
+        files_keys(memory, requests);
+        if (ImGui::IsKeyPressed(static_cast<int>(Key::f1), false)) memory.keys = !memory.keys;
+        if (memory.keys && ImGui::IsKeyPressed(static_cast<int>(Key::escape), false))
+            memory.keys = false;
+        else if (facts.scene)
+            view_keys(view, memory.hold);
         if (has_ladders(facts) && ImGui::IsKeyPressed(static_cast<int>(Key::a), false))
             memory.accuracy.open = !memory.accuracy.open;
     }
     const Areas parts = areas(memory);
     if (memory.panel) panel_window(facts, parts.panel, controls, view, memory, layout, requests);
     status_window(facts, parts.status, memory, layout);
-    problems_panel(facts, parts.scene, fonts, memory, layout);
+    problems_panel(facts, parts.scene, fonts, memory, requests, layout);
     notices(facts, parts.scene, memory, layout);
     if (facts.accuracy && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);
     if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
-    hold_scene(facts, parts.scene, view);
+    pixel_keys(parts.scene, memory.pixels);
+    flags_legend(facts, parts.scene, memory.pixels, layout);
+    inspector(facts, parts.scene, memory.pixels, fonts, layout);
+    browser_window(facts, memory, requests, layout);
+    picture_window(facts, memory, requests, layout);
+    help_panel(memory.keys, layout);
+    hold_scene(facts, parts.scene, view, memory.hold, requests);
     memory.scene = parts.scene;
     return requests;
 }

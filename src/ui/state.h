@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -16,19 +17,43 @@
 #include "src/plan/view.h"
 #include "src/runtime/explain.h"
 #include "src/ui/accuracy.h"
+#include "src/ui/browser.h"
+#include "src/ui/frame_cost.h"
+#include "src/ui/hold.h"
 #include "src/ui/layout.h"
+#include "src/ui/picture_out.h"
+#include "src/ui/pixels.h"
+#include "src/ui/theme.h"
 #include "src/ui/widgets.h"
 
 namespace snell::ui {
 
-// A diagnostic as it is printed.
+// Where an editor is to open a file; 1-based.
+struct Place {
+    std::string file;  // on disk; empty: nowhere
+    int line = 1, column = 1;
+};
+
+// A diagnostic as it is printed, and what it speaks of.
 struct Problem {
     Severity severity = Severity::error;
     std::string text;
+    Place place;
+};
+
+// A file in use. Names are fit to be shown.
+struct FileRow {
+    std::string name;  // from the scene's folder, if it lies in there
+    std::string path;  // on disk
 };
 
 // Sets of values that are kept beside the scene, by number from 1.
 inline constexpr int snapshot_count = 9;
+
+// In window coordinates, from the scene's top left.
+struct Point {
+    double x = 0, y = 0;
+};
 
 struct Facts {
     std::string_view file;                 // the scene's name, without its folder
@@ -48,6 +73,13 @@ struct Facts {
     const AccuracyFacts* accuracy = nullptr;           // while its panel is open
     const Explanation* explanation = nullptr;          // while Memory::costs
     const Sources* sources = nullptr;                  // that the spans of it are of
+    const FrameCostFacts* frame_cost = nullptr;        // while Memory::frame_cost
+    const PixelFacts* pixels = nullptr;                // while PixelMemory asks for something
+    std::string_view object;                           // what the picked one is
+    std::span<const FileRow> files;                    // in use, in the order of reading
+    std::string_view editor;                           // what opens them
+    std::span<const std::string> recent;               // scenes, the last one first
+    const Listing* listing = nullptr;                  // of the folder in the browser
 };
 
 // The scene's time, as the user lets it go.
@@ -59,7 +91,10 @@ struct Clock {
 
 struct Memory {
     bool panel = true;
-    float panel_width = 0;  // window coordinates; 0: not chosen yet
+    float panel_width = 22;  // in heights of the letters
+    Theme theme = Theme::light;
+    float zoom = 1;  // of letters and widgets, on top of the screen's
+    Titles open;     // sections
     bool warnings_open = false;
     bool problems_hidden = false;
     std::uint64_t revision = 0;       // that `problems_hidden` speaks of
@@ -70,8 +105,14 @@ struct Memory {
     bool labels = false;                // the values over the picture
     Clock clock;
     AccuracyMemory accuracy;
-    bool costs = false;  // that panel is open
-    Rect scene;          // where the scene is, of this frame
+    bool costs = false;       // that panel is open
+    bool frame_cost = false;  // so is that
+    PixelMemory pixels;
+    HoldMemory hold;
+    bool keys = false;  // the list of them is open
+    Browser browser;
+    PictureMemory picture;
+    Rect scene;  // where the scene is, of this frame
 };
 
 // What a user asked for in this frame that is not a change of Controls or View.
@@ -79,8 +120,14 @@ struct Requests {
     bool reload = false;
     bool save = false, undo_save = false;
     bool copy_command = false;
+    std::optional<Point> pick;  // the object there
     int store_snapshot = 0, restore_snapshot = 0;  // its number
-    bool measure = false;  // all rungs of the plotted ladder; while they are measured: no longer
+    bool measure = false;        // all rungs of the plotted ladder; while they are measured: no longer
+    bool measure_frame = false;  // its passes and draws; or no longer
+    bool browse = false;         // the folder of Browser is to be listed
+    std::string open;            // a scene
+    Place edit;
+    PictureRequest picture = PictureRequest::none;
 };
 
 }  // namespace snell::ui

@@ -110,8 +110,8 @@ void follow(float width, float gap) {
     if (ImGui::GetItemRectMax().x + before + width <= end) ImGui::SameLine(0, gap);
 }
 
-std::string shortened(std::string_view text, float width) {
-    if (width_of(text) <= width) return std::string(text);
+Text shortened(std::string_view text, float width) {
+    if (width_of(text) <= width) return Text(text);
     static constexpr std::string_view dots = "\u2026";
     const float room = width - width_of(dots);
     std::size_t least = 0, most = text.size();
@@ -127,13 +127,13 @@ std::string shortened(std::string_view text, float width) {
     if (least == 0) do
             ++least;
         while (inside(least));
-    return std::string(text.substr(0, least)).append(dots);
+    return std::move(Text(text.substr(0, least)).append(dots));
 }
 
 bool fitted(std::string_view text, float width, bool dim) {
-    const std::string part = shortened(text, width);
+    const Text part = shortened(text, width);
     if (dim) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextUnformatted(part.data(), part.data() + part.size());
+    ImGui::TextUnformatted(part.begin(), part.end());
     if (dim) ImGui::PopStyleColor();
     if (part == text) return true;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());

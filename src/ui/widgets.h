@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "src/ui/text.h"
+
 namespace snell::ui {
 
 class Layout;
@@ -17,7 +19,7 @@ float check_box_width(std::string_view label);
 void follow(float width, float gap = -1);
 // As much of the text as fits, with dots for the rest; at least one character. Only what is visible counts: what ##
 // hides must not be in it.
-std::string shortened(std::string_view text, float width);
+Text shortened(std::string_view text, float width);
 // The same as an item that tells all of it when the mouse is on it; false: something was left out.
 bool fitted(std::string_view text, float width, bool dim = false);
 

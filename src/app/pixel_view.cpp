@@ -1,0 +1,102 @@
+#include "src/app/pixel_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace snell {
+
+namespace {
+
+// The same as on the screen, of which all that is off-screen stands.
+Frame frame_of(const Document& shown, const Stand& stand) {
+    Frame frame{.time = stand.time, .view = stand.view, .controls = shown.controls, .paced = true};
+    frame.standing = true;
+    return frame;
+}
+
+// The text of a statement in one line, however it is written.
+std::string statement_of(const Span& span, const Sources& sources) {
+    std::string text;
+    for (const char c : sources.text(span.file).substr(span.begin, span.end - span.begin)) {
+        const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\\';
+        if (!blank)
+            text += c;
+        else if (!text.empty() && text.back() != ' ')
+            text += ' ';
+        if (text.size() >= 200) break;
+    }
+    return text;
+}
+
+std::string place_of(const Span& span, const Sources& sources) {
+    const std::string_view file = sources.name(span.file);
+    return fmt::format("{}:{}", file.substr(file.rfind('/') + 1), sources.position(span.file, span.begin).line);
+}
+
+}  // namespace
+
+bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t picture, const ui::PixelMemory& memory,
+                       float density) {
+    const bool wanted = (memory.inspecting || memory.flags) && stand.width > 0 && stand.height > 0;
+    if (!wanted) {
+        const bool had = pixels_ != nullptr;
+        if (had) *this = {};
+        return had;
+    }
+    if (!pixels_) pixels_ = std::make_unique<FloatPicture>();
+    if (!pixels_->resize(stand.width, stand.height)) {
+        facts_.note = "The graphics driver has no pictures of floats.";
+        return false;
+    }
+    bool fresh = false;
+    if (!memory.inspecting) {
+        fresh = facts_.inspection != nullptr;
+        facts_.inspection = nullptr;
+        looked_ = 0;
+    } else {
+        const int x = std::clamp(static_cast<int>(std::floor(memory.x * density)), 0, stand.width - 1);
+        const int y = std::clamp(static_cast<int>(std::floor(memory.y * density)), 0, stand.height - 1);
+        if (looked_ != picture || found_.x != x || found_.y != y) {
+            look(shown, stand, x, y);
+            looked_ = picture;
+            fresh = true;
+        }
+    }
+    if (!memory.flags) {
+        fresh |= facts_.flags.has_value();
+        facts_.flags.reset();
+        still_ = {};
+        flagged_ = 0;
+    } else if (flagged_ != picture) {
+        flag(shown, stand);
+        flagged_ = picture;
+        fresh = true;
+    }
+    return fresh;
+}
+
+void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
+    pixels_->inspect(*shown.runtime, frame_of(shown, stand), x, y, radius, found_);
+    facts_.inspection = &found_;
+    facts_.statement.clear();
+    facts_.place.clear();
+    if (found_.draw >= shown.scene().draws.size()) return;
+    const Span& span = shown.scene().draws[found_.draw].span;
+    facts_.statement = statement_of(span, shown.sources);
+    facts_.place = place_of(span, shown.sources);
+}
+
+void PixelView::flag(Document& shown, const Stand& stand) {
+    pixels_->draw(*shown.runtime, frame_of(shown, stand), rgba_);
+    facts_.flags = count_flags(rgba_);
+    paint_flags(rgba_, painted_);
+    still_.set(stand.width, stand.height, painted_);
+}
+
+void PixelView::show(int y) const {
+    if (facts_.flags) still_.show(0, y, 0);
+}
+
+}  // namespace snell

@@ -1,0 +1,47 @@
+// Text that is made anew for every frame: without the heap as long as it is short.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+namespace snell::ui {
+
+class Text {
+public:
+    Text() = default;
+    explicit Text(std::string_view text) { append(text); }
+    template <typename... Arguments>
+    explicit Text(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        add(format, std::forward<Arguments>(arguments)...);
+    }
+
+    Text& append(std::string_view text) {
+        buffer_.append(text.data(), text.data() + text.size());
+        return *this;
+    }
+    template <typename... Arguments>
+    Text& add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        fmt::format_to(std::back_inserter(buffer_), format, std::forward<Arguments>(arguments)...);
+        return *this;
+    }
+
+    bool operator==(std::string_view other) const { return view() == other; }
+    bool empty() const { return buffer_.size() == 0; }
+    std::string_view view() const { return {buffer_.data(), buffer_.size()}; }
+    const char* begin() const { return buffer_.data(); }
+    const char* end() const { return buffer_.data() + buffer_.size(); }
+    // Stands until it is changed.
+    const char* c_str() const {
+        buffer_.push_back('\0');
+        buffer_.resize(buffer_.size() - 1);
+        return buffer_.data();
+    }
+
+private:
+    mutable fmt::basic_memory_buffer<char, 320> buffer_;  // for the 0 behind it
+};
+
+}  // namespace snell::ui
