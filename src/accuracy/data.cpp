@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/accuracy/report.h"
+#include "src/content/json.h"
 
 namespace snell::accuracy {
 
@@ -206,7 +207,7 @@ std::string json_text(const Report& report) {
         }
         json["ladders"].push_back(std::move(one));
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return content::json_text(json) + "\n";
 }
 
 }  // namespace snell::accuracy

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/content/json.h"
+
 namespace snell::accuracy {
 
 namespace {
@@ -46,11 +48,11 @@ std::string quality_json(const Circumstances& where, const std::vector<Preset>& 
                                         {"ms", number(preset.milliseconds)}, {"ratio", ratio_text(preset.ratio)},
                                         {"settled", preset.settled},         {"trusted", preset.trusted}};
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return content::json_text(json) + "\n";
 }
 
 std::optional<StoredPreset> read_quality(std::string_view text, std::string_view name, std::string& error) {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = content::parse_json(text);
     if (!json.is_object() || json.value("schema", Json()) != schema) {
         error = "it is not of this version of snell";
         return std::nullopt;

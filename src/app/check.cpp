@@ -10,6 +10,7 @@
 #include "src/app/headless.h"
 #include "src/app/progress.h"
 #include "src/app/unsampled.h"
+#include "src/content/json.h"
 #include "src/lint/lint.h"
 #include "src/plan/plan.h"
 #include "src/runtime/program.h"
@@ -21,7 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Messages may quote bytes that are no UTF-8.
-std::string dump_json(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
 Json span_json(const Span& span, const Sources& sources) {
     const Position begin = sources.position(span.file, span.begin);
@@ -129,7 +129,7 @@ int check(const CheckOptions& options) {
             std::fwrite(text.data(), 1, text.size(), options.dump.empty() ? stdout : stderr);
         }
     }
-    if (options.json) fmt::print("{}\n", dump_json(all));
+    if (options.json) fmt::print("{}\n", content::json_text(all));
     return errors ? exit_input : exit_fine;
 }
 

@@ -13,6 +13,7 @@
 #include "src/app/document.h"
 #include "src/app/headless.h"
 #include "src/app/progress.h"
+#include "src/content/json.h"
 #include "src/gl/exact_target.h"
 #include "src/gl/present.h"
 #include "src/lint/lint.h"
@@ -271,8 +272,8 @@ int explain(const ExplainOptions& options) {
         report.per_frame.*counter.value = runtime.counters().*counter.value - report.load.*counter.value;
     report.explanation = runtime.explain();
     if (!options.no_time) time_frames(report, runtime, frame, surface, options.rounds);
-    const std::string text =
-        options.json ? explain_json(report, document->sources).dump(2) + "\n" : explain_text(report, document->sources);
+    const std::string text = options.json ? content::json_text(explain_json(report, document->sources)) + "\n"
+                                          : explain_text(report, document->sources);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return errors.has_errors() ? exit_input : exit_fine;
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "src/content/json.h"
 #include "src/content/replace.h"
 
 namespace snell::app {
@@ -23,8 +24,7 @@ Json axis_json(const Axis& axis) {
 }  // namespace
 
 std::string write_json(const std::string& path, const Json& json) {
-    const std::string wrong =
-        content::replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    const std::string wrong = content::replace_file(path, content::json_text(json) + '\n');
     return wrong.empty() ? "" : fmt::format("can't write '{}': {}", path, wrong);
 }
 

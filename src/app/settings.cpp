@@ -8,13 +8,14 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "src/content/json.h"
 #include "src/content/replace.h"
 
 namespace snell {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 double number(const Json& json, const char* name, double otherwise, double least, double most) {
     const auto found = json.find(name);
@@ -51,7 +52,7 @@ Settings read_settings(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     if (file.empty() || !in) return settings;
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = content::parse_json(text);
     if (!json.is_object()) return settings;
     settings.dark = flag(json, "dark", settings.dark);
     settings.panel = flag(json, "panel", settings.panel);
@@ -75,7 +76,7 @@ std::string write_settings(const std::string& file, const Settings& settings) {
                     {"panel", settings.panel},   {"panel_width", settings.panel_width},
                     {"open", settings.open},     {"width", settings.width},
                     {"height", settings.height}, {"recent", recent}};
-    return content::replace_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    return content::replace_file(file, content::json_text(json) + "\n");
 }
 
 void remember(std::vector<std::string>& recent, const std::string& scene) {

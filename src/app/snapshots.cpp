@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "src/content/json.h"
 #include "src/content/replace.h"
 
 namespace snell {
@@ -31,7 +32,7 @@ Json read(const std::string& scene) {
     std::ifstream file(snapshots_file(scene), std::ios::binary);
     if (!file) return Json::object();
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    Json json = Json::parse(text, nullptr, false);
+    Json json = content::parse_json(text);
     return json.is_object() ? json : Json(Json::value_t::discarded);
 }
 
@@ -85,7 +86,7 @@ std::string store_snapshot(int number, const Document& document) {
     if (!snapshot.is_object()) snapshot = {{"name", ""}};
     snapshot["values"] = std::move(values);
     if (!ladders.empty()) snapshot["ladders"] = std::move(ladders);
-    return content::replace_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    return content::replace_file(file, content::json_text(json) + "\n");
 }
 
 Restored restore_snapshot(int number, Document& document) {
