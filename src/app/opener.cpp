@@ -17,11 +17,11 @@ bool is_folder(const std::string& path) {
     return fs::is_directory(path, error);
 }
 
-// From the scene's folder, for what lies in there.
+// From the scene's folder, for what is not too far from it.
 std::string short_name(const std::string& path, const fs::path& folder) {
     const fs::path relative = fs::path(path).lexically_normal().lexically_relative(folder.lexically_normal());
-    const bool inside = !relative.empty() && *relative.begin() != "..";
-    return utf8::printable(inside ? relative.string() : path);
+    const bool near = !relative.empty() && !relative.string().starts_with("../../../");
+    return utf8::printable(near ? relative.string() : path);
 }
 
 }  // namespace

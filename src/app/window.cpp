@@ -170,6 +170,7 @@ private:
             next_look_ = now + look_at_files;
             if (session_.reload_if_saved()) {
                 report();
+                unsettled_ = 3;  // messages need a frame to be measured in
                 woken = true;
             }
             woken |= opener_.look(memory_);

@@ -65,7 +65,6 @@ protected:
     Pixel scene_pixel(int right = 0, int down = 0) const;
 
     std::string display_;
-    int dots_per_inch_ = 96;  // of the screen
 
 private:
     Scratch folder_;

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "tests/gui/desk.h"
-#include "tests/gui/drop.h"
+#include "tests/gui/x11.h"
 
 namespace snell::test {
 namespace {
@@ -130,7 +130,7 @@ TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {
     save("paint.frag",
          "#version 330 compatibility\nuniform float uRed, uGreen;\n"
          "void main() { gl_FragColor = vec4(uRed, uGreen + nonsense, .2, 1.); }\n");
-    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("problem.0"); }));
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("problem.0"); })) << state()["problems"];
     settle();
     keep("guide-error");
     expect_pixel(.2, .4);
@@ -183,12 +183,8 @@ TEST_F(FilesWindow, LooksAreKeptFromRunToRun) {
     EXPECT_TRUE(wait([](const json& s) { return s["zoom"] == 1; }));
 }
 
-class SharpScreen : public FilesWindow {
-protected:
-    SharpScreen() { dots_per_inch_ = 192; }
-};
-
-TEST_F(SharpScreen, EverythingIsTwiceAsLarge) {
+TEST_F(FilesWindow, OnAScreenOfManyDotsEverythingIsTwiceAsLarge) {
+    ASSERT_TRUE(set_dots_per_inch(display_, 192));
     open("one.glib", {"--size", "1024x768"});
     const json now = state();
     const std::array<double, 4> reload = now["widgets"]["reload"];
@@ -204,8 +200,9 @@ TEST_F(SharpScreen, EverythingIsTwiceAsLarge) {
 // A scene of ours for docs/guide.md, as a class sees it.
 TEST_F(FilesWindow, TheGuidesPicture) {
     setenv("VISUAL", "code", 1);
-    std::filesystem::copy("scenes/refraction-room", file("room"));
-    open("room/refraction-room.glib", {"--size", "1024x720"});
+    for (const char* folder : {"refraction-room", "environments"})
+        std::filesystem::copy(std::string("scenes/") + folder, file(folder), std::filesystem::copy_options::recursive);
+    open("refraction-room/refraction-room.glib", {"--size", "1024x720"});
     EXPECT_EQ(state()["errors"], 0) << state()["problems"];
     drag({300, 300}, {360, 320});
     user("mousemove 900 650 click --repeat 30 5");

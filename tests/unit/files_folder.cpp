@@ -144,10 +144,11 @@ TEST(DroppedFiles, TheFirstSceneAmongThemIsOpened) {
     EXPECT_EQ(opener.serve_dropped({folder.path()}, memory), std::nullopt);
     EXPECT_TRUE(memory.browser.open) << "a folder is looked into";
     ui::Facts facts;
-    opener.tell(facts, scene, {scene, text});
+    opener.tell(facts, scene, {scene, text, folder.path() + "/x/../../shared/b.bmp", "/usr/share/c.bmp"});
     EXPECT_EQ(names(*facts.listing), Names{"a.glib"});
-    ASSERT_EQ(facts.files.size(), 2u);
+    ASSERT_EQ(facts.files.size(), 4u);
     EXPECT_EQ(facts.files[1].name, "a.txt") << "from the scene's folder";
+    EXPECT_EQ(facts.files[2].name, "../shared/b.bmp");
 }
 
 }  // namespace

@@ -160,10 +160,16 @@ void read(const ImDrawList& list, int index, const std::map<Corner, const ImFont
 
 std::string_view owner_of(const ImDrawList& list) { return list._OwnerName ? list._OwnerName : ""; }
 
-bool pops_up(const ImDrawList& list) {
+// Over and under all windows: the values over the picture have edges in letters of their own.
+bool is_no_window(const ImDrawList& list) {
+    return owner_of(list).starts_with("##Background") || owner_of(list).starts_with("##Foreground");
+}
+
+// It is meant to hide what is under it.
+bool covers(const ImDrawList& list) {
     const std::string_view owner = owner_of(list);
     return owner.starts_with("##Tooltip") || owner.starts_with("##Popup") || owner.starts_with("##Combo") ||
-           owner.starts_with("##Background") || owner.starts_with("##Foreground");
+           owner.starts_with("##inspector");
 }
 
 bool is_dialog(const ImDrawList& list) {
@@ -198,9 +204,10 @@ std::vector<std::string> flaws(const ImDrawData& data) {
     // Dialogs, which lie over all the rest, are the windows whose name is a title.
     const bool dialog = std::ranges::any_of(lists, [](const ImDrawList* list) { return is_dialog(*list); });
     for (std::size_t n = 0; n < lists.size(); ++n)
-        if (!pops_up(*lists[n]) && (!dialog || is_dialog(*lists[n])))
+        if (!is_no_window(*lists[n]) && (!dialog || is_dialog(*lists[n])))
             read(*lists[n], static_cast<int>(n), glyphs, reading);
     std::vector<Letter>& letters = reading.letters;
+    std::erase_if(letters, [&](const Letter& letter) { return covers(*lists[static_cast<std::size_t>(letter.list)]); });
     std::ranges::sort(letters, [](const Letter& a, const Letter& b) { return a.box.x < b.box.x; });
     for (std::size_t i = 0; i < letters.size(); ++i)
         for (std::size_t k = i + 1; k < letters.size() && letters[k].box.x < letters[i].box.z; ++k) {

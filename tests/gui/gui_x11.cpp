@@ -6,7 +6,7 @@
 #include <chrono>
 #include <memory>
 
-#include "tests/gui/drop.h"
+#include "tests/gui/x11.h"
 
 namespace snell::test {
 
@@ -121,6 +121,19 @@ bool drop_files(const std::string& display, const std::vector<std::string>& path
     Source source(connection.get(), uris);
     const ::Window target = source.target();
     return target != 0 && source.drop_on(target);
+}
+
+bool set_dots_per_inch(const std::string& display, int dots) {
+    const std::unique_ptr<Display, Closer> connection(XOpenDisplay(display.c_str()));
+    if (!connection) return false;
+    const std::string resources = "Xft.dpi:\t" + std::to_string(dots) + "\n";
+    XChangeProperty(connection.get(), DefaultRootWindow(connection.get()), XA_RESOURCE_MANAGER, XA_STRING, 8,
+                    PropModeReplace, reinterpret_cast<const unsigned char*>(resources.data()),
+                    static_cast<int>(resources.size()));
+    // Else the display would forget it with its last client.
+    XSetCloseDownMode(connection.get(), RetainPermanent);
+    XSync(connection.get(), False);
+    return true;
 }
 
 }  // namespace snell::test

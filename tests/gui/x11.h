@@ -1,0 +1,16 @@
+// What other programs do on a display.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace snell::test {
+
+// Drags files into a window, by the XDND protocol: onto the middle of the one that takes drops. False: there is none,
+// or it did not finish.
+bool drop_files(const std::string& display, const std::vector<std::string>& paths);
+
+// What desktops set for screens of many dots per inch, before windows are opened.
+bool set_dots_per_inch(const std::string& display, int dots);
+
+}  // namespace snell::test
