@@ -44,7 +44,7 @@ void Runtime::Impl::find_batches(Index pass) {
             make_instancing(program, named == none ? Program{} : scene.programs[named], caps, counters);
         if (!instancing) continue;
         for (std::size_t at = first; at < end; at += instancing->capacity)
-            ready.batches.push_back({at, std::min(instancing->capacity, end - at), {}, {}});
+            ready.batches.push_back({at, std::min(instancing->capacity, end - at), {}, {}, {}, {}});
     }
 }
 
@@ -54,16 +54,17 @@ bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, Pas
     if (std::ranges::any_of(items, [&](const auto& item) { return hidden(frame, item->draw); })) return false;
     const ReadyDraw& ready = *items.front();
     const runtime::Instancing& instancing = *ready.program->instancing;
-    std::vector<runtime::DrawContext> contexts;
+    std::vector<runtime::DrawContext>& contexts = batch.contexts;
+    contexts.clear();
     for (const auto& item : items) contexts.push_back(context(plan.scene.draws[item->draw], frame, view));
     set_up(ready, *instancing.program, contexts.front(), frame);
-    std::vector<float> values = instance_values(instancing, contexts);
+    instance_values(instancing, contexts, batch.values);
     if (!batch.matrices) batch.matrices = gl::Buffer(gl::make(glGenBuffers));
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, batch.matrices.get());
-    if (values != batch.last) {
-        glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),
-                     GL_DYNAMIC_DRAW);
-        batch.last = std::move(values);
+    if (batch.values != batch.last) {
+        glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(batch.values.size() * sizeof(float)),
+                     batch.values.data(), GL_DYNAMIC_DRAW);
+        std::swap(batch.last, batch.values);
         ++counters.uniform_uploads;
     }
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];

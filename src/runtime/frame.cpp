@@ -97,7 +97,6 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     if (frame.view.axes) ready_axes();
     if (!caps.es) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // OpenGL ES 3 is always so
     const std::uint64_t before = state.changes();
-    std::set<std::vector<Index>> cleared;
     bool first_window = true;
     const bool only_window = frame.standing && !redrawn();
     if (!only_window) settled = true;
@@ -113,7 +112,7 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
                 first_window = false;
                 break;
             case Pass::Kind::textures:
-                draw_textures(pass, off_screen, cleared);
+                draw_textures(pass, off_screen);
                 break;
             case Pass::Kind::cube:
                 draw_cube(pass, off_screen);
@@ -151,13 +150,14 @@ void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& s
     ++counters.passes;
 }
 
-void Runtime::Impl::draw_textures(Index pass, const Frame& frame, std::set<std::vector<Index>>& cleared) {
+void Runtime::Impl::draw_textures(Index pass, const Frame& frame) {
     ReadyPass& ready = passes[pass];
     const gl::TextureTarget& target = targets.at(ready.textures).front();
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glViewport(0, 0, ready.width, ready.height);
     PassView view{ready.width, ready.height, plan.scene.passes[pass].background.value_or(Vec4{0, 0, 0, 0})};
-    if (cleared.insert(ready.textures).second) clear(view.background, {});
+    const auto same = [&](const ReadyPass& before) { return before.live && before.textures == ready.textures; };
+    if (std::none_of(passes.begin(), passes.begin() + pass, same)) clear(view.background, {});
     state.forget();
     draw_items(pass, frame, view);
     finish_pass(pass);
@@ -176,8 +176,7 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
         const LinkedProgram& program = *item->program;
         moves = moves || program.reads(glsl::System::timer) || program.reads(glsl::System::time);
         for (const Control& control : frame.controls.items)
-            if (control.program == plan.scene.draws[item->draw].program)
-                add(control.value);
+            if (control.program == plan.scene.draws[item->draw].program) add(control.value);
         if (program.reads(glsl::System::texture_matrix)) add(frame.view.texture.numbers());
         if (program.reads(glsl::System::mouse)) seen.insert(seen.end(), {frame.view.mouse_x, frame.view.mouse_y});
     }

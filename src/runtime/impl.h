@@ -74,7 +74,9 @@ struct ReadyDraw {
 struct Batch {
     std::size_t first = 0, count = 0;
     gl::Buffer matrices;
-    std::vector<float> last;  // what it holds
+    std::vector<float> last;            // what it holds
+    std::vector<DrawContext> contexts;  // of a frame, kept for their memory
+    std::vector<float> values;          // so are these
 };
 
 struct ReadyPass {
@@ -168,7 +170,7 @@ struct Runtime::Impl {
     };
     void draw(const Frame& frame, const Surface& surface);
     void draw_window(Index pass, const Frame& frame, const Surface& surface, bool first);
-    void draw_textures(Index pass, const Frame& frame, std::set<std::vector<Index>>& cleared);
+    void draw_textures(Index pass, const Frame& frame);
     void draw_cube(Index pass, const Frame& frame);
     void draw_face(Index pass, int face, const Frame& frame);
     void finish_pass(Index pass);

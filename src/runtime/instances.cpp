@@ -86,20 +86,22 @@ InstancedText instanced_text(const glsl::Translation& translation, std::size_t b
 }
 
 // Every matrix has an array of its own.
-std::vector<float> instance_values(const Instancing& instancing, const std::vector<DrawContext>& contexts) {
-    std::vector<float> values;
+void instance_values(const Instancing& instancing, const std::vector<DrawContext>& contexts,
+                     std::vector<float>& values) {
+    std::vector<float>& value = instancing.program->scratch;
+    values.clear();
     for (const InstanceMatrix& matrix : instancing.matrices) {
         const auto columns = static_cast<std::size_t>(matrix.columns);
         const std::size_t begin = values.size();
         values.resize(begin + columns * 4 * instancing.capacity, 0.0F);
         for (std::size_t i = 0; i < contexts.size(); ++i) {
-            const std::vector<float> value = system_value(matrix.system, contexts[i]);
+            value.clear();
+            append_system(value, matrix.system, contexts[i]);
             for (std::size_t column = 0; column < columns; ++column)
                 std::copy_n(value.begin() + static_cast<std::ptrdiff_t>(column * columns), columns,
                             values.begin() + static_cast<std::ptrdiff_t>(begin + (i * columns + column) * 4));
         }
     }
-    return values;
 }
 
 }  // namespace snell::runtime

@@ -37,6 +37,7 @@ struct InstancedText {
 InstancedText instanced_text(const glsl::Translation& translation, std::size_t block_bytes);
 
 // The block's content, of one context for each instance.
-std::vector<float> instance_values(const Instancing& instancing, const std::vector<DrawContext>& contexts);
+void instance_values(const Instancing& instancing, const std::vector<DrawContext>& contexts,
+                     std::vector<float>& values);
 
 }  // namespace snell::runtime

@@ -213,7 +213,6 @@ std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height
     view.depth = fitted_depth(frame);
     view.shift = frame.shift;
     bool first = true;
-    std::set<std::vector<Index>> cleared;
     const bool only_window = frame.standing && !redrawn();
     for (Index pass = 0; pass < passes.size(); ++pass) {
         if (!passes[pass].live) continue;
@@ -222,7 +221,7 @@ std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height
         } else if (!only_window) {
             glDisable(GL_SCISSOR_TEST);
             if (plan.scene.passes[pass].kind == Pass::Kind::textures)
-                draw_textures(pass, frame, cleared);
+                draw_textures(pass, frame);
             else
                 draw_cube(pass, frame);
         }

@@ -55,6 +55,7 @@ struct LinkedProgram {
     std::vector<ActiveUniform> active;
     std::vector<SystemUniform> system;
     std::optional<DrawContext> shown;  // what `system` was set from last
+    std::vector<float> scratch;        // kept for its memory
     std::vector<UserUniform> user;
     std::vector<SamplerUniform> samplers;
     InstancedText instanced;               // where draws with it may be instances of one

@@ -221,20 +221,22 @@ void upload_matrix(const UserUniform& uniform, const std::vector<float>& v) {
 template <typename T, typename One, typename Two, typename Three, typename Four>
 void upload_vector(const UserUniform& uniform, const std::vector<double>& values, One one, Two two, Three three,
                    Four four) {
-    std::vector<T> v(values.size());
-    std::ranges::transform(values, v.begin(), [](double value) { return static_cast<T>(value); });
+    std::array<T, 16> few;  // what sliders have: no heap for them
+    std::vector<T> many(values.size() > few.size() ? values.size() : 0);
+    T* const v = many.empty() ? few.data() : many.data();
+    std::ranges::transform(values, v, [](double value) { return static_cast<T>(value); });
     switch (uniform.components) {
         case 1:
-            one(uniform.location, uniform.size, v.data());
+            one(uniform.location, uniform.size, v);
             break;
         case 2:
-            two(uniform.location, uniform.size, v.data());
+            two(uniform.location, uniform.size, v);
             break;
         case 3:
-            three(uniform.location, uniform.size, v.data());
+            three(uniform.location, uniform.size, v);
             break;
         default:
-            four(uniform.location, uniform.size, v.data());
+            four(uniform.location, uniform.size, v);
             break;
     }
 }
@@ -289,10 +291,8 @@ double timer_value(double time, double period) {
     return std::min(phase, static_cast<double>(std::nextafter(1.0F, 0.0F)));
 }
 
-std::vector<float> system_value(System system, const DrawContext& context, int size) {
-    Floats value;
-    append_value(value, system, context, size);
-    return value;
+void append_system(Floats& values, System system, const DrawContext& context, int size) {
+    append_value(values, system, context, size);
 }
 
 int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
@@ -300,8 +300,7 @@ int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
     if (!all && !context.harmonics && program.shown == context) return 0;
     program.shown = context;
     int uploads = 0;
-    Floats value;
-    value.reserve(16);
+    Floats& value = program.scratch;
     for (SystemUniform& uniform : program.system) {
         if (uniform.system == System::face_index) continue;
         value.clear();

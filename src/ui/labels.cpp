@@ -1,6 +1,5 @@
 #include "src/ui/labels.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,15 +8,21 @@
 
 namespace snell::ui {
 
-std::string label_of(const Scene& scene, const Control& control) {
-    std::string text = fmt::format("{} : {} = ", scene.programs[control.program].name, control.name);
-    if (control.type == ValueType::bool_) return text + (control.value[0] != 0 ? "true" : "false");
+Text label_of(const Scene& scene, const Control& control) {
+    Text text("{} : {} = ", scene.programs[control.program].name, control.name);
+    if (control.type == ValueType::bool_) {
+        text.append(control.value[0] != 0 ? "true" : "false");
+        return text;
+    }
     const bool integral = control.type == ValueType::int_ || control.type == ValueType::uint_;
     for (std::size_t i = 0; i < control.value.size(); ++i) {
-        if (i > 0) text += ", ";
-        text += integral                          ? fmt::format("{:10.0f}", control.value[i])
-                : control.widget == Widget::color ? fmt::format("{:8.3f}", control.value[i])
-                                                  : fmt::format("{:10.4f}", control.value[i]);
+        if (i > 0) text.append(", ");
+        if (integral)
+            text.add("{:10.0f}", control.value[i]);
+        else if (control.widget == Widget::color)
+            text.add("{:8.3f}", control.value[i]);
+        else
+            text.add("{:10.4f}", control.value[i]);
     }
     return text;
 }
@@ -41,8 +46,9 @@ void value_labels(const Facts& facts, const Controls& controls, const Rect& scen
     float y = scene.y + scene.height - margin - count * line;
     for (const Control& control : controls.items) {
         if (!labelled(control)) continue;
-        std::string text = label_of(*facts.scene, control);
-        if (const auto columns = static_cast<std::size_t>(room); text.size() > columns) text = cut_name(text, columns);
+        Text text = label_of(*facts.scene, control);
+        if (const auto columns = static_cast<std::size_t>(room); text.view().size() > columns)
+            text = Text(cut_name(std::string(text.view()), columns));
         const ImVec2 at(scene.x + margin, y);
         // White is seen on white pictures too.
         for (const ImVec2 off : {ImVec2(1, 1), ImVec2(-1, 1), ImVec2(1, -1), ImVec2(-1, -1)})

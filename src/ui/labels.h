@@ -3,6 +3,7 @@
 
 #include "src/ui/state.h"
 #include "src/ui/style.h"
+#include "src/ui/text.h"
 
 namespace snell::ui {
 
@@ -10,7 +11,7 @@ namespace snell::ui {
 void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts);
 
 // "Glass : uEta =     1.1000", as glman writes it.
-std::string label_of(const Scene& scene, const Control& control);
+Text label_of(const Scene& scene, const Control& control);
 
 // Of a label with more columns than these: the name gives way, not the value.
 std::string cut_name(const std::string& label, std::size_t columns);

@@ -70,6 +70,21 @@ TEST_F(Inspect, ValuesAreThoseThatTheShaderWrote) {
     EXPECT_EQ(value(15)[3], 3.F);
 }
 
+// Bytes clamp alpha before blending; floats must not triple a colour for it.
+TEST_F(Inspect, AnAlphaBeyondOneIsAnOpaqueColor) {
+    auto document = ready("Background 1 1 1\n" + std::string(odd));
+    const Inspection found = at(*document, 15, 20);
+    EXPECT_EQ(found.pixel()[0], .25F);
+    EXPECT_EQ(found.pixel()[2], .75F);
+    EXPECT_EQ(flag_of(found.pixel()), Flag::none);
+    // What is between 0 and 1 blends as ever.
+    folder.write("glass.frag", "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(2., 0., 0., .25); }\n");
+    document =
+        ready("Background 1 1 1\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment glass.frag\nProgram P\nQuadXY 0. 5.\n");
+    EXPECT_EQ(at(*document, 15, 20).pixel()[0], 1.25F);
+    EXPECT_EQ(at(*document, 15, 20).pixel()[1], .75F);
+}
+
 TEST_F(Inspect, PixelsAreCountedByWhatIsWorstAboutThem) {
     auto document = ready(odd);
     std::vector<float> rgba;
@@ -185,7 +200,7 @@ TEST_F(Inspect, AStandingFrameDrawsOnlyTheWindow) {
     folder.write("texture.frag", texture_fragment);
     folder.write("color.frag", color_fragment);
     auto document = ready(
-        "Texture2D 5 16 16\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment color.frag\n"
+        "Blend off\nTexture2D 5 16 16\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment color.frag\n"
         "Program A uColor {.2 .4 .6 1.}\nRenderToTexture 5\nQuadXY 0. 5.\nQuadXY .5 2.\nRenderToTexture\n"
         "Fragment texture.frag\nProgram B uUnit 5\nQuadXY 0. 5.\n");
     std::vector<float> first, again;
@@ -204,7 +219,7 @@ TEST_F(Inspect, FramesTellOfTheirSteps) {
     folder.write("texture.frag", texture_fragment);
     folder.write("color.frag", color_fragment);
     auto document = ready(
-        "Texture2D 5 16 16\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment color.frag\n"
+        "Blend off\nTexture2D 5 16 16\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment color.frag\n"
         "Program A uColor {.2 .4 .6 1.}\nRenderToTexture 5\nQuadXY 0. 5.\nQuadXY .5 2.\nRenderToTexture\n"
         "Fragment texture.frag\nProgram B uUnit 5\nQuadXY 0. 5.\n");
     std::vector<Step> steps;
