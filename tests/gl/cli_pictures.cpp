@@ -42,7 +42,8 @@ protected:
 };
 
 TEST_F(Pictures, InPartsIsTheSameAsAtOnce) {
-    for (const auto& [extension, samples] : {std::pair("png", "4"), std::pair("bmp", "1"), std::pair("exr", "1")}) {
+    for (const auto& [extension, samples] :
+         {std::pair("png", "4"), std::pair("bmp", "1"), std::pair("exr", "1"), std::pair("png", "1 --context es3.2")}) {
         const std::string common = at("s.glib") + " --size 300x230 --time .3 --axes --samples " + samples + " -o ";
         const std::string whole = std::string("whole.") + extension, parts = std::string("parts.") + extension;
         ASSERT_EQ(render(common + at(whole)).status, 0);
