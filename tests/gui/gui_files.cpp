@@ -144,7 +144,7 @@ TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {
     EXPECT_FALSE(state()["widgets"].contains("problem.0"));
 
     std::filesystem::remove(file("told"));
-    user("mousemove 700 550 click --repeat 30 5");
+    user("mousemove 700 550 click --repeat 30 --delay 4 5");
     settle();
     click("files");
     click("file.paint.vert", .2);
@@ -162,10 +162,10 @@ TEST_F(FilesWindow, LooksAreKeptFromRunToRun) {
     user("key ctrl+plus");
     user("key ctrl+plus");
     ASSERT_TRUE(wait([](const json& s) { return s["zoom"] == 1.25; }));
-    user("mousemove 950 600 click --repeat 30 5");
+    user("mousemove 950 600 click --repeat 30 --delay 4 5");
     settle();
     click("window");
-    user("mousemove 950 600 click --repeat 30 5");
+    user("mousemove 950 600 click --repeat 30 --delay 4 5");
     settle();
     click("dark", .1);
     ASSERT_TRUE(wait([](const json& s) { return s["dark"] == true; }));
@@ -205,10 +205,10 @@ TEST_F(FilesWindow, TheGuidesPicture) {
     open("refraction-room/refraction-room.glib", {"--size", "1024x720"});
     EXPECT_EQ(state()["errors"], 0) << state()["problems"];
     drag({300, 300}, {360, 320});
-    user("mousemove 900 650 click --repeat 30 5");
+    user("mousemove 900 650 click --repeat 30 --delay 4 5");
     settle();
     click("files");
-    user("mousemove 900 650 click --repeat 30 4");
+    user("mousemove 900 650 click --repeat 30 --delay 4 4");
     settle();
     user("mousemove 600 716");
     settle();
@@ -217,10 +217,10 @@ TEST_F(FilesWindow, TheGuidesPicture) {
     user("key ctrl+plus");
     user("key ctrl+plus");
     settle();
-    user("mousemove 900 600 click --repeat 30 5");
+    user("mousemove 900 600 click --repeat 30 --delay 4 5");
     settle();
     click("window");
-    user("mousemove 900 600 click --repeat 30 5");
+    user("mousemove 900 600 click --repeat 30 --delay 4 5");
     settle();
     click("dark", .1);
     user("mousemove 300 716");
