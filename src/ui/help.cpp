@@ -70,12 +70,11 @@ void list(float room) {
 
 }  // namespace
 
-void help_panel(bool& open, Layout& layout) {
+void help_panel(const Rect& scene, bool& open, Layout& layout) {
     if (!open) return;
     const float em = ImGui::GetFontSize();
-    const ImVec2 all = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({all.x / 2, all.y / 2}, 0, {.5F, .5F});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(em, all.x - em), std::max(em, all.y - em)});
+    ImGui::SetNextWindowPos({scene.x + scene.width / 2, scene.y + scene.height / 2}, 0, {.5F, .5F});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(em, scene.width - em), std::max(em, scene.height - em)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, em * .8F});
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
@@ -87,7 +86,7 @@ void help_panel(bool& open, Layout& layout) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("F1");
-        list(all.x - 3 * em - ImGui::GetStyle().ScrollbarSize);
+        list(scene.width - 3.5F * em - ImGui::GetStyle().ScrollbarSize);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

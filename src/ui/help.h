@@ -13,7 +13,7 @@ struct KeyRow {
 };
 std::span<const KeyRow> key_rows();
 
-// In the middle of the window while it is open; F1 and Escape close it.
-void help_panel(bool& open, Layout& layout);
+// Over the scene while it is open; F1 and Escape close it.
+void help_panel(const Rect& scene, bool& open, Layout& layout);
 
 }  // namespace snell::ui

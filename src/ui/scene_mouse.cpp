@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "src/plan/lens.h"
 #include "src/plan/objects.h"
@@ -60,6 +61,13 @@ glm::dmat4 matrix(const Mat4& m) {
     return result;
 }
 
+// As many decimals as a hundredth of a step needs: numbers that are dragged to are short, and 0 is 0 again.
+double tidied(double value, double step) {
+    const double scale = std::pow(10, -std::floor(std::log10(step / 100)));
+    const double rounded = std::round(value * scale) / scale;
+    return std::isfinite(rounded) ? rounded : value;
+}
+
 // From points to the units that what is held is moved in, so that it stays under the mouse.
 glm::dvec3 moved(const glm::dvec3& points, const Scene& scene, const View& view, const HoldMemory& hold,
                  double shorter) {
@@ -93,9 +101,9 @@ void apply(const Gesture& made, const Facts& facts, const Rect& area, View& view
     if (made.move != glm::dvec3(0)) {
         const double shorter = std::max(1.0F, std::min(area.width, area.height));
         const glm::dvec3 way = moved(made.move, *facts.scene, view, hold, shorter);
-        t.x += way.x;
-        t.y += way.y;
-        t.z += way.z;
+        const double step = glm::length(way) / glm::length(made.move);
+        for (const auto& [value, part] : {std::pair(&t.x, way.x), {&t.y, way.y}, {&t.z, way.z}})
+            if (part != 0) *value = tidied(*value + part, step);
     }
     const bool texture = hold.held == Held::texture;
     const auto turn = [](double& angle, double points) {

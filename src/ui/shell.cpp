@@ -221,7 +221,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     browser_window(facts, memory, requests, layout);
     picture_window(facts, memory, requests, layout);
-    help_panel(memory.keys, layout);
+    help_panel(parts.scene, memory.keys, layout);
     hold_scene(facts, parts.scene, view, memory.hold, requests);
     memory.scene = parts.scene;
     return requests;

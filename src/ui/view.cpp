@@ -53,18 +53,23 @@ struct Field {
     double Transformation::*value;
 };
 
-// Fields beside each other, as wide as there is room.
+// Up to three fields beside each other, none narrower than its number.
 void fields(const char* label, std::initializer_list<Field> row, Transformation& t, Layout& layout) {
-    constexpr float columns = 3;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, begin = 3.2F * ImGui::GetFontSize();
+    const float least = ImGui::CalcTextSize("-123.456").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
     ImGui::SameLine(begin);
-    const float width = (ImGui::GetContentRegionAvail().x - (columns - 1) * gap) / columns;
-    bool first = true;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const int columns = std::clamp(static_cast<int>((room + gap) / (least + gap)), 1, 3);
+    const float width = (room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns);
+    int at = 0;
     for (const Field& field : row) {
-        if (!first) ImGui::SameLine(0, gap);
-        first = false;
+        if (at % columns != 0)
+            ImGui::SameLine(0, gap);
+        else if (at > 0)
+            ImGui::SetCursorPosX(begin);
+        ++at;
         ImGui::PushID(field.name);
         number("##value", t.*field.value, false, Transformation{}.*field.value, std::max(1.0F, width));
         tip(field.name);
@@ -84,7 +89,7 @@ void transformation(View& view, HoldMemory& hold, Layout& layout) {
     fields("move", {{"x", &Transformation::x}, {"y", &Transformation::y}, {"z", &Transformation::z}}, t, layout);
     fields("scale", {{"scale", &Transformation::scale}}, t, layout);
     t.scale = std::clamp(t.scale, 1e-3, 1e3);
-    ImGui::SameLine();
+    follow(button_width("Reset"));
     ImGui::BeginDisabled(before == Transformation{});
     if (ImGui::Button("Reset")) t = {};
     ImGui::EndDisabled();

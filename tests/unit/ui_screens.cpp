@@ -156,6 +156,9 @@ public:
         add_slider("uEta", .1, 1.1, 5);
         memory_.open.emplace("View");
         facts_.object = long_name;
+        hold_object(memory_.hold, 0);
+        memory_.hold.picking = true;
+        view_.objects[0] = {-123.4567, 59.5, .001, -12.345678, 123.456, -.0123, 179.5};
     }
     void pixels() {
         flags_.pixels = {0, 1234567, 1234567, 1234567, 1234567};
@@ -191,7 +194,7 @@ public:
     void picture() {
         facts_.animated = true;
         memory_.picture.open = true;
-        std::ranges::copy(long_path + ".png", memory_.picture.file.begin());
+        std::ranges::copy(std::string("pictures/room.png"), memory_.picture.file.begin());
         memory_.picture.width = memory_.picture.height = 16384;
         memory_.picture.sequence = memory_.picture.transparent = true;
         memory_.picture.error = long_path + ": there is no such folder, so nothing was written into it";
@@ -326,7 +329,7 @@ const Panel panels[] = {
     {"browser", "browser.entry.scene1.glib", &Screens::browser},
     {"refused-folder", "browser.cancel", &Screens::refused_folder},
     {"view", "perspective", &Screens::view},
-    {"pixels", "flag counts", &Screens::pixels},
+    {"pixels", "flags", &Screens::pixels},
     {"inspector", "inspector", &Screens::inspected},
     {"frame-cost", "frame cost.plot", &Screens::frame_cost},
     {"picture", "picture save", &Screens::picture},
