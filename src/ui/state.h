@@ -43,7 +43,7 @@ struct Problem {
 
 // A file in use. Names are fit to be shown.
 struct FileRow {
-    std::string name;  // from the scene's folder, if it lies in there
+    std::string name;  // from the scene's folder, if it is not far from there
     std::string path;  // on disk
 };
 
