@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "parser/text_of.h"
 #include "src/accuracy/clock.h"
 #include "src/accuracy/statistics.h"
+#include "src/app/statement.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"
 
@@ -30,11 +30,6 @@ void push(std::vector<T>& values, T value, std::size_t most) {
     if (values.capacity() < most) values.reserve(most);
     if (values.size() == most) values.erase(values.begin());
     values.push_back(value);
-}
-
-std::string place_of(const Span& span, const Sources& sources) {
-    const std::string_view file = sources.name(span.file);
-    return fmt::format("{}:{}", file.substr(file.rfind('/') + 1), sources.position(span.file, span.begin).line);
 }
 
 std::string pass_name(const Pass& pass) {
@@ -218,16 +213,16 @@ std::vector<ui::CostRow> FrameCosts::rows_of(const Times& times, const Document&
         if (all == times.end() || (scene.passes[pass].kind == Pass::Kind::window && scene.passes[pass].items.empty()))
             continue;
         rows.push_back({pass_name(scene.passes[pass]), "", accuracy::median(all->second), false});
-        if (pass > 0) rows.back().place = place_of(scene.passes[pass].span, document.sources);
+        if (pass > 0) rows.back().place = statement_place(scene.passes[pass].span, document.sources);
         for (auto it = times.lower_bound({pass, 0}); it != times.end() && it->first.first == pass; ++it) {
             const Index index = it->first.second;
             if (index == none || index >= scene.draws.size()) continue;
             const Draw& draw = scene.draws[index];
-            std::string name = text_of::shape(scene, draw.shape, draw.wire);
+            std::string name = statement_text(draw.span, document.sources);
             if (const auto found = together_.find(it->first); found != together_.end() && found->second > 1)
                 name += fmt::format(", and {} like it", found->second - 1);
             rows.push_back(
-                {std::move(name), place_of(draw.span, document.sources), accuracy::median(it->second), true});
+                {std::move(name), statement_place(draw.span, document.sources), accuracy::median(it->second), true});
         }
     }
     return rows;

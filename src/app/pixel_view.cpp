@@ -1,9 +1,9 @@
 #include "src/app/pixel_view.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "src/app/statement.h"
 
 namespace snell {
 
@@ -14,25 +14,6 @@ Frame frame_of(const Document& shown, const Stand& stand) {
     Frame frame{.time = stand.time, .view = stand.view, .controls = shown.controls, .paced = true};
     frame.standing = true;
     return frame;
-}
-
-// The text of a statement in one line, however it is written.
-std::string statement_of(const Span& span, const Sources& sources) {
-    std::string text;
-    for (const char c : sources.text(span.file).substr(span.begin, span.end - span.begin)) {
-        const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\\';
-        if (!blank)
-            text += c;
-        else if (!text.empty() && text.back() != ' ')
-            text += ' ';
-        if (text.size() >= 200) break;
-    }
-    return text;
-}
-
-std::string place_of(const Span& span, const Sources& sources) {
-    const std::string_view file = sources.name(span.file);
-    return fmt::format("{}:{}", file.substr(file.rfind('/') + 1), sources.position(span.file, span.begin).line);
 }
 
 }  // namespace
@@ -84,8 +65,8 @@ void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
     facts_.place.clear();
     if (found_.draw >= shown.scene().draws.size()) return;
     const Span& span = shown.scene().draws[found_.draw].span;
-    facts_.statement = statement_of(span, shown.sources);
-    facts_.place = place_of(span, shown.sources);
+    facts_.statement = statement_text(span, shown.sources);
+    facts_.place = statement_place(span, shown.sources);
 }
 
 void PixelView::flag(Document& shown, const Stand& stand) {

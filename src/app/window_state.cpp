@@ -1,7 +1,5 @@
 #include "src/app/window_state.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "src/app/view_text.h"
@@ -26,9 +24,15 @@ json controls_of(const Document& document) {
 
 json view_of(const View& view, const ui::HoldMemory& hold) {
     const Transformation& t = view.scene;
-    return {{"rotate_x", t.rotate_x}, {"rotate_y", t.rotate_y}, {"scale", t.scale},
-            {"x", t.x},               {"y", t.y},               {"z", t.z},
-            {"axes", view.axes},      {"text", view_text(view)}, {"picking", hold.picking},
+    return {{"rotate_x", t.rotate_x},
+            {"rotate_y", t.rotate_y},
+            {"scale", t.scale},
+            {"x", t.x},
+            {"y", t.y},
+            {"z", t.z},
+            {"axes", view.axes},
+            {"text", view_text(view)},
+            {"picking", hold.picking},
             {"object", hold.object == none ? json() : json(hold.object)}};
 }
 
@@ -64,7 +68,7 @@ json pixels_of(const ui::PixelFacts& facts) {
     if (!facts.inspection) return pixels;
     const Inspection& found = *facts.inspection;
     pixels["at"] = {found.x, found.y};
-    for (const float value : found.pixel()) pixels["rgba"].push_back(fmt::format("{}", value));
+    for (const float value : found.pixel()) pixels["rgba"].push_back(ui::value_text(value).view());
     if (found.depth) pixels["depth"] = *found.depth;
     if (found.distance) pixels["distance"] = *found.distance;
     pixels["statement"] = facts.statement;

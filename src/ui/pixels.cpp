@@ -66,7 +66,7 @@ void channels(const Inspection& found, const Fonts& fonts) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         const float value = found.pixel()[i];
         ImGui::PushFont(fonts.mono);
-        ImGui::TextUnformatted(Text("{} {:<14}", names[i], value).c_str());
+        ImGui::TextUnformatted(Text("{} {:<14}", names[i], value_text(value).view()).c_str());
         ImGui::PopFont();
         Flag flag = flag_of(value);
         if (i == 3 && flag < Flag::infinite) flag = Flag::none;  // beyond 0 to 1 it shows nowhere
@@ -89,6 +89,11 @@ ImVec2 beside(ImVec2 pointer, ImVec2 size, const Rect& scene, float gap) {
 }
 
 }  // namespace
+
+Text value_text(float value) {
+    if (std::isnan(value)) return Text("NaN");
+    return Text("{}", value);
+}
 
 void pixel_keys(const Rect& scene, PixelMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();

@@ -8,6 +8,7 @@
 #include "src/runtime/flags.h"
 #include "src/ui/layout.h"
 #include "src/ui/style.h"
+#include "src/ui/text.h"
 #include "src/ui/widgets.h"
 
 namespace snell {
@@ -30,6 +31,9 @@ struct PixelMemory {
     float x = 0, y = 0;       // there: window coordinates from the scene's upper left corner
     bool flags = false;       // the view of pixels that are no colours
 };
+
+// The shortest text that reads back as the same float; "NaN" and "inf" where it is none.
+Text value_text(float value);
 
 // I and N.
 void pixel_keys(const Rect& scene, PixelMemory& memory);

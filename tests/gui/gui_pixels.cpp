@@ -51,7 +51,7 @@ TEST_F(Pixels, HoldingITellsWhatThePixelIs) {
     EXPECT_EQ(pixels["place"], "scene.glib:8");
     const auto [left, same] = middle(-60);
     user("mousemove " + std::to_string(left) + " " + std::to_string(same));
-    ASSERT_TRUE(wait([](const json& s) { return s["pixels"]["rgba"][0] == "nan"; }));
+    ASSERT_TRUE(wait([](const json& s) { return s["pixels"]["rgba"][0] == "NaN"; }));
     user("mousemove 4 4");
     ASSERT_TRUE(wait([](const json& s) { return s["pixels"].contains("place") && s["pixels"]["place"] == ""; }));
     EXPECT_EQ(state()["pixels"]["rgba"], (json{"0", "0", "0", "1"})) << "the background";
@@ -110,7 +110,7 @@ TEST_F(Pixels, FramesHaveTheirCost) {
     settle();
     cost = state()["frame_cost"];
     EXPECT_EQ(cost["apart"][0]["name"], "window");
-    EXPECT_EQ(cost["apart"][1]["name"], "QuadXY 0 1");
+    EXPECT_EQ(cost["apart"][1]["name"], "QuadXY 0. 1.");
     EXPECT_TRUE(cost["apart"][1]["draw"].get<bool>());
     EXPECT_LE(cost["apart"][1]["milliseconds"].get<double>(), cost["apart"][0]["milliseconds"].get<double>());
     EXPECT_EQ(state()["gl_errors"].size(), 0U);
