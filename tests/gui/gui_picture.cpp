@@ -74,7 +74,7 @@ TEST_F(SavedPicture, LargerThanTheWindowItIsWhatTheCommandDraws) {
     type("picture file", file("big.png"), false);
     type("picture width", "2200", true);
     type("picture height", "900", true);
-    keep_screen("window-picture.png", "640x480+0+0");
+    keep_screen("guide-picture.png", "640x480+0+0");
     click("picture command");
     const std::string copied = state()["notice"];
     ASSERT_EQ(copied.rfind("copied: ", 0), 0u) << copied;
