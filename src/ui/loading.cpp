@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "src/ui/widgets.h"
+
 namespace snell::ui {
 
 void loading(const std::string& text, double share) {
@@ -13,7 +15,7 @@ void loading(const std::string& text, double share) {
     ImGui::SetNextWindowSize({std::min(30 * em, all.x), 0});
     ImGui::Begin("##loading", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
-    ImGui::TextUnformatted(text.c_str());
+    fitted(text, ImGui::GetContentRegionAvail().x);
     ImGui::ProgressBar(static_cast<float>(std::clamp(share, 0., 1.)), {-1, .5F * em}, "");
     ImGui::End();
 }

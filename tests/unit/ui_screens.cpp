@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "src/runtime/inspect.h"
+#include "src/ui/loading.h"
 #include "tests/unit/ui_paint.h"
 #include "tests/unit/ui_screen.h"
 
@@ -18,6 +19,12 @@ const std::string long_name = "uRefractiveIndexOfTheInnermostGlassBallBehindTheS
 const std::string long_path =
     "/home/students/2026/spring/computer-graphics/assignment-07-refraction/submissions/a very long folder name/" +
     long_name + ".frag";
+
+void keep_picture(const std::string& name) {
+    const std::string folder = SNELL_BIN "/../screens";
+    std::filesystem::create_directories(folder);
+    EXPECT_EQ(content::write_image(folder + "/" + name + ".png", paint(*ImGui::GetDrawData())), "");
+}
 
 class Screens;
 
@@ -232,7 +239,7 @@ protected:
     void scroll(int steps) {
         const Rect scene = memory_.scene;
         frame({move((scene.width + screen_.width) / 2, screen_.height * .8)});
-        for (int i = 0; i < 100; ++i) frame({wheel(steps)});
+        for (int i = 0; i < 3; ++i) frame({wheel(steps)});
         frame({move(1, screen_.height - 1)});
         if (pointed_) frame({move(scene.width / 2, scene.height / 2), key(Key::i, true)});
         settle();
@@ -257,11 +264,6 @@ protected:
         for (const std::string& flaw : flaws(*ImGui::GetDrawData())) ADD_FAILURE() << where << ": " << flaw;
         if (memory_.browser.open || memory_.picture.open) return;
         for (const std::string& widget : beyond_the_panel()) ADD_FAILURE() << where << ": " << widget;
-    }
-    void keep_picture(const std::string& name) {
-        const std::string folder = SNELL_BIN "/../screens";
-        std::filesystem::create_directories(folder);
-        EXPECT_EQ(content::write_image(folder + "/" + name + ".png", paint(*ImGui::GetDrawData())), "");
     }
 
     AccuracyFacts accuracy_;
@@ -303,11 +305,11 @@ TEST_P(Screens, AreLegible) {
         settle();
         unfold();
         const std::string name = std::string(panel.name) + "-" + variant.name;
-        scroll(5);
+        scroll(1000);
         expect_legible("top");
         if (variant.kept) keep_picture(name);
         const std::uint64_t top = picture_;
-        scroll(-5);
+        scroll(-1000);
         expect_legible("bottom");
         if (variant.kept && picture_ != top) keep_picture(name + "-bottom");
         EXPECT_TRUE(has(panel.widget)) << panel.widget;
@@ -342,6 +344,20 @@ INSTANTIATE_TEST_SUITE_P(Panels, Screens, ::testing::ValuesIn(panels), [](const 
     std::erase(name, '-');
     return name;
 });
+
+// It is there before any panel is.
+TEST_F(UiTest, TheBarWhileASceneLoadsIsLegible) {
+    for (const float scale : {1.F, 2.F}) {
+        for (int i = 0; i < 3; ++i) {
+            gui_.input({640, 480, 1, scale, scale > 1 ? Theme::dark : Theme::light}, .02, {});
+            gui_.begin();
+            loading("decoding " + long_path, .4);
+            gui_.end();
+        }
+        for (const std::string& flaw : flaws(*ImGui::GetDrawData())) ADD_FAILURE() << scale << ": " << flaw;
+        keep_picture(scale > 1 ? "loading-200" : "loading-100");
+    }
+}
 
 }  // namespace
 }  // namespace snell::ui
