@@ -167,7 +167,10 @@ struct CommandLine {
         command.add_option("--sheet", render.sheet, "write all pictures on one");
         command.add_flag("!--no-labels", render.labels, "write no values below the pictures of the sheet");
         command.add_option("--stats", render.stats, "write timings and counters of the one scene as JSON");
-        command.add_option("--view", render.view, "turned and moved: rotate_x=30,rotate_y=-45,scale=1.2,x=.5")
+        command
+            .add_option(
+                "--view", render.view,
+                "turned and moved: rotate_x=30,rotate_y=-45,scale=1.2,x=.5,eye.z=1,object0.x=.5,projection=ortho")
             ->check(check_view);
         command.add_flag("--axes", render.axes, "draw the axes");
         command.add_flag("--count-non-finite", render.count_non_finite,
