@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "parser/utf8.h"
+#include "src/app/statement.h"
 #include "src/plan/objects.h"
 
 namespace snell {
@@ -35,17 +34,15 @@ void Picking::serve(const ui::Requests& requests, Document& shown, const Stand& 
 
 void Picking::tell(ui::Facts& facts, const Document* shown, const ui::HoldMemory& hold) {
     if (!shown || hold.object == none) return;
-    told_ = object_text(*shown, hold.object);
+    if (told_of_ != std::pair(revision_, hold.object)) told_ = object_text(*shown, hold.object);
+    told_of_ = {revision_, hold.object};
     facts.object = told_;
 }
 
 std::string object_text(const Document& document, Index object) {
     if (object >= document.scene().draws.size()) return {};
     const Span span = document.scene().draws[object].span;
-    const int line = document.sources.position(span.file, span.begin).line;
-    std::string_view text = document.sources.text(span.file).substr(span.begin, span.end - span.begin);
-    text = text.substr(0, text.find_first_of("\r\n"));
-    return fmt::format("{}, line {}", utf8::printable(std::string(text)), line);
+    return fmt::format("{}, {}", statement_text(span, document.sources), statement_place(span, document.sources));
 }
 
 }  // namespace snell

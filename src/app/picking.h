@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/app/document.h"
@@ -23,6 +24,7 @@ private:
     std::uint64_t revision_ = 0;
     std::vector<std::string> names_;  // of the objects, by Scene::draws; empty: none was ever held
     std::string told_;
+    std::pair<std::uint64_t, Index> told_of_{0, none};  // the revision and the object
 };
 
 // The statement, and where it is.
