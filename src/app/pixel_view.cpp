@@ -7,16 +7,14 @@
 
 namespace snell {
 
-namespace {
-
 // The same as on the screen, of which all that is off-screen stands.
-Frame frame_of(const Document& shown, const Stand& stand) {
-    Frame frame{.time = stand.time, .view = stand.view, .controls = shown.controls, .paced = true};
+Frame PixelView::frame(const Document& shown, const Stand& stand) {
+    view_ = stand.view;
+    view_.axes = false;
+    Frame frame{.time = stand.time, .view = view_, .controls = shown.controls, .paced = true};
     frame.standing = true;
     return frame;
 }
-
-}  // namespace
 
 bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t picture, const ui::PixelMemory& memory,
                        float density) {
@@ -59,7 +57,7 @@ bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t pictur
 }
 
 void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
-    pixels_->inspect(*shown.runtime, frame_of(shown, stand), x, y, radius, found_);
+    pixels_->inspect(*shown.runtime, frame(shown, stand), x, y, radius, found_);
     facts_.inspection = &found_;
     facts_.statement.clear();
     facts_.place.clear();
@@ -70,7 +68,7 @@ void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
 }
 
 void PixelView::flag(Document& shown, const Stand& stand) {
-    pixels_->draw(*shown.runtime, frame_of(shown, stand), rgba_);
+    pixels_->draw(*shown.runtime, frame(shown, stand), rgba_);
     facts_.flags = count_flags(rgba_);
     paint_flags(rgba_, painted_);
     still_.set(stand.width, stand.height, painted_);

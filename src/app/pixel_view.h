@@ -14,6 +14,7 @@
 
 namespace snell {
 
+// The axes are left out: they are no part of the scene.
 class PixelView {
 public:
     // After the picture was drawn, or was found to stand. `picture` counts pictures; `density`: pixels for one window
@@ -26,6 +27,7 @@ public:
     void show(int y) const;
 
 private:
+    Frame frame(const Document& shown, const Stand& stand);
     void look(Document& shown, const Stand& stand, int x, int y);
     void flag(Document& shown, const Stand& stand);
 
@@ -34,6 +36,7 @@ private:
     std::uint64_t looked_ = 0, flagged_ = 0;  // the pictures that were looked at; 0: none
     Inspection found_;
     std::vector<float> rgba_;
+    View view_;
     std::vector<std::byte> painted_;
     gl::Still still_;
     ui::PixelFacts facts_;

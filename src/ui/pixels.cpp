@@ -78,14 +78,15 @@ void channels(const Inspection& found, const Fonts& fonts) {
     }
 }
 
-// Where a box of that size is seen whole and does not cover the pointer.
+// Where a box of that size is seen whole and does not cover the pointer: beside it, or above or below.
 ImVec2 beside(ImVec2 pointer, ImVec2 size, const Rect& scene, float gap) {
-    const auto along = [gap](float at, float length, float low, float high) {
-        if (at + gap + length <= high) return at + gap;
-        return at - gap - length >= low ? at - gap - length : std::max(low, high - length);
-    };
-    const float y = std::clamp(pointer.y - size.y / 2, scene.y, std::max(scene.y, scene.y + scene.height - size.y));
-    return {along(pointer.x, size.x, scene.x, scene.x + scene.width), y};
+    const float right = scene.x + scene.width, bottom = scene.y + scene.height;
+    const float x = std::clamp(pointer.x - size.x / 2, scene.x, std::max(scene.x, right - size.x));
+    const float y = std::clamp(pointer.y - size.y / 2, scene.y, std::max(scene.y, bottom - size.y));
+    if (pointer.x + gap + size.x <= right) return {pointer.x + gap, y};
+    if (pointer.x - gap - size.x >= scene.x) return {pointer.x - gap - size.x, y};
+    if (pointer.y + gap + size.y <= bottom) return {x, pointer.y + gap};
+    return {x, std::max(scene.y, pointer.y - gap - size.y)};
 }
 
 }  // namespace

@@ -49,6 +49,11 @@ TEST_F(Pixels, HoldingITellsWhatThePixelIs) {
     EXPECT_NEAR(pixels["distance"].get<double>(), 4, 1e-3) << "of the eye from the wall";
     EXPECT_EQ(pixels["statement"], "QuadXY 0. 1.");
     EXPECT_EQ(pixels["place"], "scene.glib:8");
+    const auto [edge, row] = middle(1);
+    user("mousemove " + std::to_string(edge) + " " + std::to_string(row));
+    settle();
+    keep("guide-pixels");
+    EXPECT_NEAR(state()["pixels"]["distance"].get<double>(), 4, 1e-3) << "of the wall, not of the axis before it";
     const auto [left, same] = middle(-60);
     user("mousemove " + std::to_string(left) + " " + std::to_string(same));
     ASSERT_TRUE(wait([](const json& s) { return s["pixels"]["rgba"][0] == "NaN"; }));

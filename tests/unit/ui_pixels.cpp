@@ -56,6 +56,15 @@ TEST_F(UiPixels, TheInspectorIsSeenWholeAndLeavesThePointerFree) {
         EXPECT_TRUE(inside(box, memory_.scene)) << x << ", " << y;
         EXPECT_FALSE(box.contains(x, y));
     }
+    // Where neither side has room, it is above or below.
+    screen_.width = 800;
+    screen_.height = 600;
+    for (const double y : {5., 200., 300., 400., 570.}) {
+        frame({move(224, y)});
+        const Rect box = place("inspector");
+        EXPECT_TRUE(inside(box, memory_.scene)) << y;
+        EXPECT_FALSE(box.contains(224, y));
+    }
     frame({key(Key::i, false)});
     EXPECT_FALSE(has("inspector"));
 }
