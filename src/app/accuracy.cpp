@@ -16,6 +16,7 @@
 #include "src/accuracy/report.h"
 #include "src/app/advice.h"
 #include "src/app/commands.h"
+#include "src/app/deadline.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
 #include "src/content/replace.h"
@@ -172,7 +173,8 @@ struct Work {
 // Measures one sweep after another, and prints each when it is done. The budget is shared by those to come.
 class Run {
 public:
-    Run(const AccuracyOptions& options, Work all) : options_(options), all_(all) {}
+    Run(const AccuracyOptions& options, Work all, Deadline& deadline)
+        : options_(options), all_(all), deadline_(deadline) {}
 
     void measure_all(Bench& bench, const Subject& subject, Report& report) {
         for (const Sweep& sweep : subject.sweeps) {
@@ -203,8 +205,12 @@ private:
         measuring.rounds = options_.rounds;
         measuring.seconds = std::max(share, .1);
         measuring.times = !options_.no_time;
-        measuring.stop = [] { return interrupted.load(); };
+        measuring.stop = [this] {
+            deadline_.begin("drawing a rung");
+            return interrupted.load();
+        };
         measuring.report = [this, later = left - share](const Progress& progress) {
+            deadline_.begin(fmt::format("'{}', {}", progress.sweep, progress.doing));
             show_progress(progress, done_.sweeps, all_.sweeps, later);
         };
         return measuring;
@@ -217,6 +223,7 @@ private:
 
     const AccuracyOptions& options_;
     Work all_, done_;
+    Deadline& deadline_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -233,19 +240,23 @@ bool note_problems(const Bench& bench, const Sources& sources, Report& report) {
 }  // namespace
 
 int accuracy(const AccuracyOptions& options) {
+    Deadline deadline(options.timeout);
+    deadline.begin("starting OpenGL");
     auto context = headless_context(options.context);
     if (!context) return exit_graphics;
     const gl::Caps caps = gl::query_caps();
     bool errors = false;
     std::vector<std::unique_ptr<Subject>> subjects;
     Work work;
-    for (const std::string& path : options.scenes)
+    for (const std::string& path : options.scenes) {
+        deadline.begin(fmt::format("reading '{}'", path));
         if (auto subject = read_subject(path, options, errors)) {
             work.sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
             for (const Sweep& sweep : subject->sweeps) work.rungs += sweep.rungs.size();
             if (asks_for_advice(options)) work.rungs += Work::advice_rungs;
             subjects.push_back(std::move(subject));
         }
+    }
     if (subjects.empty()) return exit_input;
     const std::array<int, 2> window = subjects.front()->plan.scene.window_size;
     const auto [width, height] = options.size.value_or(std::pair(window[0], window[1]));
@@ -253,8 +264,9 @@ int accuracy(const AccuracyOptions& options) {
     Report report{circumstances(options, caps, settings), {}, {}};
     interrupted = false;
     const auto before = std::signal(SIGINT, on_interrupt);
-    Run run(options, work);
+    Run run(options, work, deadline);
     for (const auto& subject : subjects) {
+        deadline.begin(fmt::format("compiling '{}'", subject->path));
         Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
         run.measure_all(bench, *subject, report);
         if (asks_for_advice(options) && !interrupted) errors = !run.advise(bench, *subject, report) || errors;
@@ -262,6 +274,7 @@ int accuracy(const AccuracyOptions& options) {
         errors = note_problems(bench, subject->sources, report) || errors;
     }
     std::signal(SIGINT, before);
+    deadline.rest();
     report.where.load_after = load();
     fmt::print("\n{}", header_text(report));
     if (!write_all(options, report)) return exit_input;

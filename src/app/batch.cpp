@@ -52,6 +52,7 @@ Batch::Batch(const RenderOptions& options, const Shots& shots, Shard shard)
       shots_(shots),
       shard_(shard),
       deadline_(options.timeout),
+      loss_(options.lose_after),
       writer_({!options.json.empty(), !options.sheet.empty()}) {}
 
 Exit Batch::run() {
@@ -97,6 +98,7 @@ void Batch::scene(std::size_t scene, const std::vector<std::size_t>& indices) {
     Open opened;
     bool tried = false, usable = false;
     for (const std::size_t index : indices) {
+        if (refused_) break;
         const Shot shot = shots_.shot(index);
         if (options_.skip_existing && exists(shots_.files[index])) {
             skip(shot);
@@ -255,6 +257,16 @@ std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::s
     return painting.error();
 }
 
+// What comes after a loss has no context to be drawn in.
+bool Batch::keeps_context(const std::string& file) {
+    if (!loss_.lost()) return true;
+    refused_ = true;
+    fmt::print(stderr, "snell: error: '{}' is not drawn: {} [context-lost]\n   help: {}\n", utf8::printable(file),
+               loss_message, loss_help);
+    fail(exit_lost);
+    return false;
+}
+
 void Batch::draw(Open& open, const Shot& shot) {
     const std::string& file = shots_.files[shot.index];
     deadline_.begin(fmt::format("drawing '{}'", file));
@@ -274,6 +286,7 @@ void Batch::draw(Open& open, const Shot& shot) {
                                {size_.floats, options_.transparent});
     else
         wrong = draw_parts(runtime, frame, file);
+    if (!keeps_context(file)) return;
     records_.push_back({shot, false, frame.time, milliseconds_since(start)});
     timings_.frame += records_.back().milliseconds;
     deadline_.rest();

@@ -14,6 +14,7 @@
 #include "src/app/deadline.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
+#include "src/app/loss.h"
 #include "src/app/non_finite.h"
 #include "src/app/progress.h"
 #include "src/app/shots.h"
@@ -71,6 +72,7 @@ private:
     PictureSize size_of(const Document& document) const;
     std::string draw_parts(Runtime& runtime, const Frame& frame, const std::string& file);
     void draw(Open& open, const Shot& shot);
+    bool keeps_context(const std::string& file);
     void skip(const Shot& shot);
     void say(const Diagnostics& diagnostics, const Sources& sources);
     void fail(Exit status = exit_input) { status_ = std::max(status_, status); }
@@ -81,6 +83,7 @@ private:
     Deadline deadline_;
     std::unique_ptr<HeadlessContext> context_;
     bool refused_ = false;  // there is no context
+    LossWatch loss_;
     gl::Caps caps_;
     gl::Target target_;  // none where pictures are drawn in parts
     PictureSize size_;

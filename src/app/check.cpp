@@ -6,6 +6,7 @@
 #include "parser/commands.h"
 #include "parser/parse.h"
 #include "src/app/commands.h"
+#include "src/app/deadline.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
 #include "src/app/progress.h"
@@ -104,6 +105,8 @@ std::optional<gl::Caps> caps_of(std::unique_ptr<HeadlessContext>& context) {
 }  // namespace
 
 int check(const CheckOptions& options) {
+    Deadline deadline(options.timeout);
+    deadline.begin("starting OpenGL");
     std::unique_ptr<HeadlessContext> context;
     std::optional<gl::Caps> caps;
     if (options.dump.empty()) caps = caps_of(context);
@@ -112,7 +115,9 @@ int check(const CheckOptions& options) {
     Json all = Json::array();
     bool errors = false;
     for (const std::string& path : options.scenes) {
+        deadline.begin(fmt::format("checking '{}'", path));
         const Checked checked = check_scene(path, options, caps);
+        deadline.rest();  // who reads may take his time
         const Document& document = *checked.document;
         errors = errors || document.diagnostics.has_errors();
         std::fwrite(checked.dump.data(), 1, checked.dump.size(), stdout);

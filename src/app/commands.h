@@ -9,7 +9,7 @@
 
 namespace snell::app {
 
-enum Exit { exit_fine = 0, exit_input = 1, exit_usage = 2, exit_graphics = 3, exit_timeout = 4 };
+enum Exit { exit_fine = 0, exit_input = 1, exit_usage = 2, exit_graphics = 3, exit_timeout = 4, exit_lost = 5 };
 
 struct RenderOptions {
     std::vector<std::string> scenes;
@@ -37,6 +37,7 @@ struct RenderOptions {
     Access access;
     bool grade = false;   // where `access` says nothing else, each scene is confined to its folder
     double timeout = 20;  // seconds for a frame, or for reading a scene; then the process ends
+    int lose_after = 0;   // for tests: the context is lost in that frame
 };
 int render(const RenderOptions& options);
 
@@ -45,6 +46,7 @@ struct SaveOptions {
     std::vector<std::string> sets, ladders;
     std::string context;
     Access access;
+    double timeout = 20;  // seconds for reading
 };
 int save(const SaveOptions& options);
 
@@ -55,6 +57,7 @@ struct CheckOptions {
     bool lint = true;  // also what is probably not meant
     Access access;
     bool grade = false;
+    double timeout = 20;  // seconds for each scene; then the process ends
 };
 int check(const CheckOptions& options);
 
@@ -73,6 +76,7 @@ struct AccuracyOptions {
     bool save_quality = false;            // presets, beside the scene
     std::string context;
     Access access;
+    double timeout = 120;  // seconds for reading a scene, or for the few frames of one step
 };
 int accuracy(const AccuracyOptions& options);
 
@@ -85,6 +89,7 @@ struct ExplainOptions {
     int rounds = 31;
     std::string context;
     Access access;
+    double timeout = 20;  // seconds for reading, or for one round of frames
 };
 int explain(const ExplainOptions& options);
 

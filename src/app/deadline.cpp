@@ -10,7 +10,7 @@
 
 namespace snell::app {
 
-Deadline::Deadline(double seconds) : seconds_(seconds) {
+Deadline::Deadline(double seconds, Late late) : seconds_(seconds), late_(std::move(late)) {
     if (seconds > 0) thread_ = std::thread([this] { watch(); });
 }
 
@@ -25,12 +25,15 @@ Deadline::~Deadline() {
 
 void Deadline::begin(std::string what) {
     if (seconds_ <= 0) return;
+    bool idle = false;
     {
         const std::lock_guard lock(mutex_);
+        idle = idle_;
         what_ = std::move(what);
         end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds_));
     }
-    change_.notify_all();
+    // Else the thread wakes at an earlier end, and sees that there is another.
+    if (idle) change_.notify_all();
 }
 
 void Deadline::rest() {
@@ -42,8 +45,17 @@ void Deadline::watch() {
     std::unique_lock lock(mutex_);
     while (!done_) {
         if (end_ == Clock::time_point::max()) {
+            idle_ = true;
             change_.wait(lock);
-        } else if (change_.wait_until(lock, end_) == std::cv_status::timeout && !done_ && Clock::now() >= end_) {
+            idle_ = false;
+            continue;
+        }
+        const auto end = end_;
+        if (change_.wait_until(lock, end) != std::cv_status::timeout || done_ || Clock::now() < end_) continue;
+        if (late_) {
+            late_(what_);
+            end_ = Clock::time_point::max();
+        } else {
             const std::string text = fmt::format(
                 "snell: error: {} takes longer than {} seconds [timeout]\n   help: a loop in a shader may not end; "
                 "--timeout SECONDS allows more\n",

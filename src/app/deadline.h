@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -14,7 +15,9 @@ namespace snell::app {
 // left half. 0 seconds: no end.
 class Deadline {
 public:
-    explicit Deadline(double seconds);
+    // With `late` that is called instead, once, on the thread that watches; when it returns, life goes on.
+    using Late = std::function<void(const std::string& what)>;
+    explicit Deadline(double seconds, Late late = nullptr);
     ~Deadline();
     Deadline(const Deadline&) = delete;
     Deadline& operator=(const Deadline&) = delete;
@@ -29,10 +32,12 @@ private:
 
     using Clock = std::chrono::steady_clock;
     double seconds_;
+    Late late_;
     std::mutex mutex_;
     std::condition_variable change_;
     Clock::time_point end_ = Clock::time_point::max();
     std::string what_;
+    bool idle_ = false;  // the thread waits for a beginning
     bool done_ = false;
     std::thread thread_;
 };

@@ -10,6 +10,7 @@
 
 #include "src/accuracy/statistics.h"
 #include "src/app/commands.h"
+#include "src/app/deadline.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
 #include "src/app/progress.h"
@@ -51,12 +52,14 @@ std::string bytes_text(std::uint64_t bytes) {
 // Times of many frames, by what was left out.
 class Rounds {
 public:
-    Rounds(Runtime& runtime, const Frame& frame, const Surface& surface, bool software)
-        : runtime_(runtime), frame_(frame), surface_(surface), software_(software) {}
+    Rounds(Runtime& runtime, const Frame& frame, const Surface& surface, bool software,
+           const std::function<void()>& before)
+        : runtime_(runtime), frame_(frame), surface_(surface), software_(software), before_(before) {}
 
     FrameCost once(const std::vector<bool>* hidden, int frames = 1) {
         Frame frame = frame_;
         frame.hidden = hidden;
+        before_();
         gl::finish();
         const bool query = !software_ && query_.available();
         if (query) query_.begin();
@@ -84,6 +87,7 @@ private:
     Frame frame_;
     Surface surface_;
     bool software_;
+    const std::function<void()>& before_;
     gl::TimerQuery query_;
 };
 
@@ -132,8 +136,9 @@ std::vector<Paid*> timed_parts(Explanation& explanation) {
 
 }  // namespace
 
-void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface, int rounds) {
-    Rounds clock(runtime, frame, surface, report.caps.software);
+void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface, int rounds,
+                 const std::function<void()>& before) {
+    Rounds clock(runtime, frame, surface, report.caps.software, before);
     clock.once(nullptr);  // compiled on first use, cube maps drawn
     std::vector<Paid*> parts = timed_parts(report.explanation);
     std::vector<std::vector<bool>> hidden;
@@ -234,6 +239,8 @@ Json explain_json(const ExplainReport& report, const Sources& sources) {
 }
 
 int explain(const ExplainOptions& options) {
+    Deadline deadline(options.timeout);
+    deadline.begin(fmt::format("reading '{}'", options.scene));
     auto context = headless_context(options.context);
     if (!context) return exit_graphics;
     ExplainReport report;
@@ -265,13 +272,18 @@ int explain(const ExplainOptions& options) {
     const Surface surface{target.framebuffer.get(), report.width, report.height};
     const View view;
     const Frame frame{.time = options.time, .view = view, .controls = document->controls};
+    const auto drawing = [&] { deadline.begin(fmt::format("drawing '{}'", options.scene)); };
+    drawing();
     runtime.draw(frame, surface);
+    gl::finish();
     report.load = runtime.counters();
+    drawing();
     runtime.draw(frame, surface);
     for (const CounterName& counter : counter_names())
         report.per_frame.*counter.value = runtime.counters().*counter.value - report.load.*counter.value;
     report.explanation = runtime.explain();
-    if (!options.no_time) time_frames(report, runtime, frame, surface, options.rounds);
+    if (!options.no_time) time_frames(report, runtime, frame, surface, options.rounds, drawing);
+    deadline.rest();
     const std::string text = options.json ? content::json_text(explain_json(report, document->sources)) + "\n"
                                           : explain_text(report, document->sources);
     std::fwrite(text.data(), 1, text.size(), stdout);

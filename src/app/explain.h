@@ -1,6 +1,7 @@
 // `snell explain`: what a scene pays for, as text and JSON. Values in, text out.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ nlohmann::ordered_json explain_json(const ExplainReport& report, const Sources& 
 
 // The time of every pass and of the draws with every program, by difference: without these draws, in interleaved
 // rounds of which there are `rounds`, or fewer when they would take more than 20 seconds. Cube passes that are kept
-// have none.
-void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface, int rounds);
+// have none. `before` is called before frames are drawn.
+void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface, int rounds,
+                 const std::function<void()>& before);
 
 }  // namespace snell::app

@@ -1,11 +1,13 @@
 // The command line: what to do with which scene.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "parser/utf8.h"
 #include "src/app/advice.h"
@@ -31,7 +33,7 @@ constexpr const char* examples = R"(Examples:
   snell commands                                           list the commands of the language
 
 Exit status: 0 fine, 1 errors in the input, 2 wrong usage, 3 no graphics,
-4 out of time.)";
+4 out of time, 5 the graphics driver gave up.)";
 
 bool parse_size(const std::string& text, std::pair<int, int>& size) {
     int end = 0;
@@ -80,6 +82,16 @@ std::string check_limit(const std::string& text) {
     return set_limit(limits, text, error) ? "" : error;
 }
 
+// On whatever thread: exceptions would have to pass through drivers and libraries. Files are written whole or not at
+// all.
+void out_of_memory() {
+    constexpr std::string_view text =
+        "snell: error: out of memory [out-of-memory]\n   help: the scene asks for more than there is; --limit and "
+        "--size ask for less\n";
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+    _exit(app::exit_input);
+}
+
 struct CommandLine {
     CLI::App app{"snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture."};
     WindowOptions window;
@@ -111,6 +123,9 @@ struct CommandLine {
         // For tests of the window: not for users.
         app.add_option("--state", window.state_file)->group("");
         app.add_option("--exit-after", window.exit_after)->group("");
+        app.add_option("--lose-file", window.lose_file)->group("");
+        app.add_flag("--after-hang", window.after_hang)->group("");  // said by a window that starts itself again
+        add_timeout(app, window.timeout, "a frame; then the scene waits for another edit");
         add_access(app);
         add_render();
         add_sweep();
@@ -130,6 +145,7 @@ struct CommandLine {
                                      const std::string& text) {
         return command.add_option(name, values, text)
             ->expected(1)
+            ->allow_extra_args(false)  // else it takes the scene's name where an option follows that
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     }
 
@@ -143,13 +159,19 @@ struct CommandLine {
         command.add_flag("--grade", grade, "for scenes of strangers: read nothing outside of each scene's folder");
     }
 
+    static void add_timeout(CLI::App& command, double& seconds, const std::string& what) {
+        command.add_option("--timeout", seconds, "seconds for " + what + "; 0: no end")
+            ->check(check_finite)
+            ->check(CLI::Range(0., 1e6));
+    }
+
     // What render and sweep have in common.
     void add_drawing(CLI::App& command) {
         add_access(command);
         add_grade(command, render.grade);
-        command.add_option("--timeout", render.timeout, "seconds for a frame, or for reading a scene; 0: no end")
-            ->check(CLI::Range(0., 1e6));
+        add_timeout(command, render.timeout, "a frame, or for reading a scene");
         command.footer(examples);
+        command.add_option("--lose-after", render.lose_after)->group("");  // for tests
         command.add_option("--size", render_size, "WIDTHxHEIGHT (default: the scene's)")->check(check_size);
         command.add_option("--time", render.time, "seconds since the scene began")->check(check_finite);
         add_repeated(command, "--set", render.sets, "uniform=value or Program.uniform=value; may be repeated");
@@ -214,6 +236,7 @@ struct CommandLine {
         check_command->add_option("SCENE", check.scenes)->required();
         add_access(*check_command);
         add_grade(*check_command, check.grade);
+        add_timeout(*check_command, check.timeout, "each scene");
         check_command->add_flag("--json", check.json, "as JSON");
         check_command->add_flag("!--no-lint", check.lint,
                                 "leave out what is allowed and probably not meant (docs/lints.md)");
@@ -225,6 +248,7 @@ struct CommandLine {
         save_command = app.add_subcommand("save", "write values into a scene: only its numbers change");
         save_command->add_option("SCENE", save.scene)->required();
         add_access(*save_command);
+        add_timeout(*save_command, save.timeout, "reading the scene");
         add_repeated(*save_command, "--set", save.sets, "uniform=value or Program.uniform=value; may be repeated");
         add_repeated(*save_command, "--ladder", save.ladders, "ladder=rung, which is then the marked one");
         save_command->add_option("-o,--output", save.output, "another file than the scene's own");
@@ -236,6 +260,7 @@ struct CommandLine {
         CLI::App& command = *app.add_subcommand("accuracy", "measure what each rung is off by and what it costs");
         accuracy_command = &command;
         add_access(command);
+        add_timeout(command, accuracy.timeout, "one step of the measurement, or for reading a scene");
         command.footer("Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written.");
         command.add_option("SCENE", accuracy.scenes, "one report of all of them")->required();
         command.add_option("--ladders", accuracy.ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
@@ -276,6 +301,7 @@ struct CommandLine {
         CLI::App& command = *app.add_subcommand("explain", "say what a scene pays for, why, and what it costs");
         explain_command = &command;
         add_access(command);
+        add_timeout(command, explain.timeout, "a frame, or for reading the scene");
         command.footer("Times are of this machine, now; those of passes are by difference.");
         command.add_option("SCENE", explain.scene)->required();
         command.add_flag("--json", explain.json, "as JSON");
@@ -336,6 +362,7 @@ struct CommandLine {
 int main(int argc, char** argv) {
     // A file that grows beyond what is allowed is an error as a full disk is, not the end of the process.
     std::signal(SIGXFSZ, SIG_IGN);
+    std::set_new_handler(out_of_memory);
     CommandLine line;
     try {
         line.app.parse(argc, argv);

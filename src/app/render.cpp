@@ -117,7 +117,7 @@ int render(const RenderOptions& options) {
     if (!ready_folders(options, *shots, shard)) return exit_input;
     Batch batch(options, *shots, shard);
     const Exit status = batch.run();
-    if (status == exit_graphics) return status;
+    if (status == exit_graphics || status == exit_lost) return status;
     return write_reports(batch, options, *shots, shard) ? status : std::max(status, exit_input);
 }
 

@@ -5,6 +5,7 @@
 
 #include "parser/utf8.h"
 #include "src/app/commands.h"
+#include "src/app/deadline.h"
 #include "src/app/headless.h"
 #include "src/app/save_values.h"
 #include "src/content/replace.h"
@@ -33,6 +34,8 @@ int write_copy(const Document& document, const Saved& saved, const std::string& 
 }  // namespace
 
 int save(const SaveOptions& options) {
+    Deadline deadline(options.timeout);
+    deadline.begin(fmt::format("reading '{}'", options.scene));
     const auto context = headless_context(options.context);
     if (!context) return exit_graphics;
     Diagnostics problems;

@@ -41,13 +41,17 @@ std::string folder_of(const std::string& file) {
 
 }  // namespace
 
-Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs first, Watcher progress)
+Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs first, Watcher progress,
+                 const Recovery* recovery)
     : path_(std::move(path)),
       caps_(std::move(caps)),
       access_(std::move(access)),
       first_(std::move(first)),
       progress_(std::move(progress)) {
-    reload();
+    if (recovery)
+        recover(*recovery);
+    else
+        reload();
 }
 
 std::unique_ptr<Document> Session::read(const std::string& path, const Document* previous, const FirstRungs& first) {
@@ -61,7 +65,8 @@ std::unique_ptr<Document> Session::read(const std::string& path, const Document*
     RuntimeOptions options;
     options.previous = previous ? &*previous->runtime : nullptr;
     options.progress = progress_;
-    std::unique_ptr<Document> read = open_document(path, caps_, choose, nullptr, options, access_);
+    const auto planned = [this](const Plan& plan, Document&) { read_plan_ = plan; };
+    std::unique_ptr<Document> read = open_document(path, caps_, choose, planned, options, access_);
     read->diagnostics.append(refused);
     return read;
 }
@@ -82,6 +87,7 @@ std::string Session::open(std::string path) {
     first_ = nullptr;
     // What both scenes have is taken over by now; values are not.
     shown_.reset();
+    kept_ = nullptr;
     take(std::move(fresh));
     return {};
 }
@@ -103,8 +109,50 @@ void Session::take(std::unique_ptr<Document> read) {
     stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
     if (stale_ || !read->runtime) return;
     if (shows) carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
+    keep_shown();
     shown_ = std::move(read);
+    plan_ = std::move(read_plan_);
+    drawn_well_ = false;
     if (shown_->scene().verbose) std::fputs(verbose_report(*shown_).c_str(), stderr);
+}
+
+// What is about to be replaced.
+void Session::keep_shown() {
+    if (!shown_ || !drawn_well_) return;
+    drawn_well_ = false;
+    shown_->runtime.reset();
+    plan_.rungs = shown_->controls.rungs;
+    kept_ =
+        std::make_shared<const Kept>(Kept{std::move(plan_), std::move(shown_->sources), std::move(shown_->controls)});
+}
+
+std::shared_ptr<const Kept> Session::salvage() {
+    keep_shown();
+    shown_.reset();
+    return kept_;
+}
+
+void Session::recover(const Recovery& recovery) {
+    ++revision_;
+    problems_ = {{Severity::error, recovery.problem, {}}};
+    errors_ = file_errors_ = file_problems_ = 1;
+    files_ = recovery.files;
+    watch_.set_paths(recovery.files);
+    if (!recovery.kept) return;
+    const Kept& kept = *recovery.kept;
+    auto document = std::make_unique<Document>();
+    document->path = path_;
+    document->files = std::make_unique<Files>(scene_folder(path_), access_);
+    document->sources = kept.sources;
+    RuntimeOptions options;
+    options.progress = progress_;
+    document->runtime.emplace(kept.plan, *document->files, document->sources, caps_, document->diagnostics, options);
+    document->controls = make_controls(document->scene(), document->runtime->active_uniforms(), document->diagnostics);
+    document->controls.rungs = document->runtime->rungs();
+    carry_over(kept.controls, kept.plan.scene, document->controls, document->scene());
+    shown_ = std::move(document);
+    plan_ = kept.plan;
+    stale_ = true;
 }
 
 bool Session::follow_rungs() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/app/document.h"
+#include "src/app/recovery.h"
 #include "src/app/watch.h"
 #include "src/ui/state.h"
 
@@ -19,9 +20,15 @@ using FirstRungs = std::function<void(const Scene& scene, Rungs& rungs, Diagnost
 
 class Session {
 public:
-    // Needs the GL context of `caps` to be current, for all of its life. `progress` is told how far loading is.
-    Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr,
-            Watcher progress = nullptr);
+    // Needs the GL context of `caps` to be current, for all of its life. `progress` is told how far loading is. With
+    // `recovery` it begins with that instead of the file.
+    Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr, Watcher progress = nullptr,
+            const Recovery* recovery = nullptr);
+
+    // The shown document gave a picture, with these values.
+    void drawn_well() { drawn_well_ = true; }
+    // What was last drawn well, for after the loss of the context. The session shows nothing any more.
+    std::shared_ptr<const Kept> salvage();
 
     // Reads the files again. A state with errors that the shown one does not have is not shown: its problems
     // are, over the last good picture. Values of controls carry over.
@@ -50,6 +57,8 @@ public:
 private:
     std::unique_ptr<Document> read(const std::string& path, const Document* previous, const FirstRungs& first);
     void take(std::unique_ptr<Document> read);
+    void recover(const Recovery& recovery);
+    void keep_shown();
     void watch(const Document& read);
 
     std::string path_;
@@ -58,6 +67,9 @@ private:
     FirstRungs first_;
     Watcher progress_;
     std::unique_ptr<Document> shown_;
+    Plan plan_, read_plan_;  // of shown_; of what was read last
+    bool drawn_well_ = false;
+    std::shared_ptr<const Kept> kept_;   // of what was shown before, and drawn well
     std::vector<ui::Problem> problems_;  // of the files, then of the rungs chosen since
     std::size_t file_problems_ = 0, file_errors_ = 0;
     std::size_t errors_ = 0;

@@ -16,11 +16,13 @@
 #include "src/app/frame_costs.h"
 #include "src/app/keeper.h"
 #include "src/app/loading_screen.h"
+#include "src/app/loss.h"
 #include "src/app/opener.h"
 #include "src/app/picking.h"
 #include "src/app/picture_saver.h"
 #include "src/app/pixel_view.h"
 #include "src/app/quality.h"
+#include "src/app/recovery.h"
 #include "src/app/session.h"
 #include "src/app/window_state.h"
 #include "src/gl/present.h"
@@ -52,6 +54,13 @@ void gather(const Controls& controls, std::vector<double>& values) {
         values.insert(values.end(), control.value.begin(), control.value.end());
 }
 
+void scatter(const std::vector<double>& values, Controls& controls) {
+    auto next = values.begin();
+    for (Control& control : controls.items)
+        for (double& value : control.value)
+            if (next != values.end()) value = *next++;
+}
+
 FirstRungs first_rungs(const WindowOptions& options) {
     return [options](const Scene& scene, Rungs& rungs, Diagnostics& diagnostics) {
         if (!options.quality.empty()) app::choose_quality(options.scene, options.quality, scene, rungs, diagnostics);
@@ -63,21 +72,25 @@ std::string title_of(const std::string& scene) { return "snell \u2014 " + utf8::
 
 class App {
 public:
-    App(const WindowOptions& options, std::unique_ptr<Window> window)
+    App(const WindowOptions& options, std::unique_ptr<Window> window, const Carried* carried)
         : options_(options),
           window_(std::move(window)),
           gui_(window_.get()),
           loading_(*window_, gui_, painter_,
                    [this](PixelSize pixels) { canvas_.show(0, pixels.height - drawn_.stand.height); }),
           caps_(gl::query_caps()),
-          session_(options.scene, caps_, options.access, first_rungs(options), loading_.watcher(size_without_scene())),
+          session_(options.scene, caps_, options.access, first_rungs(options), loading_.watcher(size_without_scene()),
+                   carried ? &carried->recovery : nullptr),
           keeper_(options.scene),
           accuracy_(options.scene, caps_),
           frame_costs_(caps_),
           opener_(settings_file()),
           saver_(caps_, options.access.limits),
-          layout_(!options.state_file.empty()) {
+          layout_(!options.state_file.empty()),
+          hang_(hang_watch(options.timeout)),
+          loss_(options.lose_file) {
         view_.axes = true;
+        if (carried) view_ = carried->view;
         restore(opener_.settings(), memory_);
     }
 
@@ -87,7 +100,7 @@ public:
         window_->show(first_size());
         began_ = ticked_ = window_->now();
         last_input_ = began_;
-        while (!window_->closing()) {
+        while (!window_->closing() && !lost_) {
             window_->wait(pause());
             if (options_.exit_after > 0 && window_->now() - began_ > options_.exit_after) break;
             step();
@@ -96,6 +109,18 @@ public:
     }
 
     bool readable() { return session_.document() != nullptr; }
+
+    // The driver took the context away. carried() is for another window, once this one's run() is over.
+    bool lost() const { return lost_; }
+    Carried carried() {
+        const PixelSize size = window_->size();
+        if (Document* document = session_.document()) scatter(drawn_.stand.values, document->controls);
+        std::vector<std::string> files = session_.files();
+        return {session_.path(),
+                after_loss(session_.salvage(), std::move(files)),
+                counters_.frames > 0 ? drawn_.stand.view : view_,
+                {size.width, size.height}};
+    }
 
 private:
     PixelSize size_without_scene() {
@@ -315,6 +340,7 @@ private:
         const PixelSize pixels = window_->framebuffer();
         remember_size();
         const bool drew = draw_scene(pixels);
+        if (lost_) return;
         if (Document* document = session_.document())
             accuracy_.follow(*document, session_.stale(), drawn_.stand, memory_.accuracy);
         const bool told = look_at_pixels();
@@ -375,10 +401,15 @@ private:
         Frame frame{stand.time, view_, document->controls, true};
         frame.after = frame_costs_.begin(next_.revision);
         const Surface surface{canvas_.framebuffer(), stand.width, stand.height};
+        hang_.begin("drawing a frame");
         document->runtime->draw(frame, surface);
         if (next_.object != none) document->runtime->outline(frame, surface, next_.object, std::ceil(2 * density));
         canvas_.resolve();
         gl::finish();
+        hang_.rest();
+        lost_ = loss_.lost();
+        if (lost_) return false;
+        session_.drawn_well();
         frame_costs_.end();
         last_picture_ = start;
         counters_.frame_ms = (window_->now() - start) * 1e3;
@@ -432,6 +463,9 @@ private:
     Explanation explanation_;
     std::uint64_t explained_ = 0;  // the revision that it is of
     std::uint64_t interface_ = 0, presented_ = 0, presented_beside_ = 0;
+    app::Deadline hang_;
+    app::LossWatch loss_;
+    bool lost_ = false;
     int unsettled_ = 3;
     double began_ = 0, ticked_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;
 };
@@ -444,15 +478,28 @@ int run_window(const WindowOptions& options) {
         fmt::print(stderr, "snell: error: can't read '{}'\n", options.scene);
         return app::exit_input;
     }
-    std::string error;
-    std::unique_ptr<Window> window = Window::make({.title = title_of(options.scene)}, error);
-    if (!window) {
-        fmt::print(stderr, "snell: error: no window: {}\n  help: 'snell render' draws without a display\n", error);
-        return app::exit_graphics;
+    WindowOptions now = options;
+    std::optional<Carried> carried;
+    if (options.after_hang)
+        carried = Carried{options.scene, after_hang(options.scene), View{}, options.size.value_or(std::pair(0, 0))};
+    while (true) {
+        std::string error;
+        std::unique_ptr<Window> window = Window::make({.title = title_of(now.scene)}, error);
+        if (!window) {
+            fmt::print(stderr, "snell: error: no window: {}\n  help: 'snell render' draws without a display\n", error);
+            return app::exit_graphics;
+        }
+        App app(now, std::move(window), carried ? &*carried : nullptr);
+        app.run();
+        if (!app.lost()) return app.readable() ? app::exit_fine : app::exit_input;
+        const bool again = carried.has_value();
+        carried = app.carried();
+        fmt::print(stderr, "snell: {}", carried->recovery.problem);
+        // Not even what was drawn well before: there is nothing to go on with.
+        if (again && !carried->recovery.kept) return app::exit_lost;
+        now.scene = carried->scene;
+        now.size = carried->size;
     }
-    App app(options, std::move(window));
-    app.run();
-    return app.readable() ? app::exit_fine : app::exit_input;
 }
 
 }  // namespace snell

@@ -32,12 +32,16 @@ std::vector<Attempt> displays() {
     return attempts;
 }
 
-EGLContext make_context(EGLDisplay display, EGLConfig config, const ContextRequest& request, int version) {
+// With `notify` it tells when the driver resets itself, instead of going on with pictures of nothing.
+EGLContext make_context(EGLDisplay display, EGLConfig config, const ContextRequest& request, int version, bool notify) {
     const EGLint profile =
         request.compatibility ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT;
     std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION, version % 10};
     if (!request.es) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_PROFILE_MASK, profile});
     if (request.debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    if (notify)
+        attributes.insert(attributes.end(),
+                          {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
     attributes.push_back(EGL_NONE);
     return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
 }
@@ -55,9 +59,13 @@ EGLContext best_context(EGLDisplay display, const ContextRequest& request) {
     const std::vector<int> desktop{45, 41, 33};
     const std::vector<int> embedded{32, 30};
     const std::vector<int> exact{request.version};
+    const bool can_notify = epoxy_egl_version(display) >= 15;
     for (int version : request.version ? exact : request.es ? embedded : desktop)
-        if (EGLContext context = make_context(display, config, request, version); context != EGL_NO_CONTEXT)
-            return context;
+        for (const bool notify : {true, false}) {
+            if (notify && !can_notify) continue;
+            EGLContext context = make_context(display, config, request, version, notify);
+            if (context != EGL_NO_CONTEXT) return context;
+        }
     return EGL_NO_CONTEXT;
 }
 

@@ -79,6 +79,8 @@ GLFWwindow* make_window(const WindowRequest& request) {
     constexpr std::array<std::pair<int, int>, 3> versions{{{4, 5}, {4, 1}, {3, 3}}};
     for (const auto& [major, minor] : versions) {
         glfwDefaultWindowHints();
+        // Where the driver can: tells when it resets itself, instead of showing nothing for ever.
+        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
