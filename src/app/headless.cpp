@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "src/gl/debug.h"
+
 namespace snell::app {
 
 bool parse_context(const std::string& text, ContextRequest& request) {
@@ -19,12 +21,16 @@ bool parse_context(const std::string& text, ContextRequest& request) {
 std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
     ContextRequest request;
     parse_context(text, request);
+#ifndef NDEBUG
+    request.debug = true;
+#endif
     std::string error;
     auto context = HeadlessContext::make(request, error);
     if (!context)
         std::fprintf(stderr,
                      "snell: error: no graphics: %s\n   help: install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)\n",
                      error.c_str());
+    if (context && request.debug) gl::print_messages();
     return context;
 }
 

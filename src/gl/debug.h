@@ -6,9 +6,12 @@
 
 namespace snell::gl {
 
-// Messages of severity "error" and undefined behaviour, gathered from now on (a debug context tells most).
+// Messages of errors, undefined behaviour, and all of high severity, gathered from now on (a debug context tells most).
 // `log` must outlive the context. No effect where the context has no debug output.
 void collect_messages(std::vector<std::string>& log);
+
+// Prints them on standard error instead, for debug builds.
+void print_messages();
 
 // The names of the errors that glGetError holds, and clears them.
 std::vector<std::string> take_errors();

@@ -42,9 +42,13 @@ void GlTest::SetUp() {
 }
 
 void GlTest::TearDown() {
-    if (!context) return;
+    if (context) expect_quiet();
+}
+
+void GlTest::expect_quiet() {
     for (const std::string& error : gl::take_errors()) ADD_FAILURE() << error;
     for (const std::string& complaint : complaints) ADD_FAILURE() << "the driver: " << complaint;
+    complaints.clear();
 }
 
 std::unique_ptr<Document> GlTest::open(std::string_view scene) {

@@ -53,6 +53,8 @@ protected:
     std::unique_ptr<Document> open_file(const std::string& path);
     Picture draw(Document& document, const Look& look = {});
     Picture draw(std::string_view scene, const Look& look = {});
+    // Fails for every GL error and complaint of the driver so far, and forgets them.
+    void expect_quiet();
     // No error among the diagnostics, else the test fails with their text.
     static void expect_clean(const Document& document);
     static bool has(const Document& document, std::string_view code);
