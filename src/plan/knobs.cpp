@@ -11,6 +11,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
     using Functions::operator()...;
 };
+template <class... Functions>  // clang 14 does not deduce it
+Overloaded(Functions...)->Overloaded<Functions...>;
 
 int scaled(int count, double factor) {
     return std::clamp(static_cast<int>(std::lround(count * factor)), 3, std::max(count, 2000));

@@ -13,7 +13,9 @@
 
 namespace snell::fuzz {
 
-inline std::string check_mesh(const content::MeshResult& result) {
+// `made`: the input was read to its end and something came of it.
+inline std::string check_mesh(const content::MeshResult& result, bool& made) {
+    made = !result.mesh.indices.empty();
     for (const auto& list : {result.mesh.positions, result.mesh.normals, result.mesh.texcoords})
         for (const auto& value : list)
             for (const float x : value)
@@ -23,10 +25,11 @@ inline std::string check_mesh(const content::MeshResult& result) {
     return {};
 }
 
-inline std::string check_texture(std::string_view bytes) {
+inline std::string check_texture(std::string_view bytes, bool& made) {
     const content::ImageLimits limits{4096, std::size_t{64} << 20};
     const content::ImageResult result = content::decode_image("a.tex", bytes, limits);
     if (!result.image) return result.issues.empty() ? "no picture and no reason" : "";
+    made = true;
     const content::Image& image = *result.image;
     if (image.pixels.size() != image.bytes() || image.bytes() > limits.bytes) return "not as many pixels as it says";
     if (image.type != content::PixelType::f16) return {};
@@ -38,25 +41,35 @@ inline std::string check_texture(std::string_view bytes) {
     return {};
 }
 
-inline std::string check_layout(std::string_view bytes) {
+inline std::string check_layout(std::string_view bytes, bool& made) {
     int size[2] = {0, 0};
     std::memcpy(size, bytes.data(), std::min(bytes.size(), sizeof size));
     const auto layout = content::detect_layout(size[0], size[1]);
+    made = layout.has_value();
     return layout && (size[0] <= 0 || size[1] <= 0) ? "a layout of nothing" : "";
 }
 
+enum Kind { texture, layout, shape_file, obj };
+inline Kind kind_of(std::string_view bytes) { return static_cast<Kind>(static_cast<unsigned char>(bytes.back()) & 3); }
+
 // The last byte chooses what the others are. Empty when all is well, else what is wrong.
-inline std::string check_content(std::string_view bytes) {
+inline std::string check_content(std::string_view bytes, bool& made) {
+    made = false;
     if (bytes.empty()) return {};
-    const int kind = static_cast<unsigned char>(bytes.back()) & 3;
+    const Kind kind = kind_of(bytes);
     const std::string_view rest = bytes.substr(0, bytes.size() - 1);
     // OpenImageIO has fuzzers of its own: what it would read is left out.
-    if (kind == 0) return content::read_header(rest, rest.size(), "a.tex") ? check_texture(rest) : "";
-    if (kind == 1) return check_layout(rest);
+    if (kind == texture) return content::read_header(rest, rest.size(), "a.tex") ? check_texture(rest, made) : "";
+    if (kind == layout) return check_layout(rest, made);
     const content::MeshLimits limits{100'000, 1 << 20};
-    if (kind == 2) return check_mesh(content::parse_shp(rest, limits));
+    if (kind == shape_file) return check_mesh(content::parse_shp(rest, limits), made);
     const auto as = static_cast<ObjAs>(rest.size() % 3);
-    return check_mesh(content::parse_obj(rest, as, rest.size() % 2 == 0, limits));
+    return check_mesh(content::parse_obj(rest, as, rest.size() % 2 == 0, limits), made);
+}
+
+inline std::string check_content(std::string_view bytes) {
+    bool made = false;
+    return check_content(bytes, made);
 }
 
 }  // namespace snell::fuzz
