@@ -131,12 +131,13 @@ bool has_lines(int type) {
 bool has_z(int type) { return type == SHPT_ARCZ || type == SHPT_POLYGONZ || type == SHPT_MULTIPATCH; }
 
 // One part: a line strip as separate lines. s runs from 0 to 1 along the part, by vertices. False, and
-// nothing added, if a number is not finite.
-bool add_part(const SHPObject& o, int begin, int end, Mesh& mesh) {
+// nothing added, if a number is not finite; heights that are not are 0, and counted.
+bool add_part(const SHPObject& o, int begin, int end, Mesh& mesh, int& heights) {
     for (int i = begin; i < end; ++i)
         if (!(std::abs(o.padfX[i]) <= 1e37 && std::abs(o.padfY[i]) <= 1e37)) return false;
     for (int i = begin; i < end; ++i) {
-        const double z = has_z(o.nSHPType) && o.padfZ && std::abs(o.padfZ[i]) <= 1e37 ? o.padfZ[i] : 0;
+        double z = has_z(o.nSHPType) && o.padfZ ? o.padfZ[i] : 0;
+        if (!(std::abs(z) <= 1e37)) z = 0, ++heights;
         const auto index = static_cast<std::uint32_t>(mesh.positions.size());
         if (i > begin) mesh.indices.insert(mesh.indices.end(), {index - 1, index});
         mesh.positions.push_back(
@@ -150,7 +151,7 @@ bool add_part(const SHPObject& o, int begin, int end, Mesh& mesh) {
 
 // Counts of what could not be used.
 struct Leftovers {
-    int unreadable = 0, without_lines = 0, not_finite = 0;
+    int unreadable = 0, without_lines = 0, not_finite = 0, heights = 0;
 };
 
 void add_object(const SHPObject& o, Mesh& mesh, Leftovers& left) {
@@ -162,7 +163,7 @@ void add_object(const SHPObject& o, Mesh& mesh, Leftovers& left) {
         const int begin = o.panPartStart[part], end = part + 1 < o.nParts ? o.panPartStart[part + 1] : o.nVertices;
         if (begin < 0 || end > o.nVertices || begin > end)
             ++left.unreadable;
-        else if (!add_part(o, begin, end, mesh))
+        else if (!add_part(o, begin, end, mesh, left.heights))
             ++left.not_finite;
     }
 }
@@ -173,6 +174,7 @@ void report(const Leftovers& left, bool cut, std::vector<MeshIssue>& issues) {
     };
     warn(left.unreadable, "shp-damaged", "records can't be read; they are left out");
     warn(left.not_finite, "shp-not-a-number", "lines have coordinates that are not numbers; they are left out");
+    warn(left.heights, "shp-not-a-number", "heights are not numbers; they are 0");
     warn(left.without_lines, "shp-no-lines", "records are points, not lines; they are left out");
     if (cut) issues.push_back({false, "shp-truncated", "the file is shorter than it says", ""});
 }
