@@ -54,6 +54,9 @@ constexpr std::array table{
     RuleFacts{lookup_in_branch, warning, "lookup-in-branch", "lookups-in-branches",
               "a texture with mipmaps looked up where only some fragments get to: the level is undefined there",
               "look up before the branch, or use textureGrad() or textureLod()"},
+    RuleFacts{many_rounds, warning, "many-rounds", "loops-that-go-on-and-on",
+              "loops that go round more than 65,535 times in one shader, or for ever",
+              "bound the loop, or draw in several passes"},
 };
 
 constexpr bool in_order() {

@@ -11,13 +11,9 @@ namespace snell::lint {
 using glsl::Kind;
 using glsl::Storage;
 
-namespace {
-
 bool assigns(std::string_view op) {
     return op.size() >= 1 && op.back() == '=' && op != "==" && op != "!=" && op != "<=" && op != ">=";
 }
-
-}  // namespace
 
 Walker::Walker(const glsl::Unit& unit, const Surroundings& around, const Varyings* given, Report report)
     : u_(unit), around_(around), given_(given), report_(std::move(report)) {
@@ -100,7 +96,8 @@ void Walker::condition_on(int first, int last) {
         if (u_.at(k).kind != Kind::identifier) continue;
         conditions_.insert(u_.at(k).text);
         const int slot = find(u_.at(k).text);
-        if (slot >= 0) state_.slots[static_cast<std::size_t>(slot)].value.range = {};
+        if (slot >= 0 && !state_.slots[static_cast<std::size_t>(slot)].constant)
+            state_.slots[static_cast<std::size_t>(slot)].value.range = {};
     }
 }
 
@@ -182,7 +179,12 @@ void Walker::loop() {
             accept(";");
         }
     }
-    const int last = statement_end(close + 1);
+    int last = statement_end(close + 1);
+    while (last + 1 < static_cast<int>(u_.tokens.size()) && u_.at(last + 1).text == "else")
+        last = statement_end(last + 2);
+    const double rounds = rounds_of(close, last), weight = weight_;
+    go_round(rounds, open - 1, close);
+    weight_ *= std::max(rounds, 1.0);
     forget_assigned(p_, last);
     const State before = state_;
     const Expr condition = is(";") ? Expr{} : expression();
@@ -192,6 +194,7 @@ void Walker::loop() {
     p_ = close + 1;
     statement();
     nonuniform_ -= varies ? 1 : 0;
+    weight_ = weight;
     const int end = p_;
     state_ = before;
     forget_assigned(open + 1, last);

@@ -29,6 +29,9 @@ struct Surroundings {
     bool cube_faces = false;                               // it draws into the faces of a cube map
 };
 
+// = += *= and their like.
+bool assigns(std::string_view op);
+
 using Varyings = std::map<std::string_view, Value>;
 
 class Walker {
@@ -75,6 +78,13 @@ private:
     void condition_on(int first, int last);
     int statement_end(int from) const;
     bool of_interest(int first, int last) const;
+
+    // how often loops go round (loops.cpp)
+    bool leaves(int first, int last) const;
+    bool assigned(std::string_view name, int first, int last) const;
+    double step_of(std::string_view name, int first, int last) const;
+    double rounds_of(int close, int last);
+    void go_round(double rounds, int first, int last);
 
     // expressions (expressions.cpp)
     Expr expression();
@@ -146,6 +156,8 @@ private:
     std::optional<Value> result_;                 // of the function being walked, so far
     std::optional<State> ended_;                  // what main left where it returned early
     std::set<int> unstable_;                      // global variables that functions assign
+    double rounds_ = 0, weight_ = 1;              // of all loops so far; of those around
+    bool told_rounds_ = false;
     int nonuniform_ = 0;                          // branches around that only some fragments take
     std::multiset<std::string_view> conditions_;  // names in conditions around, or behind which some path ended
 

@@ -142,7 +142,7 @@ TEST_P(LibraryEnvironment, TheImpostorAgreesWithTheOracle) {
     const auto many = run(include, "return vec4(snellImpostorDirection(cube, a.xyz, b.xyz, 1000000), 0.);", arguments);
     const auto results_of_eight =
         run(include, "return vec4(snellImpostorDirection(cube, a.xyz, b.xyz, 8), 0.);", arguments);
-    // Mesa's software renderer ends every loop of a shader at 65,535 rounds, and says nothing.
+    // Mesa's software renderer ends the loops of a shader at 65,535 rounds in all, and says nothing.
     const glm::vec4 counted = run("", "float n = 0.; for (int i = 0; i < int(a.x); ++i) n += 1.; return vec4(n);",
                                   {{{70000, 0, 0, 0}, {}, {}}})[0];
     const bool silent = counted.x != 70000;

@@ -214,7 +214,7 @@ std::string limits() {
            "what does not fit\neven in parts of 64x64 pixels is an error.\n"
            "\nOpenGL has limits of its own, which `snell info` tells: a texture or picture that exceeds them is an "
            "error "
-           "too.\nMesa's llvmpipe ends every loop of a shader after 65,535 rounds and says nothing "
+           "too.\nMesa's llvmpipe ends the loops of a shader after 65,535 rounds together and says nothing "
            "([reliability.md](reliability.md)).\n";
 }
 

@@ -1,0 +1,103 @@
+// How often loops go round, as far as is known before the shader runs.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "src/glsl/words.h"
+#include "src/lint/walker.h"
+
+namespace snell::lint {
+
+namespace {
+
+using glsl::Kind;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// llvmpipe counts the rounds of all loops of a shader together, and one more each time that a loop is left.
+constexpr double most_rounds = 65535;
+
+bool is_step(std::string_view t) { return t == "++" || t == "--"; }
+
+std::string rounds_text(double rounds) {
+    return rounds == infinity ? "for ever" : fmt::format("about {:.0f} times", rounds);
+}
+
+}  // namespace
+
+// break, return and discard: whose loop they leave is not asked.
+bool Walker::leaves(int first, int last) const {
+    for (int k = first; k <= last; ++k)
+        if (const std::string_view t = u_.at(k).text; t == "break" || t == "return" || t == "discard") return true;
+    return false;
+}
+
+bool Walker::assigned(std::string_view name, int first, int last) const {
+    for (int k = first; k <= last; ++k) {
+        if (u_.at(k).text != name) continue;
+        const std::string_view before = u_.at(k - 1).text, after = u_.at(k + 1).text;
+        // A function may change what it is given; float(i) doesn't.
+        const bool converted = before == "(" && glsl::builtin_type(u_.at(k - 2).text);
+        const bool handed = !converted && (before == "(" || before == ",") && (after == ")" || after == ",");
+        if (is_step(before) || is_step(after) || assigns(after) || handed) return true;
+    }
+    return false;
+}
+
+// What i++, ++i, i -= 2 and their like add to `name`; 0: another thing.
+double Walker::step_of(std::string_view name, int first, int last) const {
+    const auto word = [&](int k) { return u_.at(k).text; };
+    const auto sign = [](std::string_view t) { return t.starts_with('-') ? -1.0 : 1.0; };
+    if (last - first == 1 && word(first) == name && is_step(word(last))) return sign(word(last));
+    if (last - first == 1 && word(last) == name && is_step(word(first))) return sign(word(first));
+    if (last - first != 2 || word(first) != name || (word(first + 1) != "+=" && word(first + 1) != "-=")) return 0;
+    const glsl::Token& by = u_.at(last);
+    if (by.kind != Kind::integer && by.kind != Kind::real) return 0;
+    return sign(word(first + 1)) * std::strtod(std::string(by.text).c_str(), nullptr);
+}
+
+// Of a loop whose condition begins at p_ and whose header ends at `close`; 0: it is not known. A slider counts as far
+// as it goes.
+double Walker::rounds_of(int close, int last) {
+    int end = p_;
+    while (end < close && u_.at(end).text != ";") ++end;
+    const bool always = end == p_ || (end == p_ + 1 && is("true"));
+    if (leaves(close + 1, last)) return 0;
+    if (always) return infinity;
+    const std::string_view name = text(), op = text(1);
+    const int slot = find(name);
+    const double step = end < close ? step_of(name, end + 1, close - 1) : 0;
+    if (slot < 0 || step == 0 || assigned(name, close + 1, last)) return 0;
+    const int here = p_;
+    p_ += 2;
+    Value bound = expression().v;
+    const bool whole = p_ == end;
+    p_ = here;
+    if (!whole) return 0;
+    if (bound.uniform >= 0)
+        if (const auto set = around_.uniforms.find(u_.globals[static_cast<std::size_t>(bound.uniform)].name);
+            set != around_.uniforms.end())
+            bound.range = set->second.range;
+    const Range& from = state_.slots[static_cast<std::size_t>(slot)].value.range;
+    const bool up = step > 0 && from.real_lo && bound.range.real_hi;
+    const bool down = step < 0 && from.real_hi && bound.range.real_lo;
+    const double way = up ? bound.range.hi - from.lo : down ? from.hi - bound.range.lo : 0;
+    const double rounds = way / std::abs(step);
+    if (!std::isfinite(rounds) || rounds <= 0) return 0;
+    if ((up && op == "<") || (down && op == ">")) return std::ceil(rounds);
+    return (up && op == "<=") || (down && op == ">=") ? std::floor(rounds) + 1 : 0;
+}
+
+void Walker::go_round(double rounds, int first, int last) {
+    if (rounds <= 0 || state_.dead) return;
+    rounds_ += weight_ * (rounds + 1);
+    if (rounds_ <= most_rounds || told_rounds_) return;
+    told_rounds_ = true;
+    report(Rule::many_rounds, first, last,
+           "the loops of this shader go round " + rounds_text(rounds_) +
+               ": without a GPU, Mesa's llvmpipe ends them after 65535, and the picture is what they had by then");
+}
+
+}  // namespace snell::lint
