@@ -1,6 +1,7 @@
 // ESRI shape files, written by shapelib itself.
 #include <shapefil.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -66,6 +67,24 @@ TEST(Shp, EveryKindOfLineIsRead) {
 TEST(Shp, PointsAndNothingAreReported) {
     EXPECT_TRUE(has_issue(parse_shp(shp(SHPT_POINT, {{SHPT_POINT, {}, {{1, 2, 0}}}})), "shp-no-lines"));
     EXPECT_TRUE(has_issue(parse_shp(shp(SHPT_ARC, {})), "shp-empty"));
+}
+
+TEST(Shp, NumbersThatAreNoneAreSaid) {
+    const auto lines = [](D3 wrong) {
+        return parse_shp(shp(SHPT_ARCZ, {{SHPT_ARCZ, {0}, {{0, 0, 1}, wrong}}, {SHPT_ARCZ, {0}, zigzag}}));
+    };
+    EXPECT_TRUE(lines({1, 1, 1}).issues.empty());
+    for (const double wrong : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300}) {
+        for (const D3& place : {D3{wrong, 0, 1}, D3{0, wrong, 1}}) {
+            const MeshResult r = lines(place);
+            EXPECT_TRUE(has_issue(r, "shp-not-a-number")) << wrong;
+            EXPECT_EQ(r.mesh.positions.size(), zigzag.size()) << "the line is left out";
+        }
+        const MeshResult r = lines({1, 1, wrong});
+        EXPECT_TRUE(has_issue(r, "shp-not-a-number")) << wrong;
+        ASSERT_EQ(r.mesh.positions.size(), 2 + zigzag.size());
+        EXPECT_EQ(r.mesh.positions[1], (Float3{1, 1, 0}));
+    }
 }
 
 TEST(Shp, OtherFilesAreRefused) {
