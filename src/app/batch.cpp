@@ -11,6 +11,7 @@
 #include "src/app/painting.h"
 #include "src/app/picture.h"
 #include "src/app/quality.h"
+#include "src/app/rounds.h"
 #include "src/app/view_text.h"
 #include "src/runtime/uniforms.h"
 
@@ -130,7 +131,8 @@ bool Batch::open(Open& open, const std::string& path) {
     deadline_.begin(fmt::format("reading '{}'", path));
     // What the scene before has too, such as snell's own programs, need not be made again.
     const RuntimeOptions how{.previous = last_ ? &*last_->runtime : nullptr, .progress = progress_.watcher()};
-    open.document = open_document(path, caps_, choose, nullptr, how, access_to(path, options_.access, options_.grade));
+    const auto planned = [this](const Plan& plan, Document& document) { warn_of_rounds(plan, document, caps_); };
+    open.document = open_document(path, caps_, choose, planned, how, access_to(path, options_.access, options_.grade));
     print_all(*open.document, options_.quiet);
     say(unknown, open.document->sources);
     timings_.load += milliseconds_since(start);

@@ -7,6 +7,7 @@
 #include "parser/parse.h"
 #include "parser/utf8.h"
 #include "src/app/unsampled.h"
+#include "src/gl/debug.h"
 #include "src/plan/plan.h"
 
 namespace snell {
@@ -22,6 +23,17 @@ IncludeReader include_reader(Files& files) {
         if (!text) return std::nullopt;
         return IncludedText{resolved.path, std::move(*text)};
     };
+}
+
+// What OpenGL could not do: a texture or a mesh may be missing.
+void report_gl_errors(Diagnostics& diagnostics) {
+    for (const std::string& error : gl::take_errors())
+        if (error == "GL_OUT_OF_MEMORY")
+            diagnostics.error(
+                "out-of-graphics-memory", "OpenGL has no memory for all that the scene loads",
+                "smaller textures and fewer vertices take less; --limit texture-bytes=N refuses large ones");
+        else
+            diagnostics.warning("opengl-error", "loading made an error of OpenGL: " + error);
 }
 
 }  // namespace
@@ -61,6 +73,7 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
     if (planned) planned(plan, *document);
     document->runtime.emplace(std::move(plan), *document->files, document->sources, caps, document->diagnostics,
                               options);
+    report_gl_errors(document->diagnostics);
     document->controls =
         make_controls(document->runtime->scene(), document->runtime->active_uniforms(), document->diagnostics);
     document->controls.rungs = document->runtime->rungs();

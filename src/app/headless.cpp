@@ -26,10 +26,11 @@ std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
 #endif
     std::string error;
     auto context = HeadlessContext::make(request, error);
+    const bool old = error.find("context") != std::string::npos;
     if (!context)
-        std::fprintf(stderr,
-                     "snell: error: no graphics: %s\n   help: install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)\n",
-                     error.c_str());
+        std::fprintf(stderr, "snell: error: no graphics: %s\n   help: %s\n", error.c_str(),
+                     old ? "snell needs OpenGL 3.3 or OpenGL ES 3.0, or the version that --context asks for"
+                         : "install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)");
     if (context && request.debug) gl::print_messages();
     return context;
 }

@@ -1,10 +1,10 @@
 #include "src/app/recovery.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -32,7 +32,8 @@ void start_again() {
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
-    execv("/proc/self/exe", pointers.data());
+    std::error_code error;
+    execv(std::filesystem::read_symlink("/proc/self/exe", error).c_str(), pointers.data());
 }
 
 }  // namespace
@@ -40,15 +41,16 @@ void start_again() {
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files) {
     const char* shown = kept ? "what is shown is as it was last drawn" : "nothing is drawn";
     return {std::move(kept), std::move(files),
-            fmt::format("error: {}; {} [context-lost]\n   help: {}; F5 or another edit tries again\n", app::loss_message,
-                        shown, app::loss_help)};
+            fmt::format("error: {}; {} [context-lost]\n   help: {}; F5 or another edit tries again\n",
+                        app::loss_message, shown, app::loss_help)};
 }
 
 Recovery after_hang(const std::string& scene) {
     return {nullptr,
             {scene},
             "error: a frame did not end, and the window was started again; nothing is drawn [frame-too-long]\n"
-            "   help: a loop in a shader may not end; F5 or another edit tries again\n"};
+            "   help: a loop in a shader may not end; F5 or another edit tries again, --timeout SECONDS "
+            "waits longer\n"};
 }
 
 app::Deadline hang_watch(double seconds) {

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "src/app/rounds.h"
+
 namespace snell {
 
 namespace {
@@ -65,7 +67,10 @@ std::unique_ptr<Document> Session::read(const std::string& path, const Document*
     RuntimeOptions options;
     options.previous = previous ? &*previous->runtime : nullptr;
     options.progress = progress_;
-    const auto planned = [this](const Plan& plan, Document&) { read_plan_ = plan; };
+    const auto planned = [this](const Plan& plan, Document& document) {
+        read_plan_ = plan;
+        warn_of_rounds(plan, document, caps_);
+    };
     std::unique_ptr<Document> read = open_document(path, caps_, choose, planned, options, access_);
     read->diagnostics.append(refused);
     return read;

@@ -166,6 +166,15 @@ TEST_F(CommandLine, WrongUsageIsTwo) {
     EXPECT_EQ(snell("--version").output, "snell 0.1.0\n");
 }
 
+// An option that may be repeated takes one value, and leaves the scene's name alone.
+TEST_F(CommandLine, OptionsMayStandBeforeTheScene) {
+    for (const std::string option : {"--set uA=1", "--ladder A=b", "--limit draws=5"}) {
+        const Outcome outcome = snell("render " + option + " " + at("none.glib") + " -o " + at("o.png"));
+        EXPECT_EQ(outcome.status, 1) << option << '\n' << outcome.output;
+        EXPECT_NE(outcome.output.find("none.glib"), std::string::npos) << option << '\n' << outcome.output;
+    }
+}
+
 TEST_F(CommandLine, NoGraphicsIsThree) {
     const Outcome outcome =
         snell("render " + at("good.glib") + " -o " + at("o.png"), "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent");
