@@ -41,6 +41,11 @@ snell_precompiled(snell_std)
 snell_precompiled(snell_std_fmt <fmt/format.h>)
 target_link_libraries(snell_std_fmt PUBLIC fmt::fmt)
 
+# What runs once, or waits for the disk or a person: -O1 builds in four fifths of the time.
+function(snell_cold target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # snell_library(NAME libraries…): every .cpp of the calling folder.
 function(snell_library name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
