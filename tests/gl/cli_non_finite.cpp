@@ -14,11 +14,12 @@
 namespace snell::test {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN(),
+                infinite = std::numeric_limits<float>::infinity();
 // Others: SetNotFinite.*
-const std::array<const char*, 3> words{"nan", "-inf", "1e400"};
+const std::array<const char*, 3> not_finite{"nan", "-inf", "1e400"};
 
-std::string bytes(const std::vector<float>& values) {
+std::string float_bytes(const std::vector<float>& values) {
     std::string text(values.size() * sizeof(float), '\0');
     std::memcpy(text.data(), values.data(), text.size());
     return text;
@@ -71,7 +72,7 @@ protected:
 };
 
 TEST_F(NonFiniteInput, NumbersOfTheSceneAreErrors) {
-    for (const std::string word : words) {
+    for (const std::string word : not_finite) {
         expect_refused("Fragment a.frag\nProgram P uA " + word + "\nQuadXY 0. 2.\n");
         expect_refused("Fragment a.frag\nProgram P uA <0. .5 " + word + ">\nQuadXY 0. 2.\n");
         expect_refused("Translate 0 0 " + word + "\nSphere\n");
@@ -80,7 +81,7 @@ TEST_F(NonFiniteInput, NumbersOfTheSceneAreErrors) {
 }
 
 TEST_F(NonFiniteInput, OptionsAreRefused) {
-    for (const std::string word : words) {
+    for (const std::string word : not_finite) {
         const Outcome set = render("--set uA=" + word);
         EXPECT_EQ(set.status, 1) << word << set.output;
         EXPECT_EQ(snell("save " + at("s.glib") + " --set uA=" + word).status, 1) << word;
@@ -97,17 +98,17 @@ TEST_F(NonFiniteInput, RawTexturesAreMended) {
     std::array<std::int32_t, 2> sides{4, 4};
     std::string head(8, '\0');
     std::memcpy(head.data(), sides.data(), 8);
-    for (const float wrong : {nan, infinite, -infinite}) {
-        folder.write("a.tex", head + bytes(texels(wrong, 4)));
+    for (const float wrong : {not_a_number, infinite, -infinite}) {
+        folder.write("a.tex", head + float_bytes(texels(wrong, 4)));
         expect_replaced("Texture2D 5 a.tex\n" + std::string(textured), "image-non-finite");
     }
-    folder.write("a.tex", head + bytes(texels(1e30F, 4)));
+    folder.write("a.tex", head + float_bytes(texels(1e30F, 4)));
     expect_replaced("Texture2D 5 a.tex\n" + std::string(textured), "image-clamped");
 }
 
 TEST_F(NonFiniteInput, PfmPicturesAreMended) {
-    for (const float wrong : {nan, infinite, -infinite}) {
-        folder.write("a.pfm", "PF\n4 4\n-1.0\n" + bytes(texels(wrong, 3)));
+    for (const float wrong : {not_a_number, infinite, -infinite}) {
+        folder.write("a.pfm", "PF\n4 4\n-1.0\n" + float_bytes(texels(wrong, 3)));
         expect_replaced("Texture2D 5 a.pfm\n" + std::string(textured), "image-non-finite");
     }
 }
@@ -117,7 +118,7 @@ TEST_F(NonFiniteInput, ExrPicturesAreMended) {
     image.width = image.height = 4;
     image.channels = 3;
     image.type = content::PixelType::f32;
-    const std::string pixels = bytes(texels(nan, 3));
+    const std::string pixels = float_bytes(texels(not_a_number, 3));
     image.pixels.resize(pixels.size());
     std::memcpy(image.pixels.data(), pixels.data(), pixels.size());
     ASSERT_EQ(content::write_image(at("a.exr"), image), "");
@@ -133,7 +134,7 @@ TEST_F(NonFiniteInput, HdrPicturesAreClamped) {
 }
 
 TEST_F(NonFiniteInput, ObjFacesAreLeftOut) {
-    for (const std::string word : words) {
+    for (const std::string word : not_finite) {
         folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 " + word + "\nf 1 2 3\nf 2 3 4\n");
         expect_replaced("Obj a.obj\n", "obj-not-a-number");
     }

@@ -4,7 +4,7 @@
 namespace snell::lint {
 namespace {
 
-Linted body(const std::string& statements, std::string_view values = "", const std::string& declarations = "") {
+Linted looping(const std::string& statements, std::string_view values = "", const std::string& declarations = "") {
     return lint_fragment("uniform int uN, uM;\nuniform float uX;\n" + declarations + "void main() {\nfloat x = 0.;\n" +
                              statements + "\ngl_FragColor = vec4(x);\n}\n",
                          values);
@@ -18,44 +18,44 @@ TEST(LintLoops, TooManyRounds) {
           "for (int i = 140000; i > 0; i -= 2) x += 1.;", "for (float f = 0.; f < 7000.; f += .1) x += f;",
           "for (int i = -40000; i < 40000; i += 1) x += 1.;", "int i; for (i = 0; i < 70000; ++i) x += 1.;",
           "for (int i = 0; i < 70000; ++i) x += float(i);"}) {
-        const Linted bad = body(loop);
+        const Linted bad = looping(loop);
         EXPECT_TRUE(told(bad)) << loop << bad.text();
         EXPECT_EQ(bad.at("many-rounds").size(), 1U);
     }
-    const Linted bad = body("for (int i = 0; i < 70000; ++i) x += 1.;");
+    const Linted bad = looping("for (int i = 0; i < 70000; ++i) x += 1.;");
     EXPECT_EQ(bad.at("many-rounds").front(), "for (int i = 0; i < 70000; ++i)");
     EXPECT_NE(bad.text().find("about 70001 times"), std::string::npos) << bad.text();
 }
 
 TEST(LintLoops, LoopsInLoopsAndOneAfterTheOther) {
-    EXPECT_TRUE(told(body("for (int i = 0; i < 300; ++i) for (int k = 0; k < 300; ++k) x += 1.;")));
-    EXPECT_FALSE(told(body("for (int i = 0; i < 200; ++i) for (int k = 0; k < 300; ++k) x += 1.;")));
+    EXPECT_TRUE(told(looping("for (int i = 0; i < 300; ++i) for (int k = 0; k < 300; ++k) x += 1.;")));
+    EXPECT_FALSE(told(looping("for (int i = 0; i < 200; ++i) for (int k = 0; k < 300; ++k) x += 1.;")));
     const std::string one = "for (int i = 0; i < 40000; ++i) x += 1.;";
-    EXPECT_FALSE(told(body(one)));
-    EXPECT_TRUE(told(body(one + "\n" + one)));
-    EXPECT_TRUE(told(body("for (int i = 0; i < 300; ++i) x += far(x);", "",
-                          "float far(float y) { for (int k = 0; k < 300; ++k) y += 1.; return y; }\n")));
+    EXPECT_FALSE(told(looping(one)));
+    EXPECT_TRUE(told(looping(one + "\n" + one)));
+    EXPECT_TRUE(told(looping("for (int i = 0; i < 300; ++i) x += far(x);", "",
+                             "float far(float y) { for (int k = 0; k < 300; ++k) y += 1.; return y; }\n")));
     EXPECT_TRUE(
-        told(body("for (int i = 0; i < n; ++i) for (int k = 0; k < n; ++k) x += 1.;", "", "const int n = 300;\n")));
+        told(looping("for (int i = 0; i < n; ++i) for (int k = 0; k < n; ++k) x += 1.;", "", "const int n = 300;\n")));
 }
 
 TEST(LintLoops, BoundsThatTheSceneSets) {
     const std::string loop = "for (int i = 0; i < uN; ++i) x += 1.;";
-    EXPECT_TRUE(told(body(loop, "uN 70000")));
-    EXPECT_FALSE(told(body(loop, "uN 60000")));
-    EXPECT_TRUE(told(body(loop, "uN <1 10 100000>"))) << "the slider goes there";
-    EXPECT_FALSE(told(body(loop, "uN <1 10 1000>")));
-    EXPECT_FALSE(told(body(loop))) << "nothing is known";
+    EXPECT_TRUE(told(looping(loop, "uN 70000")));
+    EXPECT_FALSE(told(looping(loop, "uN 60000")));
+    EXPECT_TRUE(told(looping(loop, "uN <1 10 100000>"))) << "the slider goes there";
+    EXPECT_FALSE(told(looping(loop, "uN <1 10 1000>")));
+    EXPECT_FALSE(told(looping(loop))) << "nothing is known";
     const std::string square = "for (int i = 0; i < uN; ++i) for (int k = 0; k < uN; ++k) x += 1.;";
-    EXPECT_TRUE(told(body(square, "uN <1 10 300>")));
-    EXPECT_FALSE(told(body(square, "uN <1 10 200>")));
+    EXPECT_TRUE(told(looping(square, "uN <1 10 300>")));
+    EXPECT_FALSE(told(looping(square, "uN <1 10 200>")));
 }
 
 TEST(LintLoops, WithoutAnEnd) {
-    EXPECT_TRUE(told(body("while (true) x += 1.;")));
-    EXPECT_TRUE(told(body("for (;;) { x += 1.; }")));
-    EXPECT_TRUE(told(body("for (int i = 0; true; ++i) x += 1.;")));
-    EXPECT_NE(body("while (true) x += 1.;").text().find("for ever"), std::string::npos);
+    EXPECT_TRUE(told(looping("while (true) x += 1.;")));
+    EXPECT_TRUE(told(looping("for (;;) { x += 1.; }")));
+    EXPECT_TRUE(told(looping("for (int i = 0; true; ++i) x += 1.;")));
+    EXPECT_NE(looping("while (true) x += 1.;").text().find("for ever"), std::string::npos);
 }
 
 TEST(LintLoops, WhatMayEndEarlierIsNotKnown) {
@@ -69,7 +69,7 @@ TEST(LintLoops, WhatMayEndEarlierIsNotKnown) {
           "while (x < uX) x += 1.;", "do x += 1.; while (x < uX);",
           "for (int i = 0; i < 8; ++i) for (int k = 0; k < 8; ++k) x += 1.;",
           "for (int i = 0; i > 100000; ++i) x += 1.;", "for (float f = 0.; f < 1.; f += .01) x += f;"})
-        EXPECT_FALSE(told(body(loop))) << loop << body(loop).text();
+        EXPECT_FALSE(told(looping(loop))) << loop << looping(loop).text();
 }
 
 }  // namespace
