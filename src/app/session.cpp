@@ -72,6 +72,7 @@ std::unique_ptr<Document> Session::read(const std::string& path, const Document*
         warn_of_rounds(plan, document, caps_);
     };
     std::unique_ptr<Document> read = open_document(path, caps_, choose, planned, options, access_);
+    broken_ = read->diagnostics.has_errors();
     read->diagnostics.append(refused);
     return read;
 }
@@ -182,7 +183,7 @@ void Session::watch(const Document& read) {
     for (const std::string& path : paths)
         if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
     // A file that was missing may appear: that changes its folder.
-    if (read.diagnostics.has_errors()) {
+    if (broken_) {
         std::vector<std::string> folders;
         std::transform(paths.begin(), paths.end(), std::back_inserter(folders), folder_of);
         paths.insert(paths.end(), folders.begin(), folders.end());

@@ -74,6 +74,7 @@ private:
     std::size_t file_problems_ = 0, file_errors_ = 0;
     std::size_t errors_ = 0;
     bool stale_ = false;
+    bool broken_ = false;  // what was read last has errors of its own, not only of the command line
     std::uint64_t revision_ = 0;
     std::vector<std::string> files_;
     Watch watch_;
