@@ -31,8 +31,8 @@ constexpr std::array<LimitFacts, 19> table{{
     {"noise-2d", &Limits::noise_2d, "texels", "along a side of 2D noise", 16'384},
     {"noise-3d", &Limits::noise_3d, "texels", "along a side of 3D noise", 1'024},
     {"output-side", &Limits::output_side, "pixels", "along a side of a picture or a window", 65'536},
-    {"output-bytes", &Limits::output_bytes, "bytes", "of what is drawn of a picture at once, with its samples and depth",
-     256 * gib},
+    {"output-bytes", &Limits::output_bytes, "bytes",
+     "of what is drawn of a picture at once, with its samples and depth", 256 * gib},
 }};
 static_assert(sizeof(Limits) == table.size() * sizeof(std::uint64_t), "every limit has its row");
 

@@ -18,8 +18,8 @@ glm::dmat4 placed(const Transformation& object, const glm::dmat4& view, const gl
 // By Scene::draws: what each draws, and how many before it draw the same.
 std::vector<std::string> object_names(const Scene& scene);
 
-// After another reading of the scene, the same object: by its place where there are as many as before (some parameter was
-// edited), else by its name. none: it is gone.
+// After another reading of the scene, the same object: by its place where there are as many as before (some parameter
+// was edited), else by its name. none: it is gone.
 Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object);
 
 // Objects keep their transformations, and what is gone loses them.

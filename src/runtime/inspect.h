@@ -33,8 +33,8 @@ struct Inspection {
 };
 
 // A picture in 32-bit floats, one sample at the middle of each pixel. Off-screen targets hold bytes as ever. Nothing is
-// clamped, not even before blending, where bytes are: an alpha of 3 would triple its colour and take the background away
-// twice. Where the last fragment has an alpha beyond 0 to 1, its pixel is therefore what that fragment wrote.
+// clamped, not even before blending, where bytes are: an alpha of 3 would triple its colour and take the background
+// away twice. Where the last fragment has an alpha beyond 0 to 1, its pixel is therefore what that fragment wrote.
 class FloatPicture {
 public:
     // False: the context refused it. Nothing happens where it has that size.

@@ -155,8 +155,8 @@ public:
     // `depth` (0 to 1): in the units of the scene. As Frame::view holds the scene.
     double distance(Index draw, double depth, const Frame& frame, const Surface& surface) const;
     // Which draw of the window (Scene::draws) is seen at each pixel, at its middle, of a picture of that size: the last
-    // one that changed it. none: the background. Of `region` (left, bottom, width, height), the bottom row first; as much
-    // of it as lies in the picture. Empty: the context refused what it takes, which is made at the first call.
+    // one that changed it. none: the background. Of `region` (left, bottom, width, height), the bottom row first; as
+    // much of it as lies in the picture. Empty: the context refused what it takes, which is made at the first call.
     std::vector<Index> pick(const Frame& frame, int width, int height, const std::array<int, 4>& region);
     // Over what the surface shows: a line around what that draw covers, be it hidden or not.
     void outline(const Frame& frame, const Surface& surface, Index draw, float line = 2);

@@ -120,7 +120,7 @@ struct Requests {
     bool reload = false;
     bool save = false, undo_save = false;
     bool copy_command = false;
-    std::optional<Point> pick;  // the object there
+    std::optional<Point> pick;                     // the object there
     int store_snapshot = 0, restore_snapshot = 0;  // its number
     bool measure = false;        // all rungs of the plotted ladder; while they are measured: no longer
     bool measure_frame = false;  // its passes and draws; or no longer
