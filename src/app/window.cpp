@@ -200,20 +200,20 @@ private:
             }
             woken |= opener_.look(memory_);
         }
-        std::vector<Event> events = window_->take_events();
-        for (const Event& event : events)
+        window_->take_events(events_);
+        for (const Event& event : events_)
             repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
         if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
             show_scene(opener_.serve_dropped(dropped, memory_));
-        woken |= !events.empty() || unsettled_ > 0 || (moving() && now >= last_picture_ + frame_time);
+        woken |= !events_.empty() || unsettled_ > 0 || (moving() && now >= last_picture_ + frame_time);
         if (!visible()) {
             unsettled_ = 0;  // all is drawn again when the window comes back: that is an event
             return;
         }
         if (!woken && !refined()) return;
         // Dear ImGui answers some input one frame late: go on until two frames are equal.
-        if (!events.empty()) unsettled_ = 3;
-        std::span<const Event> rest(events);
+        if (!events_.empty()) unsettled_ = 3;
+        std::span<const Event> rest(events_);
         do {
             const std::size_t count = ui::batch(rest);
             interface_frame(rest.first(count));
@@ -273,7 +273,10 @@ private:
 
     ui::Facts facts() {
         ui::Facts facts;
-        file_ = utf8::printable(std::filesystem::path(session_.path()).filename().string());
+        if (named_ != session_.path()) {
+            named_ = session_.path();
+            file_ = utf8::printable(std::filesystem::path(named_).filename().string());
+        }
         facts.file = file_;
         if (Document* document = session_.document()) {
             facts.scene = &document->scene();
@@ -457,7 +460,8 @@ private:
     View view_;
     ui::Memory memory_;
     ui::Layout layout_;
-    std::string file_, reported_;
+    std::vector<Event> events_;
+    std::string file_, named_, reported_;  // the file's name, of which path; what was printed of its problems
     std::vector<char> linked_;
     WindowCounters counters_;
     Explanation explanation_;

@@ -195,7 +195,10 @@ void Window::wait(double seconds) {
         glfwPollEvents();
 }
 
-std::vector<Event> Window::take_events() { return std::exchange(events_, {}); }
+void Window::take_events(std::vector<Event>& into) {
+    into.clear();
+    std::swap(into, events_);
+}
 
 std::vector<std::string> Window::take_dropped() { return std::exchange(dropped_, {}); }
 

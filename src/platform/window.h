@@ -95,8 +95,9 @@ public:
     void show(PixelSize size);
     // Sleeps until something happens, at most `seconds`; 0 only looks.
     void wait(double seconds);
-    // What happened since the last call, in order.
-    std::vector<Event> take_events();
+    // What happened since the last call, in order, instead of what `into` holds. Nothing is allocated where the same
+    // vector is given each time.
+    void take_events(std::vector<Event>& into);
     // The files that were dropped on it since the last call.
     std::vector<std::string> take_dropped();
     void present();
