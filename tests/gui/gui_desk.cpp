@@ -99,7 +99,9 @@ void Desk::SetUp() {
     ASSERT_EQ(pipe(ends), 0);
     // What windows remember from run to run is the test's own.
     setenv("XDG_STATE_HOME", file("state").c_str(), 1);
-    server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"}, "", ends[1]);
+    // Without -noreset it goes away for a moment while a window is replaced by another one and nobody else is there.
+    server_ =
+        start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-noreset", "-nolisten", "tcp"}, "", ends[1]);
     ::close(ends[1]);
     std::string number;
     for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;

@@ -28,6 +28,7 @@ protected:
 TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
     open("scene.glib", {"--lose-file", file("lose")});
     ASSERT_TRUE(shows(red));
+    settle();  // the next picture drawn is that of the edit
     save("lose", "");
     save("paint.frag", paint("uPaint.grb"));
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1 && state["stale"] == true; }, 20));
