@@ -9,6 +9,7 @@
 
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
+#include "tests/sanitized.h"
 
 namespace snell::test {
 namespace {
@@ -32,6 +33,8 @@ protected:
     Folder folder;
     bool graphics_ = false;
 };
+
+constexpr const char* no_bound = "sanitizers reserve more addresses than any bound leaves";
 
 // A vendor that is not there: EGL itself is, and gives nothing.
 constexpr const char* no_egl = "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent";
@@ -96,6 +99,7 @@ TEST_F(Faults, ALostContextEndsTheRun) {
 
 // The limits would allow it; the machine does not.
 TEST_F(Faults, WithoutMemoryItSaysSo) {
+    if (sanitized) GTEST_SKIP() << no_bound;
     folder.write("large.glib", "Sphere 1 3000 3000\nSphere 2 3000 3000\nTorus .2 1 3000 3000\n");
     const Outcome out =
         run("ulimit -v 600000; timeout 60 env -u DISPLAY -u WAYLAND_DISPLAY " SNELL_BIN "/snell render --size 16x16 " +
@@ -125,6 +129,7 @@ TEST_F(Faults, LoopsThatTheDriverEndsAreSaid) {
 }
 
 TEST_F(Faults, WithoutGraphicsMemoryItSaysSo) {
+    if (sanitized) GTEST_SKIP() << no_bound;
     folder.write("t.frag", "uniform sampler2D uT;\nvoid main() { gl_FragColor = texture2D(uT, vec2(.5)); }\n");
     folder.write("t.glib", "Texture2D 5 16000 16000\nFragment t.frag\nProgram P uT 5\nQuadXY 0. 9.\n");
     const std::string draw = "/snell render --size 16x16 " + at("t.glib") + " -o " + at("o.png");

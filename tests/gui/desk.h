@@ -67,6 +67,8 @@ protected:
     std::string display_;
 
 private:
+    void close_window();
+
     Scratch folder_;
     pid_t server_ = 0, window_ = 0;
 };

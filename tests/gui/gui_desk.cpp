@@ -11,6 +11,8 @@
 #include <thread>
 
 #include "tests/gui/desk.h"
+#include "tests/gui/x11.h"
+#include "tests/sanitized.h"
 
 namespace snell::test {
 
@@ -31,8 +33,12 @@ bool installed(const std::string& program) {
     return false;
 }
 
-// The child's standard output is `output` if that is not -1.
-pid_t start(std::vector<std::string> words, const std::string& display, int output = -1) {
+// Where the child's standard streams go, if not to nowhere.
+struct Streams {
+    int output = -1, errors = -1;
+};
+
+pid_t start(std::vector<std::string> words, const std::string& display, Streams to = {}) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -44,8 +50,8 @@ pid_t start(std::vector<std::string> words, const std::string& display, int outp
         setenv("DISPLAY", display.c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
     const int nowhere = ::open("/dev/null", O_RDWR);
-    dup2(output >= 0 ? output : nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
+    dup2(to.output >= 0 ? to.output : nowhere, STDOUT_FILENO);
+    dup2(to.errors >= 0 ? to.errors : nowhere, STDERR_FILENO);
     execvp(arguments[0], arguments.data());
     _exit(127);
 }
@@ -74,7 +80,7 @@ std::string read_all(int from) {
 std::string output_of(const std::vector<std::string>& words, const std::string& display) {
     int ends[2];
     if (pipe(ends) != 0) return {};
-    const pid_t child = start(words, display, ends[1]);
+    const pid_t child = start(words, display, {ends[1]});
     ::close(ends[1]);
     std::string text = read_all(ends[0]);
     ::close(ends[0]);
@@ -100,8 +106,8 @@ void Desk::SetUp() {
     // What windows remember from run to run is the test's own.
     setenv("XDG_STATE_HOME", file("state").c_str(), 1);
     // Without -noreset it goes away for a moment while a window is replaced by another one and nobody else is there.
-    server_ =
-        start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-noreset", "-nolisten", "tcp"}, "", ends[1]);
+    server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-noreset", "-nolisten", "tcp"}, "",
+                    {ends[1]});
     ::close(ends[1]);
     std::string number;
     for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
@@ -111,12 +117,31 @@ void Desk::SetUp() {
 }
 
 void Desk::TearDown() {
-    if (HasFailure() && window_ > 0) {
-        std::ifstream in(file("out/state.json"));
-        std::cerr << std::string(std::istreambuf_iterator<char>(in), {}) << '\n';
-    }
+    if (sanitized && !HasFailure()) close_window();
+    if (HasFailure())
+        for (const char* name : {"out/state.json", "out/errors"}) {
+            std::ifstream in(file(name));
+            std::cerr << std::string(std::istreambuf_iterator<char>(in), {}) << '\n';
+        }
     end(window_);
     end(server_);
+}
+
+// By its button: sanitizers look for leaks when a program ends by itself.
+void Desk::close_window() {
+    if (window_ <= 0) return;
+    close_windows(display_);
+    int status = 0;
+    pid_t ended = 0;
+    for (int look = 0; look < 1000 && ended == 0; ++look) {
+        ended = waitpid(window_, &status, WNOHANG);
+        if (ended == 0) sleep(.02);
+    }
+    EXPECT_NE(ended, 0) << "the window does not close";
+    if (ended == window_) {
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) != finding_status);
+    }
+    if (ended != 0) window_ = 0;
 }
 
 void Desk::save(const std::string& name, const std::string& text, bool in_place) {
@@ -126,16 +151,22 @@ void Desk::save(const std::string& name, const std::string& text, bool in_place)
 }
 
 void Desk::open(const std::string& scene, std::vector<std::string> more) {
-    std::vector<std::string> words{SNELL_BIN "/snell",     file(scene),    "--state",
-                                   file("out/state.json"), "--exit-after", "60"};
-    if (std::find(more.begin(), more.end(), "--size") == more.end()) words.insert(words.end(), {"--size", "800x600"});
+    std::vector<std::string> words{SNELL_BIN "/snell", file(scene), "--state", file("out/state.json")};
+    const auto otherwise = [&](const char* option, const std::string& value) {
+        if (std::find(more.begin(), more.end(), option) == more.end()) words.insert(words.end(), {option, value});
+    };
+    otherwise("--size", "800x600");
+    otherwise("--exit-after", std::to_string(static_cast<int>(60 * patience)));
     words.insert(words.end(), more.begin(), more.end());
-    window_ = start(words, display_);
+    const int errors = ::open(file("out/errors").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+    window_ = start(words, display_, {-1, errors});
+    ::close(errors);
     ASSERT_TRUE(wait([](const auto& s) { return s["frames"] >= 1; }, 20)) << "no first picture";
     settle();
 }
 
 void Desk::end_window() {
+    if (sanitized) close_window();
     end(window_);
     std::filesystem::remove(file("out/state.json"));
 }
@@ -154,7 +185,7 @@ nlohmann::json Desk::state() const {
 }
 
 bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double seconds) const {
-    const auto until = Clock::now() + std::chrono::duration<double>(seconds);
+    const auto until = Clock::now() + std::chrono::duration<double>(seconds * patience);
     do {
         const nlohmann::json now = state();
         if (!now.is_discarded() && holds(now)) return true;

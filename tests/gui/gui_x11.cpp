@@ -123,6 +123,36 @@ bool drop_files(const std::string& display, const std::vector<std::string>& path
     return target != 0 && source.drop_on(target);
 }
 
+bool close_windows(const std::string& display) {
+    const std::unique_ptr<Display, Closer> connection(XOpenDisplay(display.c_str()));
+    if (!connection) return false;
+    // Windows may go while they are asked.
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+    const Atom close = XInternAtom(connection.get(), "WM_DELETE_WINDOW", False);
+    ::Window root = 0, parent = 0, *children = nullptr;
+    unsigned count = 0;
+    if (!XQueryTree(connection.get(), DefaultRootWindow(connection.get()), &root, &parent, &children, &count))
+        return false;
+    bool found = false;
+    for (unsigned i = 0; i < count; ++i) {
+        Atom* protocols = nullptr;
+        int protocol_count = 0;
+        if (!XGetWMProtocols(connection.get(), children[i], &protocols, &protocol_count)) continue;
+        XFree(protocols);
+        XEvent event{};
+        event.xclient.type = ClientMessage;
+        event.xclient.window = children[i];
+        event.xclient.message_type = XInternAtom(connection.get(), "WM_PROTOCOLS", False);
+        event.xclient.format = 32;
+        event.xclient.data.l[0] = static_cast<long>(close);
+        XSendEvent(connection.get(), children[i], False, NoEventMask, &event);
+        found = true;
+    }
+    XFree(children);
+    XSync(connection.get(), False);
+    return found;
+}
+
 bool set_dots_per_inch(const std::string& display, int dots) {
     const std::unique_ptr<Display, Closer> connection(XOpenDisplay(display.c_str()));
     if (!connection) return false;

@@ -10,6 +10,9 @@ namespace snell::test {
 // or it did not finish.
 bool drop_files(const std::string& display, const std::vector<std::string>& paths);
 
+// Asks the windows to close, as their close buttons do. False: there are none.
+bool close_windows(const std::string& display);
+
 // What desktops set for screens of many dots per inch, before windows are opened.
 bool set_dots_per_inch(const std::string& display, int dots);
 

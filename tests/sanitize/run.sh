@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# Runs the tests under what looks for mistakes that pictures do not show: all of them under the address and
+# undefined-behaviour sanitizers (asan), those without OpenGL under valgrind, those with threads under the thread
+# sanitizer (tsan). A finding fails. Times and memory are several times the usual ones.
+# usage: run.sh [asan] [valgrind] [tsan]     from the repository's root; nothing named: all three
+set -uo pipefail
+jobs=$(nproc)
+failed=()
+say() { printf '%s\n' "$*" >&2; }
+
+build() {
+  cmake --preset "$1" >&2 && cmake --build "build/$1" -- --quiet "${@:2}" >&2
+}
+
+# Reports of programs that tests start, too, whatever becomes of their streams.
+findings() {
+  if compgen -G "build/$1/findings/*" >/dev/null; then
+    cat "build/$1"/findings/* >&2
+    failed+=("$1: build/$1/findings")
+  fi
+}
+
+# executables SUFFIX COMMAND...: runs the tests of each name on the standard input, as many at a time as there are
+# cores; a name may bring a filter.
+executables() {
+  local kind=$1
+  shift
+  export -f one
+  xargs -P "$jobs" -L 1 bash -c 'one "$@"' one "$kind" "$*" || failed+=("$kind")
+}
+one() {
+  local kind=$1 command=$2 name=$3 log="build/$1/$3.log" begin=$SECONDS
+  if $command "build/$kind/bin/${name}_tests" --gtest_brief=1 ${4:+--gtest_filter="$4"} >"$log" 2>&1; then
+    printf '%s %s: %s s, %s\n' "$kind" "$name" $((SECONDS - begin)) "$(grep -o '[0-9]* tests from .* ran' "$log" | tail -1)"
+  else
+    cat "$log"
+    return 1
+  fi
+}
+
+asan() {
+  build asan || { failed+=("asan: the build"); return; }
+  rm -rf build/asan/findings
+  mkdir -p build/asan/findings
+  ctest --preset asan -j "$jobs" --no-tests=error || failed+=("asan: tests")
+  findings asan
+}
+
+valgrind_tests="parser glsl plan lint mesh image files watch ui accuracy stability optics"
+memcheck() {
+  local tests=$valgrind_tests
+  build valgrind $(printf '%s_tests ' $tests) || { failed+=("valgrind: the build"); return; }
+  printf '%s\n' $tests | executables valgrind valgrind -q --error-exitcode=66 --num-callers=24 --leak-check=full \
+    --show-leak-kinds=definite --errors-for-leak-kinds=definite --suppressions=tests/sanitize/valgrind.supp
+}
+
+thread_tests="plan image watch files environments"
+threads() {
+  local tests=$thread_tests
+  build tsan $(printf '%s_tests ' $tests) || { failed+=("tsan: the build"); return; }
+  rm -rf build/tsan/findings
+  mkdir -p build/tsan/findings
+  export TSAN_OPTIONS="exitcode=66:halt_on_error=0:second_deadlock_stack=1:log_path=$PWD/build/tsan/findings/report"
+  # Its memory has fixed places, which some kernels give to others.
+  printf '%s\n' $tests | executables tsan setarch -R
+  findings tsan
+}
+
+[ $# -gt 0 ] || set -- asan valgrind tsan
+for part in "$@"; do
+  case $part in
+    asan) asan ;;
+    valgrind) memcheck ;;
+    tsan) threads ;;
+    *) say "usage: tests/sanitize/run.sh [asan] [valgrind] [tsan]"; exit 2 ;;
+  esac
+done
+if [ ${#failed[@]} -gt 0 ]; then
+  printf 'failed: %s\n' "${failed[@]}" >&2
+  exit 1
+fi
