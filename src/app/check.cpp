@@ -22,8 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Messages may quote bytes that are no UTF-8.
-
 Json span_json(const Span& span, const Sources& sources) {
     const Position begin = sources.position(span.file, span.begin);
     const Position end = sources.position(span.file, span.end);
@@ -34,21 +32,8 @@ Json span_json(const Span& span, const Sources& sources) {
             {"end_column", end.column}};
 }
 
-std::string_view severity_name(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::error:
-            return "error";
-    }
-    return "error";
-}
-
 Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
-    Json json{
-        {"severity", severity_name(diagnostic.severity)}, {"code", diagnostic.code}, {"message", diagnostic.message}};
+    Json json{{"severity", name(diagnostic.severity)}, {"code", diagnostic.code}, {"message", diagnostic.message}};
     if (diagnostic.has_span) json["at"] = span_json(diagnostic.span, sources);
     if (!diagnostic.help.empty()) json["help"] = diagnostic.help;
     for (const Note& note : diagnostic.notes)
@@ -144,19 +129,6 @@ int print_commands(bool json) {
         return exit_fine;
     }
     for (const Command& row : commands()) fmt::print("{:<16} {:<48} {}\n", row.name, row.signature.text, row.doc);
-    return exit_fine;
-}
-
-int print_info(const std::string& context_name) {
-    auto context = headless_context(context_name);
-    if (!context) return exit_graphics;
-    const gl::Caps caps = gl::query_caps();
-    fmt::print("snell {}\nrenderer   {}\nvendor     {}\nOpenGL     {}\nGLSL used  {}{}\nplatform   EGL {}\n",
-               SNELL_VERSION, caps.renderer, caps.vendor, caps.version, caps.glsl, caps.es ? " es" : " core",
-               context->platform());
-    fmt::print("textures   {} (2D), {} (3D), {} (cube)\nsamples    {}\nline width {}\npoint size {}\n",
-               caps.max_texture, caps.max_texture_3d, caps.max_cube, caps.max_samples, caps.max_line_width,
-               caps.max_point_size);
     return exit_fine;
 }
 

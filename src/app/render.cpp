@@ -39,13 +39,13 @@ std::optional<Shots> shots_of(const RenderOptions& options) {
     return shots;
 }
 
-bool is_folder(const std::string& folder) {
+bool folder_exists(const std::string& folder) {
     std::error_code error;
     return folder.empty() || std::filesystem::is_directory(folder, error);
 }
 
 bool folder_is_there(const std::string& file, const std::string& folder) {
-    return is_folder(folder) || complain(fmt::format("can't write '{}': there is no folder '{}'", file, folder));
+    return folder_exists(folder) || complain(fmt::format("can't write '{}': there is no folder '{}'", file, folder));
 }
 
 // Said before anything is drawn: a name that can't be written should not cost a rendering. Folders that are named by
@@ -56,7 +56,7 @@ bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard
         if (!folder_is_there(file, std::filesystem::path(file).parent_path().string())) return false;
     for (std::size_t i = 0; i < shots.files.size(); ++i) {
         const std::filesystem::path folder = std::filesystem::path(shots.files[i]).parent_path();
-        if (!shard.has(i) || is_folder(folder.string())) continue;
+        if (!shard.has(i) || folder_exists(folder.string())) continue;
         std::error_code error;
         std::filesystem::create_directories(folder, error);
         if (error) return complain(fmt::format("can't make the folder '{}': {}", folder.string(), error.message()));

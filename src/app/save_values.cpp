@@ -1,8 +1,6 @@
 #include "src/app/save_values.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -12,11 +10,6 @@
 namespace snell {
 
 namespace {
-
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // The scene as it would be read after saving.
 Scene read_again(const Document& document, const std::vector<SavedFile>& files) {
@@ -38,7 +31,8 @@ Scene read_again(const Document& document, const std::vector<SavedFile>& files) 
 // Puts `next` where `now` is, in all files or in none.
 std::string exchange(const std::vector<SavedFile>& files, std::string SavedFile::*now, std::string SavedFile::*next) {
     for (const SavedFile& file : files)
-        if (bytes_of(file.path) != file.*now) return file.path + " was changed meanwhile: it is left as it is";
+        if (content::whole_file(file.path) != file.*now)
+            return file.path + " was changed meanwhile: it is left as it is";
     for (std::size_t i = 0; i < files.size(); ++i) {
         std::string error = content::replace_file(files[i].path, files[i].*next);
         if (error.empty()) continue;
@@ -77,7 +71,8 @@ Saved saved_values(const Document& document) {
             {std::string(document.sources.name(file)), std::string(before), with_edits(before, file, back.edits)});
     }
     for (const SavedFile& file : saved.files)
-        if (bytes_of(file.path) != file.before) saved.error = file.path + " is not what was read: reload first";
+        if (content::whole_file(file.path) != file.before)
+            saved.error = file.path + " is not what was read: reload first";
     if (saved.error.empty() && !reads_back(back, read_again(document, saved.files)))
         saved.error = "the new text would not say these values: nothing is written";
     if (!saved.error.empty()) saved.files.clear();

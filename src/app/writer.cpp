@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 
 #include "src/app/sha256.h"
 #include "src/app/sheet.h"
+#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -14,17 +13,12 @@ namespace {
 
 constexpr std::size_t most_waiting = 8, most_threads = 4;
 
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 Written write(const std::string& path, std::optional<content::Image> picture, const Writer::Wanted& wanted) {
     const auto begin = std::chrono::steady_clock::now();
     Written written;
     if (picture) written.error = content::write_image(path, *picture);
     if (written.error.empty() && (wanted.hash || (wanted.tile && !picture))) {
-        const std::string bytes = bytes_of(path);
+        const std::string bytes = content::whole_file(path);
         written.bytes = bytes.size();
         if (wanted.hash) written.sha256 = sha256(bytes);
         if (!picture) picture = content::decode_image(path, bytes).image;

@@ -52,4 +52,7 @@ std::string write_file(const std::filesystem::path& path, std::string_view bytes
 // /dev/stdout, are written to as they are.
 std::string replace_file(const std::string& path, std::string_view bytes);
 
+// Its bytes as they are now; none where it can't be read.
+std::string whole_file(const std::string& path);
+
 }  // namespace snell::content

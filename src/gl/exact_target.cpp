@@ -4,6 +4,7 @@
 #include <string>
 
 #include "src/gl/program.h"
+#include "src/gl/texture.h"
 
 namespace snell::gl {
 
@@ -80,13 +81,7 @@ void ExactTarget::add(float weight) const {
     glUseProgram(program_.get());
     glUniform1f(glGetUniformLocation(program_.get(), "weight"), weight);
     glUniform1i(glGetUniformLocation(program_.get(), "picture"), 0);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, drawn_.get());
-    glBindSampler(0, 0);
-    glBindVertexArray(nothing_.get());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-    glBindTexture(GL_TEXTURE_2D, 0);
+    draw_covering(drawn_.get(), nothing_.get());
     glUseProgram(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }

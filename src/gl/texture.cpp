@@ -187,4 +187,14 @@ Sampler make_sampler(const Sampling& sampling, bool cube) {
     return sampler;
 }
 
+void draw_covering(GLuint texture, GLuint vertex_array) {
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glBindSampler(0, 0);
+    glBindVertexArray(vertex_array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
 }  // namespace snell::gl

@@ -51,4 +51,8 @@ inline void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }
 using Sampler = Handle<delete_sampler>;
 Sampler make_sampler(const Sampling& sampling, bool cube);
 
+// Three vertices without attributes, by the program in use, which reads the 2D texture as unit 0. ES and core contexts
+// want a vertex array even so.
+void draw_covering(GLuint texture, GLuint vertex_array);
+
 }  // namespace snell::gl

@@ -30,8 +30,6 @@ bool assigns(std::string_view op) {
            op == "|=" || op == "^=" || op == "<<=" || op == ">>=";
 }
 
-bool has_alpha(std::string_view selection) { return selection.find_first_of("awq") != std::string_view::npos; }
-
 // Componentwise arithmetic of known constants; a scalar goes with every component.
 std::vector<double> fold(const std::vector<double>& a, const std::vector<double>& b, char op) {
     if (a.empty() || b.empty() || (a.size() != b.size() && a.size() != 1 && b.size() != 1)) return {};

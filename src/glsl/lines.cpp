@@ -37,10 +37,6 @@ void main() {
 }
 )";
 
-bool mentions(const Unit& u, std::string_view name) {
-    return std::any_of(u.tokens.begin(), u.tokens.end(), [&](const Token& t) { return t.text == name; });
-}
-
 std::string_view location(const Global& g) {
     for (const LayoutItem& i : g.qualifiers.layout)
         if (i.name == "location") return i.value;

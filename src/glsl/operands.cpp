@@ -9,12 +9,6 @@
 
 namespace snell::glsl {
 
-namespace {
-
-bool has_alpha(std::string_view selection) { return selection.find_first_of("awq") != std::string_view::npos; }
-
-}  // namespace
-
 void Parser::select(Expression& e, std::string_view member) {
     e.selected = true;
     if (member.starts_with("gl_")) {

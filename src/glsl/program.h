@@ -53,6 +53,9 @@ std::string default_fragment_shader();
 // After the parse, before anything is replaced. See Translation::plain_depth.
 bool has_plain_depth(Program& program);
 
+// The name stands among its tokens.
+bool mentions(const Unit& unit, std::string_view name);
+
 // Prototypes of functions that are called above their definition.
 void declare_functions(Program& program, Unit& unit);
 // Copies of inputs and uniforms that are assigned.

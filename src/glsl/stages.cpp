@@ -5,11 +5,11 @@
 
 namespace snell::glsl {
 
-namespace {
-
 bool mentions(const Unit& u, std::string_view name) {
     return std::any_of(u.tokens.begin(), u.tokens.end(), [&](const Token& t) { return t.text == name; });
 }
+
+namespace {
 
 bool any_mentions(Program& program, std::initializer_list<std::string_view> names) {
     return std::any_of(program.units.begin(), program.units.end(), [&](const Unit& u) {

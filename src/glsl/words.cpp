@@ -304,6 +304,8 @@ std::optional<Type> builtin_type(std::string_view name) {
     return it->second;
 }
 
+bool has_alpha(std::string_view selection) { return selection.find_first_of("awq") != std::string_view::npos; }
+
 bool is_qualifier(std::string_view word) { return qualifiers().contains(word); }
 bool is_statement_word(std::string_view word) { return statement_words().contains(word); }
 bool is_reserved_word(std::string_view word) { return reserved_words().contains(word); }

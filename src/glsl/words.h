@@ -15,6 +15,8 @@ std::optional<Type> builtin_type(std::string_view name);
 std::string_view type_name(Base base, int rows, int cols);
 Type make_type(Base base, int rows = 1, int cols = 1);
 
+// Of a selection of components, such as xyw.
+bool has_alpha(std::string_view selection);
 // Words that qualify a declaration, in any version.
 bool is_qualifier(std::string_view word);
 // Words that no version allows as a name (if, for, return …), types excepted.

@@ -107,13 +107,7 @@ void Picker::pass(GLuint program) {
     if (!es_) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glUniform1i(glGetUniformLocation(program, "cover"), 0);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, cover_.get());
-    glBindSampler(0, 0);
-    glBindVertexArray(nothing_.get());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-    glBindTexture(GL_TEXTURE_2D, 0);
+    gl::draw_covering(cover_.get(), nothing_.get());
     glUseProgram(0);
 }
 

@@ -27,7 +27,6 @@ double round_up(double value) {
 void put(ImDrawList& list, ImVec2 at, ImVec4 color, const Text& text) {
     list.AddText(at, pack(color), text.begin(), text.end());
 }
-float width_of(const Text& text) { return ImGui::CalcTextSize(text.begin(), text.end()).x; }
 
 // The last frames from left to right; a line for the median, one for what 95 of 100 do not exceed.
 void plot(const FrameCostFacts& facts, Layout& layout) {
@@ -70,7 +69,7 @@ void row(const CostRow& cost, double all, Layout& layout) {
                                               pack(cost.draw ? palette().track : palette().filled), 2);
     Text text;
     text.add("{:.3f}", cost.milliseconds);
-    const float left = ImGui::GetCursorPosX(), taken = width_of(text);
+    const float left = ImGui::GetCursorPosX(), taken = width_of(text.view());
     ImGui::SetCursorPosX(left + indent);
     fitted(cost.name, width - indent - taken - em * .5F);
     if (ImGui::IsItemHovered() && !cost.place.empty())

@@ -4,14 +4,11 @@
 #include <imgui.h>
 
 #include "src/platform/window.h"
+#include "src/ui/widgets.h"
 
 namespace snell::ui {
 
 namespace {
-
-void tip(const char* text) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
-}
 
 bool button(const char* label, bool enabled, const char* help) {
     ImGui::BeginDisabled(!enabled);

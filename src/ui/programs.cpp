@@ -30,7 +30,6 @@ bool is_integral(ValueType type) {
 // room.
 void caption(std::string_view name, std::string_view value, std::string_view remark) {
     const float width = ImGui::GetContentRegionAvail().x;
-    const auto width_of = [](std::string_view t) { return ImGui::CalcTextSize(t.data(), t.data() + t.size()).x; };
     const float right = width_of(remark), end = ImGui::GetCursorPosX() + width;
     Text whole = shortened(name, width - width_of(value));
     const Text text = shortened(whole.append(value).view(), width);

@@ -24,10 +24,6 @@ constexpr std::array<Target, 4> targets{{
     {Held::texture, "Texture", "gl_TextureMatrix[0]"},
 }};
 
-void tip(const char* text) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
-}
-
 // What the mouse and the numbers below change; a star where it is not as it was at first.
 void target_row(const View& view, HoldMemory& hold, Layout& layout) {
     for (const Target& target : targets) {

@@ -94,10 +94,12 @@ void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction) {
                        pack(held || hovered ? colors.accent_pressed : colors.accent), grab);
 }
 
-float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
-
 }  // namespace
 
+float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+void tip(const char* text) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
+}
 float button_width(std::string_view label) { return width_of(label) + 2 * ImGui::GetStyle().FramePadding.x; }
 
 float check_box_width(std::string_view label) {

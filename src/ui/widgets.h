@@ -12,9 +12,12 @@ namespace snell::ui {
 
 class Layout;
 
+float width_of(std::string_view text);
 // Of a button with this text, or of a check box.
 float button_width(std::string_view label);
 float check_box_width(std::string_view label);
+// Shown while the mouse is on the last item, disabled or not.
+void tip(const char* text);
 // The next item stands beside the last one if it has room there, else below. `gap` as for SameLine.
 void follow(float width, float gap = -1);
 // As much of the text as fits, with dots for the rest; at least one character. Only what is visible counts: what ##
