@@ -50,6 +50,11 @@ ImageResult decode_as(std::string_view format, std::string_view named, std::stri
     for (const std::string_view other : {"html", "svg", "pdf", "zip", "git-lfs"}) {
         if (format == other) return not_a_picture(format);
     }
+    // Some of OpenImageIO's readers take memory for the whole picture before its size can be asked for.
+    if (const auto header = format.empty() ? std::nullopt : read_header(bytes, bytes.size())) {
+        if (auto issue = check_size(format, header->width, header->height, header->depth, 1, limits))
+            return {{}, {*issue}};
+    }
     return decode_other(bytes, format.empty() ? named : format, limits);
 }
 

@@ -58,7 +58,7 @@ struct ImageHeader {
     std::string format;  // "bmp", "tex", "png", "jpeg", "hdr", "exr", …
     int width = 0, height = 0, depth = 1;
 };
-std::optional<ImageHeader> read_header(std::string_view first_bytes, std::size_t file_size, std::string_view path);
+std::optional<ImageHeader> read_header(std::string_view first_bytes, std::size_t file_size);
 
 // The picture that stands for one that can't be read: magenta and black checks.
 Image checkerboard(int size = 64);

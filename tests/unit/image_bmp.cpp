@@ -345,7 +345,7 @@ TEST(ImageBmp, HugeSizesAreRefusedFromTheHeader) {
     const auto result = decode_image("a.bmp", bmp(kind, {}, rgb24(bottom_first)));
     EXPECT_FALSE(result.image);
     EXPECT_TRUE(has_issue(result, "image-too-large")) << describe(result);
-    const auto header = read_header(bmp(kind, {}, {}), 54, "a.bmp");
+    const auto header = read_header(bmp(kind, {}, {}), 54);
     ASSERT_TRUE(header);
     EXPECT_EQ(header->width, 1'000'000);
 }

@@ -109,7 +109,7 @@ TEST(ImageTex, IsKnownByItsSizeUnderAnyName) {
     b.zeros(4 * 4 * 4);
     const auto result = decode_image("noise", b.str());
     ASSERT_TRUE(result.image) << describe(result);
-    const auto header = read_header(b.str(), b.size(), "noise");
+    const auto header = read_header(b.str(), b.size());
     ASSERT_TRUE(header);
     EXPECT_EQ(header->format, "tex");
 }
