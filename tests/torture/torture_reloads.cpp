@@ -1,0 +1,163 @@
+// A scene that is edited again and again in one process: what was made for the readings before is given back.
+//
+//   SNELL_TORTURE_RELOADS   how many (60)
+#include <malloc.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/allocator_interface.h>
+#endif
+
+#include "src/app/session.h"
+#include "tests/gl/harness.h"
+#include "tests/torture/campaign.h"
+#include "tests/torture/tree.h"
+
+namespace snell::test {
+namespace {
+
+// Bytes that were asked for and not given back, by us, the driver and all libraries.
+std::size_t bytes_in_use() {
+#if defined(__SANITIZE_ADDRESS__)
+    return __sanitizer_get_current_allocated_bytes();
+#else
+    const struct mallinfo2 now = mallinfo2();
+    return now.uordblks + now.hblkhd;
+#endif
+}
+
+// Whatever is mapped and was written to: code that the driver makes, and pages that malloc keeps.
+double resident_bytes() {
+    std::ifstream file("/proc/self/statm");
+    double whole = 0, resident = 0, shared = 0;
+    file >> whole >> resident >> shared;
+    return (resident - shared) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+constexpr std::string_view light_fragment =
+    "#version 330 compatibility\n#include \"tint.glsl\"\nuniform samplerCube uLight, uSoft;\nuniform sampler3D "
+    "Noise3;\n"
+    "uniform sampler2D uUnit, uScreen, Noise2;\nuniform float uAmount;\nin vec2 vST;\nvoid main() {\n"
+    "    vec3 d = vec3(vST, 1.);\n"
+    "    gl_FragColor = uAmount * texture(uLight, d) + .2 * texture(uSoft, d) + .2 * texture(Noise3, d) +\n"
+    "                   .2 * texture(Noise2, vST) + .3 * texture(uUnit, vST) + .2 * texture(uScreen, vST) + "
+    "tint();\n}\n";
+constexpr std::string_view mesh_fragment =
+    "#version 330 compatibility\n#include <snell/mesh.glsl>\nin vec2 vST;\nvoid main() {\n"
+    "    SnellMesh s = snellMeshBegin(vec3(0., 0., 3.), normalize(vec3(vST - .5, -3.)), 1., 1.5, true);\n"
+    "    float seen = snellMeshNext(s) ? s.energy : 0.;\n    gl_FragColor = vec4(seen, s.direction.xy, 1.);\n}\n";
+
+class Reloads : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        if (IsSkipped()) return;
+        for (const auto& edit : repairs()) edit(0);
+        folder.write("mesh.frag", mesh_fragment);
+        folder.write("rungs.frag",
+                     "#if TINT == TINT_warm\n#define C vec4(.4, .2, 0., 1.)\n#else\n#define C vec4(0., .2, "
+                     ".4, 1.)\n#endif\nvoid main() { gl_FragColor = C; }\n");
+    }
+
+    using Edit = std::function<void(unsigned)>;
+
+    // No two readings are the same.
+    static std::string number(unsigned k) { return std::to_string(.1 + k % 700 * 1e-3 + k * 1e-6); }
+    static std::string picture(unsigned k, int side) {
+        const int red = static_cast<int>(k % 256), green = static_cast<int>(k / 3 % 256);
+        return bmp(side, side,
+                   std::vector<std::array<int, 3>>(static_cast<std::size_t>(side * side), {red, green, 90}));
+    }
+    static std::string scene(unsigned k) {
+        std::string text =
+            "Ladder TINT warm <cold>\nOrtho -1 1 -1 1\nTexture2D 4 a.bmp\nTexture2D 8 64 64\n"
+            "CubeMap 5 face.bmp face.bmp face.bmp face.bmp face.bmp face.bmp\nIrradiance 6 5 8\nPrefilter 7 5 3\n"
+            "Vertex plain.vert\nRenderToTexture 8\nFragment rungs.frag\nProgram R\nSphere .9\nRenderToTexture\n"
+            "Ortho -1 1 -1 1\nNoise2D 32\nNoise3D " +
+            std::string(k % 2 ? "16" : "32") +
+            "\nFragment light.frag\nProgram B uLight 7 uSoft 6 uUnit 4 uScreen 8 uAmount <0. .5 1.>\nObj t.obj\n"
+            "Fragment mesh.frag\nProgram M\nTeapot\nInclude part.inc\nTranslate " +
+            number(k) + " 0 0\nLineWidth 5\nWireBox\n";
+        for (int i = 0; i < 20; ++i) text += "Translate .01 0 0\nSphere .05 8 8\n";
+        return text;
+    }
+    void shader(const std::string& more) { folder.write("light.frag", std::string(light_fragment) + more); }
+
+    // Each leaves its file whole and new.
+    std::vector<Edit> repairs() {
+        return {
+            [this](unsigned k) { shader("float unused() { return " + number(k) + "; }\n"); },
+            [this](unsigned k) { folder.write("tint.glsl", "vec4 tint() { return vec4(" + number(k) + "); }\n"); },
+            [this](unsigned k) {
+                folder.write("plain.vert", std::string(plain_vertex) + "// " + number(k) + "\n" +
+                                               "float unused() { return " + number(k) + "; }\n");
+            },
+            [this](unsigned k) { folder.write("a.bmp", picture(k, k % 2 ? 64 : 128)); },
+            [this](unsigned k) { folder.write("face.bmp", picture(k, 32)); },
+            [this](unsigned k) { folder.write("t.obj", "v -1 -1 0\nv 1 -1 0\nv 0 " + number(k) + " 0\nf 1 2 3\n"); },
+            [this](unsigned k) { folder.write("part.inc", "Color .5 " + number(k) + " 0\nTorus .1 .3 20 20\n"); },
+            [this](unsigned k) { folder.write("scene.glib", scene(k)); }};
+    }
+    // And these break the files of the same places: none is shown.
+    std::vector<Edit> damages() {
+        return {[this](unsigned k) { shader("float unused() { return nonsense" + std::to_string(k) + "; }\n"); },
+                [this](unsigned k) { folder.write("tint.glsl", "vec4 tint( { return vec4(" + number(k) + "); }\n"); },
+                [this](unsigned k) {
+                    folder.write("plain.vert", "void main() { gl_Position = vec3(" + number(k) + "); }\n");
+                },
+                [this](unsigned k) { folder.write("a.bmp", picture(k, 64).substr(0, 20 + k % 30)); },
+                [this](unsigned) { std::filesystem::remove(folder.path("face.bmp")); },
+                [this](unsigned) { std::filesystem::remove(folder.path("t.obj")); },
+                [this](unsigned) { std::filesystem::remove(folder.path("part.inc")); },
+                [this](unsigned k) {
+                    folder.write("scene.glib", scene(k) + "Nonsense" + number(k) +
+                                                   " 1\nVertex none.vert\nProgram X uA 1\n"
+                                                   "Sphere\nTexture2D 4 none.bmp\nglBegin\n");
+                }};
+    }
+};
+
+// A damage, its repair, and another edit, of one file after the other.
+TEST_F(Reloads, GiveBackWhatTheyTook) {
+    const std::vector<Edit> good = repairs(), bad = damages();
+    const auto round = static_cast<unsigned>(3 * good.size());
+    // Whole rounds, so that the same files stand at the beginning and at the end.
+    const unsigned count = (torture::number_of("SNELL_TORTURE_RELOADS", 60) + round - 1) / round * round;
+    const unsigned warm_up = 2 * round;
+    Session session(folder.path("scene.glib"), caps);
+    ASSERT_TRUE(session.document());
+    ASSERT_EQ(session.errors(), 0U) << session.problems_text();
+    Picture shown = draw(*session.document());
+    unsigned changed = 0, refused = 0;
+    std::size_t begin = 0;
+    double resident = 0;
+    for (unsigned k = 0; k < warm_up + count; ++k) {
+        if (k == warm_up) begin = bytes_in_use(), resident = resident_bytes();
+        const unsigned which = k / 3 % static_cast<unsigned>(good.size());
+        const bool broken = k % 3 == 0;
+        (broken ? bad : good)[which](k + 1);
+        session.reload();
+        ASSERT_EQ(session.stale(), broken) << k << '\n' << session.problems_text();
+        complaints.clear();  // of broken shaders
+        Picture now = draw(*session.document());
+        session.drawn_well();
+        if (broken) {
+            ++refused;
+            ASSERT_TRUE(now == shown) << k;
+        }
+        changed += now == shown ? 0U : 1U;
+        shown = std::move(now);
+    }
+    const double growth = static_cast<double>(bytes_in_use()) - static_cast<double>(begin);
+    std::printf("%u reloads, %u of them refused: %.1f kB more in use, %.1f kB more resident\n", count, refused,
+                growth / 1e3, (resident_bytes() - resident) / 1e3);
+    EXPECT_GT(changed, (warm_up + count) / 4) << "edits are seen";
+    EXPECT_LT(growth, 1e6);
+}
+
+}  // namespace
+}  // namespace snell::test
