@@ -99,6 +99,9 @@ std::string RowWriter::File::end() {
         Message message{};
         const int status = oiio_module().end(std::exchange(other, nullptr), 1, message.data(), message.size());
         if (status != 0) return about(said(message));
+        // Some of OpenImageIO's writers (JPEG 2000's among them) may write nothing and say nothing.
+        std::error_code error;
+        if (std::filesystem::file_size(place.path(), error) == 0) return about(said({}));
         return place.take_place();
     }
     if (!png->end()) return png_failed();

@@ -299,6 +299,16 @@ TEST_F(ImageFormats, NothingIsLeftWhenWritingFails) {
     EXPECT_NE(write_image(file("a.png"), Image{}), "");
 }
 
+// Writers that end well and have written nothing: "null" always, JPEG 2000's of OpenImageIO 2.4.
+TEST_F(ImageFormats, AnEmptyFileIsNoPicture) {
+    const Image image = paint(64, 48, 3, PixelType::u8, smooth);
+    EXPECT_NE(write_image(file("a.null"), image), "");
+    EXPECT_EQ(entries(), 0u);
+    const std::string wrong = write_image(file("a.jp2"), image);
+    if (wrong.empty()) EXPECT_TRUE(read_file(file("a.jp2")).image);
+    EXPECT_EQ(entries(), wrong.empty() ? 1u : 0u);
+}
+
 TEST_F(ImageFormats, AFailedWriteKeepsTheOldFile) {
     put("a.hdr", "old");
     const Image empty;
