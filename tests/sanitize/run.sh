@@ -50,6 +50,7 @@ valgrind_tests="parser glsl plan lint mesh image files watch ui accuracy stabili
 memcheck() {
   local tests=$valgrind_tests
   build valgrind $(printf '%s_tests ' $tests) || { failed+=("valgrind: the build"); return; }
+  export SNELL_PATIENCE=200
   printf '%s\n' $tests | executables valgrind valgrind -q --error-exitcode=66 --num-callers=24 --leak-check=full \
     --show-leak-kinds=definite --errors-for-leak-kinds=definite --suppressions=tests/sanitize/valgrind.supp
 }

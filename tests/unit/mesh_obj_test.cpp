@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "tests/decimal_comma.h"
+#include "tests/sanitized.h"
 #include "tests/unit/mesh_obj_check.h"
 
 namespace snell::content {
@@ -170,12 +171,12 @@ TEST(ObjPolygons, OfManyCornersTakeLittleTime) {
         const double r = i % 2 ? 900 : 1000;
         jagged.push_back({r * std::cos(angle), r * std::sin(angle), 0});
     }
-    const auto start = std::chrono::steady_clock::now();
+    [[maybe_unused]] const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(parse(polygon(round)).mesh.indices.size(), 3u * 19998);
     EXPECT_EQ(parse(polygon(spiral)).mesh.indices.size(), 3u * 5998);
     EXPECT_EQ(parse(polygon(jagged)).mesh.indices.size(), 3u * 19998);
 #ifdef NDEBUG
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5) * patience);
 #endif
 }
 
