@@ -21,9 +21,11 @@ fuzz() {
   esac
   "$bin/${name}_fuzz" "${options[@]}" -timeout=10 -print_final_stats=1 -artifact_prefix="$folder/finding-" "$folder" \
     "${inputs[@]}" >"$log" 2>&1 &
-  local pid=$! code=0
+  local pid=$! code=0 spent=0 now
   # The processor's seconds, not the clock's: beside other work they are fewer.
-  while kill -0 $pid 2>/dev/null && (($(ps -o cputimes= -p $pid || echo 0) < seconds)); do sleep 1; done
+  while ((spent < seconds)) && now=$(ps -o cputimes= -p $pid) && [ "$now" ]; do
+    spent=$((now)) && sleep 1
+  done
   kill -INT $pid 2>/dev/null || true
   wait $pid || code=$?
   local executions edges features memory found
@@ -31,7 +33,7 @@ fuzz() {
   memory=$(sed -n 's/^stat::peak_rss_mb: *//p' "$log")
   read -r edges features < <(sed -nE 's/^#.* cov: ([0-9]+) ft: ([0-9]+) .*/\1 \2/p' "$log" | tail -1)
   found=$(find "$folder" -name 'finding-*' | wc -l)
-  echo "| \`${name}_fuzz\` | $seconds | $executions | $edges | $features | $memory MB | $found |"
+  echo "| \`${name}_fuzz\` | $spent | $executions | $edges | $features | $memory MB | $found |"
   ((found == 0))
 }
 export -f fuzz
