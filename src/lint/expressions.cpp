@@ -152,8 +152,8 @@ Value Walker::combine(const Value& a, const Value& b, std::string_view op) {
         v = multiply(a, b);
     } else if (op == "/") {
         v.type = a.type.rows >= b.type.rows ? a.type : b.type;
-        if (const auto divisor = constant(b); divisor && *divisor != 0)
-            v.range = product(a.range, exactly(1 / *divisor), false);
+        if (const double divisor = constant(b).value_or(0); divisor != 0)
+            v.range = product(a.range, exactly(1 / divisor), false);
         else if (b.range.lo > 0)
             v.range = product(a.range, {1 / b.range.hi, 1 / b.range.lo, b.range.real_hi, b.range.real_lo}, false);
         if (a.type.rows > 1) v.space = a.space;
