@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <thread>
 
 #include "tests/gl/cli_run.h"
@@ -63,6 +64,48 @@ TEST_F(Hostile, NothingOutsideOfTheFolderIsRead) {
     const test::Outcome exam = test::snell("check --grade " + at("scene/exam.glib"));
     EXPECT_FALSE(says(exam, "swordfish")) << exam.output;
     EXPECT_TRUE(says(exam, "outside")) << exam.output;
+}
+
+// Every file below the folder, with its time.
+std::map<std::string, fs::file_time_type> files_in(const std::string& folder) {
+    std::map<std::string, fs::file_time_type> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files[entry.path()] = entry.last_write_time();
+    return files;
+}
+
+// Neither beside the scene, nor in the home or temporary folder, nor where the command is called. The driver keeps a
+// cache of its own, which the environment switches off.
+TEST_F(Hostile, NothingIsWrittenButWhatIsNamed) {
+    scene(
+        "Noise2D 32\nVertex m.vert\nFragment m.frag\nProgram P uEta <.1 1.1 5.>\nSphere 1 20 20\nTranslate 1 0 0\nObj "
+        "m.obj\n");
+    folder_.write("scene/m.vert", "void main() { gl_Position = ftransform(); }\n");
+    folder_.write("scene/m.frag", "uniform float uEta;\nvoid main() { gl_FragColor = vec4(uEta); }\n");
+    folder_.write("scene/m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for (const char* name : {"home", "tmp", "out", "here"}) fs::create_directory(at(name));
+    const std::string environment =
+        "env -u XDG_CACHE_HOME -u XDG_CONFIG_HOME -u XDG_STATE_HOME -u XDG_DATA_HOME HOME=" + at("home") +
+        " TMPDIR=" + at("tmp") + " MESA_SHADER_CACHE_DISABLE=true ";
+    auto before = files_in(folder_.path());
+    const std::pair<const char*, const char*> commands[] = {{"check SCENE", ""},
+                                                            {"render SCENE -o OUT/a.png --size 32x32", "a.png"},
+                                                            {"explain SCENE", ""},
+                                                            {"save SCENE -o OUT/b.glib --set P.uEta=2", "b.glib"},
+                                                            {"info", ""}};
+    for (const auto& [command, written] : commands) {
+        std::string line = command;
+        if (const std::size_t i = line.find("SCENE"); i != line.npos) line.replace(i, 5, at("scene/s.glib"));
+        if (const std::size_t i = line.find("OUT"); i != line.npos) line.replace(i, 3, at("out"));
+        const test::Outcome outcome = test::run("cd " + at("here") + " && " + environment + SNELL_BIN "/snell " + line);
+        EXPECT_EQ(outcome.status, 0) << line << '\n' << outcome.output;
+        if (*written) {
+            const std::string path = at("out/") + written;
+            ASSERT_TRUE(fs::exists(path)) << line;
+            before[path] = fs::last_write_time(path);
+        }
+        EXPECT_EQ(files_in(folder_.path()), before) << line;
+    }
 }
 
 TEST_F(Hostile, DevicesPipesAndHugeFilesAreRefusedAtOnce) {
