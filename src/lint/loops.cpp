@@ -1,9 +1,11 @@
 // How often loops go round, as far as is known before the shader runs.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "src/glsl/words.h"
 #include "src/lint/walker.h"
@@ -27,10 +29,15 @@ std::string rounds_text(double rounds) {
 
 }  // namespace
 
-// break, return and discard: whose loop they leave is not asked.
+// break, return and discard, but for a break that leaves another loop or a switch within.
 bool Walker::leaves(int first, int last) const {
-    for (int k = first; k <= last; ++k)
-        if (const std::string_view t = u_.at(k).text; t == "break" || t == "return" || t == "discard") return true;
+    int within = first - 1;  // the last token of such a one
+    for (int k = first; k <= last; ++k) {
+        const std::string_view t = u_.at(k).text;
+        if (t == "return" || t == "discard" || (t == "break" && k > within)) return true;
+        if (t == "for" || t == "while" || t == "switch") within = std::max(within, statement_end(matching(k + 1) + 1));
+        if (t == "do") within = std::max(within, statement_end(k + 1));
+    }
     return false;
 }
 
@@ -58,23 +65,36 @@ double Walker::step_of(std::string_view name, int first, int last) const {
     return sign(word(first + 1)) * std::strtod(std::string(by.text).c_str(), nullptr);
 }
 
-// Of a loop whose condition begins at p_ and whose header ends at `close`; 0: it is not known. A slider counts as far
-// as it goes.
-double Walker::rounds_of(int close, int last) {
-    int end = p_;
-    while (end < close && u_.at(end).text != ";") ++end;
-    const bool always = end == p_ || (end == p_ + 1 && is("true"));
-    if (leaves(close + 1, last)) return 0;
+// The same of a loop's body, as far as it is done in every round.
+double Walker::body_step(std::string_view name, int first, int last) const {
+    double step = 0;
+    const bool braces = u_.at(first).text == "{";
+    for (int k = first + (braces ? 1 : 0), end = 0; k <= last - (braces ? 1 : 0); k = end + 1) {
+        end = statement_end(k);
+        const double here = step_of(name, k, end - 1);
+        if (here == 0 && assigned(name, k, end)) return 0;
+        step += here;
+    }
+    for (int k = first; k <= last; ++k)
+        if (u_.at(k).text == "continue") return 0;
+    return step;
+}
+
+// 0: it is not known. A slider counts as far as it goes.
+double Walker::rounds_of(const Loop& loop) {
+    const int begin = loop.condition, end = loop.condition_end;
+    const bool always = end == begin || (end == begin + 1 && u_.at(begin).text == "true");
+    if (leaves(loop.body, loop.body_end)) return 0;
     if (always) return infinity;
-    const std::string_view name = text(), op = text(1);
+    const std::string_view name = u_.at(begin).text, op = u_.at(begin + 1).text;
     const int slot = find(name);
-    const double step = end < close ? step_of(name, end + 1, close - 1) : 0;
-    if (slot < 0 || step == 0 || assigned(name, close + 1, last)) return 0;
-    const int here = p_;
-    p_ += 2;
+    const bool stepped = loop.step < loop.step_end;  // by its header
+    const double step =
+        stepped ? step_of(name, loop.step, loop.step_end - 1) : body_step(name, loop.body, loop.body_end);
+    if (slot < 0 || step == 0 || (stepped && assigned(name, loop.body, loop.body_end))) return 0;
+    const int here = std::exchange(p_, begin + 2);
     Value bound = expression().v;
-    const bool whole = p_ == end;
-    p_ = here;
+    const bool whole = std::exchange(p_, here) == end;
     if (!whole) return 0;
     if (bound.uniform >= 0)
         if (const auto set = around_.uniforms.find(u_.globals[static_cast<std::size_t>(bound.uniform)].name);

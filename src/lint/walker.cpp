@@ -165,6 +165,14 @@ int Walker::statement_end(int from) const {
     return end;
 }
 
+// An `if` ends with its last `else`.
+int Walker::body_end(int from) const {
+    int last = statement_end(from);
+    while (last + 1 < static_cast<int>(u_.tokens.size()) && u_.at(last + 1).text == "else")
+        last = statement_end(last + 2);
+    return last;
+}
+
 void Walker::loop() {
     const bool counted = is("for");
     const int open = p_ + 1;
@@ -179,10 +187,10 @@ void Walker::loop() {
             accept(";");
         }
     }
-    int last = statement_end(close + 1);
-    while (last + 1 < static_cast<int>(u_.tokens.size()) && u_.at(last + 1).text == "else")
-        last = statement_end(last + 2);
-    const double rounds = rounds_of(close, last), weight = weight_;
+    const int last = body_end(close + 1);
+    int semicolon = p_;
+    while (semicolon < close && u_.at(semicolon).text != ";") ++semicolon;
+    const double rounds = rounds_of({p_, semicolon, semicolon + 1, close, close + 1, last}), weight = weight_;
     go_round(rounds, open - 1, close);
     weight_ *= std::max(rounds, 1.0);
     forget_assigned(p_, last);
@@ -203,9 +211,18 @@ void Walker::loop() {
 }
 
 void Walker::do_loop() {
-    ++p_;
-    forget_assigned(p_, statement_end(p_));
+    const int body = ++p_, last = body_end(body), open = last + 2;
+    const double weight = weight_;
+    if (u_.at(last + 1).text == "while" && u_.at(open).text == "(") {
+        const int close = matching(open);
+        const double rounds = rounds_of(
+            {.condition = open + 1, .condition_end = close, .body = body, .body_end = last, .at_least_once = true});
+        go_round(rounds, open - 1, close);
+        weight_ *= std::max(rounds, 1.0);
+    }
+    forget_assigned(body, last);
     statement();
+    weight_ = weight;
     state_.dead = false;
     if (accept("while") && is("(")) p_ = matching(p_) + 1;
     accept(";");

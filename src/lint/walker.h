@@ -77,13 +77,21 @@ private:
     State merge(State a, const State& b) const;
     void condition_on(int first, int last);
     int statement_end(int from) const;
+    int body_end(int from) const;
     bool of_interest(int first, int last) const;
 
     // how often loops go round (loops.cpp)
     bool leaves(int first, int last) const;
     bool assigned(std::string_view name, int first, int last) const;
     double step_of(std::string_view name, int first, int last) const;
-    double rounds_of(int close, int last);
+    double body_step(std::string_view name, int first, int last) const;
+    struct Loop {
+        int condition, condition_end;  // first token, and one behind the last
+        int step = 0, step_end = 0;    // of `for`; none: the body steps
+        int body, body_end;            // first and last token
+        bool at_least_once = false;
+    };
+    double rounds_of(const Loop& loop);
     void go_round(double rounds, int first, int last);
 
     // expressions (expressions.cpp)

@@ -17,7 +17,10 @@ TEST(LintLoops, TooManyRounds) {
          {"for (int i = 0; i < 70000; ++i) x += 1.;", "for (int i = 0; i <= 65535; i++) { x += 1.; }",
           "for (int i = 140000; i > 0; i -= 2) x += 1.;", "for (float f = 0.; f < 7000.; f += .1) x += f;",
           "for (int i = -40000; i < 40000; i += 1) x += 1.;", "int i; for (i = 0; i < 70000; ++i) x += 1.;",
-          "for (int i = 0; i < 70000; ++i) x += float(i);"}) {
+          "for (int i = 0; i < 70000; ++i) x += float(i);", "int i = 0; while (i < 70000) { x += 1.; ++i; }",
+          "int i = 70000; while (i > 0) { i -= 1; x += float(i); }",
+          "int i = 0; do { x += 1.; i++; } while (i < 70000);", "int i = 0; do ++i; while (i <= 65535);",
+          "int i = 0; for (; i < 140000;) { ++i; x += 1.; ++i; }"}) {
         const Linted bad = looping(loop);
         EXPECT_TRUE(told(bad)) << loop << bad.text();
         EXPECT_EQ(bad.at("many-rounds").size(), 1U);
@@ -51,7 +54,23 @@ TEST(LintLoops, BoundsThatTheSceneSets) {
     EXPECT_FALSE(told(looping(square, "uN <1 10 200>")));
 }
 
+TEST(LintLoops, LoopsThatCountWithin) {
+    EXPECT_TRUE(told(looping("int i = 0; while (i < uN) { x += 1.; ++i; }", "uN <1 10 100000>")));
+    EXPECT_TRUE(told(looping("int i = 0; do { for (int k = 0; k < 300; ++k) x += 1.; ++i; } while (i < 300);")));
+    EXPECT_FALSE(told(looping("int i = 0; do { x += 1.; ++i; } while (i < 60000);")));
+    EXPECT_FALSE(told(looping("int i = 0; while (i < 60000) { x += 1.; ++i; }")));
+}
+
+TEST(LintLoops, ABreakLeavesItsOwnLoopAlone) {
+    EXPECT_TRUE(told(looping("while (true) { for (int k = 0; k < 3; ++k) { if (x > uX) break; x += 1.; } }")));
+    EXPECT_TRUE(told(looping("for (;;) { int k = 0; do { if (x > uX) break; } while (k < uM); }")));
+    EXPECT_TRUE(told(looping("for (int i = 0; i < 70000; ++i) switch (uM) { case 1: x += 1.; break; }")));
+    EXPECT_FALSE(told(looping("while (true) { for (int k = 0; k < 3; ++k) x += 1.; if (x > uX) break; }")));
+    EXPECT_FALSE(told(looping("while (true) for (int k = 0; k < 3; ++k) if (x > uX) discard;")));
+}
+
 TEST(LintLoops, WithoutAnEnd) {
+    EXPECT_TRUE(told(looping("do x += 1.; while (true);")));
     EXPECT_TRUE(told(looping("while (true) x += 1.;")));
     EXPECT_TRUE(told(looping("for (;;) { x += 1.; }")));
     EXPECT_TRUE(told(looping("for (int i = 0; true; ++i) x += 1.;")));
@@ -59,16 +78,26 @@ TEST(LintLoops, WithoutAnEnd) {
 }
 
 TEST(LintLoops, WhatMayEndEarlierIsNotKnown) {
-    for (const char* loop :
-         {"while (true) { x += 1.; if (x > uX) break; }",
-          "for (int i = 0; i < 100000; ++i) { x += uX; if (x > 3.) break; }",
-          "for (int i = 0; i < 100000; ++i) { x += uX; if (x > 3.) discard; }",
-          "for (int i = 0; i < 100000; ++i) { ++i; i *= 2; }",
-          "for (int i = 0; i < 100000; ++i) { if (x > uX) i = 100000; else x += 1.; }",
-          "for (int i = 0; i < 100000; i += uM) x += 1.;", "for (int i = uM; i < uN; ++i) x += 1.;",
-          "while (x < uX) x += 1.;", "do x += 1.; while (x < uX);",
-          "for (int i = 0; i < 8; ++i) for (int k = 0; k < 8; ++k) x += 1.;",
-          "for (int i = 0; i > 100000; ++i) x += 1.;", "for (float f = 0.; f < 1.; f += .01) x += f;"})
+    for (const char* loop : {"while (true) { x += 1.; if (x > uX) break; }",
+                             "for (int i = 0; i < 100000; ++i) { x += uX; if (x > 3.) break; }",
+                             "for (int i = 0; i < 100000; ++i) { x += uX; if (x > 3.) discard; }",
+                             "for (int i = 0; i < 100000; ++i) { ++i; i *= 2; }",
+                             "for (int i = 0; i < 100000; ++i) { if (x > uX) i = 100000; else x += 1.; }",
+                             "for (int i = 0; i < 100000; i += uM) x += 1.;",
+                             "for (int i = uM; i < uN; ++i) x += 1.;",
+                             "while (x < uX) x += 1.;",
+                             "do x += 1.; while (x < uX);",
+                             "for (int i = 0; i < 8; ++i) for (int k = 0; k < 8; ++k) x += 1.;",
+                             "int i = 0; while (i < 70000) { if (x > uX) ++i; x += 1.; }",
+                             "int i = 0; while (i < 70000) { if (x > uX) continue; ++i; }",
+                             "int i = 0; while (i < 70000) { ++i; if (x > uX) break; }",
+                             "int i = 0; do { ++i; if (x > uX) return; } while (i < 70000);",
+                             "int i = 0; do { ++i; i = i * 2; } while (i < 70000);",
+                             "int i = 0; do { --i; } while (i < 70000);",
+                             "int i = 0; while (i < 70000) { for (int k = 0; k < uM; ++k) ++i; }",
+                             "do { x += 1.; if (x > uX) break; } while (true);",
+                             "for (int i = 0; i > 100000; ++i) x += 1.;",
+                             "for (float f = 0.; f < 1.; f += .01) x += f;"})
         EXPECT_FALSE(told(looping(loop))) << loop << looping(loop).text();
 }
 
