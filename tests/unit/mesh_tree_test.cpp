@@ -10,6 +10,7 @@
 #include <set>
 
 #include "src/content/mesh.h"
+#include "tests/sanitized.h"
 
 namespace snell::content {
 namespace {
@@ -219,7 +220,7 @@ TEST(MeshTree, IsBuiltQuickly) {
         EXPECT_EQ(tree.triangle_count(), mesh.indices.size() / 3);
     }
     RecordProperty("milliseconds", static_cast<int>(best * 1e3));
-    EXPECT_LT(best, 1.0) << "seconds; 0.05 on an idle machine";
+    EXPECT_LT(best, 1.0 * patience) << "seconds; 0.05 on an idle machine";
 }
 
 }  // namespace
