@@ -161,7 +161,31 @@ Files::Files(std::string folder, Access access) : folder_(std::move(folder)), ac
     if (root_.empty()) root_ = "/\n";  // no such folder: nothing is inside
 }
 
+namespace {
+
+// A scene may ask for the same thousands of times, and each search reads whole folders.
+template <class Look>
+Resolved once(std::mutex& mutex, std::map<std::string, Resolved>& missing, std::string_view folder,
+              std::string_view name, const std::vector<std::string_view>& extensions, const Look& look) {
+    std::string asked = std::string(folder) + '\0' + std::string(name);
+    for (const std::string_view extension : extensions) asked += '\0' + std::string(extension);
+    {
+        const std::scoped_lock lock(mutex);
+        if (const auto known = missing.find(asked); known != missing.end()) return known->second;
+    }
+    Resolved found = look();
+    if (!found.path.empty()) return found;
+    const std::scoped_lock lock(mutex);
+    return missing.try_emplace(std::move(asked), std::move(found)).first->second;
+}
+
+}  // namespace
+
 Resolved Files::resolve(std::string_view written, const std::vector<std::string_view>& extensions) const {
+    return once(mutex_, missing_, folder_, written, extensions, [&] { return look_for(written, extensions); });
+}
+
+Resolved Files::look_for(std::string_view written, const std::vector<std::string_view>& extensions) const {
     const std::string name = tidy(written);
     if (name.empty() || name.find('\0') != std::string::npos) return {};
     const Finder finder{root_};
@@ -190,7 +214,8 @@ Resolved Files::resolve_beside(std::string_view from, std::string_view name,
                                const std::vector<std::string_view>& extensions) const {
     const std::size_t slash = from.rfind('/');
     const std::string folder(slash == std::string_view::npos ? "" : from.substr(0, slash + 1));
-    Resolved beside = Files(folder, access_).resolve(name, extensions);
+    const Resolved beside = once(mutex_, missing_, folder, name, extensions,
+                                 [&] { return Files(folder, access_).resolve(name, extensions); });
     return beside.path.empty() ? resolve(name, extensions) : beside;
 }
 

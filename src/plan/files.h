@@ -45,7 +45,7 @@ public:
     // Tries, in this order: the name itself; its components without regard to case (ASCII); the name with each
     // of `extensions` ({"vert", "vs", "glsl"}), exactly and then without regard to case; its last component in
     // the folder itself. '\' is '/', quotes around the name are dropped. Only regular files count, links to them
-    // included.
+    // included. What was not there is not looked for again.
     Resolved resolve(std::string_view name, const std::vector<std::string_view>& extensions = {}) const;
     // The same from the folder of a file that was read (`from` is its path on disk), then from the own folder:
     // what an included scene or shader names.
@@ -63,12 +63,15 @@ public:
     std::vector<std::string> read_paths() const;
 
 private:
+    Resolved look_for(std::string_view written, const std::vector<std::string_view>& extensions) const;
+
     std::string folder_;
     Access access_;
     std::string root_;  // the real path of the folder that reading is confined to; empty: it is not
     mutable std::mutex mutex_;
     FileCounters counters_;
     std::map<std::string, std::shared_ptr<const std::string>> texts_;  // by path, of read_once()
+    mutable std::map<std::string, Resolved> missing_;                  // by what was asked for
     std::vector<std::string> read_paths_;
 };
 

@@ -88,6 +88,22 @@ TEST(Resolve, SuggestsTheNearestName) {
     EXPECT_TRUE(files.resolve("nofolder/entirely-different").nearest.empty());
 }
 
+// A search reads whole folders, and scenes ask for the same thousands of times.
+TEST(Resolve, WhatIsMissingIsLookedForOnce) {
+    const Scratch folder;
+    const std::string scene = folder.write("part/s.glib", "");
+    const Files files(folder.path());
+    EXPECT_EQ(files.resolve("a", {"bmp"}).path, "");
+    EXPECT_EQ(files.resolve_beside(scene, "b.bmp").path, "");
+    folder.write("a.bmp", "x");
+    folder.write("part/b.bmp", "x");
+    EXPECT_EQ(files.resolve("a", {"bmp"}).path, "");
+    EXPECT_EQ(files.resolve_beside(scene, "b.bmp").path, "");
+    EXPECT_EQ(files.resolve("a", {"tex", "bmp"}).path, folder.path("a.bmp")) << "that is another question";
+    EXPECT_EQ(Files(folder.path()).resolve("a", {"bmp"}).path, folder.path("a.bmp")) << "the next reading finds it";
+    EXPECT_EQ(Files(folder.path()).resolve_beside(scene, "b.bmp").path, folder.path("part/b.bmp"));
+}
+
 TEST(Resolve, OnlyRegularFilesCount) {
     const Scratch folder;
     std::filesystem::create_directory(folder.path("wall.bmp"));
