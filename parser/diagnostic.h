@@ -11,6 +11,8 @@
 namespace snell {
 
 enum class Severity : std::uint8_t { note, warning, error };
+// "note", "warning", "error".
+const char* name(Severity severity);
 
 struct Note {
     Span span;

@@ -11,18 +11,6 @@ namespace {
 constexpr int tab_stop = 4;
 constexpr int widest = 120;  // columns of source shown; longer lines are cut around the span
 
-const char* name(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::error:
-            return "error";
-    }
-    return "";
-}
-
 // A line as it is shown, and the columns at which a range of its bytes stands there.
 struct Shown {
     std::string text;

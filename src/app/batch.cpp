@@ -131,7 +131,9 @@ bool Batch::open(Open& open, const std::string& path) {
     deadline_.begin(fmt::format("reading '{}'", path));
     // What the scene before has too, such as snell's own programs, need not be made again.
     const RuntimeOptions how{.previous = last_ ? &*last_->runtime : nullptr, .progress = progress_.watcher()};
-    const auto planned = [this](const Plan& plan, Document& document) { warn_of_rounds(plan, document, caps_); };
+    const auto planned = [&](const Plan& plan, Document& document) {
+        if (may_go_round(plan, document, caps_)) open.looping = plan;
+    };
     open.document = open_document(path, caps_, choose, planned, how, access_to(path, options_.access, options_.grade));
     print_all(*open.document, options_.quiet);
     say(unknown, open.document->sources);
@@ -153,12 +155,13 @@ void Batch::find_roles(Open& open) const {
 }
 
 // Before the first picture, so that a wrong value does not cost the ones before it.
-bool Batch::check_values(const Open& open) {
-    const Document& document = *open.document;
+bool Batch::check_values(Open& open) {
+    Document& document = *open.document;
     Controls controls = document.controls;
     Rungs rungs = open.rungs;
     Diagnostics problems;
     for (const std::string& set : options_.sets) set_control(controls, document.scene(), set, problems);
+    Reach reach(controls);
     for (std::size_t i = 0; i < shots_.axes.size(); ++i)
         for (const AxisValue& value : shots_.axes[i].values) {
             const std::string text = assignment(shots_.axes[i], value);
@@ -168,7 +171,14 @@ bool Batch::check_values(const Open& open) {
             if (open.roles[i] == Role::ladder) good = choose_rung(rungs, document.scene(), text, problems);
             if (open.roles[i] == Role::uniform) good = set_control(controls, document.scene(), text, problems);
             if (!good) break;
+            if (open.looping) reach.add(controls);
         }
+    if (open.looping) {
+        reach.narrow(*open.looping);
+        const Diagnostics found = too_many_rounds(*open.looping, document);
+        document.diagnostics.append(found);
+        problems.append(found);
+    }
     say(problems, document.sources);
     return !problems.has_errors();
 }

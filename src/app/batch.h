@@ -56,15 +56,16 @@ private:
     enum class Role { frame, time, ladder, uniform };
     struct Open {
         std::unique_ptr<Document> document;
-        std::vector<Role> roles;  // by Shots::axes
-        Rungs rungs;              // where no axis says otherwise
+        std::vector<Role> roles;      // by Shots::axes
+        Rungs rungs;                  // where no axis says otherwise
+        std::optional<Plan> looping;  // where there may be something to say of its loops
     };
 
     bool ready_context();
     void scene(std::size_t scene, const std::vector<std::size_t>& indices);
     bool open(Open& open, const std::string& path);
     void find_roles(Open& open) const;
-    bool check_values(const Open& open);
+    bool check_values(Open& open);
     bool take_rungs(Open& open, const Shot& shot);
     std::optional<Controls> controls_of(const Open& open, const Shot& shot);
     double time_of(const Open& open, const Shot& shot) const;

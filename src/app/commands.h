@@ -94,6 +94,11 @@ struct ExplainOptions {
 int explain(const ExplainOptions& options);
 
 int print_commands(bool json);
-int print_info(const std::string& context);
+
+struct InfoOptions {
+    std::string context;
+    double timeout = 20;  // seconds for all of it
+};
+int print_info(const InfoOptions& options);
 
 }  // namespace snell::app

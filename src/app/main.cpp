@@ -3,9 +3,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -106,7 +109,7 @@ struct CommandLine {
     std::vector<std::string> limits;
     std::string confine;
     bool commands_json = false;
-    std::string info_context;
+    app::InfoOptions info;
     CLI::App *explain_command = nullptr, *accuracy_command = nullptr, *render_command = nullptr,
              *check_command = nullptr, *commands_command = nullptr, *info_command = nullptr, *sweep_command = nullptr,
              *save_command = nullptr;
@@ -124,7 +127,7 @@ struct CommandLine {
         app.add_option("--state", window.state_file)->group("");
         app.add_option("--exit-after", window.exit_after)->group("");
         app.add_option("--lose-file", window.lose_file)->group("");
-        app.add_flag("--after-hang", window.after_hang)->group("");  // said by a window that starts itself again
+        app.add_option("--after", window.after)->group("");  // said by a window that starts itself again
         add_timeout(app, window.timeout, "a frame; then the scene waits for another edit");
         add_access(app);
         add_render();
@@ -136,7 +139,8 @@ struct CommandLine {
         commands_command = app.add_subcommand("commands", "list the commands of the language");
         commands_command->add_flag("--json", commands_json, "as JSON");
         info_command = app.add_subcommand("info", "say what OpenGL there is");
-        info_command->add_option("--context", info_context, "ask for this version: 3.3, 4.5, es3.2")
+        add_timeout(*info_command, info.timeout, "the driver to answer");
+        info_command->add_option("--context", info.context, "ask for this version: 3.3, 4.5, es3.2")
             ->check(check_context);
     }
 
@@ -261,7 +265,9 @@ struct CommandLine {
         accuracy_command = &command;
         add_access(command);
         add_timeout(command, accuracy.timeout, "one step of the measurement, or for reading a scene");
-        command.footer("Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written.");
+        command.footer(
+            "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
+            "ends the program at once.");
         command.add_option("SCENE", accuracy.scenes, "one report of all of them")->required();
         command.add_option("--ladders", accuracy.ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
             ->delimiter(',');
@@ -348,7 +354,7 @@ struct CommandLine {
         if (save_command->parsed()) return app::save(save);
         if (check_command->parsed()) return app::check(check);
         if (commands_command->parsed()) return app::print_commands(commands_json);
-        if (info_command->parsed()) return app::print_info(info_context);
+        if (info_command->parsed()) return app::print_info(info);
         if (window.scene.empty()) {
             fmt::print(stderr, "snell: error: no scene is named\n\n{}\n", app.help());
             return app::exit_usage;
@@ -356,6 +362,14 @@ struct CommandLine {
         return run_window(window);
     }
 };
+
+// A full disk may be where standard output goes.
+int printed(int status) {
+    const int wrong = std::fflush(stdout) != 0 ? errno : std::ferror(stdout) ? EIO : 0;
+    if (wrong == 0) return status;
+    fmt::print(stderr, "snell: error: can't write what was to be printed: {}\n", std::strerror(wrong));
+    return std::max<int>(status, app::exit_input);
+}
 
 }  // namespace
 
@@ -372,7 +386,7 @@ int main(int argc, char** argv) {
         return asked ? app::exit_fine : app::exit_usage;
     }
     try {
-        return line.run();
+        return printed(line.run());
     } catch (const std::exception& error) {
         fmt::print(stderr, "snell: error: {}\n", utf8::printable(error.what()));
         return app::exit_input;

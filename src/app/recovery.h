@@ -1,4 +1,4 @@
-// What a window goes on with when the driver took its context away, or does not return from a frame.
+// What a window goes on with when the driver took its context away, or when it had to be started again.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "parser/source.h"
-#include "src/app/deadline.h"
 #include "src/plan/controls.h"
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
@@ -25,6 +24,7 @@ struct Kept {
 struct Recovery {
     std::shared_ptr<const Kept> kept;  // what was last drawn well; null: nothing is shown
     std::vector<std::string> files;    // a change of which is another try
+    std::string values;                // what is not as the scene says: restore_changed() once it is read
     std::string problem;               // what happened, and what may be done
 };
 
@@ -33,16 +33,15 @@ struct Carried {
     std::string scene;
     Recovery recovery;
     View view;
-    std::pair<int, int> size;
+    std::pair<int, int> size;  // of the window
+    double time = 0;           // of the scene
 };
 
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files);
 
-// For a window that was started in place of one that hung.
-Recovery after_hang(const std::string& scene);
-
-// Watches frames: one that takes longer than `seconds` is said on standard error, and the program is started again in
-// this process's place, with "--after-hang". Threads that don't return end with it; what was set by hand is lost.
-app::Deadline hang_watch(double seconds);
+// As text, without what only lives with the process: what is kept, and the problem. "" reads as what a window begins
+// with, of no scene.
+std::string carried_text(const Carried& carried);
+Carried read_carried(const std::string& text);
 
 }  // namespace snell

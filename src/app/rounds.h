@@ -7,7 +7,23 @@
 
 namespace snell {
 
-// Warns of them as `snell check` does. Looks at nothing where another driver draws, or where no shader has a loop.
-void warn_of_rounds(const Plan& plan, Document& document, const gl::Caps& caps);
+// There may be some: llvmpipe draws, and a shader has a loop.
+bool may_go_round(const Plan& plan, const Document& document, const gl::Caps& caps);
+
+// As `snell check` finds them. The texts that shaders include are added to the document's.
+Diagnostics too_many_rounds(const Plan& plan, Document& document);
+
+// What uniforms are set to where nobody moves a slider.
+class Reach {
+public:
+    explicit Reach(const Controls& controls) : low_(controls), high_(controls) {}
+    // The same controls, with other values.
+    void add(const Controls& controls);
+    // The plan's numbers are then those, instead of the whole way of their sliders.
+    void narrow(Plan& plan) const;
+
+private:
+    Controls low_, high_;
+};
 
 }  // namespace snell

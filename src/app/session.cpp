@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/app/rounds.h"
+#include "src/app/snapshots.h"
 
 namespace snell {
 
@@ -61,6 +62,8 @@ std::unique_ptr<Document> Session::read(const std::string& path, const Document*
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
         if (previous && path == path_)
             carry_over(previous->controls.rungs, previous->scene(), rungs, scene);
+        else if (!by_hand_.empty() && path == path_)
+            restore_rungs(by_hand_, scene, rungs);
         else if (first)
             first(scene, rungs, refused);
     };
@@ -69,7 +72,7 @@ std::unique_ptr<Document> Session::read(const std::string& path, const Document*
     options.progress = progress_;
     const auto planned = [this](const Plan& plan, Document& document) {
         read_plan_ = plan;
-        warn_of_rounds(plan, document, caps_);
+        if (may_go_round(plan, document, caps_)) document.diagnostics.append(too_many_rounds(plan, document));
     };
     std::unique_ptr<Document> read = open_document(path, caps_, choose, planned, options, access_);
     broken_ = read->diagnostics.has_errors();
@@ -94,14 +97,9 @@ std::string Session::open(std::string path) {
     // What both scenes have is taken over by now; values are not.
     shown_.reset();
     kept_ = nullptr;
+    by_hand_.clear();
     take(std::move(fresh));
     return {};
-}
-
-bool Session::reload_if_saved() {
-    if (!watch_.changed()) return false;
-    reload();
-    return true;
 }
 
 void Session::take(std::unique_ptr<Document> read) {
@@ -114,6 +112,9 @@ void Session::take(std::unique_ptr<Document> read) {
     const bool shows = shown_ != nullptr;
     stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
     if (stale_ || !read->runtime) return;
+    // A program that is broken now has no place for its values: until nothing is, what lacks them gets them.
+    if (!by_hand_.empty()) restore_changed(by_hand_, *read);
+    if (!read->diagnostics.has_errors()) by_hand_.clear();
     if (shows) carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
     keep_shown();
     shown_ = std::move(read);
@@ -144,6 +145,7 @@ void Session::recover(const Recovery& recovery) {
     errors_ = file_errors_ = file_problems_ = 1;
     files_ = recovery.files;
     watch_.set_paths(recovery.files);
+    by_hand_ = recovery.values;
     if (!recovery.kept) return;
     const Kept& kept = *recovery.kept;
     auto document = std::make_unique<Document>();

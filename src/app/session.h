@@ -29,14 +29,16 @@ public:
     void drawn_well() { drawn_well_ = true; }
     // What was last drawn well, for after the loss of the context. The session shows nothing any more.
     std::shared_ptr<const Kept> salvage();
+    // What the recovery's values say, until they are where they belong.
+    const std::string& by_hand() const { return by_hand_; }
 
     // Reads the files again. A state with errors that the shown one does not have is not shown: its problems
     // are, over the last good picture. Values of controls carry over.
     void reload();
     // Shows another scene, as it is in its file. "", or why the one that is shown stays.
     std::string open(std::string path);
-    // Reloads when a file in use was saved. True: it did.
-    bool reload_if_saved();
+    // A file in use was saved: it is time to reload.
+    bool saved() { return watch_.changed(); }
 
     // Compiles what other rungs of the shown scene's ladders need, if its controls ask for them. True: problems may
     // be others.
@@ -69,6 +71,7 @@ private:
     std::unique_ptr<Document> shown_;
     Plan plan_, read_plan_;  // of shown_; of what was read last
     bool drawn_well_ = false;
+    std::string by_hand_;
     std::shared_ptr<const Kept> kept_;   // of what was shown before, and drawn well
     std::vector<ui::Problem> problems_;  // of the files, then of the rungs chosen since
     std::size_t file_problems_ = 0, file_errors_ = 0;

@@ -27,4 +27,10 @@ struct Restored {
 // What the scene does not have, or holds in another type, is left out; what the snapshot does not have stays.
 Restored restore_snapshot(int number, Document& document);
 
+// The values and rungs that are not as the scene says, as text; "" where all are.
+std::string changed_text(const Document& document);
+Restored restore_changed(const std::string& changed, Document& document);
+// The rungs alone, before the programs are compiled for them.
+void restore_rungs(const std::string& changed, const Scene& scene, Rungs& rungs);
+
 }  // namespace snell

@@ -18,8 +18,8 @@ struct WindowOptions {
     std::string quality;               // the preset that the scene begins with; empty: its own rungs
     std::vector<std::string> ladders;  // NAME=rung, on top of that
     Access access;
-    double timeout = 60;  // seconds of one frame; 0: no end
-    bool after_hang = false;
+    double timeout = 60;    // seconds of one frame; 0: no end
+    std::string after;      // of a window that was started again: Restart
     std::string lose_file;  // for tests: while it is there, the context is lost
 };
 

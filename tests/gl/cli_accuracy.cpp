@@ -1,4 +1,5 @@
 // `snell accuracy` as a user runs it.
+#include <signal.h>
 #include <sys/wait.h>
 
 #include <cstdio>
@@ -90,6 +91,27 @@ TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
     const auto json = nlohmann::json::parse(text("r.json"));
     EXPECT_EQ(json["ladders"][0]["interrupted"], true);
     EXPECT_EQ(json["ladders"][0]["rungs"][0]["drawn"], true);
+}
+
+// A second Ctrl-C does not wait for what was measured: each file is the old one, or whole.
+TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
+    int killed = 0;
+    for (const char* between : {"0", ".02", ".1"}) {
+        folder.write("r.html", "old");
+        folder.write("r.json", "old");
+        const std::string measure = std::string(SNELL_BIN "/snell accuracy ") + scene +
+                                    " --size 900x900 --reps 5000 --budget 60 --ladders SHADE -o " +
+                                    folder.path("r.html") + " --json " + folder.path("r.json") + " > " +
+                                    folder.path("out.txt") + " 2> " + folder.path("err.txt");
+        const std::string interrupt =
+            " & p=$!; sleep .7; kill -INT $p; sleep " + std::string(between) + "; kill -INT $p 2>/dev/null; wait $p";
+        const int status = std::system((measure + interrupt).c_str());
+        killed += WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT ? 1 : 0;
+        const std::string html = text("r.html"), json = text("r.json");
+        EXPECT_TRUE(html == "old" || html.find("</html>") != std::string::npos) << html.size() << " bytes";
+        EXPECT_TRUE(json == "old" || nlohmann::json::accept(json)) << json.size() << " bytes";
+    }
+    EXPECT_GT(killed, 0) << "the second one ends the program";
 }
 
 TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {

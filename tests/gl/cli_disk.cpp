@@ -5,14 +5,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <thread>
 
 #include "src/app/save_values.h"
+#include "src/app/settings.h"
 #include "src/app/snapshots.h"
 #include "src/content/image.h"
 #include "src/content/replace.h"
@@ -56,6 +59,47 @@ protected:
         return all;
     }
 
+    // The same of `snell accuracy`: each report, and the presets, which stand beside the scene.
+    std::vector<Output> reports() const {
+        folder.write("ladder.frag",
+                     "void main() {\n#if WAY == WAY_dark\n  gl_FragColor = vec4(.2);\n#else\n"
+                     "  gl_FragColor = vec4(.4);\n#endif\n}\n");
+        const std::string text = "Ladder WAY dark <light>\nFragment ../ladder.frag\nProgram P\nQuadXY 0 .5\n";
+        const std::string l = folder.write("out/l.glib", text);
+        const std::string measure = "accuracy " + l + " --ladders WAY --size 16x16 ";
+        std::vector<Output> all{
+            {measure + "--reps 3 --budget 1 --save-quality", at("out/l.quality.json")},
+            {measure + "--no-time --markdown " + at("out/r.md") + " --svg " + at("plot.svg"), at("out/r.md")}};
+        const std::array<std::array<const char*, 2>, 4> formats{
+            {{"-o", "out/r.html"}, {"--svg", "out/r.svg"}, {"--json", "out/r.json"}, {"--csv", "out/r.csv"}}};
+        for (const auto& [option, name] : formats)
+            all.push_back({measure + "--no-time " + option + " " + at(name), at(name)});
+        return all;
+    }
+
+    void expect_no_parts() const {
+        for (const auto& entry : fs::directory_iterator(at("out")))
+            EXPECT_FALSE(entry.path().filename().string().ends_with(".part")) << entry.path();
+    }
+
+    // What goes before its commands; none where root may write everywhere, and there is nobody else to be.
+    std::optional<std::string> as_one_who_may_not_write() const {
+        using fs::perms;
+        fs::permissions(at("out"), perms::owner_read | perms::owner_exec | perms::others_read | perms::others_exec);
+        fs::permissions(folder.path(), perms::all);
+        const std::string as = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
+        if (!as.empty() && run(as + "test -r " + at("s.glib") + " && ! " + as + "touch " + at("out/x")).status != 0)
+            return std::nullopt;
+        return as;
+    }
+    void expect_refused(const std::string& as, const Output& output) const {
+        const Outcome refused = run(as + SNELL_BIN "/snell " + output.command);
+        EXPECT_EQ(refused.status, 1) << output.command << '\n' << refused.output;
+        EXPECT_NE(refused.output.find("Permission denied"), std::string::npos) << output.command << '\n'
+                                                                               << refused.output;
+        EXPECT_EQ(bytes_of(output.file), "old") << output.command;
+    }
+
     const std::string scene = "Ortho -1 1 -1 1\nFragment p.frag\nProgram P uA <0. .5 1.>\nQuadXY 0 .5\n" + comments();
     static std::string comments() {
         std::string text;
@@ -81,11 +125,38 @@ TEST_F(Disk, EveryOutputSaysThatTheDiskIsFullAndLeavesTheOldFile) {
         EXPECT_NE(full.output.find("File too large"), std::string::npos) << output.command << '\n' << full.output;
         EXPECT_EQ(bytes_of(output.file), "old") << output.command;
     }
-    for (const auto& entry : fs::directory_iterator(at("out")))
-        EXPECT_FALSE(entry.path().filename().string().ends_with(".part")) << entry.path();
+    expect_no_parts();
     for (const Output& output : outputs()) {
         EXPECT_EQ(snell(output.command).status, 0) << output.command;
         EXPECT_GT(bytes_of(output.file).size(), 100U) << output.command << ": the test can fail";
+    }
+}
+
+TEST_F(Disk, ReportsAndPresetsOfAFullDiskAreTheOldOnes) {
+    const std::vector<Output> all = reports();
+    for (const Output& output : all) {
+        std::ofstream(output.file) << "old";
+        const Outcome full = run("ulimit -f 0; exec " SNELL_BIN "/snell " + output.command);
+        EXPECT_EQ(full.status, 1) << output.command << '\n' << full.output;
+        EXPECT_NE(full.output.find("File too large"), std::string::npos) << output.command << '\n' << full.output;
+        EXPECT_EQ(bytes_of(output.file), "old") << output.command;
+    }
+    expect_no_parts();
+    for (const Output& output : all) {
+        EXPECT_EQ(snell(output.command).status, 0) << output.command;
+        EXPECT_GT(bytes_of(output.file).size(), 100U) << output.command << ": the test can fail";
+    }
+}
+
+// What is printed is lost, and the status tells.
+TEST_F(Disk, StandardOutputThatIsFull) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+    for (const std::string& command : {"check --json " + at("s.glib"), std::string("info"), std::string("commands"),
+                                       "explain --no-time --size 8x8 " + at("s.glib")}) {
+        const Outcome full = run("{ " SNELL_BIN "/snell " + command + " >/dev/full; }");
+        EXPECT_EQ(full.status, 1) << command << '\n' << full.output;
+        EXPECT_NE(full.output.find("No space left on device"), std::string::npos) << command << '\n' << full.output;
+        EXPECT_EQ(run(SNELL_BIN "/snell " + command).status, 0) << command;
     }
 }
 
@@ -126,20 +197,21 @@ TEST_F(Disk, FoldersThatMayNotBeWrittenTo) {
     std::vector<std::string> old;
     folder.write("noise.glib", "QuadXY\n");
     for (const Output& output : outputs()) std::ofstream(output.file) << "old";
-    fs::permissions(at("out"),
-                    fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
-    fs::permissions(folder.path(), fs::perms::all);
-    const std::string as = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
-    if (!as.empty() && run(as + "test -r " + at("s.glib") + " && ! " + as + "touch " + at("out/x")).status != 0)
-        GTEST_SKIP() << "this user may write everywhere";
+    const auto as = as_one_who_may_not_write();
+    if (!as) GTEST_SKIP() << "this user may write everywhere";
     for (const Output& output : outputs()) {
         fs::remove(at("o.png"));
-        const Outcome refused = run(as + SNELL_BIN "/snell " + output.command);
-        EXPECT_EQ(refused.status, 1) << output.command << '\n' << refused.output;
-        EXPECT_NE(refused.output.find("Permission denied"), std::string::npos) << output.command << '\n'
-                                                                               << refused.output;
-        EXPECT_EQ(bytes_of(output.file), "old") << output.command;
+        expect_refused(*as, output);
     }
+    fs::permissions(at("out"), fs::perms::owner_all);
+}
+
+TEST_F(Disk, FoldersThatReportsMayNotBeWrittenTo) {
+    const std::vector<Output> all = reports();
+    for (const Output& output : all) std::ofstream(output.file) << "old";
+    const auto as = as_one_who_may_not_write();
+    if (!as) GTEST_SKIP() << "this user may write everywhere";
+    for (const Output& output : all) expect_refused(*as, output);
     fs::permissions(at("out"), fs::perms::owner_all);
 }
 
@@ -205,6 +277,34 @@ TEST_F(Disk, KilledWhileStoringSnapshotsTheyAreOldOrNew) {
                 if (value != .25 && value != .5) return false;
             }
             return true;
+        });
+}
+
+// Reports, presets and statistics are written so.
+TEST_F(Disk, KilledWhileWritingTextItIsOldOrNew) {
+    const std::array<std::string, 2> texts{std::string(300'000, 'a'), std::string(200'000, 'b')};
+    ASSERT_EQ(content::replace_file(at("r.html"), texts[0]), "");
+    kill_at_moments(
+        50, [&](int round) { content::replace_file(at("r.html"), texts[static_cast<std::size_t>((round + 1) % 2)]); },
+        [&] {
+            const std::string now = bytes_of(at("r.html"));
+            return now == texts[0] || now == texts[1];
+        });
+}
+
+TEST_F(Disk, KilledWhileWritingTheWindowsSettingsTheyAreOldOrNew) {
+    Settings settings;
+    settings.recent = {"/a/one.glib", "/b/two.glib"};
+    ASSERT_EQ(write_settings(at("window.json"), settings), "");
+    kill_at_moments(
+        50,
+        [&](int round) {
+            settings.zoom = round % 2 == 0 ? 1.5 : 2;
+            write_settings(at("window.json"), settings);
+        },
+        [&] {
+            const Settings now = read_settings(at("window.json"));
+            return now.recent == settings.recent && (now.zoom == 1 || now.zoom == 1.5 || now.zoom == 2);
         });
 }
 

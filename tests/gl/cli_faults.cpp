@@ -128,6 +128,32 @@ TEST_F(Faults, LoopsThatTheDriverEndsAreSaid) {
     EXPECT_EQ(drawn.status, graphics_ ? 0 : 3);
 }
 
+// No slider is moved: what counts is what the command line gives, not how far the slider goes.
+TEST_F(Faults, LoopsAreCountedWithTheValuesThatAreSet) {
+    if (!says(snell("info"), "llvmpipe")) GTEST_SKIP() << "another driver ends no loops";
+    folder.write("l.frag",
+                 "uniform int uN;\nvoid main() {\n  float n = 0.;\n  int i = 0;\n"
+                 "  while (i < uN) { n += float(i); ++i; }\n  gl_FragColor = vec4(n);\n}\n");
+    folder.write("l.glib", "Fragment l.frag\nProgram P uN <1 10 100000>\nQuadXY 0. 9.\n");
+    const auto drawn = [&](const std::string& command, const std::string& options) {
+        const Outcome outcome = snell(command + " --size 2x2 " + at("l.glib") + " " + options);
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        return says(outcome, "[many-rounds]");
+    };
+    EXPECT_TRUE(says(snell("check " + at("l.glib")), "[many-rounds]")) << "the slider goes there";
+    const std::string one = "-o " + at("o.png"), all = "-o " + at("{uN}.png");
+    EXPECT_FALSE(drawn("render", one));
+    EXPECT_TRUE(drawn("render", one + " --set uN=70000"));
+    EXPECT_TRUE(drawn("render", one + " --set P.uN=70000"));
+    EXPECT_FALSE(drawn("render", one + " --set uN=60000"));
+    EXPECT_FALSE(drawn("render", one + " --quiet --set uN=70000"));
+    EXPECT_FALSE(drawn("sweep", all + " --over uN=1,100"));
+    EXPECT_TRUE(drawn("sweep", all + " --over uN=1,70000,100"));
+    folder.write("l.glib", "Fragment l.frag\nProgram P\nQuadXY 0. 9.\n");
+    EXPECT_TRUE(drawn("render", one + " --set uN=70000")) << "a uniform that the scene leaves alone";
+    EXPECT_FALSE(drawn("render", one));
+}
+
 TEST_F(Faults, WithoutGraphicsMemoryItSaysSo) {
     if (sanitized) GTEST_SKIP() << no_bound;
     folder.write("t.frag", "uniform sampler2D uT;\nvoid main() { gl_FragColor = texture2D(uT, vec2(.5)); }\n");

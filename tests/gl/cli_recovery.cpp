@@ -1,6 +1,8 @@
 // What is kept of a scene when its context is lost, and shown in another one.
 #include "src/app/recovery.h"
 #include "src/app/session.h"
+#include "src/app/snapshots.h"
+#include "src/app/view_text.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {
@@ -90,6 +92,104 @@ TEST_F(SessionRecovery, WhereNothingWasDrawnNothingIsShown) {
     ASSERT_TRUE(session.document());
     EXPECT_EQ(session.errors(), 0U);
     EXPECT_TRUE(near(shown(session), red));
+}
+
+// A window that was started again has the text alone.
+class SessionRestart : public SessionRecovery {
+protected:
+    Recovery recovery(const std::string& changed) const { return {nullptr, {scene()}, changed, "error: it hung\n"}; }
+    static Control& control(Session& session, const std::string& name) {
+        return *session.document()->controls.find(0, name);
+    }
+};
+
+TEST_F(SessionRestart, WhatWasSetByHandComesBackWithTheScene) {
+    std::string changed;
+    {
+        Session session(scene(), caps);
+        EXPECT_EQ(changed_text(*session.document()), "") << "nothing was";
+        control(session, "uA").value = {1. / 3};
+        changed = changed_text(*session.document());
+    }
+    const Recovery hung = recovery(changed);
+    Session session(scene(), caps, {}, nullptr, nullptr, &hung);
+    EXPECT_FALSE(session.document());
+    EXPECT_EQ(session.by_hand(), changed) << "for a window that has to be started again before it is read";
+    session.reload();
+    ASSERT_TRUE(session.document());
+    EXPECT_EQ(control(session, "uA").value, std::vector<double>{1. / 3});
+    EXPECT_EQ(control(session, "uA").initial, std::vector<double>{1});
+    EXPECT_EQ(session.by_hand(), "");
+    control(session, "uA").value = {.25};
+    session.reload();
+    EXPECT_EQ(control(session, "uA").value, std::vector<double>{.25}) << "once";
+}
+
+TEST_F(SessionRestart, ABrokenEditLosesNothing) {
+    const Recovery hung = recovery(R"({"values": {"P.uA": [0.5]}})");
+    paint("nonsense(uA)");
+    Session session(scene(), caps, {}, nullptr, nullptr, &hung);
+    session.reload();
+    complaints.clear();
+    EXPECT_GT(session.errors(), 0U);
+    EXPECT_NE(session.by_hand(), "");
+    paint("vec4(uA, 0., 0., 1.)");
+    session.reload();
+    EXPECT_EQ(session.errors(), 0U) << session.problems_text();
+    EXPECT_EQ(control(session, "uA").value, std::vector<double>{.5});
+    EXPECT_TRUE(near(shown(session), half));
+}
+
+TEST_F(SessionRestart, AnotherSceneIsNotConcerned) {
+    const Recovery hung = recovery(R"({"values": {"P.uA": [0.5]}})");
+    folder.write("t.glib", "Ortho -1 1 -1 1\nFragment p.frag\nProgram P uA <0. 1. 1.>\nQuadXY 0. 9.\n");
+    Session session(scene(), caps, {}, nullptr, nullptr, &hung);
+    EXPECT_EQ(session.open(folder.path("t.glib")), "");
+    EXPECT_EQ(control(session, "uA").value, std::vector<double>{1});
+    EXPECT_EQ(session.by_hand(), "");
+}
+
+// The rung is chosen before its programs are compiled: only they have the uniform.
+TEST_F(SessionRestart, RungsComeBackWithTheirUniforms) {
+    folder.write("p.frag",
+                 "uniform float uA;\nvoid main() {\n#if WAY == WAY_red\n  gl_FragColor = vec4(uA, 0., 0., 1.);\n#else\n"
+                 "  gl_FragColor = vec4(0., 1., 0., 1.);\n#endif\n}\n");
+    folder.write("s.glib",
+                 "Ladder WAY red <green>\nOrtho -1 1 -1 1\nFragment p.frag\nProgram P uA <0. 1. 1.>\nQuadXY 0. 9.\n");
+    std::string changed;
+    {
+        Session session(scene(), caps);
+        EXPECT_TRUE(near(shown(session), green)) << session.problems_text();
+        session.document()->controls.rungs = {0};
+        session.follow_rungs();
+        control(session, "uA").value = {.5};
+        EXPECT_TRUE(near(shown(session), half)) << session.problems_text();
+        changed = changed_text(*session.document());
+    }
+    const Recovery hung = recovery(changed);
+    Session session(scene(), caps, {}, nullptr, nullptr, &hung);
+    session.reload();
+    ASSERT_TRUE(session.document());
+    EXPECT_EQ(session.document()->controls.rungs, Rungs{0});
+    EXPECT_TRUE(near(shown(session), half)) << session.problems_text();
+}
+
+TEST(Carried, IsTextAndBack) {
+    Carried carried{
+        "odd \xE9\n.glib", {nullptr, {"a b", "\n", "c"}, R"({"values": {"P.uA": [0.5]}})", {}}, {}, {640, 480}, .1};
+    carried.view.scene.rotate_x = 1. / 3;
+    carried.view.objects[2].x = -.7;
+    carried.view.axes = false;
+    const Carried back = read_carried(carried_text(carried));
+    EXPECT_EQ(back.scene, carried.scene);
+    EXPECT_EQ(back.recovery.files, carried.recovery.files);
+    EXPECT_EQ(back.recovery.values, carried.recovery.values);
+    EXPECT_EQ(back.view, carried.view);
+    EXPECT_EQ(back.size, carried.size);
+    EXPECT_EQ(back.time, carried.time);
+    const Carried none = read_carried("");
+    EXPECT_EQ(none.scene + none.recovery.values, "");
+    EXPECT_TRUE(none.view.axes) << "as in a window that is opened";
 }
 
 }  // namespace

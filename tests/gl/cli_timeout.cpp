@@ -48,6 +48,7 @@ TEST_F(Timeout, EndsFramesOfEveryCommandThatDraws) {
 // No context is made within so little time.
 TEST_F(Timeout, EndsReadingAndCompiling) {
     expect_ended("check --timeout .0001 " + scene());
+    expect_ended("info --timeout .0001");
     expect_ended("save --timeout .0001 " + scene() + " -o " + folder.path("copy.glib"));
     EXPECT_EQ(folder.entries(), 3U) << "something was written";
 }
@@ -55,6 +56,7 @@ TEST_F(Timeout, EndsReadingAndCompiling) {
 TEST_F(Timeout, LeavesAloneWhatEnds) {
     for (const std::string limit : {"", " --timeout 0", " --timeout 100"}) {
         EXPECT_EQ(snell("check" + limit + " " + quick()).status, 0) << limit;
+        EXPECT_EQ(snell("info" + limit).status, 0) << limit;
         EXPECT_EQ(snell("explain --no-time --size 16x16" + limit + " " + quick()).status, 0) << limit;
     }
     EXPECT_EQ(snell("accuracy --knobs samples --no-time --size 16x16 --timeout 100 " + quick()).status, 0);
@@ -65,6 +67,7 @@ TEST_F(Timeout, TakesNumbersAlone) {
         for (const char* wrong : {"-1", "nan", "inf", "soon", ""})
             EXPECT_EQ(snell(std::string(command) + " --timeout '" + wrong + "' " + quick()).status, 2)
                 << command << ' ' << wrong;
+    for (const char* wrong : {"-1", "nan", "soon"}) EXPECT_EQ(snell("info --timeout " + std::string(wrong)).status, 2);
 }
 
 }  // namespace
