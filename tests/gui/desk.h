@@ -37,6 +37,9 @@ protected:
     // place.
     void save(const std::string& name, const std::string& text, bool in_place = false);
     std::string file(const std::string& name) const { return folder_.path(name); }
+    std::string bytes(const std::string& name) const;
+    // In the test's folder, with the program in the path; the exit status.
+    int shell(const std::string& command) const;
 
     // Opens a window on `scene` and waits for its first picture.
     void open(const std::string& scene, std::vector<std::string> more = {});
@@ -44,8 +47,9 @@ protected:
     void end_window();
     // The exit status of the program with these arguments.
     int run(const std::vector<std::string>& arguments, const std::string& display);
-    // Ends it by its window's close button or by force; the exit status.
     bool alive() const;
+    // So many bytes more than the window has, and no more.
+    void limit_memory(std::size_t more) const;
 
     nlohmann::json state() const;
     // False: not within that time.
@@ -57,8 +61,15 @@ protected:
     void user(const std::string& words) const;
     // The middle of a widget, or a fraction of its width.
     std::array<int, 2> on(const std::string& widget, double fraction = .5) const;
+    void click(std::array<int, 2> at, int button = 1) const;
+    void click(const std::string& widget, double fraction = .5, int button = 1) const;
+    // Instead of the whole text that stands there. A number's field opens with two clicks.
+    enum class Field { text, number };
+    void type(const std::string& widget, const std::string& text, Field field) const;
     void drag(std::array<int, 2> from, std::array<int, 2> to, int button = 1) const;
     Picture look() const;
+    // Of a file of any format.
+    Picture read_picture(const std::string& name) const;
     // What the screen shows, as screens/NAME.png in the build folder: for people, and for docs/guide.md.
     void keep(const std::string& name) const;
     // In the middle of the scene's area, moved by so many pixels.

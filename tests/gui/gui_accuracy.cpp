@@ -73,11 +73,6 @@ protected:
         open("scene.glib", {"--size", "800x740"});  // sliders stay in sight below the panel's longest remark
     }
 
-    void click(const std::string& widget, double fraction = .5, int button = 1) {
-        const auto [x, y] = on(widget, fraction);
-        user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click " + std::to_string(button));
-        settle();
-    }
     bool wait_for_rung(const std::string& name) {
         return wait([&](const json& s) { return s["rungs"]["DETAIL"] == name; });
     }

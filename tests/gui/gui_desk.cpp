@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -88,6 +89,21 @@ std::string output_of(const std::vector<std::string>& words, const std::string& 
     return text;
 }
 
+Picture picture_of(const std::string& ppm) {
+    Picture picture;
+    int most = 0, begin = 0;
+    if (std::sscanf(ppm.c_str(), "P6 %d %d %d%n", &picture.width, &picture.height, &most, &begin) != 3 || most != 255) {
+        ADD_FAILURE() << "no picture";
+        return {};
+    }
+    picture.rgb.assign(ppm.begin() + begin + 1, ppm.end());
+    return picture;
+}
+
+std::string move(double x, double y) {
+    return "mousemove " + std::to_string(static_cast<int>(x)) + " " + std::to_string(static_cast<int>(y));
+}
+
 }  // namespace
 
 Pixel Picture::at(double x, double y) const {
@@ -119,10 +135,7 @@ void Desk::SetUp() {
 void Desk::TearDown() {
     if (sanitized && !HasFailure()) close_window();
     if (HasFailure())
-        for (const char* name : {"out/state.json", "out/errors"}) {
-            std::ifstream in(file(name));
-            std::cerr << std::string(std::istreambuf_iterator<char>(in), {}) << '\n';
-        }
+        for (const char* name : {"out/state.json", "out/errors"}) std::cerr << bytes(name) << '\n';
     end(window_);
     end(server_);
 }
@@ -177,6 +190,23 @@ int Desk::run(const std::vector<std::string>& arguments, const std::string& disp
     return finish(start(words, display));
 }
 
+std::string Desk::bytes(const std::string& name) const {
+    std::ifstream in(file(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+int Desk::shell(const std::string& command) const {
+    return std::system(("cd '" + file(".") + "' && PATH=" SNELL_BIN ":$PATH " + command).c_str());
+}
+
+void Desk::limit_memory(std::size_t more) const {
+    std::size_t pages = 0;
+    std::ifstream("/proc/" + std::to_string(window_) + "/statm") >> pages;
+    const rlim_t most = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
+    const rlimit limit{most, most};
+    ASSERT_EQ(prlimit(window_, RLIMIT_AS, &limit, nullptr), 0);
+}
+
 bool Desk::alive() const { return window_ > 0 && waitpid(window_, nullptr, WNOHANG) == 0; }
 
 nlohmann::json Desk::state() const {
@@ -224,10 +254,24 @@ std::array<int, 2> Desk::on(const std::string& widget, double fraction) const {
     return {static_cast<int>(rect[0] + rect[2] * fraction), static_cast<int>(rect[1] + rect[3] / 2)};
 }
 
+void Desk::click(std::array<int, 2> at, int button) const {
+    user(move(at[0], at[1]) + " click " + std::to_string(button));
+    settle();
+}
+
+void Desk::click(const std::string& widget, double fraction, int button) const { click(on(widget, fraction), button); }
+
+void Desk::type(const std::string& widget, const std::string& text, Field field) const {
+    const auto [x, y] = on(widget);
+    user(move(x, y) + (field == Field::number ? " click --repeat 2 --delay 60 1" : " click 1"));
+    settle();
+    user("key ctrl+a");
+    user("type --delay 8 " + text);
+    user("key Return");
+    settle();
+}
+
 void Desk::drag(std::array<int, 2> from, std::array<int, 2> to, int button) const {
-    const auto move = [](double x, double y) {
-        return "mousemove " + std::to_string(static_cast<int>(x)) + " " + std::to_string(static_cast<int>(y));
-    };
     std::string words = move(from[0], from[1]) + " mousedown " + std::to_string(button);
     for (double part : {.25, .5, .75, 1.})
         words += " sleep .02 " + move(from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1]));
@@ -236,15 +280,11 @@ void Desk::drag(std::array<int, 2> from, std::array<int, 2> to, int button) cons
 }
 
 Picture Desk::look() const {
-    const std::string ppm = output_of({"import", "-window", "root", "-depth", "8", "ppm:-"}, display_);
-    Picture picture;
-    int most = 0, begin = 0;
-    if (std::sscanf(ppm.c_str(), "P6 %d %d %d%n", &picture.width, &picture.height, &most, &begin) != 3 || most != 255) {
-        ADD_FAILURE() << "no picture of the screen";
-        return {};
-    }
-    picture.rgb.assign(ppm.begin() + begin + 1, ppm.end());
-    return picture;
+    return picture_of(output_of({"import", "-window", "root", "-depth", "8", "ppm:-"}, display_));
+}
+
+Picture Desk::read_picture(const std::string& name) const {
+    return picture_of(output_of({"convert", file(name), "-depth", "8", "ppm:-"}, display_));
 }
 
 void Desk::keep(const std::string& name) const {

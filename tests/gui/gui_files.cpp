@@ -38,11 +38,6 @@ protected:
         }
     }
 
-    void click(const std::string& widget, double fraction = .5) {
-        const auto [x, y] = on(widget, fraction);
-        user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
-        settle();
-    }
     void expect_pixel(double red, double green) const {
         const Pixel pixel = scene_pixel(20, 20);
         EXPECT_NEAR(pixel.red, std::lround(255 * red), 1);
@@ -52,10 +47,6 @@ protected:
         const bool found = wait([&](const json& s) { return s["file"] == file(name); });
         settle();
         return found;
-    }
-    std::string bytes(const std::string& name) const {
-        std::ifstream in(file(name));
-        return {std::istreambuf_iterator<char>(in), {}};
     }
     // A program that writes its arguments into "told".
     std::string editor(const std::string& name) {

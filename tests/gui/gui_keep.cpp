@@ -1,10 +1,5 @@
 // Values that are kept: in the scene, in snapshots, as a command; time and labels.
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "tests/gui/desk.h"
 
@@ -29,28 +24,6 @@ protected:
              "void main() { gl_FragColor = vec4(uRed, uGreen, .2, 1.); }\n");
     }
 
-    std::string bytes(const std::string& name) const {
-        std::ifstream in(file(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-    void click(const std::string& widget, const std::string& button = "1") {
-        const auto [x, y] = on(widget);
-        user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click " + button);
-        settle();
-    }
-    // As a shell would, in the test's folder.
-    int run_command(const std::string& command) const {
-        return std::system(("cd '" + file(".") + "' && PATH=" SNELL_BIN ":$PATH " + command).c_str());
-    }
-    Picture read_picture(const std::string& name) const {
-        run_command("convert " + name + " -depth 8 read.ppm");
-        const std::string ppm = bytes("read.ppm");
-        Picture picture;
-        int most = 0, begin = 0;
-        std::sscanf(ppm.c_str(), "P6 %d %d %d%n", &picture.width, &picture.height, &most, &begin);
-        picture.rgb.assign(ppm.begin() + std::min<std::ptrdiff_t>(begin + 1, std::ssize(ppm)), ppm.end());
-        return picture;
-    }
     double red() const { return state()["controls"]["Paint.uRed"][0]; }
     void expect_red(double value) const { EXPECT_NEAR(scene_pixel(20, 20).red, std::lround(255 * value), 1); }
 };
@@ -115,7 +88,7 @@ TEST_F(Keep, TheCopiedCommandDrawsThePictureOfTheWindow) {
     ASSERT_EQ(copied.rfind("copied: ", 0), 0u) << copied;
     const std::string command = copied.substr(8);
     EXPECT_EQ(command.rfind("snell render ", 0), 0u) << command;
-    ASSERT_EQ(run_command(command), 0) << command;
+    ASSERT_EQ(shell(command), 0) << command;
     const Picture window = look(), drawn = read_picture("scene.png");
     ASSERT_EQ(drawn.width, static_cast<int>(area[2])) << command;
     ASSERT_EQ(drawn.height, static_cast<int>(area[3]));
@@ -164,9 +137,7 @@ TEST_F(Keep, TimeIsHeldSteppedAndScrubbed) {
     EXPECT_EQ(state()["time"], 0);
     click("step");
     EXPECT_NEAR(state()["time"].get<double>(), .04, 1e-12);
-    const auto [x, y] = on("scrub", .5);
-    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
-    settle();
+    click("scrub");
     const double time = state()["time"];
     EXPECT_NEAR(time, 5, .2);
     expect_red(time / 10);

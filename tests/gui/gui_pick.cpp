@@ -1,8 +1,5 @@
 // Objects picked and moved in the window, and the view that a copied command draws.
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "tests/gui/desk.h"
 
@@ -45,10 +42,6 @@ protected:
     Pixel pixel(double x, double y) const {
         const auto [right, down] = at(x, y);
         return look().at(right, down);
-    }
-    void click(std::array<int, 2> where) {
-        user("mousemove " + std::to_string(where[0]) + " " + std::to_string(where[1]) + " click 1");
-        settle();
     }
     json object() const { return state()["view"]["object"]; }
     int outlined() const {
@@ -119,27 +112,15 @@ TEST_F(PickWindow, TheCopiedCommandDrawsMovedObjectsAxesProjectionAndBackground)
     user("key Escape");
     settle();
     drag(at(-1.9, -1.9), at(-1.4, -1.7));
-    const auto [x, y] = on("view");
-    click({x, y});
-    click(on("perspective", .1));
-    click(on("background", .7));
-    const std::string copied = [&] {
-        click(on("copy command"));
-        return std::string(state()["notice"]);
-    }();
+    click("view");
+    click("perspective", .1);
+    click("background", .7);
+    click("copy command");
+    const std::string copied = state()["notice"];
     ASSERT_EQ(copied.rfind("copied: ", 0), 0u) << copied;
     EXPECT_NE(copied.find("--axes"), std::string::npos);
-    ASSERT_EQ(std::system(("cd '" + file(".") + "' && PATH=" SNELL_BIN ":$PATH " + copied.substr(8) +
-                           " && convert scene.png -depth 8 scene.ppm")
-                              .c_str()),
-              0)
-        << copied;
-    std::ifstream in(file("scene.ppm"), std::ios::binary);
-    const std::string ppm{std::istreambuf_iterator<char>(in), {}};
-    Picture drawn;
-    int most = 0, begin = 0;
-    ASSERT_EQ(std::sscanf(ppm.c_str(), "P6 %d %d %d%n", &drawn.width, &drawn.height, &most, &begin), 3);
-    drawn.rgb.assign(ppm.begin() + begin + 1, ppm.end());
+    ASSERT_EQ(shell(copied.substr(8)), 0) << copied;
+    const Picture drawn = read_picture("scene.png");
     const Picture window = look();
     int different = 0, white = 0;
     for (int v = 0; v < drawn.height; ++v)

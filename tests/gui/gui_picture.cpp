@@ -1,9 +1,5 @@
 // Pictures that the window saves: larger than itself, many, and the same as the command's.
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "tests/gui/desk.h"
 
@@ -27,42 +23,11 @@ protected:
         "uniform float uRed;\nuniform vec2 uResolution;\n"
         "void main() { gl_FragColor = vec4(uRed, gl_FragCoord.xy / uResolution, 1.); }\n";
 
-    std::string bytes(const std::string& name) const {
-        std::ifstream in(file(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-    void click(const std::string& widget) {
-        const auto [x, y] = on(widget);
-        user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
-        settle();
-    }
-    void type(const std::string& widget, const std::string& text, bool number) {
-        const auto [x, y] = on(widget);
-        const std::string at = "mousemove " + std::to_string(x) + " " + std::to_string(y);
-        user(at + (number ? " click --repeat 2 --delay 60 1" : " click 1"));
-        settle();
-        user("key ctrl+a");
-        user("type --delay 8 " + text);
-        user("key Return");
-        settle();
-    }
-    int run_command(const std::string& command) const {
-        return std::system(("cd '" + file(".") + "' && PATH=" SNELL_BIN ":$PATH " + command).c_str());
-    }
-    Picture read_picture(const std::string& name) const {
-        run_command("convert " + name + " -depth 8 read.ppm");
-        const std::string ppm = bytes("read.ppm");
-        Picture picture;
-        int most = 0, begin = 0;
-        std::sscanf(ppm.c_str(), "P6 %d %d %d%n", &picture.width, &picture.height, &most, &begin);
-        picture.rgb.assign(ppm.begin() + std::min<std::ptrdiff_t>(begin + 1, std::ssize(ppm)), ppm.end());
-        return picture;
-    }
     // For people to look at.
     void keep_screen(const std::string& name, const std::string& area) const {
         std::filesystem::create_directories(SNELL_BIN "/../screens");
-        run_command("import -display " + display_ + " -window root -crop " + area +
-                    " +repage '" SNELL_BIN "/../screens/" + name + "'");
+        shell("import -display " + display_ + " -window root -crop " + area + " +repage '" SNELL_BIN "/../screens/" +
+              name + "'");
     }
 };
 
@@ -71,9 +36,9 @@ TEST_F(SavedPicture, LargerThanTheWindowItIsWhatTheCommandDraws) {
     drag(on("Paint.uRed", .2), on("Paint.uRed", .7));
     drag({150, 200}, {220, 230});
     click("picture");
-    type("picture file", file("big.png"), false);
-    type("picture width", "2200", true);
-    type("picture height", "900", true);
+    type("picture file", file("big.png"), Field::text);
+    type("picture width", "2200", Field::number);
+    type("picture height", "900", Field::number);
     keep_screen("guide-picture.png", "640x480+0+0");
     click("picture command");
     const std::string copied = state()["notice"];
@@ -85,8 +50,8 @@ TEST_F(SavedPicture, LargerThanTheWindowItIsWhatTheCommandDraws) {
     const Picture saved = read_picture("big.png");
     ASSERT_EQ(saved.width, 2200);
     ASSERT_EQ(saved.height, 900);
-    run_command("rm big.png");
-    ASSERT_EQ(run_command(command), 0) << command;
+    shell("rm big.png");
+    ASSERT_EQ(shell(command), 0) << command;
     const Picture drawn = read_picture("big.png");
     EXPECT_TRUE(drawn.rgb == saved.rgb) << command;
     EXPECT_FALSE(std::all_of(saved.rgb.begin(), saved.rgb.end(), [&](unsigned char c) { return c == saved.rgb[0]; }));
@@ -101,14 +66,14 @@ TEST_F(SavedPicture, WhatIsThereIsReplacedOnlyWhenAsked) {
     open("scene.glib", {"--size", "640x480"});
     save("there.png", "old");
     click("picture");
-    type("picture file", file("there.png"), false);
+    type("picture file", file("there.png"), Field::text);
     click("picture save");
     EXPECT_EQ(bytes("there.png"), "old");
     click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved there.png", 0) == 0; }));
     EXPECT_NE(bytes("there.png"), "old");
     click("picture");
-    type("picture file", file("nowhere/x.png"), false);
+    type("picture file", file("nowhere/x.png"), Field::text);
     click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture error"); }));
     EXPECT_TRUE(alive());
@@ -120,11 +85,11 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
     open("scene.glib", {"--size", "640x480"});
     user("key space");  // the scene's own time stands
     click("picture");
-    type("picture file", file("f.png"), false);
+    type("picture file", file("f.png"), Field::text);
     click("picture sequence");
-    type("picture from", ".125", true);
-    type("picture to", ".5", true);
-    type("picture rate", "8", true);
+    type("picture from", ".125", Field::number);
+    type("picture to", ".5", Field::number);
+    type("picture rate", "8", Field::number);
     click("picture command");
     const std::string command = state()["notice"].get<std::string>().substr(8);
     EXPECT_NE(command.find("--frames 3 --fps 8"), std::string::npos) << command;
@@ -134,8 +99,8 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
         << state()["notice"];
     std::array<Picture, 3> saved;
     for (std::size_t k = 0; k < 3; ++k) saved[k] = read_picture("f-000" + std::to_string(k) + ".png");
-    run_command("rm f-0000.png f-0001.png f-0002.png");
-    ASSERT_EQ(run_command(command), 0) << command;
+    shell("rm f-0000.png f-0001.png f-0002.png");
+    ASSERT_EQ(shell(command), 0) << command;
     for (std::size_t k = 0; k < 3; ++k) {
         const Picture drawn = read_picture("f-000" + std::to_string(k) + ".png");
         ASSERT_GT(drawn.rgb.size(), 0u);

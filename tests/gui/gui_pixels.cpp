@@ -100,17 +100,14 @@ TEST_F(Pixels, NPaintsWhatIsNoColor) {
 TEST_F(Pixels, FramesHaveTheirCost) {
     open("scene.glib");
     EXPECT_FALSE(state().contains("frame_cost"));
-    const auto [x, y] = on("frame cost");
-    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
-    settle();
+    click("frame cost");
     drag(on("Odd.uMost", .3), on("Odd.uMost", .9));
     settle();
     json cost = state()["frame_cost"];
     EXPECT_GE(cost["pictures"].get<int>(), 2);
     EXPECT_GT(cost["median"].get<double>(), 0);
     EXPECT_GE(cost["high"].get<double>(), cost["median"].get<double>());
-    const auto [bx, by] = on("frame cost.measure");
-    user("mousemove " + std::to_string(bx) + " " + std::to_string(by) + " click 1");
+    click("frame cost.measure");
     ASSERT_TRUE(wait([](const json& s) { return s["frame_cost"]["apart"].size() >= 2; }));
     settle();
     cost = state()["frame_cost"];

@@ -1,5 +1,6 @@
 // A window whose driver gave up: it goes on with what was last drawn well.
 #include "tests/gui/desk.h"
+#include "tests/sanitized.h"
 
 namespace snell::test {
 namespace {
@@ -22,6 +23,18 @@ protected:
     bool shows(Pixel color, double seconds = 20) const {
         return wait([&](const nlohmann::json&) { return scene_pixel(90, 70) == color; }, seconds);
     }
+    // Of more rounds than a frame has time for, together.
+    static std::string loops(const std::string& rounds, const std::string& number) {
+        const std::string one =
+            "  for (int i = 0; i < " + rounds + "; ++i) x = fract(sin(x + " + number + ") * 43758.5);\n";
+        return one + one;
+    }
+    std::size_t restarts() const {
+        const std::string said = bytes("out/errors"), what = "the window is started again";
+        std::size_t count = 0;
+        for (std::size_t at = said.find(what); at != said.npos; at = said.find(what, at + 1)) ++count;
+        return count;
+    }
     static constexpr Pixel red{255, 0, 0}, green{0, 255, 0};
 };
 
@@ -43,15 +56,79 @@ TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
 TEST_F(Recovery, AFrameThatDoesNotEndStartsTheWindowAgain) {
     open("scene.glib", {"--timeout", "2"});
     ASSERT_TRUE(shows(red));
-    const std::string loop = "  for (int i = 0; i < 60000; ++i) x = fract(sin(x + uPaint.r) * 43758.5);\n";
-    save("paint.frag", "uniform vec3 uPaint;\nvoid main() {\n  float x = gl_FragCoord.x;\n" + loop + loop +
-                           "  gl_FragColor = vec4(x);\n}\n");
+    settle();  // what the window had drawn is kept by now, the names of its files too
+    save("paint.frag", "uniform vec3 uPaint;\nvoid main() {\n  float x = gl_FragCoord.x;\n" +
+                           loops("60000", "uPaint.r") + "  gl_FragColor = vec4(x);\n}\n");
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }, 40));
     EXPECT_TRUE(alive());
     save("paint.frag", paint("uPaint.grb"));
+    EXPECT_TRUE(shows(green)) << "an edit of the shader alone is another try";
+}
+
+TEST_F(Recovery, WhatWasSetByHandOutlivesTheMoveThatHung) {
     save("scene.glib",
-         "Ortho -1 1 -1 1\nVertex paint.vert\nFragment paint.frag\nProgram Paint uPaint [1. 0. 0.]\nQuadXY 0. 9.\n\n");
-    EXPECT_TRUE(shows(green));
+         "Ortho -1 1 -1 1\nVertex paint.vert\nFragment paint.frag\nProgram Paint uBlue <0. 0. 1.> uHang <0. .1 1.>\n"
+         "QuadXY 0. 9.\n");
+    save(
+        "paint.frag",
+        "uniform float uBlue, uHang;\nvoid main() {\n  float x = gl_FragCoord.x;\n  int n = uHang > .5 ? 60000 : 0;\n" +
+            loops("n", "uHang") + "  gl_FragColor = vec4(0., x < 0. ? 1. : 0., uBlue, 1.);\n}\n");
+    open("scene.glib", {"--timeout", "2"});
+    drag(on("Paint.uBlue", .05), on("Paint.uBlue", .7));
+    drag(on("Paint.uHang", .1), on("Paint.uHang", .3));
+    drag({200, 300}, {230, 310});
+    const nlohmann::json before = state();
+    const double blue = before["controls"]["Paint.uBlue"][0], hang = before["controls"]["Paint.uHang"][0];
+    ASSERT_GT(blue, .5);
+    ASSERT_TRUE(hang > .1 && hang < .5) << hang;
+    ASSERT_NE(before["view"]["text"], "");
+    click("Paint.uHang", .9);
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return !state.contains("controls"); }, 40));
+    settle();
+    const std::string problems = state()["problems"];
+    EXPECT_NE(problems.find("[frame-too-long]"), std::string::npos) << problems;
+    EXPECT_NE(problems.find("set by hand"), std::string::npos) << problems;
+    keep("recovery-after-a-hang");
+    user("key F5");
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0 && state["frames"] > 0; }, 20));
+    settle();
+    const nlohmann::json after = state();
+    EXPECT_EQ(after["controls"], before["controls"]) << "and the move that hung is not among it";
+    EXPECT_EQ(after["view"]["text"], before["view"]["text"]);
+    EXPECT_EQ(after["view"]["axes"], before["view"]["axes"]);
+    EXPECT_NEAR(scene_pixel(90, 70).blue, 255 * blue, 1);
+    EXPECT_TRUE(alive());
+}
+
+// An edit that asks for more than there is takes the window's memory, and not what was set by hand.
+TEST_F(Recovery, MemoryThatRunsOutStartsTheWindowAgain) {
+    if (sanitized) GTEST_SKIP() << "sanitizers need all addresses";
+    const std::string fine =
+        "Ortho -1 1 -1 1\nVertex paint.vert\nFragment paint.frag\nProgram Paint uRed <0. .2 1.>\nQuadXY 0. 9.\n";
+    save("scene.glib", fine);
+    save("paint.frag", "uniform float uRed;\nvoid main() { gl_FragColor = vec4(uRed, 0., 0., 1.); }\n");
+    open("scene.glib");
+    limit_memory(std::size_t{350} << 20);
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .7));
+    const nlohmann::json before = state();
+    save("scene.glib", fine + "Sphere 1 3000 3000\nSphere 2 3000 3000\nTorus .2 1 3000 3000\n");
+    if (!wait([](const nlohmann::json& state) { return !state.contains("controls"); }, 40)) {
+        if (state()["problems"].get<std::string>().find("[out-of-graphics-memory]") != std::string::npos)
+            GTEST_SKIP() << "the memory that ran out is OpenGL's";
+        FAIL() << bytes("out/errors");
+    }
+    settle();
+    const std::string problems = state()["problems"];
+    EXPECT_NE(problems.find("[out-of-memory]"), std::string::npos) << problems;
+    // F5 without an edit: the same again, and nothing is lost by it.
+    std::filesystem::remove(file("out/state.json"));
+    user("key F5");
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }, 40)) << bytes("out/errors");
+    EXPECT_EQ(restarts(), 2U) << bytes("out/errors");
+    save("scene.glib", fine);
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0 && state["frames"] > 0; }, 20));
+    settle();
+    EXPECT_EQ(state()["controls"], before["controls"]);
 }
 
 }  // namespace

@@ -64,8 +64,7 @@ TEST_F(Window, ADraggedSliderChangesTheUniformAndThePicture) {
         << "a slider compiles nothing";
     EXPECT_EQ(after["counters"]["bytes_uploaded"], before["counters"]["bytes_uploaded"])
         << "and uploads nothing but its uniform";
-    const auto [x, y] = on("Paint.uRed");
-    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 3");
+    click("Paint.uRed", .5, 3);
     EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; })) << "right click resets";
     settle();
     expect_pixel(.2, .4);
@@ -74,11 +73,7 @@ TEST_F(Window, ADraggedSliderChangesTheUniformAndThePicture) {
 
 TEST_F(Window, AValueIsTypedAfterADoubleClick) {
     open("scene.glib");
-    const auto [x, y] = on("Paint.uRed", .6);
-    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click --repeat 2 --delay 60 1");
-    settle();
-    user("type --delay 30 0.6");
-    user("key Return");
+    type("Paint.uRed", "0.6", Field::number);
     EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .6; }));
     settle();
     expect_pixel(.6, .4);
@@ -226,9 +221,7 @@ TEST_F(Window, DraggingInTheSceneTurnsItAndTheWheelScalesIt) {
     EXPECT_NEAR(state()["view"]["rotate_y"].get<double>(), 75, 1);
     EXPECT_FALSE(paint(scene_pixel(inside, 20))) << "turned by 75 degrees the quad is narrow";
     EXPECT_TRUE(paint(scene_pixel(3, 20)));
-    const auto [x, y] = on("reset view");
-    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
-    settle();
+    click("reset view");
     EXPECT_TRUE(paint(scene_pixel(inside, 20)));
 
     user("mousemove " + std::to_string(middle[0]) + " " + std::to_string(middle[1]) + " click --repeat 6 --delay 20 4");
@@ -260,8 +253,7 @@ TEST_F(Window, TheAxesAreACheckBoxAndOnAtFirst) {
         return count;
     };
     EXPECT_GT(count_gray(), 200);
-    const auto [x, y] = on("axes", .1);
-    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+    click("axes", .1);
     ASSERT_TRUE(wait([](const json& s) { return s["view"]["axes"] == false; }));
     settle();
     EXPECT_EQ(count_gray(), 0);
