@@ -64,7 +64,7 @@ Line Lexer::read_line(std::vector<Token>& tokens) {
     bool line_start = true, glued = false;
     while (at_ < text_.size()) {
         const auto at = static_cast<std::uint32_t>(at_);
-        Token token{TokenKind::word, glued, line_start, false, at, at + 1};
+        const Token token{TokenKind::word, glued, line_start, false, at, at + 1};
         const std::size_t before = tokens.size();
         const char c = text_[at_];
         switch (class_of(c)) {
@@ -78,65 +78,30 @@ Line Lexer::read_line(std::vector<Token>& tokens) {
                 comment(line);
                 break;
             case Class::slash:
-                if (text_.substr(at_ + 1, 1) == "/") {
-                    comment(line);
-                } else {
-                    word(tokens, token);
-                }
+                text_.substr(at_ + 1, 1) == "/" ? comment(line) : word(tokens, token);
                 break;
-            case Class::backslash: {
-                const std::size_t end = end_of_backslashes(at_);
-                if (ends_line(end)) {
-                    line.continued = true;
-                    at_ = end;
-                } else if (blank(end)) {
-                    stray_.push_back({file_, at, static_cast<std::uint32_t>(end)});
-                    at_ = end;
-                } else {
-                    word(tokens, token);
-                }
+            case Class::backslash:
+                backslash(tokens, token, line);
                 break;
-            }
             case Class::open:
-                ++depth_;
-                ++at_;
-                token.kind = TokenKind::open;
-                tokens.push_back(token);
+                mark(tokens, token, TokenKind::open, 1);
                 break;
             case Class::close:
-                depth_ = std::max(0, depth_ - 1);
-                ++at_;
-                token.kind = TokenKind::close;
-                tokens.push_back(token);
+                mark(tokens, token, TokenKind::close, -1);
                 break;
             case Class::paren:
-                depth_ = std::max(0, depth_ + (c == '(' ? 1 : -1));
-                ++at_;
-                token.kind = c == '(' ? TokenKind::open : TokenKind::close;
-                tokens.push_back(token);
+                mark(tokens, token, c == '(' ? TokenKind::open : TokenKind::close, c == '(' ? 1 : -1);
                 break;
             case Class::semicolon:
             case Class::comma:
-                ++at_;
-                token.kind = TokenKind::comma;
-                tokens.push_back(token);
+                mark(tokens, token, TokenKind::comma, 0);
                 break;
             case Class::quote:
                 quoted(tokens, token, 1);
                 break;
-            case Class::high: {
-                const utf8::Char odd = utf8::decode(text_, at_);
-                if (odd_blank(odd)) {
-                    note_odd(odd.code, at_, odd.length);
-                    at_ += odd.length;
-                } else if (odd_quote(odd)) {
-                    note_odd(odd.code, at_, odd.length);
-                    quoted(tokens, token, odd.length);
-                } else {
-                    word(tokens, token);
-                }
+            case Class::high:
+                high(tokens, token);
                 break;
-            }
             case Class::word:
                 word(tokens, token);
                 break;
@@ -146,6 +111,29 @@ Line Lexer::read_line(std::vector<Token>& tokens) {
     }
     line.at_end = true;
     return line;
+}
+
+void Lexer::mark(std::vector<Token>& tokens, Token token, TokenKind kind, int deeper) {
+    depth_ = std::max(0, depth_ + deeper);
+    ++at_;
+    token.kind = kind;
+    tokens.push_back(token);
+}
+
+void Lexer::backslash(std::vector<Token>& tokens, Token token, Line& line) {
+    const std::size_t end = end_of_backslashes(at_);
+    line.continued = line.continued || ends_line(end);
+    if (!ends_line(end) && !blank(end)) return word(tokens, token);
+    if (!ends_line(end)) stray_.push_back({file_, token.begin, static_cast<std::uint32_t>(end)});
+    at_ = end;
+}
+
+void Lexer::high(std::vector<Token>& tokens, Token token) {
+    const utf8::Char odd = utf8::decode(text_, at_);
+    if (!odd_blank(odd) && !odd_quote(odd)) return word(tokens, token);
+    note_odd(odd.code, at_, odd.length);
+    if (odd_quote(odd)) return quoted(tokens, token, odd.length);
+    at_ += odd.length;
 }
 
 void Lexer::word(std::vector<Token>& tokens, Token token) {

@@ -67,6 +67,9 @@ private:
     bool ends_word(std::size_t at) const;
     void quoted(std::vector<Token>& tokens, Token token, std::uint32_t quote_length);
     void comment(Line& line);
+    void mark(std::vector<Token>& tokens, Token token, TokenKind kind, int deeper);
+    void backslash(std::vector<Token>& tokens, Token token, Line& line);
+    void high(std::vector<Token>& tokens, Token token);
     std::size_t end_of_backslashes(std::size_t at) const;
     bool blank(std::size_t at) const;
     bool ends_line(std::size_t at) const;

@@ -1,5 +1,5 @@
 // Scenes are display lists: every draw has the state that stood at its statement.
-#include "tests/gl/harness.h"
+#include "tests/gl/plain.h"
 
 namespace snell::test {
 
@@ -9,13 +9,10 @@ const std::array<int, 3> red{255, 0, 0}, green{0, 255, 0}, blue{0, 0, 255}, whit
 const Pixel red_pixel{255, 0, 0, 255}, green_pixel{0, 255, 0, 255}, blue_pixel{0, 0, 255, 255},
     white_pixel{255, 255, 255, 255};
 
-class DisplayList : public GlTest {
+class DisplayList : public PlainTest {
 protected:
     void SetUp() override {
-        GlTest::SetUp();
-        folder.write("plain.vert", plain_vertex);
-        folder.write("color.frag", color_fragment);
-        folder.write("texture.frag", texture_fragment);
+        PlainTest::SetUp();
         folder.write("red.bmp", bmp(2, 2, {red, red, red, red}));
         folder.write("green.bmp", bmp(2, 2, {green, green, green, green}));
         folder.write("corners.bmp", bmp(2, 2, {red, green, blue, white}));

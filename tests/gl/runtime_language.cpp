@@ -1,6 +1,6 @@
 // Further sentences of the language, each as a picture.
 #include "src/content/image.h"
-#include "tests/gl/harness.h"
+#include "tests/gl/plain.h"
 
 namespace snell::test {
 
@@ -8,14 +8,8 @@ namespace {
 
 const Pixel red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255}, white{255, 255, 255, 255};
 
-class Language : public GlTest {
+class Language : public PlainTest {
 protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        folder.write("plain.vert", plain_vertex);
-        folder.write("color.frag", color_fragment);
-        folder.write("texture.frag", texture_fragment);
-    }
     static constexpr std::string_view square = "Ortho -1 1 -1 1\nBackground 0 0 0\n";
 };
 

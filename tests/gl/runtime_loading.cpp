@@ -3,18 +3,15 @@
 #include <thread>
 
 #include "src/app/unsampled.h"
-#include "tests/gl/harness.h"
+#include "tests/gl/plain.h"
 
 namespace snell::test {
 namespace {
 
-class Loading : public GlTest {
+class Loading : public PlainTest {
 protected:
     void SetUp() override {
-        GlTest::SetUp();
-        folder.write("plain.vert", plain_vertex);
-        folder.write("color.frag", color_fragment);
-        folder.write("texture.frag", texture_fragment);
+        PlainTest::SetUp();
         for (const char* name : {"a.bmp", "b.bmp"})
             folder.write(name, bmp(2, 2, std::vector<std::array<int, 3>>(4, {10, 200, 30})));
         folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

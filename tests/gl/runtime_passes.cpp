@@ -1,5 +1,5 @@
 // Rendering to textures and cube maps, and reading them again.
-#include "tests/gl/harness.h"
+#include "tests/gl/plain.h"
 
 namespace snell::test {
 
@@ -7,13 +7,10 @@ namespace {
 
 const Pixel red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255}, black{0, 0, 0, 255};
 
-class Passes : public GlTest {
+class Passes : public PlainTest {
 protected:
     void SetUp() override {
-        GlTest::SetUp();
-        folder.write("plain.vert", plain_vertex);
-        folder.write("color.frag", color_fragment);
-        folder.write("texture.frag", texture_fragment);
+        PlainTest::SetUp();
         folder.write("two.frag",
                      "#version 330\nlayout(location = 0) out vec4 first;\nlayout(location = 1) out vec4 second;\n"
                      "void main() { first = vec4(1., 0., 0., 1.); second = vec4(0., 1., 0., 1.); }\n");

@@ -2,18 +2,15 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tests/gl/harness.h"
+#include "tests/gl/plain.h"
 
 namespace snell::test {
 namespace {
 
-class Savings : public GlTest {
+class Savings : public PlainTest {
 protected:
     void SetUp() override {
-        GlTest::SetUp();
-        folder.write("plain.vert", plain_vertex);
-        folder.write("color.frag", color_fragment);
-        folder.write("texture.frag", texture_fragment);
+        PlainTest::SetUp();
         folder.write("cube.frag", fragment("uniform samplerCube uCube;", "texture(uCube, vec3(vST, 1.))"));
         for (int i = 0; i < 20; ++i)
             folder.write("t" + std::to_string(i) + ".bmp",
