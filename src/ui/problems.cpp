@@ -148,6 +148,8 @@ void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Me
             if (memory.warnings_open) list(facts, Severity::warning, fonts, requests, layout);
         }
     }
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    layout.place("problems.panel", {at.x, at.y, size.x, size.y});
     ImGui::End();
 }
 

@@ -56,9 +56,9 @@ std::string judge(const End& end, const std::string& picture) {
     if (end.status != 0 && end.status != 1 && end.status != 4)
         return "status " + std::to_string(end.status) + " is not for what a scene does";
     if (const std::string unfit = unfit_for_terminals(end.errors); !unfit.empty()) return "prints " + unfit;
-    const bool error = end.errors.starts_with("snell: error: ") ||
-                       end.errors.find("\nsnell: error: ") != end.errors.npos ||
-                       end.errors.find(": error: ") != end.errors.npos;
+    // What has no place in a file begins with it.
+    const bool error =
+        ("\n" + end.errors).find("\nerror: ") != std::string::npos || end.errors.find(": error: ") != std::string::npos;
     if (error != (end.status != 0)) return "status " + std::to_string(end.status) + " does not fit what it says";
     const bool there = fs::exists(picture);
     if (end.status == 0 && !there) return "no picture";
