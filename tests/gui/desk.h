@@ -43,7 +43,7 @@ protected:
 
     // Opens a window on `scene` and waits for its first picture.
     void open(const std::string& scene, std::vector<std::string> more = {});
-    // Ends the window, so that another can be opened.
+    // Ends the window, once what it remembers is written, so that another can be opened.
     void end_window();
     // The exit status of the program with these arguments.
     int run(const std::vector<std::string>& arguments, const std::string& display);
@@ -54,7 +54,7 @@ protected:
     nlohmann::json state() const;
     // False: not within that time.
     bool wait(const std::function<bool(const nlohmann::json&)>& holds, double seconds = 5) const;
-    // Until nothing has been drawn for a moment.
+    // Until neither the window nor its display has anything to do; no longer than two seconds.
     void settle() const;
 
     // xdotool's words.

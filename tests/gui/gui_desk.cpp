@@ -89,6 +89,19 @@ std::string output_of(const std::vector<std::string>& words, const std::string& 
     return text;
 }
 
+// One of its threads does, or would if it had a processor.
+bool runs(pid_t process) {
+    std::error_code error;
+    for (const auto& thread :
+         std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task", error)) {
+        std::string stat;
+        std::getline(std::ifstream(thread.path() / "stat"), stat);
+        const std::size_t name_end = stat.rfind(") ");
+        if (name_end != stat.npos && (stat[name_end + 2] == 'R' || stat[name_end + 2] == 'D')) return true;
+    }
+    return false;
+}
+
 Picture picture_of(const std::string& ppm) {
     Picture picture;
     int most = 0, begin = 0;
@@ -179,6 +192,7 @@ void Desk::open(const std::string& scene, std::vector<std::string> more) {
 }
 
 void Desk::end_window() {
+    sleep(.3);  // settings are written every tenth of a second
     if (sanitized) close_window();
     end(window_);
     std::filesystem::remove(file("out/state.json"));
@@ -224,12 +238,14 @@ bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double 
     return false;
 }
 
+// An event is on its way while the server or the window has something to do, however long it waits for a processor.
 void Desk::settle() const {
-    nlohmann::json last = state();
-    for (int quiet = 0, looks = 0; quiet < 4 && looks < 40; ++looks) {
-        sleep(.05);
-        nlohmann::json now = state();
-        quiet = now == last ? quiet + 1 : 0;
+    std::string last = bytes("out/state.json");
+    const auto until = Clock::now() + std::chrono::duration<double>(2 * patience);
+    for (int quiet = 0; quiet < 5 && Clock::now() < until;) {
+        sleep(.01);
+        std::string now = bytes("out/state.json");
+        quiet = now == last && !runs(server_) && !runs(window_) ? quiet + 1 : 0;
         last = std::move(now);
     }
 }

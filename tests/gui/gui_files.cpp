@@ -72,7 +72,7 @@ TEST_F(FilesWindow, ADroppedSceneIsOpened) {
     EXPECT_EQ(state()["errors"], 0);
     // Its files are the ones that are watched now.
     save("other/two.glib", scene(".6"));
-    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uGreen"][0] == .6; }, 1));
+    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uGreen"][0] == .6; }));
     settle();
     expect_pixel(.2, .6);
     const auto revision = state()["revision"];
@@ -130,7 +130,7 @@ TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {
     const std::string arguments = bytes("told");
     EXPECT_TRUE(arguments.starts_with("--wait\n--goto\n" + file("paint.frag") + ":3:")) << arguments;
     save("paint.frag", fragment);
-    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }, 1));
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }));
     settle();
     EXPECT_FALSE(state()["widgets"].contains("problem.0"));
 

@@ -42,14 +42,14 @@ TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndCanBeUndone) {
     EXPECT_EQ(std::stod(after.substr(at, end - at)), slid) << after;
     EXPECT_LE(end - at, 6u) << "as short as it is shown";
     EXPECT_EQ(after.substr(end), scene.substr(scene.find(" 1.>", at)));
-    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }, 1)) << "what was saved is read";
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; })) << "what was saved is read";
     settle();
     EXPECT_EQ(red(), slid);
     expect_red(slid);
     EXPECT_EQ(state()["errors"], 0);
     click("undo save");
     EXPECT_EQ(bytes("scene.glib"), scene);
-    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; }, 1));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; }));
     settle();
     expect_red(.2);
 }
@@ -65,7 +65,7 @@ TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {
     drag(on("Paint.uRed", .75), on("Paint.uRed", .1));
     EXPECT_NE(red(), slid);
     user("key 1");
-    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == slid; }, 1));
+    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == slid; }));
     settle();
     expect_red(slid);
     EXPECT_EQ(bytes("scene.glib"), scene);
@@ -73,7 +73,7 @@ TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {
     save("scene.snapshots.json",
          R"({"1": {"values": {"Paint.uRed": [0.5], "Paint.uGone": [1], "Paint.uGreen": "x"}}})");
     click("snapshot 1");
-    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == .5; }, 1));
+    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == .5; }));
     EXPECT_EQ(state()["controls"]["Paint.uGreen"][0], .4);
 }
 

@@ -1,4 +1,7 @@
 // A window whose driver gave up: it goes on with what was last drawn well.
+#include <chrono>
+#include <thread>
+
 #include "tests/gui/desk.h"
 #include "tests/sanitized.h"
 
@@ -56,7 +59,6 @@ TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
 TEST_F(Recovery, AFrameThatDoesNotEndStartsTheWindowAgain) {
     open("scene.glib", {"--timeout", "2"});
     ASSERT_TRUE(shows(red));
-    settle();  // what the window had drawn is kept by now, the names of its files too
     save("paint.frag", "uniform vec3 uPaint;\nvoid main() {\n  float x = gl_FragCoord.x;\n" +
                            loops("60000", "uPaint.r") + "  gl_FragColor = vec4(x);\n}\n");
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }, 40));
@@ -82,6 +84,7 @@ TEST_F(Recovery, WhatWasSetByHandOutlivesTheMoveThatHung) {
     ASSERT_GT(blue, .5);
     ASSERT_TRUE(hang > .1 && hang < .5) << hang;
     ASSERT_NE(before["view"]["text"], "");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // kept every tenth of a second
     click("Paint.uHang", .9);
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return !state.contains("controls"); }, 40));
     settle();
@@ -111,6 +114,7 @@ TEST_F(Recovery, MemoryThatRunsOutStartsTheWindowAgain) {
     limit_memory(std::size_t{350} << 20);
     drag(on("Paint.uRed", .2), on("Paint.uRed", .7));
     const nlohmann::json before = state();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
     save("scene.glib", fine + "Sphere 1 3000 3000\nSphere 2 3000 3000\nTorus .2 1 3000 3000\n");
     if (!wait([](const nlohmann::json& state) { return !state.contains("controls"); }, 40)) {
         if (state()["problems"].get<std::string>().find("[out-of-graphics-memory]") != std::string::npos)

@@ -84,7 +84,7 @@ TEST_F(Window, AnIdleWindowDrawsNothing) {
     user("mousemove 200 200");
     settle();
     const json before = state();
-    std::this_thread::sleep_for(std::chrono::seconds(3));
+    std::this_thread::sleep_for(std::chrono::seconds(1));
     EXPECT_EQ(state(), before) << "no frame, nothing presented";
     ASSERT_TRUE(alive());
     // A mouse that only passes over the panel draws the panel, not the scene.
