@@ -44,7 +44,8 @@ asan() {
   findings asan
 }
 
-# By name, and what is left out: arithmetic that goes on for minutes, and what the fuzzers do under asan.
+# By name, and what is left out: arithmetic that goes on for minutes, what the fuzzers do under asan, and the programs
+# that can't be started, of which valgrind does not tell their parents.
 valgrind_tests() {
   cat <<'END'
 parser -Total.RandomPieces:Total.HugeStatementsAndDeepNesting
@@ -53,7 +54,7 @@ plan
 lint
 mesh -MeshTree.FindsWhatTryingAllFinds:MeshTree.IsBuiltQuickly
 image -CubeLight.ReductionKeepsTheLight:Irradiance.*:Prefilter.*:Environments.KeepTheirLight:ImageNoise.LatticePoints*:ImageNoise.Resolution*
-files
+files -Editor.SaysWhatWentWrong
 watch
 ui
 accuracy -Front.TwoRunsThatAreDecidedAgree
