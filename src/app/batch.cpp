@@ -13,6 +13,7 @@
 #include "src/app/quality.h"
 #include "src/app/rounds.h"
 #include "src/app/view_text.h"
+#include "src/content/replace.h"
 #include "src/runtime/uniforms.h"
 
 namespace snell::app {
@@ -52,7 +53,7 @@ Batch::Batch(const RenderOptions& options, const Shots& shots, Shard shard)
     : options_(options),
       shots_(shots),
       shard_(shard),
-      deadline_(options.timeout),
+      deadline_(options.timeout, nullptr, [this] { leave_no_parts(); }),
       loss_(options.lose_after),
       writer_({!options.json.empty(), !options.sheet.empty()}) {}
 
@@ -76,6 +77,11 @@ Exit Batch::run() {
                    "snell: warning: {} pixels are NaN and {} are infinite before they are clamped [non-finite]\n",
                    non_finite_->nan, non_finite_->infinite);
     return status_;
+}
+
+// Of pictures that are being written when time is up.
+void Batch::leave_no_parts() const {
+    for (const std::string& file : shots_.files) const content::Replacement ended(file);
 }
 
 bool Batch::ready_context() {

@@ -61,6 +61,7 @@ private:
         std::optional<Plan> looping;  // where there may be something to say of its loops
     };
 
+    void leave_no_parts() const;
     bool ready_context();
     void scene(std::size_t scene, const std::vector<std::size_t>& indices);
     bool open(Open& open, const std::string& path);

@@ -10,7 +10,8 @@
 
 namespace snell::app {
 
-Deadline::Deadline(double seconds, Late late) : seconds_(seconds), late_(std::move(late)) {
+Deadline::Deadline(double seconds, Late late, std::function<void()> last)
+    : seconds_(seconds), late_(std::move(late)), last_(std::move(last)) {
     if (seconds > 0) thread_ = std::thread([this] { watch(); });
 }
 
@@ -61,6 +62,7 @@ void Deadline::watch() {
                 "--timeout SECONDS allows more\n",
                 utf8::printable(what_), seconds_);
             [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+            if (last_) last_();
             // Not exit(): what it would wait for may be what does not return.
             _exit(exit_timeout);
         }

@@ -17,7 +17,8 @@ class Deadline {
 public:
     // With `late` that is called instead, once, on the thread that watches; when it returns, life goes on.
     using Late = std::function<void(const std::string& what)>;
-    explicit Deadline(double seconds, Late late = nullptr);
+    // `last` is what is still to be done, on that thread, before the process is ended.
+    explicit Deadline(double seconds, Late late = nullptr, std::function<void()> last = nullptr);
     ~Deadline();
     Deadline(const Deadline&) = delete;
     Deadline& operator=(const Deadline&) = delete;
@@ -33,6 +34,7 @@ private:
     using Clock = std::chrono::steady_clock;
     double seconds_;
     Late late_;
+    std::function<void()> last_;
     std::mutex mutex_;
     std::condition_variable change_;
     Clock::time_point end_ = Clock::time_point::max();

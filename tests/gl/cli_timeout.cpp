@@ -62,6 +62,13 @@ TEST_F(Timeout, LeavesAloneWhatEnds) {
     EXPECT_EQ(snell("accuracy --knobs samples --no-time --size 16x16 --timeout 100 " + quick()).status, 0);
 }
 
+// The file that rows are written to is there from the beginning, and gone in the end.
+TEST_F(Timeout, OfAPictureInPartsLeavesNothing) {
+    const std::size_t before = folder.entries();
+    expect_ended("render --tile 1024 --size 2048x2048 --timeout 1 " + scene() + " -o " + folder.path("o.png"));
+    EXPECT_EQ(folder.entries(), before);
+}
+
 TEST_F(Timeout, TakesNumbersAlone) {
     for (const char* command : {"check", "explain", "accuracy"})
         for (const char* wrong : {"-1", "nan", "inf", "soon", ""})

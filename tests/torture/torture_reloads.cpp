@@ -143,25 +143,35 @@ InUse settled() {
     return {last, resident_bytes()};
 }
 
-// By how much `count` steps, after the first `warm_up`, leave more in use.
-InUse growth_over(unsigned warm_up, unsigned count, const char* what, const std::function<void(unsigned)>& step) {
-    InUse before;
-    for (unsigned k = 0; k < warm_up + count && !testing::Test::HasFatalFailure(); ++k) {
-        if (k == warm_up) before = settled();
+// What is in use after each round of `round` steps, the first one, which only warms up, included.
+std::vector<InUse> measure(unsigned round, unsigned rounds, const std::function<void(unsigned)>& step) {
+    std::vector<InUse> found;
+    for (unsigned k = 0; k < (rounds + 1) * round && !testing::Test::HasFatalFailure(); ++k) {
         step(k);
+        if (k % round == round - 1) found.push_back(settled());
     }
-    const InUse after = settled();
-    const InUse growth{after.bytes - before.bytes, after.resident - before.resident};
-    std::printf("%u %s: %.1f kB more in use, %.1f kB more resident\n", count, what, growth.bytes / 1e3,
-                growth.resident / 1e3);
-    return growth;
+    return found;
 }
 
-void expect_small(const InUse& growth) {
-    EXPECT_LT(growth.bytes, most_bytes);
+// By how much it grew over all rounds. The driver keeps some megabytes now and then; what leaks is there in the
+// smallest, too: that of the first half is held against that of the second.
+double growth(const std::vector<InUse>& found, double InUse::*of) {
+    const auto less = [of](const InUse& a, const InUse& b) { return a.*of < b.*of; };
+    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
+    const double first = (*std::min_element(found.begin(), middle, less)).*of;
+    const double second = (*std::min_element(middle, found.end(), less)).*of;
+    const auto count = static_cast<double>(found.size());
+    return (second - first) * (count - 1) / (count / 2);
+}
+
+void expect_small(const std::vector<InUse>& found, const std::string& what) {
+    ASSERT_GE(found.size(), 2U);
+    const double bytes = growth(found, &InUse::bytes), resident = growth(found, &InUse::resident);
+    std::printf("%s: %.1f kB more in use, %.1f kB more resident\n", what.c_str(), bytes / 1e3, resident / 1e3);
+    EXPECT_LT(bytes, most_bytes);
     // Malloc keeps pages that it may need again; a driver that keeps code would take more.
     if (!sanitized) {
-        EXPECT_LT(growth.resident, 8e6);
+        EXPECT_LT(resident, 8e6);
     }
 }
 
@@ -169,14 +179,13 @@ void expect_small(const InUse& growth) {
 TEST_F(Reloads, GiveBackWhatTheyTook) {
     const std::vector<Edit> good = repairs(), bad = damages();
     const auto round = static_cast<unsigned>(3 * good.size());
-    // Whole rounds, so that the same files stand at the beginning and at the end.
-    const unsigned count = (torture::number_of("SNELL_TORTURE_RELOADS", 24) + round - 1) / round * round;
+    const unsigned rounds = (torture::number_of("SNELL_TORTURE_RELOADS", 24) + round - 1) / round;
     Session session(folder.path("scene.glib"), caps);
     ASSERT_TRUE(session.document());
     ASSERT_EQ(session.errors(), 0U) << session.problems_text();
     Picture shown = draw(*session.document());
     unsigned changed = 0;
-    const InUse growth = growth_over(round, count, "reloads, a third of them refused", [&](unsigned k) {
+    const std::vector<InUse> found = measure(round, rounds, [&](unsigned k) {
         const unsigned which = k / 3 % static_cast<unsigned>(good.size());
         const bool broken = k % 3 == 0;
         (broken ? bad : good)[which](k + 1);
@@ -189,26 +198,26 @@ TEST_F(Reloads, GiveBackWhatTheyTook) {
         changed += now == shown ? 0U : 1U;
         shown = std::move(now);
     });
-    EXPECT_GT(changed, count / 4) << "edits are seen";
-    expect_small(growth);
+    EXPECT_GT(changed, rounds * round / 4) << "edits are seen";
+    expect_small(found, std::to_string(rounds * round) + " reloads, a third of them refused");
 }
 
 // Every command's scene in place of the one before.
 TEST_F(Reloads, OfOtherScenesGiveBackWhatTheyTook) {
     std::vector<std::string> scenes;
     for (const auto& entry : std::filesystem::directory_iterator(SNELL_ROOT "/tests/cases"))
-        if (entry.path().extension() == ".glib") scenes.push_back(entry.path());
+        if (entry.path().extension() == ".glib" && entry.path().stem() != "Verbose") scenes.push_back(entry.path());
     std::sort(scenes.begin(), scenes.end());
     const unsigned wanted = torture::number_of("SNELL_TORTURE_RELOADS", 12);
     while (scenes.size() > wanted) scenes.pop_back();
-    const auto round = static_cast<unsigned>(scenes.size()), count = (wanted + round - 1) / round * round;
+    const auto round = static_cast<unsigned>(scenes.size()), rounds = (wanted + round - 1) / round;
     Session session(scenes.front(), caps);
-    const InUse growth = growth_over(round, count, "scenes opened", [&](unsigned k) {
+    const std::vector<InUse> found = measure(round, rounds, [&](unsigned k) {
         ASSERT_EQ(session.open(scenes[k % round]), "");
         draw(*session.document());
         session.drawn_well();
     });
-    expect_small(growth);
+    expect_small(found, std::to_string(rounds * round) + " scenes opened");
 }
 
 }  // namespace
