@@ -17,7 +17,7 @@ namespace snell {
 
 namespace {
 
-constexpr std::string_view flag = "--after=", of_hang = "hang:", of_memory = "memory:";
+constexpr std::string_view after_flag = "--after=", of_hang = "hang:", of_memory = "memory:";
 
 // operator new tells nobody who is asked for more.
 std::atomic<const Restart*> of_this_process = nullptr;
@@ -26,7 +26,7 @@ std::vector<std::string> own_arguments() {
     const std::string text = content::whole_file("/proc/self/cmdline");
     std::vector<std::string> arguments;
     for (std::size_t at = 0; at < text.size(); at = text.find('\0', at) + 1) arguments.emplace_back(text.c_str() + at);
-    std::erase_if(arguments, [](const std::string& argument) { return argument.starts_with(flag); });
+    std::erase_if(arguments, [](const std::string& argument) { return argument.starts_with(after_flag); });
     return arguments;
 }
 
@@ -47,7 +47,7 @@ Restart::Restart(std::string after)
     std::error_code error;
     program_ = std::filesystem::read_symlink("/proc/self/exe", error).string();
     for (const std::string_view cause : {of_hang, of_memory})
-        arguments_.push_back(fmt::format("{}{}{}", flag, cause, memory_));
+        arguments_.push_back(fmt::format("{}{}{}", after_flag, cause, memory_));
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
         if (i + 1 != arguments_.size()) after_hang_.push_back(arguments_[i].data());
         if (i + 2 != arguments_.size()) after_memory_.push_back(arguments_[i].data());
