@@ -86,7 +86,12 @@ End run_child(const std::vector<std::string>& words, const std::string& folder, 
         become(const_cast<char**>(arguments.data()), const_cast<char**>(environment.data()), folder.c_str(), file);
     watch(child, bounds, end);
     int status = 0;
-    waitpid(child, &status, 0);
+    rusage used{};
+    wait4(child, &status, 0, &used);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    end.processor = seconds(used.ru_utime) + seconds(used.ru_stime);
     close(file);
     if (WIFEXITED(status)) end.status = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);

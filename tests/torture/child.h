@@ -16,8 +16,8 @@ struct End {
     int status = -1;  // of exit; -1: it did not exit by itself
     int signal = 0;   // that ended it; ours too
     bool too_long = false, too_large = false;
-    double seconds = 0, gigabytes = 0;  // that it took
-    std::string errors;                 // what it wrote to standard error
+    double seconds = 0, processor = 0, gigabytes = 0;  // that it took; `processor` of all its threads
+    std::string errors;                                // what it wrote to standard error
 };
 
 // Runs `words` in `folder`, without a display. Its standard error goes through the file `errors`. From any thread.

@@ -71,17 +71,18 @@ std::string judge(const End& end, const std::string& picture) {
 // What all have taken together.
 struct Totals {
     std::map<std::string, unsigned> ends;
-    double seconds = 0, gigabytes = 0;
-    unsigned slowest = 0, largest = 0;
+    double seconds = 0, processor = 0, gigabytes = 0;
+    unsigned slowest = 0, dearest = 0, largest = 0;
     std::string list;
 
     void add(unsigned number, const Mutant& mutant, const End& end, const std::string& wrong) {
         ++ends[end.signal ? "signal " + std::to_string(end.signal) : "status " + std::to_string(end.status)];
         if (end.seconds > seconds) seconds = end.seconds, slowest = number;
+        if (end.processor > processor) processor = end.processor, dearest = number;
         if (end.gigabytes > gigabytes) gigabytes = end.gigabytes, largest = number;
-        char numbers[80];
-        std::snprintf(numbers, sizeof numbers, "%u status %d signal %d %.2f s %.3f GB ", number, end.status, end.signal,
-                      end.seconds, end.gigabytes);
+        char numbers[100];
+        std::snprintf(numbers, sizeof numbers, "%u status %d signal %d %.2f s (%.2f s) %.3f GB ", number, end.status,
+                      end.signal, end.seconds, end.processor, end.gigabytes);
         list += numbers + mutant.scene + (wrong.empty() ? "" : " [" + wrong + "]") + " {" + mutant.how + "}\n";
     }
     void print() const {
