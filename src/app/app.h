@@ -120,6 +120,7 @@ private:
     app::Deadline hang_;
     app::LossWatch loss_;
     bool lost_ = false;
+    bool edited_ = false;  // before the window was there
     int unsettled_ = 3;
     double began_ = 0, ticked_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;
 };

@@ -26,6 +26,7 @@ struct Recovery {
     std::vector<std::string> files;    // a change of which is another try
     std::string values;                // what is not as the scene says: restore_changed() once it is read
     std::string problem;               // what happened, and what may be done
+    bool edited = false;               // a file was saved while nothing could look
 };
 
 // What another window begins with.

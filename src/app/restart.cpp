@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -31,6 +33,17 @@ std::vector<std::string> own_arguments() {
 }
 
 int new_memory() { return memfd_create("snell", MFD_CLOEXEC); }
+
+// After that moment, by the clock of files; what the future holds is no edit.
+bool saved_since(const std::string& path, const timespec& moment) {
+    const auto later = [](const timespec& a, const timespec& b) {
+        return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
+    };
+    struct stat now {};
+    timespec present{};
+    clock_gettime(CLOCK_REALTIME, &present);
+    return stat(path.c_str(), &now) == 0 && later(now.st_mtim, moment) && !later(now.st_mtim, present);
+}
 
 // That of the window before, which told its number.
 int memory_of(std::string_view after) {
@@ -67,6 +80,10 @@ Restart::~Restart() {
 std::optional<Carried> Restart::carried() const {
     if (after_.empty()) return std::nullopt;
     Carried carried = read_carried(content::whole_file(fmt::format("/proc/self/fd/{}", memory_)));
+    struct stat memory {};
+    fstat(memory_, &memory);
+    for (const std::string& file : carried.recovery.files)
+        carried.recovery.edited = carried.recovery.edited || saved_since(file, memory.st_mtim);
     const char* comes_back = carried.recovery.values.empty() ? "" : ", with what was set by hand as it was last drawn";
     carried.recovery.problem =
         after_.starts_with(of_memory)
@@ -80,6 +97,12 @@ std::optional<Carried> Restart::carried() const {
                   "--timeout SECONDS waits longer\n",
                   comes_back);
     return carried;
+}
+
+// The memory's time of change is that of the last try.
+void Restart::trying() {
+    worth_it_ = true;
+    futimens(memory_, nullptr);
 }
 
 // The new text takes the place of the old one at once.

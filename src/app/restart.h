@@ -27,8 +27,8 @@ public:
     // What the next one begins with, if there is one.
     void keep(const Carried& carried);
     // The scene is about to be read again. Memory that runs out before that, and before anything is kept, ends the
-    // program: it would again and again.
-    void trying() { worth_it_ = true; }
+    // program: it would again and again. What is saved from now on is another edit.
+    void trying();
 
     // Watches frames: after that many seconds the window is started again. Threads that don't return end with it.
     app::Deadline hang_watch(double seconds) const;

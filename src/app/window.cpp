@@ -75,6 +75,7 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
     restore(opener_.settings(), memory_);
     if (!carried) return;
     view_ = carried->view;
+    edited_ = carried->recovery.edited;
     memory_.clock.time = carried->time;
 }
 
@@ -82,6 +83,7 @@ void App::run() {
     report();
     if (readable()) opener_.opened(session_.path());
     window_->show(first_size());
+    if (edited_) reload();
     began_ = ticked_ = window_->now();
     last_input_ = began_;
     while (!window_->closing() && !lost_) {

@@ -1,5 +1,11 @@
 // What is kept of a scene when its context is lost, and shown in another one.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <chrono>
+
 #include "src/app/recovery.h"
+#include "src/app/restart.h"
 #include "src/app/session.h"
 #include "src/app/snapshots.h"
 #include "src/app/view_text.h"
@@ -172,6 +178,33 @@ TEST_F(SessionRestart, RungsComeBackWithTheirUniforms) {
     ASSERT_TRUE(session.document());
     EXPECT_EQ(session.document()->controls.rungs, Rungs{0});
     EXPECT_TRUE(near(shown(session), half)) << session.problems_text();
+}
+
+// Whoever sees that the window stands still mends the scene, and does not wait for the window.
+TEST(RestartedWindow, TriesAgainWhatWasSavedMeanwhile) {
+    const Folder folder;
+    const std::string scene = folder.write("s.glib", "Sphere\n");
+    const auto begun = [&](int memory) { return Restart("hang:" + std::to_string(memory)).carried(); };
+    const auto memory = [&](const std::string& text) {
+        const int file = memfd_create("test", 0);  // Restart closes it
+        EXPECT_EQ(write(file, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+        return file;
+    };
+    const std::string text = carried_text({scene, {nullptr, {scene}, {}, {}}, {}, {}, 0});
+    usleep(20'000);  // files have a coarse clock
+    const auto stands = begun(memory(text));
+    ASSERT_TRUE(stands);
+    EXPECT_EQ(stands->scene, scene);
+    EXPECT_FALSE(stands->recovery.edited);
+    EXPECT_NE(stands->recovery.problem.find("[frame-too-long]"), std::string::npos);
+    const int file = memory(text);
+    usleep(20'000);
+    folder.write("s.glib", "Box\n");
+    EXPECT_TRUE(begun(file)->recovery.edited);
+    const auto tomorrow = std::filesystem::file_time_type::clock::now() + std::chrono::hours(24);
+    std::filesystem::last_write_time(scene, tomorrow);
+    EXPECT_FALSE(begun(memory(text))->recovery.edited) << "it would try for ever";
+    EXPECT_FALSE(Restart("").carried()) << "a window that the user opened";
 }
 
 TEST(Carried, IsTextAndBack) {
