@@ -87,8 +87,9 @@ struct Totals {
     }
     void print() const {
         for (const auto& [end, count] : ends) std::printf("%s: %u\n", end.c_str(), count);
-        std::printf("longest: %.1f s (number %u); largest: %.2f GB (number %u)\n", seconds, slowest, gigabytes,
-                    largest);
+        std::printf(
+            "longest: %.1f s (number %u); most processor time: %.1f s (number %u); largest: %.2f GB (number %u)\n",
+            seconds, slowest, processor, dearest, gigabytes, largest);
     }
 };
 
