@@ -154,7 +154,7 @@ TEST_F(Hostile, ControlCharactersNeverReachTheTerminal) {
 }
 
 TEST_F(Hostile, LimitsAreNamedAndChanged) {
-    const test::Outcome huge = check("Sphere 1 1000000 1000000\nBox\n", "");
+    const test::Outcome huge = check("Sphere 1 1000000 1000000\nBox\n", "--timeout 200");
     EXPECT_TRUE(huge.status == 1 || huge.status == 0) << huge.output;  // 0: no graphics, no mesh
     const test::Outcome many = check("Sphere\nSphere\nSphere\n", "--limit draws=2");
     EXPECT_EQ(many.status, 1);

@@ -83,7 +83,8 @@ TEST_F(CliSweep, TimeAndRungsVaryToo) {
     const Outcome outcome = sweep("--over KIND=red,plain --over time=0:5:3 --set uMix=1 -o '" + at("out") +
                                   "/{KIND}-{time}.png' --json " + at("all.json"));
     ASSERT_EQ(outcome.status, 0) << outcome.output;
-    for (const auto& picture : json("all.json")["pictures"]) {
+    const nlohmann::json all = json("all.json");
+    for (const auto& picture : all["pictures"]) {
         snell("render " + at("good.glib") +
               " --size 8x8 --set uMix=1 --ladder KIND=" + picture["values"]["KIND"].get<std::string>() + " --time " +
               picture["time"].dump() + " -o " + at("one.png"));

@@ -126,7 +126,8 @@ TEST_F(LadderWindow, ErrorsAreThoseOfTheRungs) {
     // All rungs, by the button.
     click("accuracy.measure");
     ASSERT_TRUE(wait([](const json& s) { return !s["accuracy"]["measuring"] && s["accuracy"]["points"].size() == 3; }));
-    for (const json& point : state()["accuracy"]["points"]) {
+    const json now = state();
+    for (const json& point : now["accuracy"]["points"]) {
         const std::string name = point["name"];
         EXPECT_NEAR(point["error"].get<double>(), name == "exact" ? 0 : errors[name == "far"], 1e-6) << name;
         EXPECT_GT(point["milliseconds"], 0) << name;
