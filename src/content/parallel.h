@@ -4,10 +4,23 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace snell::content {
+
+// Starts `count` threads, or as many as the machine gives.
+template <class Run>
+std::vector<std::jthread> start_threads(std::size_t count, const Run& run) {
+    std::vector<std::jthread> threads;
+    threads.reserve(count);
+    try {
+        while (threads.size() < count) threads.emplace_back(run);
+    } catch (const std::system_error&) {
+    }
+    return threads;
+}
 
 // Calls `work(first, last)` for blocks that cover 0..count, on as many threads as there are cores. `work` must
 // not throw.
@@ -22,8 +35,7 @@ void parallel_blocks(std::size_t count, const Work& work) {
             work(first, std::min(first + block, count));
         }
     };
-    std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(run);
+    const std::vector<std::jthread> helpers = start_threads(threads > 0 ? threads - 1 : 0, run);
     run();
 }
 

@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
 #include <map>
-#include <thread>
 
 #include "src/content/convolve.h"
 #include "src/content/noise.h"
+#include "src/content/parallel.h"
 #include "src/plan/locate.h"
 #include "src/plan/plan.h"
 
@@ -105,17 +103,6 @@ Image fitted(const Image& image, const Texture& texture, const TextureFile& file
 }
 
 // ---- cube maps -------------------------------------------------------------------------------------------
-
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-    const std::size_t workers = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, count);
-    std::atomic<std::size_t> next = 0;
-    const auto run = [&] {
-        for (std::size_t i = next++; i < count; i = next++) work(i);
-    };
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < workers; ++i) threads.emplace_back(run);
-    run();
-}
 
 // The side that most faces have; 0 when none is square.
 int common_side(const std::array<const Image*, 6>& faces) {
@@ -292,8 +279,9 @@ CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& 
     const std::vector<TextureFile> located = locate_texture(texture, files, diagnostics);
     std::vector<Picture> pictures(located.size());
     if (!located.empty()) {
-        on_all_cores(located.size(), [&](std::size_t i) {
-            if (!located[i].path.empty()) pictures[i] = decode(located[i].path, files, images);
+        content::parallel_blocks(located.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                if (!located[i].path.empty()) pictures[i] = decode(located[i].path, files, images);
         });
     }
     CubeFaces faces = located.size() == 6   ? six_faces(located, pictures, texture.span, diagnostics)

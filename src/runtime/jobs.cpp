@@ -7,6 +7,8 @@
 #include <mutex>
 #include <thread>
 
+#include "src/content/parallel.h"
+
 namespace snell::runtime {
 
 namespace {
@@ -64,14 +66,11 @@ void run(const std::vector<Job>& jobs, const Watcher& watcher) {
     }
     Board board(jobs);
     const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1U);
-    std::vector<std::jthread> threads;
-    // Who watches does not work.
-    for (std::size_t i = watcher ? 0 : 1; i < std::min(cores, jobs.size()); ++i)
-        threads.emplace_back([&board] { board.work(); });
-    if (watcher)
-        board.watch(watcher);
-    else
-        board.work();
+    const std::size_t count = std::min(cores, jobs.size());
+    // Who watches does not work, unless nobody else does.
+    const auto threads = content::start_threads(watcher ? count : count - 1, [&board] { board.work(); });
+    if (!watcher || threads.empty()) board.work();
+    if (watcher) board.watch(watcher);
 }
 
 }  // namespace snell::runtime

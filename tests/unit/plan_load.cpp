@@ -260,7 +260,8 @@ TEST_F(Loading, OneFileByLayout) {
 }
 
 TEST_F(Loading, NoiseFileBesideTheSceneIsUsed) {
-    const Image generated = load_noise(2, 32, files, diagnostics);
+    Files before{folder.path()};
+    const Image generated = load_noise(2, 32, before, diagnostics);
     EXPECT_EQ(generated.pixels, content::make_noise(2, 32).pixels);
     folder.write(content::noise_file_name(2, 32), tex({32, 32}, 77));
     folder.write(content::noise_file_name(3, 8), tex({8, 8, 8}, 78));
