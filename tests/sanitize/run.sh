@@ -69,13 +69,13 @@ memcheck() {
     --show-leak-kinds=definite --errors-for-leak-kinds=definite --suppressions=tests/sanitize/valgrind.supp
 }
 
-thread_tests="plan image watch files environments"
+thread_tests="plan image watch files"
 threads() {
   local tests=$thread_tests
   build tsan $(printf '%s_tests ' $tests) || { failed+=("tsan: the build"); return; }
   rm -rf build/tsan/findings
   mkdir -p build/tsan/findings
-  export TSAN_OPTIONS="exitcode=66:halt_on_error=0:second_deadlock_stack=1:log_path=$PWD/build/tsan/findings/report"
+  export TSAN_OPTIONS="exitcode=66:second_deadlock_stack=1:suppressions=$PWD/tests/sanitize/threads.supp:log_path=$PWD/build/tsan/findings/report"
   # Its memory has fixed places, which some kernels give to others.
   printf '%s\n' $tests | executables tsan tsan setarch -R
   findings tsan
