@@ -304,7 +304,9 @@ TEST_F(ImageFormats, AnEmptyFileIsNoPicture) {
     EXPECT_NE(write_image(file("a.null"), image), "");
     EXPECT_EQ(entries(), 0u);
     const std::string wrong = write_image(file("a.jp2"), image);
-    if (wrong.empty()) EXPECT_TRUE(read_file(file("a.jp2")).image);
+    if (wrong.empty()) {
+        EXPECT_TRUE(read_file(file("a.jp2")).image);
+    }
     EXPECT_EQ(entries(), wrong.empty() ? 1u : 0u);
 }
 
