@@ -19,8 +19,9 @@ fuzz() {
     glsl) inputs+=(tests/glsl) ;;
     *) options+=(-max_len=4096) ;;
   esac
-  "$bin/${name}_fuzz" "${options[@]}" -timeout=10 -print_final_stats=1 -artifact_prefix="$folder/finding-" "$folder" \
-    "${inputs[@]}" >"$log" 2>&1 &
+  # A minute of the clock for one input: the machine may have much else to do.
+  "$bin/${name}_fuzz" "${options[@]}" -timeout=60 -report_slow_units=60 -print_final_stats=1 \
+    -artifact_prefix="$folder/finding-" "$folder" "${inputs[@]}" >"$log" 2>&1 &
   local pid=$! code=0 spent=0 now
   # The processor's seconds, not the clock's: beside other work they are fewer.
   while ((spent < seconds)) && now=$(ps -o cputimes= -p $pid) && [ "$now" ]; do
