@@ -22,6 +22,7 @@ complain "Dear ImGui belongs to src/ui" "$(code | grep -vE '^src/ui/' | xargs gr
 complain "files are written by src/content/replace.cpp only, and by OpenImageIO beside their place: whole, or not at all" \
   "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/content/(replace.cpp|oiio/oiio.cpp)$' |
      xargs grep -nE '\b(ofstream|fopen|freopen|mkstemp|creat)\b|\bO_(WRONLY|RDWR|CREAT)\b')"
+complain "no shell is called" "$(find parser src -name '*.h' -o -name '*.cpp' | xargs grep -nE '\b(system|popen|execl|execlp|execle|wordexp)\(|/bin/sh')"
 complain "the parser is the C++ standard library only" \
   "$(find parser -name '*.h' -o -name '*.cpp' | xargs grep -nE '#include <(fmt|glm|nlohmann|filesystem|fstream|iostream)|#include "src/|\b(printf|fprintf|puts|fopen|exit|abort)\(')"
 
