@@ -46,11 +46,13 @@ function(snell_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Four files are compiled as one, which takes a full build down by a third. Files that share names of their anonymous
+# Four files, or as many as are said, are compiled as one, which takes a full build down by a third. Files that share names of their anonymous
 # namespaces with others are compiled alone.
 option(SNELL_TOGETHER "Compile several files at a time: full builds are quicker, small changes slower" ON)
 function(snell_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SNELL_TOGETHER} UNITY_BUILD_BATCH_SIZE 4)
+  set(batch 4 ${ARGN})
+  list(GET batch -1 batch)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SNELL_TOGETHER} UNITY_BUILD_BATCH_SIZE ${batch})
 endfunction()
 function(snell_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
