@@ -35,7 +35,7 @@ allow() {
 }
 allow src/content 'parser|src/content'
 allow src/glsl 'parser|src/glsl'
-allow src/optics 'src/optics'
+allow tests/oracle/optics 'tests/oracle/optics'
 allow src/plan 'parser|src/content|src/glsl|src/plan'
 allow src/lint 'parser|src/content|src/glsl|src/plan|src/lint'
 allow src/gl 'src/gl'

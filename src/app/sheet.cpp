@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/content/compare.h"
 #include "src/ui/lettering.h"
 
 namespace snell::app {

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "src/content/compare.h"
 #include "src/content/cubemap.h"
-#include "src/content/parallel.h"
 
 namespace snell::content {
 namespace {
@@ -30,34 +28,6 @@ constexpr Words face_titles{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 
 std::string size_text(const Image& image) { return std::to_string(image.width) + " x " + std::to_string(image.height); }
 
-// The side that most faces have; of equally frequent ones, that of the first face.
-int common_side(const CubeFaces& faces) {
-    int best = 0;
-    std::ptrdiff_t most = 0;
-    for (const Image& face : faces) {
-        const auto same = std::count_if(faces.begin(), faces.end(), [&](const Image& f) {
-            return f.width == face.width && f.height == face.height;
-        });
-        if (face.width == face.height && same > most) {
-            most = same;
-            best = face.width;
-        }
-    }
-    return best;
-}
-
-Image to_half(const Image& image) {
-    if (image.type == PixelType::f16) return image;
-    Image result = image;
-    result.type = PixelType::f16;
-    result.pixels.resize(result.bytes());
-    for (std::size_t i = 0; i < result.pixels.size() / 2; ++i) {
-        const std::uint16_t half = float_to_half(value_at(image, i));
-        std::memcpy(result.pixels.data() + 2 * i, &half, 2);
-    }
-    return result;
-}
-
 }  // namespace
 
 std::vector<std::array<std::string, 6>> face_names(std::string_view name) {
@@ -77,12 +47,30 @@ std::vector<std::array<std::string, 6>> face_names(std::string_view name) {
     return result;
 }
 
-std::vector<ImageIssue> check_faces(const CubeFaces& faces, const std::array<std::string, 6>& names) {
+int common_side(const FacePictures& faces) {
+    const auto square = [](const Image* face) { return face && face->width == face->height && face->depth == 1; };
+    int best = 0;
+    std::ptrdiff_t most = 0;
+    for (const Image* face : faces) {
+        if (!square(face)) continue;
+        const auto same = std::count_if(faces.begin(), faces.end(), [&](const Image* other) {
+            return square(other) && other->width == face->width;
+        });
+        if (same > most) {
+            most = same;
+            best = face->width;
+        }
+    }
+    return best;
+}
+
+std::vector<ImageIssue> check_faces(const FacePictures& faces, const std::array<std::string, 6>& names) {
     std::vector<ImageIssue> issues;
     const int side = common_side(faces);
     const std::string wanted = side > 0 ? std::to_string(side) + " x " + std::to_string(side) : "square";
     for (std::size_t i = 0; i < 6; ++i) {
-        const Image& face = faces[i];
+        if (!faces[i]) continue;
+        const Image& face = *faces[i];
         const std::string which = "face " + std::string(face_titles[i]) + " (" + names[i] + ") is " + size_text(face);
         const std::string help = "make all six faces " + (side > 0 ? wanted : "square and of one size");
         if (face.width != face.height || face.depth != 1) {
@@ -92,22 +80,6 @@ std::vector<ImageIssue> check_faces(const CubeFaces& faces, const std::array<std
         }
     }
     return issues;
-}
-
-std::array<ImageResult, 6> decode_faces(const std::function<ImageResult(int face)>& decode) {
-    std::array<ImageResult, 6> results;
-    parallel_blocks(6, [&](std::size_t first, std::size_t last) {
-        for (std::size_t face = first; face < last; ++face) results[face] = decode(static_cast<int>(face));
-    });
-    return results;
-}
-
-void unify_faces(CubeFaces& faces) {
-    const bool half = std::any_of(faces.begin(), faces.end(), [](const Image& f) { return f.type != PixelType::u8; });
-    for (Image& face : faces) {
-        face = to_rgba(face);
-        if (half) face = to_half(face);
-    }
 }
 
 }  // namespace snell::content

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "src/content/compare.h"
 #include "src/content/parallel.h"
 
 namespace snell::content {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,14 +42,13 @@ std::array<double, 2> equirectangular_position(const std::array<double, 3>& dire
 // The six names that `stem.ext` may stand for, one list for each naming convention, in OpenGL's order.
 std::vector<std::array<std::string, 6>> face_names(std::string_view name);
 
-// For cube maps whose faces came from six files: what is wrong with their sizes, if anything.
-std::vector<ImageIssue> check_faces(const CubeFaces& faces, const std::array<std::string, 6>& names);
+// Six pictures of their own, for a cube map; null for one that could not be read.
+using FacePictures = std::array<const Image*, 6>;
 
-// Calls `decode` for the faces 0..5, on as many threads as there are cores. It must be safe to call so, and not
-// throw.
-std::array<ImageResult, 6> decode_faces(const std::function<ImageResult(int face)>& decode);
+// The side that most faces have; of equally frequent ones, that of the first face. 0 when none is square.
+int common_side(const FacePictures& faces);
 
-// One type and four channels for all faces, as a cube map needs: half floats if any face has them.
-void unify_faces(CubeFaces& faces);
+// What is wrong with the sizes of those that could be read.
+std::vector<ImageIssue> check_faces(const FacePictures& faces, const std::array<std::string, 6>& names);
 
 }  // namespace snell::content

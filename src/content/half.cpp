@@ -1,4 +1,5 @@
 #include <bit>
+#include <cstring>
 
 #include "src/content/image.h"
 
@@ -29,6 +30,36 @@ std::uint16_t float_to_half(float value) {
     }
     const std::uint32_t odd = magnitude >> 13 & 1u;
     return static_cast<std::uint16_t>(sign | (magnitude - 0x38000000u + 0xfffu + odd) >> 13);
+}
+
+float value_at(const Image& image, std::size_t index) {
+    switch (image.type) {
+        case PixelType::u8:
+            return static_cast<float>(std::to_integer<int>(image.pixels[index])) / 255.0f;
+        case PixelType::f16: {
+            std::uint16_t half = 0;
+            std::memcpy(&half, image.pixels.data() + 2 * index, 2);
+            return half_to_float(half);
+        }
+        case PixelType::f32: {
+            float value = 0;
+            std::memcpy(&value, image.pixels.data() + 4 * index, 4);
+            return value;
+        }
+    }
+    return 0;
+}
+
+Image to_half(const Image& image) {
+    if (image.type == PixelType::f16) return image;
+    Image result = image;
+    result.type = PixelType::f16;
+    result.pixels.resize(result.bytes());
+    for (std::size_t i = 0; i < result.pixels.size() / 2; ++i) {
+        const std::uint16_t half = float_to_half(value_at(image, i));
+        std::memcpy(result.pixels.data() + 2 * i, &half, 2);
+    }
+    return result;
 }
 
 }  // namespace snell::content

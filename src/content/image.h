@@ -65,7 +65,10 @@ Image checkerboard(int size = 64);
 
 Image flipped(const Image& image);   // rows in the opposite order
 Image to_bytes(const Image& image);  // u8, clamped to 0..1 and rounded; what is not a number becomes 0
+Image to_half(const Image& image);   // f16
 Image to_rgba(const Image& image);   // 4 channels; grey is spread, alpha 1
+// One channel as a number: u8 is 0..1. `index` counts channels from the start of the pixels.
+float value_at(const Image& image, std::size_t index);
 float half_to_float(std::uint16_t half);
 std::uint16_t float_to_half(float value);  // round to nearest even; overflow to infinity
 

@@ -43,8 +43,7 @@ OiioModule open_module() {
     decltype(&snell_oiio_api_version) version = nullptr;
     const bool fits = find(module, "snell_oiio_api_version", version) && version() == snell_oiio_version &&
                       find(module, "snell_oiio_read", result.read) && find(module, "snell_oiio_begin", result.begin) &&
-                      find(module, "snell_oiio_rows", result.rows) && find(module, "snell_oiio_end", result.end) &&
-                      find(module, "snell_oiio_compare", result.compare);
+                      find(module, "snell_oiio_rows", result.rows) && find(module, "snell_oiio_end", result.end);
     if (!fits) result.error = path.string() + " is from another version of snell";
     return result;
 }

@@ -13,7 +13,6 @@ struct OiioModule {
     decltype(&snell_oiio_begin) begin = nullptr;
     decltype(&snell_oiio_rows) rows = nullptr;
     decltype(&snell_oiio_end) end = nullptr;
-    decltype(&snell_oiio_compare) compare = nullptr;
     std::string error;  // why it can't be used; empty: it can
 };
 

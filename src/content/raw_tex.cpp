@@ -9,7 +9,7 @@
 namespace snell::content {
 namespace {
 
-struct Reading {
+struct RawLayout {
     int dimensions = 0;
     bool floats = false;
     std::array<std::int64_t, 3> size{1, 1, 1};
@@ -23,7 +23,7 @@ struct Reading {
 };
 
 // Bytes of a whole file with this reading; 0 when no file can be that large.
-std::size_t file_bytes(const Reading& reading) {
+std::size_t file_bytes(const RawLayout& reading) {
     std::uint64_t texels = 1;
     for (const std::int64_t side : reading.size) {
         if (side <= 0 || texels > (std::uint64_t{1} << 48) / static_cast<std::uint64_t>(side)) return 0;
@@ -32,9 +32,9 @@ std::size_t file_bytes(const Reading& reading) {
     return texels * (reading.floats ? 16 : 4) + reading.data_at();
 }
 
-std::vector<Reading> readings(std::string_view first_bytes, std::size_t file_size) {
-    std::vector<Reading> result;
-    Reading reading;
+std::vector<RawLayout> readings(std::string_view first_bytes, std::size_t file_size) {
+    std::vector<RawLayout> result;
+    RawLayout reading;
     for (reading.dimensions = 1; reading.dimensions <= 3; ++reading.dimensions) {
         const auto i = static_cast<std::size_t>(reading.dimensions - 1);
         if (first_bytes.size() < 4 * i + 4) break;
@@ -80,7 +80,7 @@ ImageResult decode_tex(std::string_view bytes, const ImageLimits& limits) {
                                 " or " + found[1].text(),
                             "give the texture one more texel, or save it as PNG");
     }
-    const Reading& reading = found.front();
+    const RawLayout& reading = found.front();
     const auto [width, height, depth] = reading.size;
     if (auto issue = check_size("raw texture", width, height, depth, reading.floats ? 8 : 4, limits)) {
         return {{}, {*issue}};

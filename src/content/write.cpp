@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/content/compare.h"
 #include "src/content/formats.h"
 #include "src/content/png_write.h"
 #include "src/content/rows.h"

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "src/content/convolve.h"
 #include "src/content/noise.h"
@@ -104,39 +103,6 @@ Image fitted(const Image& image, const Texture& texture, const TextureFile& file
 
 // ---- cube maps -------------------------------------------------------------------------------------------
 
-// The side that most faces have; 0 when none is square.
-int common_side(const std::array<const Image*, 6>& faces) {
-    std::map<int, int> votes;
-    for (const Image* face : faces) {
-        if (face != nullptr && face->width == face->height && face->depth == 1) ++votes[face->width];
-    }
-    const auto most =
-        std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == votes.end() ? 0 : most->first;
-}
-
-Image to_half(const Image& image) {
-    if (image.type == PixelType::f16) return image;
-    Image half = image;
-    half.type = PixelType::f16;
-    const std::size_t bytes_each = image.type == PixelType::u8 ? 1 : 4;
-    const std::size_t values = image.pixels.size() / bytes_each;
-    half.pixels.resize(values * 2);
-    for (std::size_t i = 0; i < values; ++i) {
-        float value = 0;
-        if (image.type == PixelType::u8) {
-            value = static_cast<float>(std::to_integer<int>(image.pixels[i])) / 255.F;
-        } else {
-            std::copy_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(i * 4), 4,
-                        reinterpret_cast<std::byte*>(&value));
-        }
-        const std::uint16_t bits = content::float_to_half(value);
-        std::copy_n(reinterpret_cast<const std::byte*>(&bits), 2,
-                    half.pixels.begin() + static_cast<std::ptrdiff_t>(i * 2));
-    }
-    return half;
-}
-
 // GL takes six faces only of one format.
 void make_alike(CubeFaces& faces) {
     const auto all = [&](auto same) {
@@ -146,7 +112,7 @@ void make_alike(CubeFaces& faces) {
     const bool same_type = all([](const Image& a, const Image& b) { return a.type == b.type; });
     for (Image& face : faces) {
         if (!same_channels) face = content::to_rgba(face);
-        if (!same_type) face = to_half(face);
+        if (!same_type) face = content::to_half(face);
         if (face.bottom_first) {
             face = content::flipped(face);
             face.bottom_first = false;
@@ -173,25 +139,18 @@ constexpr int check_side = 64;
 
 CubeFaces six_faces(const std::vector<TextureFile>& files, const std::vector<Picture>& pictures, const Span& span,
                     Diagnostics& diagnostics) {
-    std::array<const Image*, 6> found{};
-    for (std::size_t i = 0; i < 6; ++i) found[i] = usable(pictures[i], files[i], diagnostics);
-    const int side = common_side(found);
-    CubeFaces faces = all_checks(side > 0 ? side : check_side);
+    content::FacePictures found{};
     std::array<std::string, 6> names;
-    CubeFaces read;  // as they came, for the check of sizes
-    bool odd = false;
     for (std::size_t i = 0; i < 6; ++i) {
+        found[i] = usable(pictures[i], files[i], diagnostics);
         names[i] = files[i].name;
-        read[i] = faces[i];
-        if (found[i] == nullptr) continue;
-        const bool fits = found[i]->width == side && found[i]->height == side && found[i]->depth == 1;
-        odd = odd || !fits;
-        (fits ? faces[i] : read[i]) = *found[i];
-        if (fits) read[i] = *found[i];
     }
-    if (odd) {
-        for (const ImageIssue& issue : content::check_faces(read, names)) report(issue, {}, span, diagnostics);
-    }
+    for (const ImageIssue& issue : content::check_faces(found, names)) report(issue, {}, span, diagnostics);
+    const int side = content::common_side(found);
+    CubeFaces faces = all_checks(side > 0 ? side : check_side);
+    for (std::size_t i = 0; i < 6; ++i)
+        if (found[i] && found[i]->width == side && found[i]->height == side && found[i]->depth == 1)
+            faces[i] = *found[i];
     return faces;
 }
 

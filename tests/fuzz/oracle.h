@@ -6,7 +6,7 @@
 #include <string>
 
 #include "parser/parse.h"
-#include "parser/print.h"
+#include "tests/oracle/scene/print.h"
 
 namespace snell::fuzz {
 

@@ -9,8 +9,8 @@
 #include "src/gl/debug.h"
 #include "src/gl/program.h"
 #include "src/gl/target.h"
-#include "src/optics/cube.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/cube.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::test {
 

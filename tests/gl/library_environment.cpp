@@ -2,9 +2,9 @@
 #include <cmath>
 #include <random>
 
-#include "src/optics/cube.h"
-#include "src/optics/locality.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/cube.h"
+#include "tests/oracle/optics/locality.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/library_common.h"
 #include "tests/hard_case.h"
 

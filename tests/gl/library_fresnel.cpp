@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/optics/fresnel.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/fresnel.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/library_common.h"
 #include "tests/hard_case.h"
 

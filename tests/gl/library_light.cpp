@@ -5,13 +5,13 @@
 #include <random>
 #include <sstream>
 
-#include "src/optics/color.h"
-#include "src/optics/cube.h"
-#include "src/optics/dispersion.h"
-#include "src/optics/glass.h"
-#include "src/optics/irradiance.h"
-#include "src/optics/refraction.h"
-#include "src/optics/sphere.h"
+#include "tests/oracle/optics/color.h"
+#include "tests/oracle/optics/cube.h"
+#include "tests/oracle/optics/dispersion.h"
+#include "tests/oracle/optics/glass.h"
+#include "tests/oracle/optics/irradiance.h"
+#include "tests/oracle/optics/refraction.h"
+#include "tests/oracle/optics/sphere.h"
 #include "tests/gl/library_common.h"
 
 namespace snell::test {

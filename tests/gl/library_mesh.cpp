@@ -4,7 +4,7 @@
 #include <random>
 
 #include "src/content/tree.h"
-#include "src/optics/mesh_path.h"
+#include "tests/oracle/optics/mesh_path.h"
 #include "tests/gl/library_common.h"
 
 namespace snell::test {

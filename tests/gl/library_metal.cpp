@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/optics/fresnel.h"
-#include "src/optics/glass.h"
+#include "tests/oracle/optics/fresnel.h"
+#include "tests/oracle/optics/glass.h"
 #include "tests/gl/library_common.h"
 
 namespace snell::test {

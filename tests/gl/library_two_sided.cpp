@@ -1,8 +1,8 @@
 // Glass seen from both sides, by pictures of its back faces.
 #include <cmath>
 
-#include "src/optics/refraction.h"
-#include "src/optics/two_sided.h"
+#include "tests/oracle/optics/refraction.h"
+#include "tests/oracle/optics/two_sided.h"
 #include "tests/gl/library_common.h"
 
 namespace snell::test {

@@ -7,8 +7,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "src/optics/fresnel.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/fresnel.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/optics_gl_common.h"
 
 namespace snell::test {

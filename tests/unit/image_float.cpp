@@ -167,21 +167,5 @@ TEST(ImageCompare, TypesAndRowOrderMayDiffer) {
     EXPECT_EQ(compare(a, flipped(a))->max, 0.0);
 }
 
-TEST(ImageCompare, TheModuleAgrees) {
-    const auto ramp = [](int x, int, int) { return x / 64.0; };
-    const Image a = paint(64, 64, 3, PixelType::f32, ramp);
-    const Image b =
-        paint(64, 64, 3, PixelType::f32, [&](int x, int y, int c) { return x > 31 && y > 31 ? 1.0 : ramp(x, y, c); });
-    ModuleDifference theirs;
-    ASSERT_EQ(compare_by_module(a, b, .1, theirs), "");
-    const auto ours = compare(a, b, .1);
-    EXPECT_NEAR(theirs.mean, ours->mean, 1e-6);
-    EXPECT_NEAR(theirs.rms, ours->rms, 1e-6);
-    EXPECT_NEAR(theirs.max, ours->max, 1e-6);
-    EXPECT_EQ(theirs.over, ours->over);
-    ASSERT_EQ(compare_by_module(a, a, 0, theirs), "");
-    EXPECT_EQ(theirs.max, 0.0);
-}
-
 }  // namespace
 }  // namespace snell::content

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <string>
 
-#include "src/content/compare.h"
+#include "tests/oracle/compare.h"
 #include "src/content/image.h"
 #include "tests/scratch.h"
 

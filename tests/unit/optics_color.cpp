@@ -1,4 +1,4 @@
-#include "src/optics/color.h"
+#include "tests/oracle/optics/color.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "src/optics/glass.h"
+#include "tests/oracle/optics/glass.h"
 
 namespace snell::optics {
 namespace {

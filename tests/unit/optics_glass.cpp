@@ -1,4 +1,4 @@
-#include "src/optics/glass.h"
+#include "tests/oracle/optics/glass.h"
 #include "tests/hard_case.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "src/optics/irradiance.h"
+#include "tests/oracle/optics/irradiance.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/hard_case.h"
 
 namespace snell::optics {

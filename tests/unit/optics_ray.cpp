@@ -1,4 +1,4 @@
-#include "src/optics/ray.h"
+#include "tests/oracle/optics/ray.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/refraction.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/optics/sphere.h"
+#include "tests/oracle/optics/sphere.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "src/optics/ray.h"
+#include "tests/oracle/optics/ray.h"
 #include "tests/hard_case.h"
 
 namespace snell::optics {

@@ -1,11 +1,11 @@
-#include "src/optics/two_sided.h"
+#include "tests/oracle/optics/two_sided.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "src/optics/refraction.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::optics {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "parser/commands.h"
-#include "parser/print.h"
+#include "tests/oracle/scene/print.h"
 #include "parser_support.h"
 
 namespace snell::test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "parser/print.h"
+#include "tests/oracle/scene/print.h"
 #include "parser_support.h"
 
 namespace snell::test {

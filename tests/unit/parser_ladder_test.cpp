@@ -1,7 +1,7 @@
 // Ladders: what is read, what is refused, and what the programs know of them.
 #include <gtest/gtest.h>
 
-#include "parser/print.h"
+#include "tests/oracle/scene/print.h"
 #include "tests/unit/parser_support.h"
 
 namespace snell::test {

@@ -175,6 +175,20 @@ TEST_F(Loading, SixFacesInOrder) {
     }
 }
 
+TEST_F(Loading, FacesOfTheSideThatIsSaidToBeTheOthersAreKept) {
+    for (std::size_t i = 0; i < 6; ++i) {
+        const int side = i < 3 ? 64 : 32;
+        folder.write(six[i], bmp(side, side, static_cast<int>(10 * i)));
+    }
+    const content::CubeFaces faces = cube(six);
+    EXPECT_EQ(codes_of(diagnostics), Codes(3, "cube-faces-unequal"));
+    EXPECT_NE(diagnostics.items()[0].message.find("others are 64 x 64"), std::string::npos);
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(faces[i].width, 64);
+        EXPECT_EQ(is_checkerboard(faces[i]), i >= 3) << i;
+    }
+}
+
 TEST_F(Loading, SameFileForAllFacesIsReadOnce) {
     folder.write("px.bmp", bmp(16, 16));
     cube(std::vector<std::string>(6, "px.bmp"));

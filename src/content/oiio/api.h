@@ -10,7 +10,7 @@ extern "C" {
 #include <stddef.h>
 #endif
 
-enum { snell_oiio_version = 2 };
+enum { snell_oiio_version = 3 };
 
 typedef enum SnellOiioType { snell_oiio_u8 = 1, snell_oiio_f16 = 2, snell_oiio_f32 = 4 } SnellOiioType;
 
@@ -26,11 +26,6 @@ typedef struct SnellOiioShape {
 /* Asked once, from the header alone: room for the pixels, or null to give up. */
 typedef void* (*SnellOiioAllocate)(void* context, const SnellOiioShape* shape);
 
-typedef struct SnellOiioDifference {
-    double mean, rms, psnr, max;
-    size_t over_threshold; /* pixels with a channel that differs by more */
-} SnellOiioDifference;
-
 /* All return 0 when done; else `message` (of `message_size` bytes) says what went wrong. */
 
 /* 8-bit pictures come as u8, all others as f32. `format` may be null. 1: nothing could be read; 2: allocate gave
@@ -44,9 +39,6 @@ void* snell_oiio_begin(const char* path, const char* format, const SnellOiioShap
 int snell_oiio_rows(void* picture, const void* rows, int count, char* message, size_t message_size);
 /* Frees it; `whole` 0: gives it up. */
 int snell_oiio_end(void* picture, int whole, char* message, size_t message_size);
-/* Of two pictures of one shape. */
-int snell_oiio_compare(const SnellOiioShape* shape, const void* a, const void* b, double threshold,
-                       SnellOiioDifference* difference, char* message, size_t message_size);
 int snell_oiio_api_version(void);
 
 #ifdef __cplusplus

@@ -229,23 +229,6 @@ int end(std::unique_ptr<Picture> picture, bool whole, const Message& message) {
     return closed ? message(done, "") : message(failed, why);
 }
 
-int compare(const SnellOiioShape& shape, const void* a, const void* b, double threshold,
-            SnellOiioDifference& difference, const Message& message) {
-    const OIIO::ImageSpec spec = spec_of(shape);
-    const OIIO::ImageBuf first(spec, const_cast<void*>(a)), second(spec, const_cast<void*>(b));
-    const auto limit = static_cast<float>(threshold);
-    OIIO::geterror();  // an older one is not ours
-    const OIIO::ImageBufAlgo::CompareResults result = OIIO::ImageBufAlgo::compare(first, second, limit, limit);
-    // `error` says only that the threshold was passed.
-    if (OIIO::has_error()) return message(failed, OIIO::geterror());
-    difference.mean = result.meanerror;
-    difference.rms = result.rms_error;
-    difference.psnr = result.PSNR;
-    difference.max = result.maxerror;
-    difference.over_threshold = result.nfail;
-    return message(done, "");
-}
-
 // No exception may cross the C interface.
 template <class Work>
 int guarded(const Message& message, Work work) {
@@ -287,12 +270,6 @@ SNELL_EXPORT int snell_oiio_rows(void* picture, const void* pixels, int count, c
 SNELL_EXPORT int snell_oiio_end(void* picture, int whole, char* message, size_t message_size) {
     const Message say{message, message_size};
     return guarded(say, [&] { return end(std::unique_ptr<Picture>(static_cast<Picture*>(picture)), whole != 0, say); });
-}
-
-SNELL_EXPORT int snell_oiio_compare(const SnellOiioShape* shape, const void* a, const void* b, double threshold,
-                                    SnellOiioDifference* difference, char* message, size_t message_size) {
-    const Message say{message, message_size};
-    return guarded(say, [&] { return compare(*shape, a, b, threshold, *difference, say); });
 }
 
 SNELL_EXPORT int snell_oiio_api_version(void) { return snell_oiio_version; }

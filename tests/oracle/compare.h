@@ -1,0 +1,20 @@
+// How far two pictures are apart.
+#pragma once
+
+#include <optional>
+
+#include "src/content/image.h"
+
+namespace snell::content {
+
+// Over all channels of all texels, in units where 8-bit 255 is 1. `over` counts texels with a channel that
+// differs by more than the threshold. A value that is not finite in one picture only differs infinitely.
+struct Difference {
+    double max = 0, mean = 0, rms = 0;
+    std::size_t over = 0;
+};
+
+// nullopt: the pictures differ in size or number of channels. Types and row order may differ.
+std::optional<Difference> compare(const Image& a, const Image& b, double threshold = 0);
+
+}  // namespace snell::content
