@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/builder.h"
 #include "parser/diagnostic.h"
 #include "parser/handlers.h"
+#include "parser/match.h"
 #include "parser/names.h"
 
 namespace snell::handle {

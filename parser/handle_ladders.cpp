@@ -1,7 +1,9 @@
 // Ladders: methods to choose from when programs are compiled.
 #include <algorithm>
 
+#include "parser/builder.h"
 #include "parser/handlers.h"
+#include "parser/match.h"
 
 namespace snell {
 namespace {

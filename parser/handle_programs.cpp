@@ -1,5 +1,7 @@
 // Shaders and programs, and what has nothing to do with drawing.
+#include "parser/builder.h"
 #include "parser/handlers.h"
+#include "parser/match.h"
 #include "parser/uniforms.h"
 #include "parser/utf8.h"
 

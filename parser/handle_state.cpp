@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/builder.h"
 #include "parser/handlers.h"
+#include "parser/match.h"
 
 namespace snell::handle {
 namespace {

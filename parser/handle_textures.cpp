@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "parser/builder.h"
 #include "parser/handlers.h"
+#include "parser/match.h"
 
 namespace snell::handle {
 namespace {

@@ -1,8 +1,10 @@
 // What each command does to the display list. One function for each row of the table.
 #pragma once
 
-#include "parser/builder.h"
-#include "parser/match.h"
+namespace snell {
+class Builder;
+class Arguments;
+}  // namespace snell
 
 namespace snell::handle {
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "src/runtime/runtime.h"
+#include "parser/diagnostic.h"
+#include "src/runtime/counters.h"
 
 namespace snell::runtime {
 

@@ -1,9 +1,6 @@
 #include "src/runtime/mesh.h"
 
 #include "src/glsl/glsl.h"
-#include "src/plan/identity.h"
-#include "src/runtime/impl.h"
-#include "src/runtime/stopwatch.h"
 
 namespace snell::runtime {
 
@@ -153,35 +150,3 @@ std::uint64_t line_count(Topology topology, std::uint32_t count) {
 }
 
 }  // namespace snell::runtime
-
-namespace snell {
-
-// `loaded`: what was read for it, if it was.
-void Runtime::Impl::ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading) {
-    auto& slot = meshes[mesh];
-    if (slot) return;
-    const Identity identity = savings ? mesh_identity(plan, mesh, loading.files) : Identity{};
-    const std::vector<Span> places = mesh_places(plan, mesh);
-    slot = store->meshes.take(identity.key, places, loading.diagnostics);
-    trees[mesh] = store->trees.take(identity.key, {}, loading.diagnostics);
-    if (slot) {
-        for (const std::string& path : identity.files) loading.files.keep(path);
-    } else {
-        const std::size_t said_before = loading.diagnostics.items().size();
-        LoadedMesh read = take_mesh(mesh, loading);
-        loaded = std::move(read.mesh);
-        const runtime::Stopwatch watch;
-        slot = std::make_shared<runtime::GpuMesh>(runtime::upload(*loaded));
-        slot->load_ms = read.milliseconds + watch.milliseconds();
-        store->meshes.put(identity.key, slot, places, loading.diagnostics, said_before);
-        counters.bytes_uploaded += slot->bytes;
-        counters.buffers += slot->bytes ? 2 : 0;
-        ++counters.meshes;
-    }
-    counters.gpu_bytes += slot->bytes;
-    if (trees[mesh] && !trees[mesh]->at_fault) return;
-    trees[mesh] = std::make_shared<runtime::GpuTree>();
-    store->trees.put(identity.key, trees[mesh], {}, {}, 0);
-}
-
-}  // namespace snell

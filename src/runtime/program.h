@@ -13,9 +13,9 @@
 #include "src/glsl/glsl.h"
 #include "src/plan/controls.h"
 #include "src/plan/plan.h"
+#include "src/runtime/counters.h"
 #include "src/runtime/draw_context.h"
 #include "src/runtime/instances.h"
-#include "src/runtime/runtime.h"
 #include "src/runtime/store.h"
 
 namespace snell::runtime {

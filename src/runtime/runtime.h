@@ -2,13 +2,10 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "parser/diagnostic.h"
@@ -17,6 +14,7 @@
 #include "src/plan/files.h"
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
+#include "src/runtime/counters.h"
 #include "src/runtime/explain.h"
 
 namespace snell {
@@ -65,46 +63,8 @@ struct Surface {
     std::optional<Part> part;
 };
 
-// Since the runtime was made; exact, always on. Sums, but for gpu_bytes.
-struct Counters {
-    // Loading.
-    std::uint64_t files_opened = 0, bytes_read = 0;       // by this scene, its text and shaders included
-    std::uint64_t images_decoded = 0, bytes_decoded = 0;  // of pixels
-    std::uint64_t bytes_uploaded = 0;
-    std::uint64_t textures = 0, mip_chains = 0, noise_bytes = 0;
-    std::uint64_t meshes = 0, buffers = 0, trees = 0;  // trees: that rays in shaders go through
-    std::uint64_t programs_compiled = 0, shaders_compiled = 0;
-    std::uint64_t variants = 0;  // of these programs, those that are another form of one before
-    std::uint64_t targets = 0;   // off-screen
-    // Drawing.
-    std::uint64_t frames = 0, frames_skipped = 0;  // skipped: the last picture still stood
-    std::uint64_t passes = 0, draws = 0, triangles = 0, lines = 0, points = 0;
-    std::uint64_t blended_draws = 0;
-    std::uint64_t uniform_uploads = 0, state_changes = 0;
-    std::uint64_t cube_faces = 0;    // drawn by RenderToCube
-    std::uint64_t convolutions = 0;  // irradiance maps, prefiltered chains and sets of harmonics computed
-    std::uint64_t gpu_bytes = 0;     // estimated, of what is held now
-};
-
-// The counters by name, for reports. `three`: what three.js's renderer.info calls the same; "" where it has no such.
-struct CounterName {
-    std::string_view name, three;
-    std::uint64_t Counters::*value;
-};
-std::span<const CounterName> counter_names();
-
-// How far loading is. It begins with {programs, 0 of …}, ends with {draws, n of n}, and each of its stages goes from 0
-// to all that it has to do.
-struct LoadProgress {
-    enum class Stage : std::uint8_t { programs, files, draws };  // files: images, meshes, noise
-    Stage stage = Stage::programs;
-    std::string_view what;  // a program or a file that is not done yet; "": none
-    std::size_t done = 0, of = 0;
-};
-using Watcher = std::function<void(const LoadProgress& progress)>;
-
-// How a runtime goes about it; the pictures are the same.
 class Runtime;
+// How a runtime goes about it; the pictures are the same.
 struct RuntimeOptions {
     // Of an older reading of the scene, in the same context: what did not change is taken over from it, and still its
     // own. None: all is made.

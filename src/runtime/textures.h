@@ -18,8 +18,8 @@
 #include "src/plan/files.h"
 #include "src/plan/identity.h"
 #include "src/plan/plan.h"
+#include "src/runtime/counters.h"
 #include "src/runtime/jobs.h"
-#include "src/runtime/runtime.h"
 #include "src/runtime/store.h"
 
 namespace snell::runtime {

@@ -6,8 +6,8 @@
 #include <glm/glm.hpp>
 
 #include "src/plan/controls.h"
+#include "src/plan/view.h"
 #include "src/runtime/program.h"
-#include "src/runtime/runtime.h"
 
 namespace snell::runtime {
 

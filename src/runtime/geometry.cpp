@@ -1,0 +1,122 @@
+// Meshes and their trees, made when the first draw that can use them is made ready.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "src/plan/identity.h"
+#include "src/runtime/impl.h"
+#include "src/runtime/stopwatch.h"
+
+namespace snell {
+
+namespace runtime {
+namespace {
+
+std::array<bool, tree_parts> parts_read(const LinkedProgram& program) {
+    std::array<bool, tree_parts> read{};
+    for (const SamplerUniform& sampler : program.samplers)
+        if (const auto part = sampler.target ? std::nullopt : tree_part(sampler.name))
+            read[static_cast<std::size_t>(*part)] = true;
+    return read;
+}
+
+std::size_t texels_of(const content::Tree& tree, const content::Mesh& mesh) {
+    return std::max({tree.nodes.size(), tree.triangles.size(), mesh.positions.size()});
+}
+
+// In the order of TreePart. A tree without triangles has a texel all the same: empty buffers can't be read.
+std::array<std::vector<content::Float4>, tree_parts> texels(content::Tree tree, const content::Mesh& mesh, bool empty) {
+    if (tree.triangles.empty()) tree.triangles.push_back({0, 0, 0, 0});
+    return {std::move(tree.nodes), std::move(tree.triangles),
+            empty ? std::vector<content::Float4>{{0, 0, 0, 0}} : content::tree_normals(mesh)};
+}
+
+}  // namespace
+
+}  // namespace runtime
+
+// `loaded`: what was read for it, if it was.
+void Runtime::Impl::ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading) {
+    auto& slot = meshes[mesh];
+    if (slot) return;
+    const Identity identity = savings ? mesh_identity(plan, mesh, loading.files) : Identity{};
+    const std::vector<Span> places = mesh_places(plan, mesh);
+    slot = store->meshes.take(identity.key, places, loading.diagnostics);
+    trees[mesh] = store->trees.take(identity.key, {}, loading.diagnostics);
+    if (slot) {
+        for (const std::string& path : identity.files) loading.files.keep(path);
+    } else {
+        const std::size_t said_before = loading.diagnostics.items().size();
+        LoadedMesh read = take_mesh(mesh, loading);
+        loaded = std::move(read.mesh);
+        const runtime::Stopwatch watch;
+        slot = std::make_shared<runtime::GpuMesh>(runtime::upload(*loaded));
+        slot->load_ms = read.milliseconds + watch.milliseconds();
+        store->meshes.put(identity.key, slot, places, loading.diagnostics, said_before);
+        counters.bytes_uploaded += slot->bytes;
+        counters.buffers += slot->bytes ? 2 : 0;
+        ++counters.meshes;
+    }
+    counters.gpu_bytes += slot->bytes;
+    if (trees[mesh] && !trees[mesh]->at_fault) return;
+    trees[mesh] = std::make_shared<runtime::GpuTree>();
+    store->trees.put(identity.key, trees[mesh], {}, {}, 0);
+}
+
+// Makes the parts that the draw's program reads and no earlier one did. `mesh` is the draw's, where it was just
+// loaded; null: it is loaded again, and said what there was to say.
+void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading) {
+    const auto read = runtime::parts_read(*ready.program);
+    runtime::GpuTree& tree = *trees[ready.mesh];
+    bool missing = false;
+    for (std::size_t i = 0; i < read.size(); ++i) missing = missing || (read[i] && !tree.parts[i].texture);
+    if (missing) {
+        Diagnostics unheard;
+        const content::Mesh again = mesh ? content::Mesh{} : load_mesh(plan, ready.mesh, loading.files, unheard);
+        make_tree(tree, mesh ? *mesh : again, read, ready.draw, loading.diagnostics);
+    }
+    for (const runtime::SamplerUniform& sampler : ready.program->samplers)
+        if (const auto part = sampler.target ? std::nullopt : runtime::tree_part(sampler.name))
+            ready.textures.push_back(
+                {sampler.first_unit, GL_TEXTURE_BUFFER, tree.parts[static_cast<std::size_t>(*part)].texture.get(), 0});
+}
+
+void Runtime::Impl::make_tree(runtime::GpuTree& tree, const content::Mesh& mesh,
+                              const std::array<bool, runtime::tree_parts>& read, Index draw, Diagnostics& diagnostics) {
+    const runtime::Stopwatch watch;
+    bool too_large = false;
+    content::Tree made = content::make_tree(mesh, &too_large);
+    const Span span = plan.scene.draws[draw].span;
+    const auto limit = static_cast<std::size_t>(caps.max_texture_buffer);
+    const std::size_t needed = runtime::texels_of(made, mesh);
+    const bool unfit = too_large || needed > limit;
+    if (!tree.built && unfit)
+        diagnostics.error(
+            "mesh-tree-too-large", span,
+            too_large ? fmt::format("rays can't be traced through a mesh of {} triangles or more", content::tree_limit)
+                      : fmt::format("rays through this mesh need {} texels, more than this OpenGL's "
+                                    "GL_MAX_TEXTURE_BUFFER_SIZE ({})",
+                                    needed, limit),
+            "use a coarser mesh; until then rays meet nothing");
+    else if (!tree.built && made.triangles.empty())
+        diagnostics.warning("mesh-tree-empty", span,
+                            "the program traces rays through what it draws, but this draws no triangles",
+                            "rays meet nothing");
+    if (unfit) made = content::make_tree({});
+    tree.at_fault = unfit || made.triangles.empty();
+    counters.trees += tree.built ? 0 : 1;
+    tree.built = true;
+    const auto all = runtime::texels(std::move(made), mesh, unfit);
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        if (!read[i] || tree.parts[i].texture) continue;
+        tree.parts[i] = gl::make_buffer_texture(all[i].data(), all[i].size());
+        const std::size_t bytes = all[i].size() * sizeof(content::Float4);
+        tree.bytes += bytes;
+        counters.bytes_uploaded += bytes;
+        counters.gpu_bytes += bytes;
+        counters.buffers += 1;
+    }
+    tree.load_ms += watch.milliseconds();
+}
+
+}  // namespace snell
