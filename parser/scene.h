@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -46,29 +48,65 @@ enum class Topology : std::uint8_t {
     patches,
 };
 
+// Each shape names its command and lists its fields once, in the order of its statement. All that is generic about
+// shapes comes from these two: text, dumps, identity, and the knob that makes round shapes finer.
+
+// A number of straight parts that together approximate something round.
+template <class Shape>
+struct RoundParts {
+    int Shape::*count;
+};
+template <class Shape>
+RoundParts(int Shape::*) -> RoundParts<Shape>;
+
 struct Sphere {
     double radius = 1;
     int slices = 60, stacks = 60;
+    static constexpr std::string_view command() { return "Sphere"; }
+    static constexpr auto fields() {
+        return std::tuple{&Sphere::radius, RoundParts{&Sphere::slices}, RoundParts{&Sphere::stacks}};
+    }
 };
 struct Torus {
     double outer = 1, inner = .5;
     int sides = 20, rings = 40;
+    static constexpr std::string_view command() { return "Torus"; }
+    static constexpr auto fields() {
+        return std::tuple{&Torus::outer, &Torus::inner, RoundParts{&Torus::sides}, RoundParts{&Torus::rings}};
+    }
 };
 struct Cone {
     double radius = 1, height = 1;
     int slices = 60, stacks = 1;
+    static constexpr std::string_view command() { return "Cone"; }
+    static constexpr auto fields() {
+        return std::tuple{&Cone::radius, &Cone::height, RoundParts{&Cone::slices}, &Cone::stacks};
+    }
 };
 struct Cylinder {
     double radius = 1, height = 1;
     int slices = 60, stacks = 1;
+    static constexpr std::string_view command() { return "Cylinder"; }
+    static constexpr auto fields() {
+        return std::tuple{&Cylinder::radius, &Cylinder::height, RoundParts{&Cylinder::slices}, &Cylinder::stacks};
+    }
 };
 struct Box {
     double dx = 2, dy = 2, dz = 2;
+    static constexpr std::string_view command() { return "Box"; }
+    static constexpr auto fields() { return std::tuple{&Box::dx, &Box::dy, &Box::dz}; }
 };
-struct Teapot {};
+struct Teapot {
+    static constexpr std::string_view command() { return "Teapot"; }
+    static constexpr auto fields() { return std::tuple{}; }
+};
 struct Disk {
     double z = 0, radius = 1;
     int slices = 60, rings = 1;
+    static constexpr std::string_view command() { return "DiskXY"; }
+    static constexpr auto fields() {
+        return std::tuple{&Disk::z, &Disk::radius, RoundParts{&Disk::slices}, &Disk::rings};
+    }
 };
 // Quads spanning -size..size, split in n1 x n2 cells, at `offset` on the axis that is left out.
 enum class Plane : std::uint8_t { xy, xz, yz };
@@ -76,34 +114,66 @@ struct Quad {
     Plane plane = Plane::xy;
     double offset = 0, size = 1;
     int n1 = 1, n2 = 1;
+    constexpr std::string_view command() const {
+        return plane == Plane::xy ? "QuadXY" : plane == Plane::xz ? "QuadXZ" : "QuadYZ";
+    }
+    static constexpr auto fields() { return std::tuple{&Quad::offset, &Quad::size, &Quad::n1, &Quad::n2}; }
 };
 struct QuadBox {
     int n = 10;
+    static constexpr std::string_view command() { return "QuadBox"; }
+    static constexpr auto fields() { return std::tuple{&QuadBox::n}; }
 };
 struct Soccerball {
     double radius = 1;
+    static constexpr std::string_view command() { return "Soccerball"; }
+    static constexpr auto fields() { return std::tuple{&Soccerball::radius}; }
 };
 struct PointCloud {
     int nx = 10, ny = 10, nz = 10;
     bool jitter = false;
+    constexpr std::string_view command() const { return jitter ? "JitterCloud" : "PointCloud"; }
+    static constexpr auto fields() { return std::tuple{&PointCloud::nx, &PointCloud::ny, &PointCloud::nz}; }
 };
 struct Xarrow {
     int n = 100;
+    static constexpr std::string_view command() { return "Xarrow"; }
+    static constexpr auto fields() { return std::tuple{RoundParts{&Xarrow::n}}; }
 };
 enum class ObjAs : std::uint8_t { triangles, adjacency, patches };
 struct ObjFile {
-    Index file = none;
+    Index file = none;  // Scene::files
     ObjAs as = ObjAs::triangles;
-};  // Scene::files
+    constexpr std::string_view command() const {
+        return as == ObjAs::adjacency ? "ObjAdj" : as == ObjAs::patches ? "ObjPatch" : "Obj";
+    }
+    static constexpr auto fields() { return std::tuple{&ObjFile::file}; }
+};
 struct ShpFile {
-    Index file = none;
-};  // Scene::files
+    Index file = none;  // Scene::files
+    static constexpr std::string_view command() { return "Shp"; }
+    static constexpr auto fields() { return std::tuple{&ShpFile::file}; }
+};
 struct VertexList {
-    Index list = none;
-};  // Scene::vertex_lists
+    Index list = none;  // Scene::vertex_lists
+    static constexpr std::string_view command() { return "glBegin"; }
+    static constexpr auto fields() { return std::tuple{&VertexList::list}; }
+};
 
 using Shape = std::variant<Sphere, Torus, Cone, Cylinder, Box, Teapot, Disk, Quad, QuadBox, Soccerball, PointCloud,
                            Xarrow, ObjFile, ShpFile, VertexList>;
+
+// Calls `each(value, round)` for every field; `round`: the value is a number of RoundParts.
+template <class Kind, class Each>
+void for_each_field(Kind& shape, Each&& each) {
+    const auto one = [&]<class Field>(Field field) {
+        if constexpr (requires { field.count; })
+            each(shape.*field.count, true);
+        else
+            each(shape.*field, false);
+    };
+    std::apply([&](auto... field) { (one(field), ...); }, Kind::fields());
+}
 
 // glBegin … glEnd, Triangles and LinesAdjacency.
 struct ListVertex {

@@ -39,45 +39,6 @@ std::string statement(std::string_view command, Numbers... values) {
     return out;
 }
 
-struct ShapeText {
-    const Scene& scene;
-    std::string prefix;
-
-    std::string operator()(const Sphere& s) const { return statement(prefix + "Sphere", s.radius, s.slices, s.stacks); }
-    std::string operator()(const Torus& t) const {
-        return statement(prefix + "Torus", t.outer, t.inner, t.sides, t.rings);
-    }
-    std::string operator()(const Cone& c) const {
-        return statement(prefix + "Cone", c.radius, c.height, c.slices, c.stacks);
-    }
-    std::string operator()(const Cylinder& c) const {
-        return statement(prefix + "Cylinder", c.radius, c.height, c.slices, c.stacks);
-    }
-    std::string operator()(const Box& b) const { return statement(prefix + "Box", b.dx, b.dy, b.dz); }
-    std::string operator()(const Teapot&) const { return prefix + "Teapot"; }
-    std::string operator()(const Disk& d) const { return statement("DiskXY", d.z, d.radius, d.slices, d.rings); }
-    std::string operator()(const Quad& q) const {
-        const std::string_view name = q.plane == Plane::xy ? "QuadXY" : q.plane == Plane::xz ? "QuadXZ" : "QuadYZ";
-        return statement(name, q.offset, q.size, q.n1, q.n2);
-    }
-    std::string operator()(const QuadBox& q) const { return statement("QuadBox", q.n); }
-    std::string operator()(const Soccerball& s) const { return statement("Soccerball", s.radius); }
-    std::string operator()(const PointCloud& p) const {
-        return statement(p.jitter ? "JitterCloud" : "PointCloud", p.nx, p.ny, p.nz);
-    }
-    std::string operator()(const Xarrow& x) const { return statement("Xarrow", x.n); }
-    std::string operator()(const ObjFile& o) const {
-        const std::string_view name = o.as == ObjAs::adjacency ? "ObjAdj "
-                                      : o.as == ObjAs::patches ? "ObjPatch "
-                                                               : "Obj ";
-        return prefix + std::string(name) + text_of::name(scene.files[o.file].name);
-    }
-    std::string operator()(const ShpFile& s) const { return "Shp " + text_of::name(scene.files[s.file].name); }
-    std::string operator()(const VertexList& list) const {
-        return "glBegin " + std::string(topology_name(scene.vertex_lists[list.list].topology));
-    }
-};
-
 }  // namespace
 
 std::string number(double value, bool integral) {
@@ -96,7 +57,20 @@ std::string name(std::string_view name) {
 }
 
 std::string shape(const Scene& scene, const Shape& shape, bool wire) {
-    return std::visit(ShapeText{scene, wire ? "Wire" : ""}, shape);
+    return std::visit(
+        [&]<class Kind>(const Kind& kind) {
+            std::string out = (wire ? "Wire" : "") + std::string(kind.command());
+            for_each_field(kind, [&](auto value, bool) {
+                if constexpr (std::is_same_v<Kind, VertexList>)
+                    out += " " + std::string(topology_name(scene.vertex_lists[value].topology));
+                else if constexpr (std::is_same_v<decltype(value), Index>)
+                    out += " " + text_of::name(scene.files[value].name);
+                else
+                    out += " " + number(value, std::is_integral_v<decltype(value)>);
+            });
+            return out;
+        },
+        shape);
 }
 
 std::string uniform(const UniformValue& u) {

@@ -93,11 +93,11 @@ double chosen(const Times& times, ClockKind clock) {
 }
 
 struct Bench::Stage {
-    Knobs knobs;
+    PlanKnobs knobs;
     Diagnostics diagnostics;
     Runtime runtime;
 
-    Stage(const Knobs& k, Plan plan, Files& files, Sources& sources, const gl::Caps& caps)
+    Stage(const PlanKnobs& k, Plan plan, Files& files, Sources& sources, const gl::Caps& caps)
         : knobs(k), runtime(std::move(plan), files, sources, caps, diagnostics) {}
 };
 
@@ -118,8 +118,8 @@ std::vector<bool> Bench::draws_of(std::size_t ladder) const {
     return own;
 }
 
-Bench::Stage* Bench::stage(const Knobs& knobs) {
-    const auto found = std::ranges::find_if(stages_, [&](const auto& stage) { return stage->knobs.same_plan(knobs); });
+Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
+    const auto found = std::ranges::find_if(stages_, [&](const auto& stage) { return stage->knobs == knobs; });
     if (found != stages_.end()) return found->get();
     if (stages_.size() >= most_stages) stages_.erase(stages_.begin());
     Plan plan = with_knobs(plan_, knobs);
@@ -142,7 +142,7 @@ gl::ExactTarget* Bench::target(int multisample) {
 }
 
 bool Bench::ready(const Variant& variant, bool directions) {
-    current_ = stage(variant.knobs);
+    current_ = stage(variant.knobs.plan);
     into_ = target(variant.knobs.multisample);
     knobs_ = variant.knobs;
     Rungs rungs = variant.rungs;

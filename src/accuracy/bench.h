@@ -72,7 +72,7 @@ public:
 
 private:
     struct Stage;  // a runtime for one set of knobs
-    Stage* stage(const Knobs& knobs);
+    Stage* stage(const PlanKnobs& knobs);
     gl::ExactTarget* target(int multisample);
     bool ready(const Variant& variant, bool directions);
     void draw(const std::vector<bool>* hidden);

@@ -71,11 +71,11 @@ std::vector<Setting> sample_settings() {
 }
 
 std::vector<Setting> tessellation_settings() {
-    return {{"x1/3", {.tessellation = 1.0 / 3}},
+    return {{"x1/3", {.plan = {.tessellation = 1.0 / 3}}},
             {"x1", {}, true},
-            {"x2", {.tessellation = 2}},
-            {"x4", {.tessellation = 4}},
-            {"x8", {.tessellation = 8}}};
+            {"x2", {.plan = {.tessellation = 2}}},
+            {"x4", {.plan = {.tessellation = 4}}},
+            {"x8", {.plan = {.tessellation = 8}}}};
 }
 
 // Filters approximate the picture that many samples of the finest texels give.
@@ -84,7 +84,7 @@ std::vector<Setting> filter_settings(const Scene& scene) {
     const auto first = std::ranges::find_if(scene.textures, [](const Texture& t) { return !t.files.empty(); });
     const Mode now = first == scene.textures.end() ? Mode::linear : first->filter.mode;
     const auto setting = [now](std::string name, Mode mode, int anisotropy, int grid) {
-        Knobs knobs{.grid = grid, .filter = Filter{mode, anisotropy}};
+        Knobs knobs{.grid = grid, .plan = {.filter = Filter{mode, anisotropy}}};
         return Setting{std::move(name), knobs, mode == now && grid == 1};
     };
     return {setting("nearest", Mode::nearest, 1, 1), setting("linear", Mode::linear, 1, 1),
@@ -100,12 +100,14 @@ std::vector<Setting> cube_size_settings(const Scene& scene) {
     const int largest = rendered > 0 ? std::clamp(2 * rendered, 512, 2048) : 512;
     std::vector<Setting> settings;
     for (int size = 32; size <= largest; size *= 2)
-        settings.push_back({std::to_string(size), {.cube_size = size}, size == rendered});
+        settings.push_back({std::to_string(size), {.plan = {.cube_size = size}}, size == rendered});
     if (rendered == 0) settings.push_back({"files", {}, true});
     return settings;
 }
 
-std::vector<Setting> precision_settings() { return {{"8bit", {.cube_bits = 8}}, {"half", {.cube_bits = 16}, true}}; }
+std::vector<Setting> precision_settings() {
+    return {{"8bit", {.plan = {.cube_bits = 8}}}, {"half", {.plan = {.cube_bits = 16}}, true}};
+}
 
 std::vector<Setting> settings_of(std::string_view knob, const Scene& scene) {
     if (knob == "samples") return sample_settings();

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "parser/text_of.h"
 #include "src/plan/plan.h"
 
 namespace snell {
@@ -16,72 +17,6 @@ std::string at(const Span& span, const Sources& sources) {
     if (span.file >= sources.size()) return "?";
     return fmt::format("{}:{}", sources.name(span.file), sources.position(span.file, span.begin).line);
 }
-
-std::string file_name(const Scene& scene, Index file) {
-    return file < scene.files.size() ? scene.files[file].name : std::string("?");
-}
-
-std::string_view plane_name(Plane plane) {
-    switch (plane) {
-        case Plane::xy:
-            return "XY";
-        case Plane::xz:
-            return "XZ";
-        case Plane::yz:
-            return "YZ";
-    }
-    return {};
-}
-
-std::string_view obj_name(ObjAs as) {
-    switch (as) {
-        case ObjAs::triangles:
-            return "Obj";
-        case ObjAs::adjacency:
-            return "ObjAdj";
-        case ObjAs::patches:
-            return "ObjPatch";
-    }
-    return {};
-}
-
-struct Describe {
-    const Scene& scene;
-    std::string operator()(const Sphere& s) const {
-        return fmt::format("Sphere {} {} {}", s.radius, s.slices, s.stacks);
-    }
-    std::string operator()(const Torus& t) const {
-        return fmt::format("Torus {} {} {} {}", t.outer, t.inner, t.sides, t.rings);
-    }
-    std::string operator()(const Cone& c) const {
-        return fmt::format("Cone {} {} {} {}", c.radius, c.height, c.slices, c.stacks);
-    }
-    std::string operator()(const Cylinder& c) const {
-        return fmt::format("Cylinder {} {} {} {}", c.radius, c.height, c.slices, c.stacks);
-    }
-    std::string operator()(const Box& b) const { return fmt::format("Box {} {} {}", b.dx, b.dy, b.dz); }
-    std::string operator()(const Teapot&) const { return "Teapot"; }
-    std::string operator()(const Disk& d) const {
-        return fmt::format("DiskXY {} {} {} {}", d.z, d.radius, d.slices, d.rings);
-    }
-    std::string operator()(const Quad& q) const {
-        return fmt::format("Quad{} {} {} {} {}", plane_name(q.plane), q.offset, q.size, q.n1, q.n2);
-    }
-    std::string operator()(const QuadBox& q) const { return fmt::format("QuadBox {}", q.n); }
-    std::string operator()(const Soccerball& s) const { return fmt::format("Soccerball {}", s.radius); }
-    std::string operator()(const PointCloud& p) const {
-        return fmt::format("{} {} {} {}", p.jitter ? "JitterCloud" : "PointCloud", p.nx, p.ny, p.nz);
-    }
-    std::string operator()(const Xarrow& x) const { return fmt::format("Xarrow {}", x.n); }
-    std::string operator()(const ObjFile& o) const {
-        return fmt::format("{} '{}'", obj_name(o.as), file_name(scene, o.file));
-    }
-    std::string operator()(const ShpFile& s) const { return fmt::format("Shp '{}'", file_name(scene, s.file)); }
-    std::string operator()(const VertexList& v) const {
-        const std::size_t count = v.list < scene.vertex_lists.size() ? scene.vertex_lists[v.list].vertices.size() : 0;
-        return fmt::format("vertex list {} of {} vertices", v.list, count);
-    }
-};
 
 void dump_programs(std::string& out, const Plan& plan, const Sources& sources) {
     std::set<FileId> files;
@@ -105,8 +40,8 @@ void dump_meshes(std::string& out, const Plan& plan, const Sources& sources) {
     }
     for (std::size_t i = 0; i < plan.meshes.size(); ++i) {
         const MeshRequest& mesh = plan.meshes[i];
-        out += fmt::format("mesh {} {}{}, draws: {}, first at {}\n", i, mesh.wire ? "wire " : "",
-                           std::visit(Describe{plan.scene}, mesh.shape), uses[i], at(mesh.span, sources));
+        out += fmt::format("mesh {} {}, draws: {}, first at {}\n", i, text_of::shape(plan.scene, mesh.shape, mesh.wire),
+                           uses[i], at(mesh.span, sources));
     }
 }
 

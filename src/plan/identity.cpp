@@ -14,32 +14,6 @@ void put(std::string& key, Values... values) {
     (key.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
 }
 
-struct ShapeKey {
-    const Scene& scene;
-    std::string key;
-
-    void operator()(const Sphere& s) { put(key, s.radius, s.slices, s.stacks); }
-    void operator()(const Torus& t) { put(key, t.outer, t.inner, t.sides, t.rings); }
-    void operator()(const Cone& c) { put(key, c.radius, c.height, c.slices, c.stacks); }
-    void operator()(const Cylinder& c) { put(key, c.radius, c.height, c.slices, c.stacks); }
-    void operator()(const Box& b) { put(key, b.dx, b.dy, b.dz); }
-    void operator()(const Teapot&) {}
-    void operator()(const Disk& d) { put(key, d.z, d.radius, d.slices, d.rings); }
-    void operator()(const Quad& q) { put(key, q.plane, q.offset, q.size, q.n1, q.n2); }
-    void operator()(const QuadBox& q) { put(key, q.n); }
-    void operator()(const Soccerball& s) { put(key, s.radius); }
-    void operator()(const PointCloud& p) { put(key, p.nx, p.ny, p.nz, p.jitter); }
-    void operator()(const Xarrow& x) { put(key, x.n); }
-    void operator()(const ObjFile& o) {
-        put(key, o.as);
-        if (o.file < scene.files.size()) key += scene.files[o.file].name;
-    }
-    void operator()(const ShpFile& s) {
-        if (s.file < scene.files.size()) key += scene.files[s.file].name;
-    }
-    void operator()(const VertexList& v) { put(key, v.list); }
-};
-
 // The file as it is on disk now. False: it is not there.
 bool put_file(Identity& identity, const std::string& path) {
     struct stat status {};
@@ -66,10 +40,19 @@ void put_list(std::string& key, const VertexListData& list) {
 }  // namespace
 
 std::string shape_key(const Scene& scene, const Shape& shape, bool wire) {
-    ShapeKey key{scene, {}};
-    put(key.key, static_cast<std::uint8_t>(shape.index()), wire);
-    std::visit(key, shape);
-    return std::move(key.key);
+    std::string key;
+    put(key, static_cast<std::uint8_t>(shape.index()), wire);
+    const auto describe = [&]<class Kind>(const Kind& kind) {
+        key += kind.command();
+        for_each_field(kind, [&](auto value, bool) {
+            if constexpr (std::is_same_v<Kind, ObjFile> || std::is_same_v<Kind, ShpFile>)
+                key += value < scene.files.size() ? scene.files[value].name : "";
+            else
+                put(key, value);
+        });
+    };
+    std::visit(describe, shape);
+    return key;
 }
 
 Identity mesh_identity(const Plan& plan, Index mesh, const Files& files) {

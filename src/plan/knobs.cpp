@@ -7,54 +7,25 @@ namespace snell {
 
 namespace {
 
-template <class... Functions>
-struct Overloaded : Functions... {
-    using Functions::operator()...;
-};
-template <class... Functions>  // clang 14 does not deduce it
-Overloaded(Functions...)->Overloaded<Functions...>;
-
 int scaled(int count, double factor) {
     return std::clamp(static_cast<int>(std::lround(count * factor)), 3, std::max(count, 2000));
 }
 
-// Whether the shape approximates a round one; such is made of `factor` times as many parts.
+// Whether the shape approximates a round one; such a shape is made of `factor` times as many parts.
 bool scale(Shape& shape, double factor) {
-    const auto two = [factor](int& a, int& b) {
-        a = scaled(a, factor);
-        b = scaled(b, factor);
-        return true;
+    bool any = false;
+    const auto each = [&](auto& value, bool round) {
+        any = any || round;
+        if constexpr (std::is_same_v<decltype(value), int&>)
+            if (round) value = scaled(value, factor);
     };
-    return std::visit(
-        Overloaded{[&](Sphere& s) { return two(s.slices, s.stacks); }, [&](Torus& s) { return two(s.sides, s.rings); },
-                   [&](Cone& s) {
-                       s.slices = scaled(s.slices, factor);
-                       return true;
-                   },
-                   [&](Cylinder& s) {
-                       s.slices = scaled(s.slices, factor);
-                       return true;
-                   },
-                   [&](Disk& s) {
-                       s.slices = scaled(s.slices, factor);
-                       return true;
-                   },
-                   [&](Xarrow& s) {
-                       s.n = scaled(s.n, factor);
-                       return true;
-                   },
-                   [](auto&) { return false; }},
-        shape);
+    std::visit([&](auto& kind) { for_each_field(kind, each); }, shape);
+    return any;
 }
 
 }  // namespace
 
-bool Knobs::same_plan(const Knobs& other) const {
-    return tessellation == other.tessellation && filter == other.filter && cube_size == other.cube_size &&
-           cube_bits == other.cube_bits;
-}
-
-Plan with_knobs(Plan plan, const Knobs& knobs) {
+Plan with_knobs(Plan plan, const PlanKnobs& knobs) {
     if (knobs.tessellation != 1) {
         for (MeshRequest& mesh : plan.meshes) scale(mesh.shape, knobs.tessellation);
         for (Draw& draw : plan.scene.draws) scale(draw.shape, knobs.tessellation);

@@ -25,12 +25,13 @@ TEST(Knobs, TessellationScalesRoundShapesOnly) {
 }
 
 TEST(Knobs, OnlySamplesLeaveThePlanAsItIs) {
-    const Knobs plain;
-    EXPECT_TRUE(plain.same_plan({.grid = 4, .multisample = 4}));
-    EXPECT_FALSE(plain.same_plan({.tessellation = 2}));
-    EXPECT_FALSE(plain.same_plan({.filter = Filter{Filter::Mode::nearest, 1}}));
-    EXPECT_FALSE(plain.same_plan({.cube_size = 32}));
-    EXPECT_FALSE(plain.same_plan({.cube_bits = 8}));
+    const PlanKnobs plain;
+    const Knobs samples{.grid = 4, .multisample = 4};
+    EXPECT_EQ(plain, samples.plan);
+    EXPECT_NE(plain, (PlanKnobs{.tessellation = 2}));
+    EXPECT_NE(plain, (PlanKnobs{.filter = Filter{Filter::Mode::nearest, 1}}));
+    EXPECT_NE(plain, (PlanKnobs{.cube_size = 32}));
+    EXPECT_NE(plain, (PlanKnobs{.cube_bits = 8}));
 }
 
 TEST(Knobs, CubeMapsFromFilesAreMadeSmallerAndKeepTheirLight) {
