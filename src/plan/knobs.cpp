@@ -11,14 +11,14 @@ template <class... Functions>
 struct Overloaded : Functions... {
     using Functions::operator()...;
 };
-template <class... Functions>  // clang 14 does not deduce it
+template <class... Functions>  // clang 14 cannot deduce it
 Overloaded(Functions...)->Overloaded<Functions...>;
 
 int scaled(int count, double factor) {
     return std::clamp(static_cast<int>(std::lround(count * factor)), 3, std::max(count, 2000));
 }
 
-// Whether the shape approximates a round one; such is made of `factor` times as many parts.
+// If the shape approximates a round one, multiplies its number of parts by `factor`; returns whether it does.
 bool scale(Shape& shape, double factor) {
     const auto two = [factor](int& a, int& b) {
         a = scaled(a, factor);

@@ -17,7 +17,7 @@ using content::Image;
 using content::ImageIssue;
 using content::PixelType;
 
-// What the libraries found, at the place in the scene that asked.
+// Reports an issue of a loader at the place in the scene that names the file.
 template <class Issue>
 void report(const Issue& issue, std::string_view name, const Span& span, Diagnostics& diagnostics) {
     std::string message = name.empty() ? issue.message : fmt::format("'{}': {}", name, issue.message);
@@ -69,9 +69,9 @@ Picture decode(const std::string& path, Files& files, ImageCache& cache) {
     return entry;
 }
 
-// The decoded picture; null, with an error, when there is none.
+// Returns the decoded image; returns null and reports an error if there is none.
 const Image* usable(const Picture& picture, const TextureFile& file, Diagnostics& diagnostics) {
-    if (!picture) return nullptr;  // not there, and said so
+    if (!picture) return nullptr;  // the missing file has been reported
     if (!picture->unreadable.empty()) {
         report_unreadable({file.name, file.span}, picture->unreadable, diagnostics);
         return nullptr;
@@ -80,7 +80,7 @@ const Image* usable(const Picture& picture, const TextureFile& file, Diagnostics
     return picture->result.image ? &*picture->result.image : nullptr;
 }
 
-// The first `count` rows, in memory order, of the first slice.
+// Returns `count` rows of the first slice, from row `first` on, in memory order.
 Image some_rows(const Image& image, int first, int count) {
     Image part = image;
     part.height = count;
@@ -90,7 +90,7 @@ Image some_rows(const Image& image, int first, int count) {
     return part;
 }
 
-// A picture of more dimensions than its texture is cut: its bottom row, its first slice.
+// An image with more dimensions than its texture is cut to its bottom row or its first slice, with a warning.
 Image fitted(const Image& image, const Texture& texture, const TextureFile& file, Diagnostics& diagnostics) {
     const bool too_tall = texture.target == TextureTarget::d1 && image.height > 1;
     const bool too_deep = texture.target != TextureTarget::d3 && image.depth > 1;
@@ -104,7 +104,7 @@ Image fitted(const Image& image, const Texture& texture, const TextureFile& file
 
 // ---- cube maps -------------------------------------------------------------------------------------------
 
-// The side that most faces have; 0 when none is square.
+// The side that most faces have; 0 if none is square.
 int common_side(const std::array<const Image*, 6>& faces) {
     std::map<int, int> votes;
     for (const Image* face : faces) {
@@ -137,7 +137,7 @@ Image to_half(const Image& image) {
     return half;
 }
 
-// GL takes six faces only of one format.
+// Converts the faces to one format, because GL requires that all six have the same.
 void make_alike(CubeFaces& faces) {
     const auto all = [&](auto same) {
         return std::all_of(faces.begin(), faces.end(), [&](const Image& face) { return same(face, faces[0]); });
@@ -160,7 +160,7 @@ CubeFaces all_checks(int side) {
     return faces;
 }
 
-// To the size and the bits that were asked for, where the files have more.
+// Reduces the faces to the size and the bits that were asked for, if the files have more.
 void refit(CubeFaces& faces, const Texture& texture) {
     const bool bytes = faces[0].type == PixelType::u8 || texture.bits == 8;
     if (texture.size[0] > 0 && texture.size[0] < faces[0].width)
@@ -178,7 +178,7 @@ CubeFaces six_faces(const std::vector<TextureFile>& files, const std::vector<Pic
     const int side = common_side(found);
     CubeFaces faces = all_checks(side > 0 ? side : check_side);
     std::array<std::string, 6> names;
-    CubeFaces read;  // as they came, for the check of sizes
+    CubeFaces read;  // unmodified, so that their sizes can be checked
     bool odd = false;
     for (std::size_t i = 0; i < 6; ++i) {
         names[i] = files[i].name;
