@@ -1,4 +1,4 @@
-// Cube maps from six files: their names, their sizes, reading them.
+// Cube maps from six files: names, sizes and decoding.
 #include <algorithm>
 #include <cstring>
 
@@ -30,7 +30,7 @@ constexpr Words face_titles{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 
 std::string size_text(const Image& image) { return std::to_string(image.width) + " x " + std::to_string(image.height); }
 
-// The side that most faces have; of equally frequent ones, that of the first face.
+// The side that most faces have; if two are equally frequent, that of the earlier face.
 int common_side(const CubeFaces& faces) {
     int best = 0;
     std::ptrdiff_t most = 0;

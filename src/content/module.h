@@ -1,4 +1,4 @@
-// The OpenImageIO module: found and opened on first need. Inside src/content only.
+// The OpenImageIO module, found and opened when it is first needed. Internal to src/content.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct OiioModule {
     decltype(&snell_oiio_rows) rows = nullptr;
     decltype(&snell_oiio_end) end = nullptr;
     decltype(&snell_oiio_compare) compare = nullptr;
-    std::string error;  // why it can't be used; empty: it can
+    std::string error;  // why it cannot be used; empty if it can
 };
 
-// Looked for beside the executable, then in ../lib/snell. Thread-safe; stays open.
+// Looks for the module in the executable's folder, then in ../lib/snell. Thread-safe; the module stays open.
 const OiioModule& oiio_module();
 
 SnellOiioShape module_shape(const Image& image);
