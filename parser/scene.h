@@ -128,8 +128,8 @@ struct UniformValue {
     enum class Kind : std::uint8_t { scalar, array, range, boolean, color };
     std::string name;
     Kind kind = Kind::scalar;
-    // range: min, current, max; boolean: 0 or 1 (also for <0> and <1>, which are constants if the uniform is not a
-    // bool)
+    // For a range: min, current, max. For a boolean: 0 or 1; also for <0> and <1>, which are constants if the uniform
+    // is not a bool.
     std::vector<double> values;
     bool integral = false;  // every number was written without point and exponent
     Span span;              // covers name and value
@@ -195,7 +195,7 @@ struct Camera {
     bool perspective = true;
     double fov = 50;                            // vertical, in degrees
     std::array<double, 4> ortho{-3, 3, -3, 3};  // left, right, bottom, top
-    // eye, centre, up; nullopt: the eye is at the origin and looks along -Z
+    // Eye, centre, up; nullopt: the eye is at the origin and looks along -Z.
     std::optional<std::array<Vec3, 3>> look_at;
     bool operator==(const Camera&) const = default;
 };
@@ -266,7 +266,7 @@ struct Pass {
     enum class Kind : std::uint8_t { window, textures, cube };
     Kind kind = Kind::window;
     std::vector<int> units;  // textures: the units as written
-    // the textures bound to these units; none if there was none, which has been reported as an error
+    // The textures bound to these units; none if there was none, which has been reported as an error.
     std::vector<Index> textures;
     Vec3 center{0, 0, 0};            // cube: world position of the eye
     int faces_per_frame = 6;         // cube: 1, 2, 3 or 6; used when frames are paced

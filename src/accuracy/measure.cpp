@@ -126,7 +126,7 @@ private:
             if (!frame[i]) continue;
             const double sample = *frame[i] > 500 ? *frame[i] : *frame[i] + std::max(*frame[i], options_.at_least);
             const double all = sample * options_.rounds;
-            // ensures at least three rounds
+            // Ensures at least three rounds.
             const auto most = static_cast<std::size_t>(std::max(options_.rounds / 3, 1));
             if (all > share) result[i] = std::min(static_cast<std::size_t>(std::ceil(all / share)), most);
         }

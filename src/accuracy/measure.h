@@ -41,7 +41,7 @@ struct SweepResult {
     Metric metric = Metric::rmse;
     Control control;
     bool few_rounds = false;  // too few for an interval, so there is no front
-    // estimated RMSE of the reference compared with the exact picture, extrapolated from the steps towards it
+    // Estimated RMSE of the reference compared with the exact picture, extrapolated from the steps towards it.
     std::optional<double> residual;
     std::string residual_note;  // how the residual was estimated, or why it could not be
     ClockKind clock = ClockKind::wall;

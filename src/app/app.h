@@ -112,7 +112,7 @@ private:
     ui::Memory memory_;
     ui::Layout layout_;
     std::vector<Event> events_;
-    // name of the scene's file, the path it belongs to, and the last problems that were printed
+    // Name of the scene's file, the path it belongs to, and the last problems that were printed.
     std::string file_, named_, reported_;
     std::vector<char> linked_;
     WindowCounters counters_;

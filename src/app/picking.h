@@ -23,7 +23,7 @@ public:
 
 private:
     std::uint64_t revision_ = 0;
-    // names of the objects, in the order of Scene::draws; empty if none was picked yet
+    // Names of the objects, in the order of Scene::draws; empty if none was picked yet.
     std::vector<std::string> names_;
     std::string told_;
     std::pair<std::uint64_t, Index> told_of_{0, none};  // the revision and the object that told_ describes

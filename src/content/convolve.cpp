@@ -197,7 +197,7 @@ int prefilter_levels(int size) {
 }
 
 std::vector<CubeLight> prefiltered(const CubeLight& light, int size) {
-    // small levels are cheap enough for more detail
+    // Small levels are cheap enough for more detail.
     const auto detail = [](int texels) { return texels > 16 ? .08 : .02; };
     std::vector<CubeLight> levels{resized(light, size)};
     const Tree tree(levels[0]);

@@ -15,7 +15,7 @@ struct ObjCorner {
 struct ObjData {
     std::vector<Float3> positions, texcoords, normals;
     std::vector<ObjCorner> corners;  // of all faces, in the order of the file
-    // face k has the corners from face_ends[k - 1] (0 for the first face) up to face_ends[k]
+    // Face k has the corners from face_ends[k - 1] (0 for the first face) up to face_ends[k].
     std::vector<std::uint32_t> face_ends;
     std::vector<std::array<ObjCorner, 2>> lines;  // the segments of `l` elements
 };

@@ -44,7 +44,7 @@ struct Corner {
 };
 using Face = std::vector<Corner>;  // counter-clockwise seen from outside
 
-// neighbours' dot product is 1 / sqrt 5
+// Neighbours' dot product is 1 / sqrt 5.
 bool joined(const Vec3& a, const Vec3& b) { return dot(a, b) > .4 && dot(a, b) < .5; }
 
 Face pentagon(const std::array<Vec3, 12>& ico, int centre) {

@@ -12,7 +12,7 @@ namespace snell::content {
 // Indices are stored as floats, which are exact below this.
 inline constexpr std::size_t tree_limit = std::size_t{1} << 24;
 inline constexpr std::size_t tree_leaf = 4;  // maximum number of triangles in a leaf
-// maximum number of nodes from the root to a leaf, which bounds the traversal's stack
+// Maximum number of nodes from the root to a leaf, which bounds the traversal's stack.
 inline constexpr std::size_t tree_depth = 32;
 
 struct Tree {

@@ -22,7 +22,7 @@ struct FileCounters {
 // The result of looking up a file name.
 struct Resolved {
     std::string path;  // path on disk; empty if the file is not found
-    // found in another case, in another folder or with an added extension; the caller should warn
+    // Found in another case, in another folder or with an added extension; the caller should warn.
     bool inexact = false;
     std::string nearest;   // if nothing is found: the most similar name, written as in a scene
     bool outside = false;  // the file exists, but outside of the folder that may be read

@@ -110,7 +110,7 @@ private:
     Files& files_;
     Sources& sources_;
     Diagnostics& diagnostics_;
-    // by path; nullopt if the file cannot be read, which has been reported
+    // By path; nullopt if the file cannot be read, which has been reported.
     std::map<std::string, std::optional<FileId>> shaders_;
 };
 

@@ -84,9 +84,9 @@ GLFWwindow* make_window(const WindowRequest& request) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-// macOS has no other core context. Elsewhere a forward-compatible one would refuse lines wider than a pixel, which
-// headless contexts draw.
 #ifdef __APPLE__
+        // macOS has no other core context. Elsewhere a forward-compatible one would refuse lines wider than a pixel,
+        // which headless contexts draw.
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
 #endif
         glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);

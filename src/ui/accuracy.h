@@ -18,7 +18,7 @@ struct Facts;
 
 // Error and cost of one choice of rungs that was drawn.
 struct AccuracyPoint {
-    // visited: was drawn, but not compared with others
+    // visited: was drawn, but not compared with others.
     enum class Standing : std::uint8_t { visited, front, saves_none, dominated };
     std::string name;  // the rung of the plotted ladder; if rungs of other ladders differ too, all that differ
     std::optional<std::size_t> rung;             // index into the plotted ladder; nullopt if other ladders differ too
@@ -45,7 +45,7 @@ struct AccuracyMemory {
     enum class Show : std::uint8_t { picture, split, heat };
     bool open = false;
     Show show = Show::picture;
-    // position as a fraction of the picture's width: the chosen rungs are on its left, the reference on its right
+    // Position as a fraction of the picture's width: the chosen rungs are on its left, the reference on its right.
     float divider = .5F;
     std::size_t ladder = 0;  // index of the ladder that is plotted
     bool hold_time = true;   // whether an animated scene is paused while the panel is open

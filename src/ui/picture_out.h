@@ -19,7 +19,7 @@ struct PictureMemory {
     double width = 0, height = 0;   // whole numbers, as is `samples`
     double samples = 4;             // per pixel
     bool transparent = false;
-    // saves pictures from time `from` to `to`, in seconds, without the one at `to`; `rate` is pictures per second
+    // Saves pictures from time `from` to `to`, in seconds, without the one at `to`; `rate` is pictures per second.
     bool sequence = false;
     double from = 0, to = 10, rate = 25;
     std::string there;               // an existing file that the user is asked to replace; empty if none

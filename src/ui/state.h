@@ -101,7 +101,7 @@ struct Memory {
     std::uint64_t revision = 0;       // the revision whose problems are hidden
     std::set<std::string> dismissed;  // messages of MessageBox that the user dismissed
     SliderMemory slider;
-    // names of the sliders that are logarithmic, as "program.name" with the program's index
+    // Names of the sliders that are logarithmic, as "program.name" with the program's index.
     std::set<std::string> logarithmic;
     std::string notice;   // the outcome of the last request
     bool labels = false;  // shows the values over the picture
