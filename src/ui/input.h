@@ -13,7 +13,7 @@ std::size_t batch(std::span<const Event> events);
 
 // Passes the events to the current Dear ImGui context.
 void feed(std::span<const Event> events);
-// Call once per context: maps the keys, and sets the rate at which held keys repeat.
+// Call once per context, before feed(): maps Dear ImGui's keys to those of Key.
 void map_keys();
 
 }  // namespace snell::ui
