@@ -52,6 +52,7 @@ public:
     void set_raster(const RasterState& raster) { raster_.set(raster); }
     Vec4 color() const { return color_.value; }
     void set_color(const Vec4& color) { color_.set(color); }
+    // Sets the background of the current pass.
     void set_background(const Vec4& color);
 
     // Multiplies the current matrix from the right by an affine one. If the product exceeds the range of floats,
@@ -62,13 +63,16 @@ public:
 
     // ---- textures
     Filter filter;  // for the textures that follow
+    // Adds the texture to the scene and binds it to its unit and target.
     void bind(Texture texture);
+    // The texture that is bound; nullopt if there is none.
     std::optional<Index> bound(int unit, TextureTarget target) const;
     void begin_pass(Pass pass);  // past the limit of passes, the draws that follow stay in the previous pass
 
     // ---- programs
     std::array<std::optional<FileName>, stage_count> stages;
     std::string geometry_input, geometry_output;
+    // Adds the program, with the current stages and ladders, and makes it the current one.
     void begin_program(Program program);
     void no_program() { program_ = none; }
     // The program that a uniform on a line of its own belongs to, which is the current one; nullptr if there is none.
@@ -77,12 +81,15 @@ public:
     // ---- geometry
     void draw(const Shape& shape, Span span, bool wire = false);
     void clear(Span span);
+    // Adds a file name to the scene, once for each name, and returns its index.
     Index file(std::string_view name, Span span);
     // The list between glBegin and glEnd; nullptr outside of these.
     VertexListData* open_list();
     bool in_list() const { return in_list_; }
     Vec4 list_color() const { return list_color_; }  // the current colour at the glBegin
     Index add_list(VertexListData list);
+    // Begins a list with the current state. Without a topology (its name was invalid), vertices are accepted but not
+    // drawn.
     void begin_list(std::optional<Topology> topology, Span span);
     void end_list(Span span);
     int patch_vertices = 3;
@@ -94,6 +101,7 @@ public:
 
     // Tells how many bytes have been read, from which the final size of lists is estimated.
     void progress(std::size_t bytes) { read_bytes_ = bytes; }
+    // Call it at the end of the text: reports a glBegin without glEnd and a PushMatrix without PopMatrix.
     void finish();
 
 private:

@@ -26,6 +26,7 @@ struct Number {
     bool usable() const { return fault <= NumberFault::suffix; }
 };
 
+// Parses a whole word as a number; `fault` says what is wrong with it.
 Number read_number(std::string_view text);
 
 // True if the text begins like a number, whether valid or not.

@@ -21,6 +21,7 @@ public:
         return add(Severity::warning, code, span, std::move(message), std::move(help));
     }
     bool full() const { return diagnostics_.items().size() >= limit_; }
+    // Moves the diagnostics out, with an error about those that were left out.
     Diagnostics take();
 
 private:

@@ -29,6 +29,7 @@ struct Position {
 // during its lifetime.
 class Sources {
 public:
+    // Adds a text under a name for diagnostics, and returns its id.
     FileId add(std::string name, std::string text);
 
     std::string_view name(FileId file) const;

@@ -16,6 +16,7 @@ struct Char {
 // Decodes the character at offset `at`, which must be inside of the text. Overlong forms and surrogates are invalid.
 Char decode(std::string_view text, std::size_t at);
 
+// Appends a character as UTF-8.
 void append(std::string& out, char32_t code);
 
 // The number of terminal columns of a character: 0, 1 or 2.

@@ -21,6 +21,7 @@ struct Wish {
 // of time, the most exact, and of equally exact ones the cheapest. If none does, the nearest; with both limits, the
 // cheapest of those that are exact enough. Nullopt if none was timed.
 std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish);
+// True if the rung meets the wish's limits.
 bool fulfils(const RungResult& rung, const Wish& wish);
 
 struct Advice {

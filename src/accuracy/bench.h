@@ -27,7 +27,9 @@ struct Times {
 
 // The clock whose times are used.
 enum class ClockKind { cpu, gpu, wall };
+// The name for reports, such as "wall clock".
 std::string_view name(ClockKind clock);
+// The time by that clock.
 double chosen(const Times& times, ClockKind clock);
 
 struct BenchSettings {
@@ -54,6 +56,7 @@ public:
     // Draws a picture; returns nullopt if the context cannot draw it. `hidden` tells for each draw whether it is left
     // out.
     std::optional<Picture> picture(const Variant& variant, const std::vector<bool>* hidden = nullptr);
+    // Draws the directions in which the shaders look up the environment; returns nullopt if the context cannot draw it.
     std::optional<Picture> directions(const Variant& variant);
 
     // Compiles, loads and draws until two consecutive frames differ by less than a fifth, at most five times. Returns

@@ -48,6 +48,7 @@ struct Control {
     Interval ratio{1, 1, 1};
     bool noisy = false;  // the interval does not contain 1, or is wider than 5 %
 };
+// Compares the times of a rung with those of its second timing, `again`, in the same rounds.
 Control control(std::span<const double> first, std::span<const double> again, std::uint64_t seed = 1);
 
 // For each rung of a ladder, whether it is surely more expensive than both neighbours. Always false for the first and

@@ -68,6 +68,7 @@ struct MeasureOptions {
     std::function<void(const Progress&)> report;  // called between frames
 };
 
+// Measures all rungs of the sweep. The bench's context must be current.
 SweepResult measure(Bench& bench, const Sweep& sweep, const MeasureOptions& options);
 
 // Computes the conclusions from the pictures and times in `result`. measure() calls it; it is public for tests and for

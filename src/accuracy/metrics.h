@@ -37,6 +37,7 @@ struct Error {
 // Both pictures must have the same size.
 Error compare(const Picture& picture, const Picture& reference, const Region& region = {});
 
+// In dB relative to a peak of 1; infinite for an RMSE of 0.
 double psnr(double rmse);
 
 // Angles, in degrees, between two pictures of directions (xyz in red, green and blue, of any length). Pixels in which
@@ -46,6 +47,7 @@ struct Degrees {
     double mean = 0, p99 = 0, max = 0;
     std::size_t pixels = 0;
 };
+// Both pictures must have the same size.
 Degrees compare_directions(const Picture& picture, const Picture& reference, const Region& region = {});
 
 // The difference that a viewer perceives when the two pictures alternate: FLIP for low dynamic range (Andersson and
@@ -53,6 +55,7 @@ Degrees compare_directions(const Picture& picture, const Picture& reference, con
 // 0..1, and those that are not finite become 0. The cost grows with pixels_per_degree; 67 is a monitor of .7 m width
 // and 3840 pixels, seen from .7 m.
 std::vector<float> flip_map(const Picture& picture, const Picture& reference, double pixels_per_degree = 67);
+// The mean over the pixels that count; 0 if there are none.
 double mean_of(std::span<const float> map, const Region& region = {});
 
 }  // namespace snell::accuracy

@@ -29,6 +29,7 @@ struct Preset {
     bool trusted = false;     // the control was not noisy
 };
 
+// Makes the presets from the results of advise() for quality_wishes().
 std::vector<Preset> presets_of(const Scene& scene, const Counsel& counsel);
 
 std::string quality_json(const Circumstances& where, const std::vector<Preset>& presets);

@@ -22,6 +22,7 @@ public:
     bool busy() const { return refinement_ && refinement_->busy(); }
     // Returns true if the panel or the picture changed.
     bool step() { return refinement_ && refinement_->step(); }
+    // Starts measuring all rungs of the plotted ladder, or stops it.
     void measure(const ui::AccuracyMemory& memory);
     // Null while the panel is closed. Valid until the next call.
     const ui::AccuracyFacts* facts(const ui::AccuracyMemory& memory);

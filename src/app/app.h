@@ -40,6 +40,7 @@ struct Drawn {
     bool operator==(const Drawn&) const = default;
 };
 
+// Collects the values of all controls, in their order.
 void gather(const Controls& controls, std::vector<double>& values);
 std::string title_of(const std::string& scene);
 

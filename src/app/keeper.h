@@ -20,6 +20,7 @@ class Keeper {
 public:
     explicit Keeper(std::string scene) : scene_(std::move(scene)) {}
 
+    // Fills in what the panels show: whether values changed, whether saving can be undone, and the snapshots.
     void tell(ui::Facts& facts, const Document* document);
     // Executes the requests and sets `notice` to their outcome.
     void serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,

@@ -26,9 +26,11 @@ public:
     // Call it regularly: it checks for ended editors and writes settings that changed, including the recent scenes.
     // Returns true if it changed `memory.notice`.
     bool look(ui::Memory& memory);
+    // Records the scene as the most recent one.
     void opened(const std::string& scene);
     // The size is in the window's coordinates at zoom 1 and 96 dots per inch.
     void resized(int width, int height);
+    // Writes the settings if they changed.
     void write();
 
 private:

@@ -19,6 +19,7 @@ public:
     void follow(Document& shown, std::uint64_t revision, View& view, ui::HoldMemory& hold);
     // Picks the object at the click, in the picture that `stand` describes; `density` is pixels per window coordinate.
     void serve(const ui::Requests& requests, Document& shown, const Stand& stand, float density, ui::HoldMemory& hold);
+    // Fills in the text about the picked object.
     void tell(ui::Facts& facts, const Document* shown, const ui::HoldMemory& hold);
 
 private:

@@ -38,6 +38,7 @@ struct Carried {
     double time = 0;           // of the scene
 };
 
+// The state after a loss of the context; its problem tells the user what happened.
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files);
 
 // Converts to and from text, without `kept`, which exists only within the process, and without the problem. "" reads as

@@ -33,6 +33,7 @@ public:
     bool step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples,
               const gl::Caps& caps);
 
+    // The results as points of a plot of that ladder.
     std::vector<ui::AccuracyPoint> points(const Scene& scene, std::size_t ladder, const Rungs& chosen) const;
     // A note on the last measurement.
     const std::string& remark() const { return remark_; }

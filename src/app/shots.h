@@ -56,6 +56,7 @@ struct Shots {
     std::vector<Axis> axes;
     std::vector<std::string> files;  // by the index of the picture
 
+    // The number of pictures of each scene.
     std::size_t per_scene() const;
     Shot shot(std::size_t index) const;
     const AxisValue& value(const Shot& shot, std::size_t axis) const { return axes[axis].values[shot.at[axis]]; }

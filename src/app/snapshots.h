@@ -30,6 +30,7 @@ Restored restore_snapshot(int number, Document& document);
 
 // Formats the values and rungs that differ from the scene as text; "" if none does.
 std::string changed_text(const Document& document);
+// Restores the values of such a text, as restore_snapshot() does.
 Restored restore_changed(const std::string& changed, Document& document);
 // Restores only the rungs, before the programs are compiled for them.
 void restore_rungs(const std::string& changed, const Scene& scene, Rungs& rungs);

@@ -51,6 +51,7 @@ CubeLight irradiance(const CubeLight& light, int size = 16);
 // = V = R"), so at roughness 1 it equals irradiance. The integral covers all of the source, with coarser steps where
 // the lobe is flatter; the result differs from a sum over every texel by less than 1 %.
 std::vector<CubeLight> prefiltered(const CubeLight& light, int size);
+// The number of levels of prefiltered() for a level 0 of that size.
 int prefilter_levels(int size);
 // The default size of level 0: the source's, rounded to a power of two, from 16 to `largest`.
 int prefilter_size(int source_size, int largest);

@@ -18,6 +18,7 @@ std::string extension_of(std::string_view path);
 // Returns the format that an extension stands for, by the names of sniff(); empty if it is unknown.
 std::string_view format_of_extension(std::string_view extension);
 
+// Decode formats that snell reads without OpenImageIO. `bytes` is the whole file.
 ImageResult decode_bmp(std::string_view bytes, const ImageLimits& limits);
 ImageResult decode_tex(std::string_view bytes, const ImageLimits& limits);
 ImageResult decode_png(std::string_view bytes, const ImageLimits& limits);
@@ -25,11 +26,13 @@ ImageResult decode_png(std::string_view bytes, const ImageLimits& limits);
 // gets the bytes as a file in memory, because the file on disk may have changed since they were read.
 ImageResult decode_other(std::string_view bytes, std::string_view format, const ImageLimits& limits);
 
+// Read the headers; nullopt if the bytes are not a valid header of the format.
 std::optional<ImageHeader> bmp_header(std::string_view first_bytes);
 std::optional<ImageHeader> png_header(std::string_view first_bytes);
 // A raw texture has no signature: the header is valid only if its sizes match the size of the whole file.
 std::optional<ImageHeader> tex_header(std::string_view first_bytes, std::size_t file_size);
 
+// Makes the result of a failed decoding: no image, and one error.
 ImageResult image_failed(std::string code, std::string message, std::string help = {});
 
 // Returns an issue if an image of this size exceeds the limits; called before memory is allocated.

@@ -64,6 +64,7 @@ struct MeshResult {
 // below 3) are corrected and reported. With `wire`, makes the edges of the same solid as GL_LINES.
 MeshResult make_shape(const Shape& shape, bool wire, const MeshLimits& limits = {});
 
+// Makes the mesh of a list of vertices (glBegin … glEnd, Triangles, LinesAdjacency).
 MeshResult make_vertex_list(const VertexListData& list);
 
 // Parses a whole .obj file. Missing normals are computed as area-weighted averages over the faces at a position.

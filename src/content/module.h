@@ -20,6 +20,7 @@ struct OiioModule {
 // Looks for the module in the executable's folder, then in ../lib/snell. Thread-safe; the module stays open.
 const OiioModule& oiio_module();
 
+// The size, type and channels of an image, in the form of the module's interface.
 SnellOiioShape module_shape(const Image& image);
 
 }  // namespace snell::content

@@ -22,6 +22,7 @@ public:
 
     // begin(), rows() and end() return false after an error, which error() describes. Only PixelType::u8 is supported.
     bool begin(const Image& shape);
+    // Appends `count` whole rows, top first.
     bool rows(const std::byte* rows, std::size_t count);
     bool end();
     const std::string& error() const { return error_; }

@@ -24,6 +24,7 @@ struct Linked {
     Program program;  // empty if linking failed
     std::string log;
 };
+// Links shaders with fixed locations of attributes.
 Linked link(const std::vector<const Shader*>& shaders, const std::vector<AttributeLocation>& attributes);
 
 struct Uniform {

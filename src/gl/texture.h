@@ -31,6 +31,7 @@ std::size_t texel_bytes(Pixels type);
 
 // `target` is GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D or GL_TEXTURE_CUBE_MAP.
 Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling);
+// Makes a cube map from its six faces, in OpenGL's order.
 Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling);
 // Makes a cube map from all of its levels, each half the size of the one before; the first may have any size. If `data`
 // is null, the storage is allocated but not filled.
@@ -46,12 +47,14 @@ struct BufferTexture {
     Buffer buffer;
     Texture texture;
 };
+// `texels` points to `count` texels of four floats.
 BufferTexture make_buffer_texture(const void* texels, std::size_t count);
 
 // A sampler object keeps wrapping apart from the texture, so that one texture can be clamped in one draw and repeated
 // in the next.
 inline void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }
 using Sampler = Handle<delete_sampler>;
+// `cube` is true for samplers of cube maps, which are always clamped.
 Sampler make_sampler(const Sampling& sampling, bool cube);
 
 // Draws one triangle that covers the viewport, with the program in use and `texture` bound to unit 0. The triangle has

@@ -47,6 +47,7 @@ struct Controls {
     std::vector<Control> items;  // sorted by program, then as on the Program line; unlisted ones are last
     Rungs rungs;                 // the chosen rungs; empty: those that the programs were compiled for
 
+    // Finds a control by its uniform's name, with or without "[0]"; returns null if there is none.
     Control* find(Index program, std::string_view name);
     const Control* find(Index program, std::string_view name) const;
 };

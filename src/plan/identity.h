@@ -15,6 +15,7 @@ struct Identity {
 
 // The identity of a texture from files, without its filter, or of a texture that is computed from one.
 Identity texture_identity(const Scene& scene, Index texture, const Files& files);
+// The identity of a mesh, by its shape or its file.
 Identity mesh_identity(const Plan& plan, Index mesh, const Files& files);
 // The places in the text that messages about a mesh point to: its statement, and the file name in it.
 std::vector<Span> mesh_places(const Plan& plan, Index mesh);

@@ -21,6 +21,7 @@ const std::vector<std::string_view>& image_extensions();
 std::string locate(const FileName& file, const std::vector<std::string_view>& extensions, const Files& files,
                    Diagnostics& diagnostics);
 
+// Reports file-unreadable, once per place in the text.
 void report_unreadable(const FileName& file, std::string_view reason, Diagnostics& diagnostics);
 
 // A file of a texture: its one image, or one of the six faces of a cube map.
@@ -29,6 +30,7 @@ struct TextureFile {
     std::string path;  // empty if the file was not found, which has been reported
     Span span;
 };
+// Locates the files of a texture that is not computed; reports missing ones.
 std::vector<TextureFile> locate_texture(const Texture& texture, const Files& files, Diagnostics& diagnostics);
 
 }  // namespace snell

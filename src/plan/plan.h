@@ -66,6 +66,7 @@ public:
         content::ImageResult result;
         std::string unreadable;  // why the file cannot be read; empty if it can
     };
+    // Returns the entry of a file, a new one if there is none yet.
     std::shared_ptr<Entry> entry(const std::string& path);
     void clear();
     // The current contents of the cache.
@@ -105,6 +106,7 @@ std::optional<TextureTarget> sampler_target(std::string_view type);
 // Returns an error (feedback-loop) if `draw`, in `pass`, samples `texture` while that pass renders to it.
 std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index draw, Index texture);
 
+// Lists the plan as text, for `snell check --dump plan`.
 std::string dump_plan(const Plan& plan, const Sources& sources);
 
 // ---- matrices, in double ---------------------------------------------------------------------------------

@@ -100,6 +100,7 @@ public:
     void take_events(std::vector<Event>& into);
     // Returns the paths of the files dropped on the window since the last call.
     std::vector<std::string> take_dropped();
+    // Swaps the buffers, which shows the picture.
     void present();
 
     bool closing() const;

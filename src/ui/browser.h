@@ -42,6 +42,7 @@ struct Browser {
 // Escape.
 void open_browser(std::string folder, Memory& memory, Requests& requests);
 
+// Draws the browser while it is open.
 void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
 
 // Indices of the entries whose name contains the typed text, in any case.

@@ -19,6 +19,7 @@ struct HoldMemory {
 // Picks an object, so that the user moves it from now on. With none, the user moves the scene again.
 void hold_object(HoldMemory& hold, Index object);
 
+// The transformation that is held.
 Transformation held(const View& view, const HoldMemory& hold);
 // Sets the transformation that is held. An object whose transformation becomes the identity is removed from the view.
 void set_held(View& view, const HoldMemory& hold, const Transformation& transformation);

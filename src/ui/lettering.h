@@ -15,6 +15,7 @@ public:
     Lettering(const Lettering&) = delete;
     Lettering& operator=(const Lettering&) = delete;
 
+    // Sizes in pixels.
     int line_height() const;
     int width(std::string_view text) const;
     // Draws white text over the RGB bytes of a picture that is `stride` pixels wide; (x, y) is the text's upper left
