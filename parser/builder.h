@@ -1,4 +1,4 @@
-// Builds the display list: the current state, and draws that refer to what stood when they were read.
+// Builds the display list: it holds the current state, and adds draws that refer to the state at their statements.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace snell {
 
-// The current value of something that draws refer to by index. It enters its list when a draw first needs it.
+// The current value of a state that draws refer to by index. It is added to its list when a draw first needs it.
 template <class T>
 struct Current {
     T value{};
@@ -33,7 +33,7 @@ struct MatrixEntry {
 
 struct OpenMatrix {
     MatrixEntry entry;
-    Span span;  // of the PushMatrix
+    Span span;  // of the PushMatrix statement
 };
 
 class Builder {
@@ -52,48 +52,56 @@ public:
     void set_raster(const RasterState& raster) { raster_.set(raster); }
     Vec4 color() const { return color_.value; }
     void set_color(const Vec4& color) { color_.set(color); }
+    // Sets the background of the current pass.
     void set_background(const Vec4& color);
 
-    // Multiplies the current matrix from the right by an affine one. False, with nothing changed, when the product
-    // leaves the range of floats.
+    // Multiplies the current matrix from the right by an affine one. If the product exceeds the range of floats,
+    // returns false and changes nothing.
     bool transform(const Mat4& matrix);
     void push_matrix(Span span);
     void pop_matrix(Span span);
 
     // ---- textures
-    Filter filter;  // of textures named from now on
+    Filter filter;  // for the textures that follow
+    // Adds the texture to the scene and binds it to its unit and target.
     void bind(Texture texture);
+    // The texture that is bound; nullopt if there is none.
     std::optional<Index> bound(int unit, TextureTarget target) const;
-    void begin_pass(Pass pass);  // past the limit, what follows is drawn in the pass before
+    void begin_pass(Pass pass);  // past the limit of passes, the draws that follow stay in the previous pass
 
     // ---- programs
     std::array<std::optional<FileName>, stage_count> stages;
     std::string geometry_input, geometry_output;
+    // Adds the program, with the current stages and ladders, and makes it the current one.
     void begin_program(Program program);
     void no_program() { program_ = none; }
-    // The program that a uniform on a line of its own belongs to: the current one; nullptr when there is none.
+    // The program that a uniform on a line of its own belongs to, which is the current one; nullptr if there is none.
     Program* program();
 
     // ---- geometry
     void draw(const Shape& shape, Span span, bool wire = false);
     void clear(Span span);
+    // Adds a file name to the scene, once for each name, and returns its index.
     Index file(std::string_view name, Span span);
-    // The list between glBegin and glEnd; nullptr outside.
+    // The list between glBegin and glEnd; nullptr outside of these.
     VertexListData* open_list();
     bool in_list() const { return in_list_; }
-    Vec4 list_color() const { return list_color_; }  // what stood at the glBegin
+    Vec4 list_color() const { return list_color_; }  // the current colour at the glBegin
     Index add_list(VertexListData list);
+    // Begins a list with the current state. Without a topology (its name was invalid), vertices are accepted but not
+    // drawn.
     void begin_list(std::optional<Topology> topology, Span span);
     void end_list(Span span);
     int patch_vertices = 3;
     Vec3 normal{0, 0, 1}, texcoord{0, 0, 0};
 
-    // Reads another text at this place. Set by the parser.
+    // Parses another text at this place. Set by the parser.
     std::function<void(std::string_view name, Span span)> include;
-    std::string from;  // FileName::from of the names that follow
+    std::string from;  // FileName::from for the names that follow
 
-    // How far the reading is, in bytes: lists grow to the size this foretells.
+    // Tells how many bytes have been read, from which the final size of lists is estimated.
     void progress(std::size_t bytes) { read_bytes_ = bytes; }
+    // Call it at the end of the text: reports a glBegin without glEnd and a PushMatrix without PopMatrix.
     void finish();
 
 private:
@@ -127,7 +135,7 @@ private:
     std::unordered_map<std::string, Index> files_;
 };
 
-// '\' and '\\' are '/'.
+// Replaces '\' and '\\' by '/'.
 std::string file_name(std::string_view written);
 
 }  // namespace snell

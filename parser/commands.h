@@ -1,5 +1,5 @@
-// The table of commands: one row declares one. The matcher, the documentation, the grammars for editors,
-// suggestions and the fuzzer's dictionary derive from it.
+// The table of commands, with one row for each. The matcher, the documentation, the editors' grammars, suggestions and
+// the fuzzer's dictionary are derived from it.
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ struct Command {
     std::string_view doc;  // one or more sentences
     Handler handler;
     std::string_view alias = {};
-    bool addition = false;  // snell's, not glman's
+    bool addition = false;  // not a command of glman
     CommandGroup group = CommandGroup::other;
 
     constexpr bool takes(ArgumentKind kind) const {
@@ -38,13 +38,13 @@ std::span<const Command> commands();
 
 std::string_view group_name(CommandGroup group);
 
-// By name or alias, without regard to case; nullptr when there is none.
+// Finds a command by name or alias, without regard to case; returns nullptr if there is none.
 const Command* find_command(std::string_view word);
 
 // Every name and alias, for suggestions.
 const std::vector<std::string_view>& command_names();
 
-// The table as JSON: names, aliases, signatures, arguments with kinds and defaults, documentation.
+// Returns the table as JSON: names, aliases, signatures, arguments with kinds and defaults, documentation.
 std::string commands_json();
 
 }  // namespace snell

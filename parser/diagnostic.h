@@ -1,4 +1,5 @@
-// What is wrong with the input, where, and what would help. Libraries return these; only src/app prints.
+// Diagnostics: errors and warnings about the input, with their place and help. Libraries return them; only src/app
+// prints.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 namespace snell {
 
 enum class Severity : std::uint8_t { note, warning, error };
-// "note", "warning", "error".
+// Returns "note", "warning" or "error".
 const char* name(Severity severity);
 
 struct Note {
@@ -21,26 +22,26 @@ struct Note {
 
 struct Diagnostic {
     Severity severity = Severity::error;
-    std::string code;  // stable, kebab-case: "unknown-command"
+    std::string code;  // stable, in kebab-case, such as "unknown-command"
     Span span;
-    std::string message;  // one line, no capital, no full stop
-    std::string help;     // may be empty: what to do about it
+    std::string message;  // one line, without initial capital or full stop
+    std::string help;     // what the user can do about it; may be empty
     std::vector<Note> notes;
-    bool has_span = true;  // false for what has no place in a text (no graphics, unwritable output)
+    bool has_span = true;  // false if it concerns no place in a text (no graphics, unwritable output)
 };
 
 class Diagnostics {
 public:
     Diagnostics() = default;
-    // With limits on how many there are and how long each is. What is past the first is counted and left out, with an
-    // error that says so.
+    // Limits the number of diagnostics and the length of each. Diagnostics beyond the limit are counted and left out,
+    // and an error says how many.
     explicit Diagnostics(const Limits& limits) : most_(limits.diagnostics), longest_(limits.message_bytes) {}
 
-    // The reference is to a diagnostic that notes may be added to, until the next one.
+    // Returns a reference through which notes can be added, until the next diagnostic is added.
     Diagnostic& add(Diagnostic diagnostic);
     Diagnostic& error(std::string_view code, Span span, std::string message, std::string help = {});
     Diagnostic& warning(std::string_view code, Span span, std::string message, std::string help = {});
-    // Without a place in a text.
+    // For problems without a place in a text.
     Diagnostic& error(std::string_view code, std::string message, std::string help = {});
     Diagnostic& warning(std::string_view code, std::string message, std::string help = {});
 
@@ -51,7 +52,7 @@ public:
     const std::vector<Diagnostic>& items() const { return items_; }
 
     void append(const Diagnostics& others);
-    // Source order (file, then offset); those without a place last; stable.
+    // Sorts by file, then offset; those without a place are last. Stable.
     void sort();
 
 private:
@@ -62,13 +63,12 @@ private:
     Diagnostic nowhere_;
 };
 
-// `file:line:column: error: message [code]`, the line, a caret under the span, help and notes.
-// Control characters of the source are never printed raw.
+// Formats as `file:line:column: error: message [code]`, followed by the source line, a caret under the span, help and
+// notes. Control characters of the source are escaped.
 std::string render(const Diagnostic& diagnostic, const Sources& sources);
 std::string render(const Diagnostics& diagnostics, const Sources& sources);
 
-// The candidate nearest to `word` by edit distance without regard to case, if near enough to be meant;
-// else empty.
+// Returns the candidate nearest to `word` by edit distance, without regard to case; empty if none is similar enough.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// What each command does to the display list. One function for each row of the table.
+// The handlers of the commands, which change the display list: one function for each row of the table.
 #pragma once
 
 namespace snell {

@@ -1,4 +1,4 @@
-// Text to tokens, one line at a time. Tokens are pointers into the text; nothing is copied.
+// Splits text into tokens, one line at a time. Tokens are offsets into the text; nothing is copied.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,25 @@ enum class TokenKind : std::uint8_t {
     text,   // "…"; the span includes the quotes
     open,   // < [ { (
     close,  // > ] } )
-    comma,  // or semicolon
+    comma,  // or a semicolon
 };
 
 struct Token {
     TokenKind kind = TokenKind::word;
-    bool glued = false;       // follows the token before it without a blank
+    bool glued = false;       // follows the previous token without a blank
     bool line_start = false;  // the first token of its line
-    bool unclosed = false;    // text without its closing quote
+    bool unclosed = false;    // a text without its closing quote
     std::uint32_t begin = 0, end = 0;
 };
 
 struct Line {
-    bool at_end = false;             // nothing follows: end of the text
+    bool at_end = false;             // the end of the text was reached
     bool continued = false;          // ended by a backslash
-    bool comment = false;            // has a comment
-    bool comment_continued = false;  // the backslash stands inside the comment
+    bool comment = false;            // contains a comment
+    bool comment_continued = false;  // the backslash is inside of the comment
 };
 
-// Characters that look like something else: what they are read as is decided by the lexer, and said once for
-// each text.
+// A character that resembles another one. The lexer reads it as that one; it is reported once per text.
 struct OddCharacter {
     char32_t code = 0;
     std::uint32_t count = 0;
@@ -42,12 +41,12 @@ struct OddCharacter {
 
 class Lexer {
 public:
-    // `text` outlives the lexer.
+    // `text` must outlive the lexer.
     Lexer(std::string_view text, FileId file);
 
-    // Appends the tokens of the line that begins at position() and moves on to the next.
+    // Appends the tokens of the line that begins at position(), and advances to the next line.
     Line read_line(std::vector<Token>& tokens);
-    // Call before the first line of a statement: brackets left open in the one before are forgotten.
+    // Must be called before the first line of a statement. It forgets brackets that the previous statement left open.
     void begin_statement() { depth_ = 0; }
 
     std::size_t position() const { return at_; }

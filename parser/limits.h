@@ -1,5 +1,5 @@
-// What a scene may ask for before it is refused. Each is checked before memory is taken; what exceeds one is an error
-// that names it, and the rest goes on.
+// Limits on what a scene may use. They are checked before memory is allocated. A statement that exceeds one gives an
+// error that names the limit; the rest of the scene is still read.
 #pragma once
 
 #include <cstdint>
@@ -33,20 +33,21 @@ struct Limits {
     bool operator==(const Limits&) const = default;
 };
 
-// One limit, as `--limit NAME=VALUE` and docs/limits.md have it.
+// A limit, as `--limit NAME=VALUE` and docs/limits.md show it.
 struct LimitFacts {
-    std::string_view name;  // kebab-case
+    std::string_view name;  // in kebab-case
     std::uint64_t Limits::*value;
     std::string_view unit;
     std::string_view doc;
-    std::uint64_t most;  // it can't be set higher
+    std::uint64_t most;  // the largest value to which it can be set
 };
 std::span<const LimitFacts> limit_table();
 
-// "vertices=1000000". False, with the reason and nothing changed: no such name, or no whole number from 1 to the most.
+// Sets a limit by a text such as "vertices=1000000". If the name is unknown, or the value is not a whole number from 1
+// to the limit's maximum, returns false, sets `error` and changes nothing.
 bool set_limit(Limits& limits, std::string_view text, std::string& error);
 
-// The help of an error about a limit that was exceeded: its name, what it is, and how it is changed.
+// The help text of an error about an exceeded limit: its name, its meaning and how to change it.
 std::string limit_help(std::uint64_t now, std::uint64_t Limits::*limit);
 inline std::string limit_help(const Limits& limits, std::uint64_t Limits::*limit) {
     return limit_help(limits.*limit, limit);

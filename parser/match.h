@@ -1,4 +1,4 @@
-// Statements to arguments, by the signature of their command.
+// Matches statements with the signatures of their commands, which gives their arguments.
 #pragma once
 
 #include <array>
@@ -14,19 +14,19 @@
 namespace snell {
 
 struct Argument {
-    double number = 0;        // number, integer; the place of a choice
+    double number = 0;        // number and integer: the value; choice: its index
     std::string_view text;    // path, name, choice, rest; without quotes
-    std::uint32_t first = 0;  // vec3: of Arguments::numbers
+    std::uint32_t first = 0;  // vec3: index into Arguments::numbers
     std::uint32_t count = 0;  // vec3: how many numbers were given, 3 or 4
     bool given = false;
-    Span span;  // of the statement, when not given
+    Span span;  // of the whole statement if the argument was not given
 };
 
-// The arguments of one statement. Reused for the next.
+// The arguments of one statement; the object is reused for the next.
 class Arguments {
 public:
     std::size_t alternative() const { return alternative_; }
-    std::size_t size() const { return size_; }  // parameters of the alternative, then what repeats
+    std::size_t size() const { return size_; }  // parameters of the alternative, then the repeated ones
     const Argument& operator[](std::size_t i) const { return i < arguments_.size() ? arguments_[i] : nothing_; }
     double number(std::size_t i) const { return (*this)[i].number; }
     int integer(std::size_t i) const { return static_cast<int>((*this)[i].number); }
@@ -36,7 +36,7 @@ public:
     bool given(std::size_t i) const { return (*this)[i].given; }
     Span span() const { return span_; }
     Span span(std::size_t i) const { return (*this)[i].span; }
-    // The statement as it stands, for arguments that are read in another way (uniforms).
+    // The tokens of the statement, for arguments with a syntax of their own (uniforms).
     const Lexer& lexer() const { return *lexer_; }
     std::span<const Token> tokens() const { return statement_.tokens; }
 
@@ -45,7 +45,7 @@ private:
 
     std::vector<Argument> arguments_;
     std::vector<double> numbers_;
-    std::string joined_;  // what `rest` is when it goes over several lines
+    std::string joined_;  // text of a `rest` argument that spans several lines
     Argument nothing_;
     std::size_t alternative_ = 0, size_ = 0;
     Span span_;
@@ -53,7 +53,7 @@ private:
     Statement statement_;
 };
 
-// False when the statement can't be used; why is in the report.
+// Returns false and reports an error if the statement does not fit the signature.
 bool match(const Command& command, const Statement& statement, const StatementReader& reader, Report& report,
            Arguments& arguments);
 

@@ -1,4 +1,4 @@
-// How the language spells the values of enumerations. Shared by what reads them and what writes them.
+// The language's names for the values of enumerations, used for both reading and writing.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace snell {
 
-// The words of a choice: "on/off".
+// Splits choices such as "on/off" into words.
 std::vector<std::string_view> split_choices(std::string_view choices);
-// The place of a word among the choices, without regard to case; -1 when it is none of them. 1, 0, true and
-// false will do for on and off.
+// Returns the index of a word among the choices, without regard to case, or -1. For on and off, it also accepts 1, 0,
+// true and false.
 int find_choice(std::string_view choices, std::string_view word);
 
 std::optional<Topology> topology_named(std::string_view name);  // without regard to case
 std::string_view topology_name(Topology topology);
 const std::vector<std::string_view>& topology_names();
 
-// In the order of BlendFactor, as the choices of a signature.
+// In the order of BlendFactor, in the form of a signature's choices.
 #define SNELL_BLEND_FACTORS                                                                               \
     "zero/one/src_color/one_minus_src_color/dst_color/one_minus_dst_color/src_alpha/one_minus_src_alpha/" \
     "dst_alpha/one_minus_dst_alpha/src_alpha_saturate"

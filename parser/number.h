@@ -1,4 +1,4 @@
-// Numbers as scenes write them. Independent of the locale.
+// Parses the numbers of scenes. Independent of the locale.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ enum class NumberFault : std::uint8_t {
     d_exponent,
     odd_minus,
     not_finite,
-    too_large,  // for a float, which is what reaches the GPU
+    too_large,  // beyond the range of float, which is the type that reaches the GPU
 };
 
 struct Number {
@@ -26,17 +26,18 @@ struct Number {
     bool usable() const { return fault <= NumberFault::suffix; }
 };
 
+// Parses a whole word as a number; `fault` says what is wrong with it.
 Number read_number(std::string_view text);
 
-// True for text that begins like a number, right or wrong.
+// True if the text begins like a number, whether valid or not.
 bool looks_numeric(std::string_view text);
-// True for text that can only be meant as a number: not "3D" or "1.bmp".
+// True if the text can only be meant as a number, unlike "3D" or "1.bmp".
 bool plausible_number(std::string_view text);
 
-// True when the number was written without point and exponent.
+// True if the number was written without point and exponent.
 bool written_integral(std::string_view text);
 
-// Says what is wrong with a number that has a fault: a warning when it is usable, else an error.
+// Reports the fault of a number: a warning if its value is usable, otherwise an error.
 void report_number(Report& report, const Number& number, std::string_view text, Span span);
 
 }  // namespace snell

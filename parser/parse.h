@@ -1,4 +1,4 @@
-// Text to Scene. Pure and total: any bytes in, never throws, never prints, opens nothing itself.
+// Parses text to a Scene. It accepts any bytes, never throws or prints, and opens no files itself.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@
 
 namespace snell {
 
-// Gives the text of an included scene, and the name it is known by from then on (which later includes are
-// relative to); nothing when it can't be read.
+// The text of an included scene, and its name, which later includes are relative to.
 struct IncludedText {
     std::string name;
     std::string text;
 };
+// Reads the scene `name` that is included by the scene `from`; returns nullopt if it cannot be read.
 using IncludeReader = std::function<std::optional<IncludedText>(std::string_view from, std::string_view name)>;
 
 struct Parsed {
@@ -26,10 +26,10 @@ struct Parsed {
     Diagnostics diagnostics;
 };
 
-// `file` is in `sources`; included texts are added there.
+// `file` must be in `sources`; included texts are added there.
 Parsed parse(FileId file, Sources& sources, const IncludeReader& include = {}, const Limits& limits = {});
 
-// The stages of the reading as text, for `snell check --dump` and tests.
+// The results of the parser's stages as text, for `snell check --dump` and tests.
 std::string dump_tokens(FileId file, const Sources& sources);
 std::string dump_statements(FileId file, const Sources& sources);
 std::string dump_scene(const Scene& scene);

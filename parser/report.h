@@ -1,4 +1,4 @@
-// Where the stages of the parser leave what they have to say.
+// Collects the diagnostics of the parser's stages.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace snell {
 
-// Diagnostics with a limit: a text of nothing but mistakes must not fill the memory.
+// Diagnostics with a limit, so that a text full of mistakes does not exhaust the memory.
 class Report {
 public:
     explicit Report(std::size_t limit) : limit_(limit) {}
 
-    // The reference is to a diagnostic that notes may be added to; past the limit it goes nowhere.
+    // Returns a reference through which notes can be added. Past the limit it refers to a dummy.
     Diagnostic& error(std::string_view code, Span span, std::string message, std::string help = {}) {
         return add(Severity::error, code, span, std::move(message), std::move(help));
     }
@@ -21,6 +21,7 @@ public:
         return add(Severity::warning, code, span, std::move(message), std::move(help));
     }
     bool full() const { return diagnostics_.items().size() >= limit_; }
+    // Moves the diagnostics out, with an error about those that were left out.
     Diagnostics take();
 
 private:

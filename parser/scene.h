@@ -1,6 +1,6 @@
-// What a .glib text means: a display list. Every draw carries the state that stood at its statement.
-// Plain values, C++ standard library only. Shared state is kept once and referred to by index, so that a
-// scene of a million statements stays small.
+// A parsed .glib text: a display list, in which every draw has the state at its statement. Plain values that need only
+// the C++ standard library. Equal states are stored once and referred to by index, so that a scene of a million
+// statements stays small.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ inline constexpr Index none = std::numeric_limits<Index>::max();
 using Vec2 = std::array<double, 2>;
 using Vec3 = std::array<double, 3>;
 using Vec4 = std::array<double, 4>;
-using Mat4 = std::array<double, 16>;  // column-major, as OpenGL's
+using Mat4 = std::array<double, 16>;  // column-major, as in OpenGL
 
 struct FileName {
     std::string name;  // as written, with '/' for '\'
     Span span;
-    std::string from = {};  // the included scene that names it; empty: the one that was opened
+    std::string from = {};  // the included scene that contains the name; empty: the scene that was opened
 };
 
 // ---- geometry ---------------------------------------------------------------------------------------
@@ -108,7 +108,7 @@ struct Disk {
         return std::tuple{&Disk::z, &Disk::radius, RoundParts{&Disk::slices}, &Disk::rings};
     }
 };
-// Quads spanning -size..size, split in n1 x n2 cells, at `offset` on the axis that is left out.
+// A grid of n1 x n2 cells that spans -size..size in two axes, at `offset` on the third.
 enum class Plane : std::uint8_t { xy, xz, yz };
 struct Quad {
     Plane plane = Plane::xy;
@@ -175,7 +175,7 @@ void for_each_field(Kind& shape, Each&& each) {
     std::apply([&](auto... field) { (one(field), ...); }, Kind::fields());
 }
 
-// glBegin … glEnd, Triangles and LinesAdjacency.
+// Vertices of glBegin … glEnd, Triangles and LinesAdjacency.
 struct ListVertex {
     Vec4 position{0, 0, 0, 1};
     Vec3 normal{0, 0, 1};
@@ -185,7 +185,7 @@ struct ListVertex {
 struct VertexListData {
     Topology topology = Topology::triangles;
     int patch_vertices = 3;
-    bool has_color = false;  // some glColor was given: the draw's own colour does not apply
+    bool has_color = false;  // a glColor was given, so the draw's own colour is not used
     std::vector<ListVertex> vertices;
 };
 
@@ -198,34 +198,35 @@ struct UniformValue {
     enum class Kind : std::uint8_t { scalar, array, range, boolean, color };
     std::string name;
     Kind kind = Kind::scalar;
-    std::vector<double> values;  // range: min, current, max; boolean: 0 or 1 (also <0>, <1>: a constant
-                                 // where the uniform is not bool)
-    bool integral = false;       // every number was written without point and exponent
-    Span span;                   // name and value
+    // For a range: min, current, max. For a boolean: 0 or 1; also for <0> and <1>, which are constants if the uniform
+    // is not a bool.
+    std::vector<double> values;
+    bool integral = false;  // every number was written without point and exponent
+    Span span;              // covers name and value
     Span name_span;
-    // One for each number: "save values" rewrites just these. Empty (begin == end) for a number that the text
-    // lacks: the current value of <min max>, the blue of {r g}.
+    // One for each number, so that saving values rewrites only these. Empty (begin == end) for a number that is not in
+    // the text: the current value of <min max>, the blue of {r g}.
     std::vector<Span> value_spans;
 };
 
-// Methods from the cheapest to the exact one, of which one is chosen when programs are compiled.
+// Alternative methods from the cheapest to the exact one. One of them is chosen when programs are compiled.
 struct Ladder {
     std::string name;                // an identifier
     std::vector<std::string> rungs;  // at least one, all different; letters, digits and underscores
-    std::size_t current = 0;         // of `rungs`
+    std::size_t current = 0;         // index into `rungs`
     Span span, name_span;
-    std::vector<Span> rung_spans;  // as `rungs`, without brackets
+    std::vector<Span> rung_spans;  // in the order of `rungs`, without brackets
 
-    // Every rung is a whole number: its value means something.
+    // True if every rung is a whole number, so that shaders can use its value.
     bool numeric() const;
 };
 
 struct Program {
     std::string name;
-    std::array<std::optional<FileName>, stage_count> stages;  // none: stage not set
+    std::array<std::optional<FileName>, stage_count> stages;  // nullopt if the stage is not set
     std::vector<UniformValue> uniforms;                       // in the order of the statement
-    std::string geometry_input, geometry_output;              // "gl_triangles", …; empty: as the shader says
-    std::size_t ladders = 0;                                  // the first so many of Scene::ladders stood before it
+    std::string geometry_input, geometry_output;              // such as "gl_triangles"; empty: as the shader says
+    std::size_t ladders = 0;                                  // how many of Scene::ladders precede the program
     Span span;
 };
 
@@ -241,19 +242,19 @@ struct Filter {
     bool operator==(const Filter&) const = default;
 };
 
-// What is computed from another cube map: the light that a matt surface gathers, or what mirrors see that are the
-// rougher the higher the level.
+// A cube map that is computed from another one: irradiance for diffuse surfaces, or levels of increasing roughness for
+// mirrors.
 enum class Computed : std::uint8_t { no, irradiance, prefilter };
 
 struct Texture {
     int unit = 0;
     TextureTarget target = TextureTarget::d2;
-    std::vector<FileName> files;       // none: empty texture of `size`, or computed; cube: one or six
-    std::array<int, 3> size{0, 0, 0};  // of an empty texture; cube: size[0]; computed ones: 0 where not given
-    Computed computed = Computed::no;  // only of cube maps
-    int from = 0;                      // computed: the unit that the source stands on
-    Index source = none;               // computed: the source in Scene::textures, which is not computed itself
-    int bits = 0;                      // of a channel of a cube map, 8 or 16; 0: what its files need
+    std::vector<FileName> files;       // empty for a texture of `size` or a computed one; a cube map has one or six
+    std::array<int, 3> size{0, 0, 0};  // of a texture without files; cube: size[0]; computed: 0 if not given
+    Computed computed = Computed::no;  // for cube maps only
+    int from = 0;                      // computed: the unit to which the source is bound
+    Index source = none;               // computed: the source in Scene::textures, which is not itself computed
+    int bits = 0;                      // bits per channel of a cube map, 8 or 16; 0: as its files need
     Filter filter;
     Span span;
 };
@@ -262,9 +263,10 @@ struct Texture {
 
 struct Camera {
     bool perspective = true;
-    double fov = 50;                             // vertical, degrees
-    std::array<double, 4> ortho{-3, 3, -3, 3};   // left right bottom top
-    std::optional<std::array<Vec3, 3>> look_at;  // eye, centre, up; none: eye at the origin, looking to -Z
+    double fov = 50;                            // vertical, in degrees
+    std::array<double, 4> ortho{-3, 3, -3, 3};  // left, right, bottom, top
+    // Eye, centre, up; nullopt: the eye is at the origin and looks along -Z.
+    std::optional<std::array<Vec3, 3>> look_at;
     bool operator==(const Camera&) const = default;
 };
 
@@ -290,13 +292,13 @@ struct RasterState {
     bool depth_test = true, depth_write = true;
     bool wireframe = false;
     bool flat = false;
-    bool clamp = false;            // textures of this draw clamp to edge
+    bool clamp = false;            // textures of this draw are clamped to the edge
     bool point_size_mode = false;  // the vertex shader sets gl_PointSize
     double line_width = 1, point_size = 1;
     bool operator==(const RasterState&) const = default;
 };
 
-// Textures by unit and target: Scene::textures, sorted by (unit, target).
+// The textures bound to units: indices into Scene::textures, sorted by (unit, target).
 struct Bindings {
     struct Entry {
         int unit;
@@ -309,13 +311,13 @@ struct Bindings {
 
 struct Draw {
     Shape shape;
-    bool wire = false;      // WireSphere …: GL_LINES of the same solid
-    Index matrix = none;    // Scene::matrices: model transformation; the camera's LookAt is not in it
-    Index camera = none;    // Scene::cameras
-    Index raster = none;    // Scene::rasters
-    Index bindings = none;  // Scene::bindings
-    Index color = none;     // Scene::colors
-    Index program = none;   // Scene::programs; none: the built-in program
+    bool wire = false;      // WireSphere …: the edges of the same solid as GL_LINES
+    Index matrix = none;    // index into Scene::matrices: the model transformation without the camera's LookAt
+    Index camera = none;    // index into Scene::cameras
+    Index raster = none;    // index into Scene::rasters
+    Index bindings = none;  // index into Scene::bindings
+    Index color = none;     // index into Scene::colors
+    Index program = none;   // index into Scene::programs; none: the built-in program
     Span span;
 };
 
@@ -326,20 +328,21 @@ struct Clear {
 struct Item {
     enum class Kind : std::uint8_t { draw, clear };
     Kind kind = Kind::draw;
-    Index index = 0;  // Scene::draws or Scene::clears
+    Index index = 0;  // index into Scene::draws or Scene::clears
 };
 
-// The draws between one RenderTo… statement and the next.
+// The draws from one RenderTo… statement to the next.
 struct Pass {
     enum class Kind : std::uint8_t { window, textures, cube };
     Kind kind = Kind::window;
-    std::vector<int> units;          // textures: the units as written
-    std::vector<Index> textures;     // what stood on those units; none where nothing did (an error was given)
+    std::vector<int> units;  // textures: the units as written
+    // The textures bound to these units; none if there was none, which has been reported as an error.
+    std::vector<Index> textures;
     Vec3 center{0, 0, 0};            // cube: world position of the eye
-    int faces_per_frame = 6;         // cube: 1, 2, 3 or 6, where frames follow each other
-    std::optional<Vec4> background;  // last Background of this pass; none: the target's default
+    int faces_per_frame = 6;         // cube: 1, 2, 3 or 6; used when frames are paced
+    std::optional<Vec4> background;  // the last Background of this pass; nullopt: the target's default
     std::vector<Item> items;
-    Span span;  // the statement that began it; empty for the first
+    Span span;  // the statement that began the pass; empty for the first pass
 };
 
 struct Message {
@@ -350,7 +353,7 @@ struct Message {
 struct Scene {
     std::array<int, 2> window_size{600, 600};
     Vec4 background{.0706, .1059, .1294, 1};  // of the window
-    double timer_period = 10;                 // seconds
+    double timer_period = 10;                 // in seconds
     int noise2d = 64, noise3d = 64;
     bool gstap = false;
     bool verbose = false;
@@ -360,7 +363,7 @@ struct Scene {
     std::vector<Draw> draws;
     std::vector<Clear> clears;
 
-    std::vector<Ladder> ladders;  // their names all differ
+    std::vector<Ladder> ladders;  // with different names
     std::vector<Program> programs;
     std::vector<Texture> textures;
     std::vector<FileName> files;

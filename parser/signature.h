@@ -1,13 +1,11 @@
-// What arguments a command takes, written as a line of text and read at compile time: a signature that can't
-// be read does not compile.
-//
+// The arguments that a command takes, written as a line of text and parsed at compile time: an invalid signature does
+// not compile.
 //   signature   = alternative { "|" alternative }          the first that fits is taken
 //   alternative = { parameter }
 //   parameter   = name [ ":" kind ] [ "=" number-or-word | "?" | "..." ]
-//   kind        = number (when left out) | int | path | name | vec3 | uniforms | rest | word/word/…
-//
-// "=" gives the value of an argument that is left out, "?" lets it be left out, "..." stands for any number
-// of further arguments, none included. vec3 is bracketed: [x y z]. A kind of several words is a choice.
+//   kind        = number (the default) | int | path | name | vec3 | uniforms | rest | word/word/…
+// "=" gives the value of an argument that is left out, "?" makes it optional, and "..." accepts any number of further
+// arguments, including none. A vec3 is in brackets: [x y z]. A kind of several words is a choice.
 #pragma once
 
 #include <array>
@@ -20,11 +18,11 @@ enum class ArgumentKind : std::uint8_t { number, integer, path, name, choice, ve
 
 struct Parameter {
     std::string_view name;
-    std::string_view choices;       // of a choice: "on/off"
-    std::string_view default_text;  // as written; empty: none
+    std::string_view choices;       // of a choice, such as "on/off"
+    std::string_view default_text;  // as written; empty if there is none
     double default_value = 0;
     ArgumentKind kind = ArgumentKind::number;
-    bool optional = false;  // has a default, or "?", or "..."
+    bool optional = false;  // has a default, "?" or "..."
     bool repeated = false;
 };
 
@@ -37,9 +35,9 @@ struct Signature {
     };
 
     std::string_view text;
-    std::array<Parameter, most_parameters> parameters{};  // of all alternatives, one after the other
+    std::array<Parameter, most_parameters> parameters{};  // of all alternatives, consecutively
     std::array<Range, most_alternatives> alternatives{};
-    std::uint8_t count = 0;  // of alternatives, at least one
+    std::uint8_t count = 0;  // number of alternatives, at least one
 
     // NOLINTNEXTLINE(google-explicit-constructor): rows of the table are written as text.
     consteval Signature(const char* signature);
@@ -57,7 +55,7 @@ namespace signature_detail {
 constexpr bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 constexpr bool digit(char c) { return c >= '0' && c <= '9'; }
 
-// Only reached in a signature that is wrong, where it stops the compilation: it is not constexpr.
+// Only an invalid signature calls this function. It is not constexpr, so the call stops the compilation.
 inline void malformed_signature(const char*) {}
 
 consteval double read_number(std::string_view text) {

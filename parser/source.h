@@ -11,7 +11,7 @@ namespace snell {
 
 using FileId = std::uint32_t;
 
-// A half-open range of bytes of one source text. Line and column are computed only when printed.
+// A half-open range of bytes of one source text. Line and column are only computed when it is printed.
 struct Span {
     FileId file = 0;
     std::uint32_t begin = 0;
@@ -19,16 +19,17 @@ struct Span {
     bool operator==(const Span&) const = default;
 };
 
-// 1-based; columns count characters (UTF-8 code points; invalid bytes count one each).
+// 1-based; columns count characters (UTF-8 code points; each invalid byte counts as one).
 struct Position {
     int line = 1;
     int column = 1;
 };
 
-// Every text that a diagnostic may point into: scenes, included scenes, shaders.
-// References handed out stay valid for the life of the registry.
+// All texts that diagnostics may refer to: scenes, included scenes, shaders. References that it returns stay valid
+// during its lifetime.
 class Sources {
 public:
+    // Adds a text under a name for diagnostics, and returns its id.
     FileId add(std::string name, std::string text);
 
     std::string_view name(FileId file) const;
@@ -36,16 +37,16 @@ public:
     std::size_t size() const { return entries_.size(); }
 
     Position position(FileId file, std::uint32_t offset) const;
-    // The line (1-based) without its line end; empty when there is no such line.
+    // Returns the line (1-based) without its line end; empty if there is no such line.
     std::string_view line(FileId file, int line) const;
-    // The span of that line, without blanks at either end; of column only, if column > 0.
+    // Returns the span of that line without surrounding blanks, or of one column if column > 0.
     Span line_span(FileId file, int line, int column = 0) const;
 
 private:
     struct Entry {
         std::string name;
         std::string text;
-        std::vector<std::uint32_t> lines;  // where each begins
+        std::vector<std::uint32_t> lines;  // offsets of the beginnings of lines
     };
     const Entry* entry(FileId file) const { return file < entries_.size() ? &entries_[file] : nullptr; }
     std::deque<Entry> entries_;

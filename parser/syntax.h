@@ -1,4 +1,5 @@
-// Tokens to statements: one a line, continued by backslashes, with what scenes do to them in practice.
+// Groups tokens into statements: one per line, or more lines continued by backslashes. It tolerates common deviations
+// of existing scenes.
 #pragma once
 
 #include <span>
@@ -19,9 +20,9 @@ class StatementReader {
 public:
     StatementReader(std::string_view text, FileId file, Report& report) : lexer_(text, file), report_(report) {}
 
-    // False at the end of the text.
+    // Returns false at the end of the text.
     bool next(Statement& statement);
-    // Says once what odd characters the text has; call after the last statement.
+    // Reports the odd characters of the text, each kind once. Call it after the last statement.
     void report_oddities();
 
     const Lexer& lexer() const { return lexer_; }

@@ -1,4 +1,4 @@
-// Names and values of uniforms, as Program lines list them.
+// Parses the uniforms of Program lines: names and values.
 #pragma once
 
 #include <span>
@@ -13,16 +13,16 @@
 namespace snell {
 
 struct UniformList {
-    std::string program;  // the words before the first uniform, when asked for
+    std::string program;  // the words before the first uniform, if requested
     std::vector<UniformValue> uniforms;
 };
 
-// Reads `name value name value …`; with `named`, the name of the program stands before them. Whatever can be
-// understood is returned, the rest reported.
+// Parses `name value name value …`, preceded by the program's name if `named`. Returns everything that can be
+// understood and reports the rest.
 UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Report& report, const Limits& limits,
                           bool named);
 
-// Whether the tokens read like a uniform and its value rather than a command: `uSc <0. .5 1.>`.
+// True if the tokens look like a uniform and its value rather than a command, such as `uSc <0. .5 1.>`.
 bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer);
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// Words without regard to case (ASCII).
+// Compares words without regard to case (ASCII).
 #pragma once
 
 #include <string_view>
@@ -14,7 +14,8 @@ constexpr bool same_word(std::string_view a, std::string_view b) {
     return true;
 }
 
-// What stands between quotes, if `text` is in quotes: '"', or the curved ones, which have three bytes.
+// Removes the quotes of `text`, which must begin with one: '"', or a curved quote, which has three bytes. `closed`
+// tells that there is a closing quote.
 constexpr std::string_view without_quotes(std::string_view text, bool closed) {
     const std::size_t opening = text.starts_with('"') ? 1 : 3;
     text.remove_prefix(opening < text.size() ? opening : text.size());

@@ -9,13 +9,13 @@ namespace snell::accuracy {
 namespace {
 
 constexpr std::size_t few_combinations = 32, most_steps = 12;
-constexpr double as_exact = 1.01;  // errors that differ by less are alike
+constexpr double as_exact = 1.01;  // errors that differ by less than this factor are considered equal
 
 bool exact_enough(const RungResult& rung, const Wish& wish) { return !wish.error || rung.own.rmse <= *wish.error; }
 bool quick_enough(const RungResult& rung, const Wish& wish) {
     return !wish.milliseconds || rung.milliseconds <= *wish.milliseconds;
 }
-// Their intervals overlap: which of them is cheaper is chance.
+// If the intervals overlap, which one is cheaper is chance.
 bool cost_the_same(const RungResult& a, const RungResult& b) {
     return a.ratio.low <= b.ratio.high && b.ratio.low <= a.ratio.high;
 }
@@ -42,7 +42,7 @@ std::vector<Rungs> all_combinations(const Scene& scene) {
     }
 }
 
-// `centre`, and all that differ from it in one ladder.
+// `centre`, and all combinations that differ from it in one ladder.
 std::vector<Rungs> neighbours(const Scene& scene, const Rungs& centre) {
     std::vector<Rungs> near{centre};
     for (std::size_t i = 0; i < centre.size(); ++i)
@@ -54,7 +54,7 @@ std::vector<Rungs> neighbours(const Scene& scene, const Rungs& centre) {
     return near;
 }
 
-// Against the reference, with ratios to `base`; both are added where they are missing.
+// Makes a sweep against the reference, with ratios to `base`; both are added if they are missing.
 Sweep sweep_of(const Scene& scene, std::vector<Rungs> all, const Rungs& base) {
     const auto place = [&](const Rungs& rungs) {
         const auto found = std::ranges::find(all, rungs);
@@ -116,7 +116,7 @@ private:
 
     Advice of_all(const Wish& wish) const { return conclude(wish, true, true); }
 
-    // Every step is decided within one sweep, whose times are of the same rounds.
+    // Each step compares rungs within one sweep, whose times are from the same rounds.
     Advice climb(const Wish& wish, double seconds) {
         const double end = left() - seconds;
         std::vector<Rungs> seen;
@@ -126,7 +126,7 @@ private:
             const auto best = choose(sweep, wish);
             if (!best || sweep.interrupted) break;
             const Rungs& found = sweep.sweep.rungs[*best].variant.rungs;
-            // Noise may send it in a circle: who is met again is as good.
+            // Noise may lead the search in a circle; a combination that was visited before is as good.
             if (found == centre || std::ranges::find(seen, found) != seen.end()) return conclude(wish, false, true);
             if (left() <= end) break;
             seen.push_back(centre);

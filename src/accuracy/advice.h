@@ -1,4 +1,5 @@
-// The cheapest combination of rungs that is exact enough, or the most exact that is quick enough: found by measurement.
+// Recommends combinations of rungs by measurement: the cheapest that is exact enough, or the most exact that is fast
+// enough.
 #pragma once
 
 #include <optional>
@@ -9,38 +10,39 @@
 
 namespace snell::accuracy {
 
-// What is asked for. Of neither limit: the cheapest there is.
+// Limits that a combination should meet. Without any limit, the cheapest is wanted.
 struct Wish {
-    std::optional<double> milliseconds;  // of the clock that is believed
+    std::optional<double> milliseconds;  // by the clock that choose_clock() picked
     std::optional<double> error;         // RMSE in linear light over the pixels that the ladders' draws cover
 };
 
-// Of the rungs of a sweep that were drawn and timed, the one that fulfils the wish best. Where several do: with a limit
-// of error alone, or none, the cheapest, and of those that cost the same the most exact; with a limit of time the most
-// exact, and of those as exact the cheapest. Where none does: the nearest; with both limits, of those that are exact
-// enough the cheapest. Nothing: none was timed.
+// Returns the rung of a sweep that fulfils the wish best, among those that were drawn and timed. If several fulfil it:
+// with a limit of error alone, or without limits, the cheapest, and of equally cheap ones the most exact; with a limit
+// of time, the most exact, and of equally exact ones the cheapest. If none does, the nearest; with both limits, the
+// cheapest of those that are exact enough. Nullopt if none was timed.
 std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish);
+// True if the rung meets the wish's limits.
 bool fulfils(const RungResult& rung, const Wish& wish);
 
 struct Advice {
     Wish wish;
-    bool met = false;         // false: the nearest is given
-    bool everything = false;  // every combination was measured; else those that differ in one ladder
-    bool settled = false;     // none of them fulfils the wish better; false: time was up
-    std::size_t sweep = 0;    // of Counsel::sweeps, where it stands …
-    std::size_t rung = 0;     // … as this one
+    bool met = false;         // if false, this is the nearest that was found
+    bool everything = false;  // every combination was measured; if false, only those that differ in one ladder
+    bool settled = false;     // no measured combination is better; false if the time ran out
+    std::size_t sweep = 0;    // the index into Counsel::sweeps of the sweep that contains it
+    std::size_t rung = 0;     // the index of the rung within that sweep
 };
 
 struct Counsel {
-    std::vector<Advice> advice;       // by wish
-    std::vector<SweepResult> sweeps;  // what was measured, each with its own control
+    std::vector<Advice> advice;       // in the order of the wishes
+    std::vector<SweepResult> sweeps;  // everything that was measured; each sweep has its own control
 };
 
-// All combinations, where they are few; else from the reference to the best of all that differ in one ladder, until
-// none is better. Precondition: the scene has ladders. `seconds` is for all of it.
+// Measures all combinations if they are few. Otherwise starts at the reference and moves to the best combination that
+// differs in one ladder, until none is better. The scene must have ladders. `options.seconds` limits the whole search.
 Counsel advise(Bench& bench, const Rungs& now, std::span<const Wish> wishes, const MeasureOptions& options);
 
-// "A=x", of each ladder.
+// The chosen rung of each ladder as "A=x".
 std::vector<std::string> choices(const Scene& scene, const Rungs& rungs);
 
 }  // namespace snell::accuracy

@@ -13,20 +13,20 @@ namespace snell::accuracy {
 namespace {
 
 constexpr std::string_view output = "SNELL_OUTPUT";
-constexpr std::size_t most_stages = 8;  // of one sweep; textures of many more need not fit
+constexpr std::size_t most_stages = 8;  // of one sweep; memory may be too small for the textures of many more
 
 bool names(std::string_view text, std::string_view word) {
     const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         const bool begins = at == 0 || !letter(text[at - 1]);
         const std::size_t end = at + word.size();
-        // FRESNEL and FRESNEL_exact name the ladder FRESNEL.
+        // FRESNEL and FRESNEL_exact mention the ladder FRESNEL.
         if (begins && (end == text.size() || !letter(text[end]) || text[end] == '_')) return true;
     }
     return false;
 }
 
-// Of the files that a shader includes by name; snell's own name no ladders.
+// The files that a shader includes by name; snell's own files are left out because they mention no ladders.
 std::vector<std::string> included(std::string_view text) {
     std::vector<std::string> files;
     constexpr std::string_view directive = "#include \"";
@@ -54,7 +54,7 @@ bool any_stage_names(const PlannedProgram& program, const Sources& sources, File
     });
 }
 
-// Every program sees one more ladder, ahead of the scene's own: what it is to show.
+// Adds a ladder for the kind of output before the scene's own, which every program then sees.
 Plan with_output(Plan plan) {
     Ladder ladder;
     ladder.name = output;
@@ -148,17 +148,17 @@ bool Bench::ready(const Variant& variant, bool directions) {
     Rungs rungs = variant.rungs;
     if (directions_) rungs.insert(rungs.begin(), directions ? 1 : 0);
     current_->runtime.choose(rungs);
-    Diagnostics heard;  // who opened the scene heard of them
+    Diagnostics heard;  // opening the scene has already reported these
     controls_ = make_controls(current_->runtime.scene(), current_->runtime.active_uniforms(), heard);
     for (const std::string& set : settings_.sets) set_control(controls_, current_->runtime.scene(), set, heard);
     controls_.rungs = std::move(rungs);
     return into_->valid();
 }
 
-// A regular grid of positions within the pixel; one picture stands where it always does.
+// Samples are on a regular grid within the pixel; a single sample is at its usual position.
 void Bench::draw(const std::vector<bool>* hidden) {
     const View view;
-    const bool several = knobs_.grid > 1;  // else the sum would cost what the scene does not
+    const bool several = knobs_.grid > 1;  // without this, the sum would add a cost that the scene does not have
     if (several) into_->begin();
     for (int i = 0; i < knobs_.grid; ++i)
         for (int j = 0; j < knobs_.grid; ++j) {
@@ -179,7 +179,7 @@ std::optional<Picture> Bench::picture(const Variant& variant, const std::vector<
 
 std::optional<Picture> Bench::directions(const Variant& variant) {
     Variant single = variant;
-    single.knobs.grid = single.knobs.multisample = 1;  // directions have no mean
+    single.knobs.grid = single.knobs.multisample = 1;  // directions have no meaningful mean
     if (!directions_ || !ready(single, true)) return std::nullopt;
     draw(nullptr);
     return Picture{settings_.width, settings_.height, into_->read(false)};
@@ -213,7 +213,7 @@ std::optional<double> Bench::warm_up(const Variant& variant, ClockKind clock) {
 
 Times Bench::time(const Variant& variant, double at_least) {
     ready(variant, false);
-    const Times first = timed(1);  // others drew meanwhile: caches and cube maps are theirs
+    const Times first = timed(1);  // other variants drew in the meantime, so caches and cube maps are in their state
     if (first.wall > 500) return first;
     const int frames = std::clamp(static_cast<int>(std::ceil(at_least / std::max(first.wall, .01))), 1, 100);
     return timed(frames);

@@ -1,4 +1,4 @@
-// Where variants of a scene are drawn, read back and timed. Needs a current context.
+// Draws variants of a scene, reads them back and times them. Needs a current context.
 #pragma once
 
 #include <deque>
@@ -14,60 +14,65 @@
 
 namespace snell::accuracy {
 
-// One way to draw the scene.
+// A way to draw the scene.
 struct Variant {
-    Rungs rungs;  // by Scene::ladders
+    Rungs rungs;  // in the order of Scene::ladders
     Knobs knobs;
 };
 
-// What one frame took, in milliseconds. gpu: 0 where there is no timer query, or it may not be asked.
+// The time of one frame, in milliseconds. `gpu` is 0 if there is no timer query, or its use is not allowed.
 struct Times {
     double cpu = 0, wall = 0, gpu = 0;
 };
 
-// Which of them is believed.
+// The clock whose times are used.
 enum class ClockKind { cpu, gpu, wall };
+// The name for reports, such as "wall clock".
 std::string_view name(ClockKind clock);
+// The time by that clock.
 double chosen(const Times& times, ClockKind clock);
 
 struct BenchSettings {
     int width = 512, height = 512;
     double time = 0;                // seconds since the scene began
-    std::vector<std::string> sets;  // assignments to uniforms, as set_control takes them
+    std::vector<std::string> sets;  // assignments to uniforms, as for set_control
 };
 
-// A shader that tests SNELL_OUTPUT can show the direction it looks up in the environment, instead of a colour:
-//     #if defined(SNELL_OUTPUT) && SNELL_OUTPUT == SNELL_OUTPUT_direction
+// A shader can write the direction in which it looks up the environment, instead of a colour, if it tests SNELL_OUTPUT:
+//   #if defined(SNELL_OUTPUT) && SNELL_OUTPUT == SNELL_OUTPUT_direction
 class Bench {
 public:
-    // `files` and `sources` outlive the bench.
+    // `files` and `sources` must outlive the bench.
     Bench(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, BenchSettings settings);
     ~Bench();
 
     const Scene& scene() const { return plan_.scene; }
     const BenchSettings& settings() const { return settings_; }
-    // Draws with programs whose shaders name the ladder.
+    // For each draw, whether the shaders of its program mention the ladder.
     std::vector<bool> draws_of(std::size_t ladder) const;
-    // Some shader can show directions.
+    // True if at least one shader can write directions.
     bool has_directions() const { return directions_; }
 
-    // Empty: the context can't draw that. `hidden`: by draw, what is left out.
+    // Draws a picture; returns nullopt if the context cannot draw it. `hidden` tells for each draw whether it is left
+    // out.
     std::optional<Picture> picture(const Variant& variant, const std::vector<bool>* hidden = nullptr);
+    // Draws the directions in which the shaders look up the environment; returns nullopt if the context cannot draw it.
     std::optional<Picture> directions(const Variant& variant);
 
-    // Compiles, loads and draws until two frames in a row differ by less than a fifth, at most five times; what the
-    // last one took. Nothing: can't be drawn.
+    // Compiles, loads and draws until two consecutive frames differ by less than a fifth, at most five times. Returns
+    // the milliseconds of the last frame, or nullopt if the variant cannot be drawn.
     std::optional<double> warm_up(const Variant& variant, ClockKind clock);
-    // One frame after another one that was not timed, until `at_least` milliseconds went by; what one of them took.
-    // Precondition: warm_up succeeded.
+    // Draws one frame that is not timed, then frames until `at_least` milliseconds have passed, and returns the time
+    // per frame. warm_up must have succeeded.
     Times time(const Variant& variant, double at_least);
 
-    // Process CPU time on software renderers. Elsewhere timer queries if they agree with the wall within a fifth on a
-    // heavy load made of frames of `variant`, else the wall's clock. query_over_wall() is what was found; 0: not asked.
+    // Chooses the clock. On software renderers it is the process's CPU time. On others it is the timer queries if they
+    // agree with wall time within a fifth under a heavy load of frames of `variant`, otherwise wall time.
+    // query_over_wall() returns the measured ratio; 0 if it was not measured.
     ClockKind choose_clock(const Variant& variant);
     double query_over_wall() const { return query_over_wall_; }
 
-    // What went wrong when variants were made, once each.
+    // The problems that occurred when variants were made, once each.
     const Diagnostics& problems() const { return problems_; }
 
 private:
@@ -90,7 +95,7 @@ private:
     double query_over_wall_ = 0;
     Diagnostics problems_;
 
-    // What draw() draws.
+    // The inputs of draw().
     Stage* current_ = nullptr;
     gl::ExactTarget* into_ = nullptr;
     Controls controls_;

@@ -1,4 +1,4 @@
-// Milliseconds since some moment.
+// Clocks in milliseconds, with an arbitrary origin.
 #pragma once
 
 #include <chrono>
@@ -6,7 +6,7 @@
 
 namespace snell::accuracy {
 
-// Of all cores that this process used.
+// CPU time of this process, summed over all cores.
 inline double cpu_milliseconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

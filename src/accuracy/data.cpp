@@ -1,4 +1,4 @@
-// What was measured, for other programs.
+// Results of measurements for other programs: CSV and JSON.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity.
+// JSON has no infinity; null stands for it.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::vector<double> present(const std::vector<double>& times) {
@@ -68,7 +68,7 @@ Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t ind
 
 std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
 
-// Commas and quotes would end a cell.
+// Commas and quotes would end a cell, so they are replaced.
 std::string cell(std::string text) {
     for (char& c : text)
         if (c == ',' || c == '"' || c == '\n') c = ' ';

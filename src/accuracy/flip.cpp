@@ -1,5 +1,5 @@
-// FLIP for low dynamic range: colour differences behind the eye's contrast sensitivity, amplified where edges and
-// points differ. Constants are the paper's.
+// FLIP for low dynamic range: colour differences, filtered by the eye's contrast sensitivity and amplified where edges
+// and points differ. The constants are those of the paper.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using Color = std::array<float, 3>;
 
-// One number for each pixel.
+// An image of one number per pixel.
 struct Plane {
     int width = 0, height = 0;
     std::vector<float> values;
@@ -21,7 +21,7 @@ struct Plane {
     Plane(int w, int h) : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 };
 
-constexpr std::array<double, 3> white{.950428545, 1, 1.088900371};  // of linear sRGB, in XYZ
+constexpr std::array<double, 3> white{.950428545, 1, 1.088900371};  // the white point of linear sRGB, in XYZ
 
 std::array<double, 3> to_xyz(const Color& c) {
     const double r = static_cast<double>(c[0]), g = static_cast<double>(c[1]), b = static_cast<double>(c[2]);
@@ -29,7 +29,7 @@ std::array<double, 3> to_xyz(const Color& c) {
             .0193339 * r + .1191920 * g + .9503041 * b};
 }
 
-// Luminance and two differences of colours, in which the filters work.
+// Converts to the colour space of the filters: luminance and two colour differences.
 Color to_opponent(const Color& linear) {
     const std::array<double, 3> xyz = to_xyz(linear);
     const double x = xyz[0] / white[0], y = xyz[1] / white[1], z = xyz[2] / white[2];
@@ -45,7 +45,7 @@ Color from_opponent(const Color& c) {
             unit(.0556434 * X - .2040259 * Y + 1.0572252 * Z)};
 }
 
-// CIELAB, its colourfulness weakened in the dark as Hunt found.
+// Converts to CIELAB, with less chroma in dark colours (Hunt effect).
 Color to_hunt_lab(const Color& linear) {
     const std::array<double, 3> xyz = to_xyz(linear);
     const auto f = [](double t) {
@@ -63,7 +63,7 @@ double hyab(const Color& a, const Color& b) {
            std::hypot(static_cast<double>(a[1] - b[1]), static_cast<double>(a[2] - b[2]));
 }
 
-// Rows with one kernel, then columns with another; edges repeat their pixel. Kernels have 2 radius + 1 weights.
+// Filters rows with one kernel, then columns with another; edge pixels are repeated. Kernels have 2 radius + 1 weights.
 Plane filtered(const Plane& in, const std::vector<double>& along, const std::vector<double>& down) {
     const auto pass = [](const Plane& from, const std::vector<double>& kernel, bool vertical) {
         Plane to(from.width, from.height);
@@ -85,7 +85,7 @@ Plane filtered(const Plane& in, const std::vector<double>& along, const std::vec
     return pass(pass(in, along, false), down, true);
 }
 
-// exp(-pi² d² / b), with d in degrees; its sum over the plane is left to the caller.
+// exp(-pi² d² / b), with d in degrees; the caller normalises the sum over the plane.
 std::vector<double> gaussian(double b, double pixels_per_degree, int radius) {
     std::vector<double> kernel;
     for (int k = -radius; k <= radius; ++k) {
@@ -101,7 +101,7 @@ double sum_of(const std::vector<double>& kernel) {
     return sum;
 }
 
-// One channel behind the eye's sensitivity: a sum of two Gaussians of weights a and widths b.
+// Filters a channel by the eye's contrast sensitivity: a sum of two Gaussians with weights a and widths b.
 Plane behind_eye(const Plane& in, std::array<double, 2> a, std::array<double, 2> b, double pixels_per_degree) {
     const int radius =
         static_cast<int>(std::ceil(3 * std::sqrt(.04 / (2 * std::numbers::pi * std::numbers::pi)) * pixels_per_degree));
@@ -130,7 +130,7 @@ std::vector<Color> perceived(const std::array<Plane, 3>& opponent, double pixels
     return colors;
 }
 
-// First and second derivatives of a Gaussian; positive and negative weights each sum to one.
+// The first or second derivative of a Gaussian; positive and negative weights each sum to one.
 std::vector<double> feature_kernel(double sigma, int radius, bool edges) {
     std::vector<double> kernel;
     double positive = 0, negative = 0;
@@ -144,7 +144,7 @@ std::vector<double> feature_kernel(double sigma, int radius, bool edges) {
     return kernel;
 }
 
-// How strong edges (or points) are at each pixel.
+// The strength of edges (or points) at each pixel.
 Plane features(const Plane& light, double pixels_per_degree, bool edges) {
     const double sigma = .5 * .082 * pixels_per_degree;
     const int radius = static_cast<int>(std::ceil(3 * sigma));
@@ -174,7 +174,7 @@ std::array<Plane, 3> opponent_planes(const Picture& picture) {
     return planes;
 }
 
-// Large differences of colour, which are all alike bad, share the last twentieth of the scale.
+// Large colour differences, which are all equally bad, are compressed to the last twentieth of the scale.
 double compressed(double difference, double largest) {
     constexpr double exponent = .7, knee = .4, share = .95;
     const double powered = std::pow(difference, exponent), limit = std::pow(largest, exponent);

@@ -14,7 +14,7 @@ bool measured(const Point& point) {
            std::ranges::any_of(point.times, [](double t) { return t > 0; });
 }
 
-// Of each pair once; the other way round it is the reciprocal.
+// Each pair's ratio is computed once; that of the swapped pair is its reciprocal.
 class Ratios {
 public:
     Ratios(std::span<const Point> points, std::uint64_t seed) : count_(points.size()), ratios_(count_ * count_) {
@@ -32,7 +32,7 @@ private:
     std::vector<Interval> ratios_;
 };
 
-// How one rung stands to another, `cost` being the other's over its own.
+// Relations of one rung to another; `cost` is the other's cost divided by its own.
 bool is_better(const Point& other, const Point& own) { return other.error < own.error * (1 - better_error); }
 bool is_no_worse(const Point& other, const Point& own) { return other.error <= own.error * (1 + same_error); }
 bool costs_no_more(const Interval& cost) { return equal_cost(cost) || cost.middle <= same_cost; }
@@ -50,7 +50,7 @@ std::vector<Verdict> pareto_front(std::span<const Point> points, std::uint64_t s
             verdicts[i] = {Standing::unknown, nobody};
             continue;
         }
-        // The culprit that a reader should be shown is the cheapest of them.
+        // Of several reasons, the cheapest rung is shown to the reader.
         const auto blame = [&](Standing standing, std::size_t j) {
             Verdict& verdict = verdicts[i];
             if (verdict.standing == Standing::dominated && standing != Standing::dominated) return;

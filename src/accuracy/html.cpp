@@ -1,4 +1,4 @@
-// The report as one file: styles, plots and pictures stand in it.
+// The report as one HTML file with inline styles, plots and pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
-// Box-filtered to the width of a thumbnail; `value` makes the three components of a pixel of it.
+// Box-filters to the width of a thumbnail; `value` computes the three components of a pixel.
 template <class Value>
 std::string thumbnail(int width, int height, const Value& value) {
     const int step = std::max(1, (width + thumbnail_width - 1) / thumbnail_width);
@@ -81,7 +81,7 @@ std::string thumbnail(int width, int height, const Value& value) {
     return "data:image/png;base64," + base64(content::encode_png(image));
 }
 
-// Bright parts of the reference must not burn out; dark pictures stay dark.
+// Prevents overexposure of the bright parts of the reference; dark pictures stay dark.
 double exposure(const Picture& reference) {
     std::vector<float> values;
     for (std::size_t i = 0; i < reference.rgba.size(); i += 4)
@@ -93,7 +93,7 @@ double exposure(const Picture& reference) {
     return *at > 1 ? 1 / static_cast<double>(*at) : 1;
 }
 
-// One factor for all differences of a sweep, a power of two: the middling one is well seen.
+// One factor for all differences of a sweep, a power of two, at which the median difference is clearly visible.
 double amplification(const SweepResult& sweep) {
     std::vector<double> errors;
     for (const RungResult& rung : sweep.rungs)

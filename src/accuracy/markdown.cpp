@@ -1,4 +1,4 @@
-// What was measured, as a page beside others.
+// The report as a page of Markdown.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -11,10 +11,10 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr std::size_t fewest_rounds = 7;  // of which an interval of the median can be told
-constexpr int most_rounds = 8;            // times those asked for, while they tell too little and there is time
-constexpr int looked_at_every = 5;        // rounds
-constexpr double too_far = 3;             // degrees
+constexpr std::size_t fewest_rounds = 7;  // the minimum for an interval of the median
+constexpr int most_rounds = 8;      // as a multiple of those requested; used if they are inconclusive and time is left
+constexpr int looked_at_every = 5;  // in rounds
+constexpr double too_far = 3;       // in degrees
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -40,7 +40,7 @@ std::vector<Point> points_of(const SweepResult& result) {
     return points;
 }
 
-// RMSE ranks nothing where directions are far off; degrees do, if all rungs have them.
+// If directions are far off, RMSE no longer ranks; angles do, if all rungs have directions.
 void choose_metric(SweepResult& result) {
     const bool all_known = std::ranges::all_of(
         result.rungs, [](const RungResult& rung) { return !rung.drawn || rung.degrees.has_value(); });
@@ -80,7 +80,7 @@ private:
 
     const Variant& variant(std::size_t rung) const { return result_.sweep.rungs[rung].variant; }
 
-    // Pixels that change when the draws of the moved ladders are left out of the reference.
+    // The pixels that change when the draws of the varied ladders are left out of the reference.
     Region own_region(const Picture& reference) {
         std::vector<bool> hidden(bench_.scene().draws.size(), false);
         for (std::size_t ladder : result_.sweep.moved) {
@@ -118,7 +118,7 @@ private:
         }
     }
 
-    // How often each rung sits out, so that no one takes more than its share of the time.
+    // In how many rounds each rung takes part (every n-th), so that none uses more than its share of the time.
     std::vector<std::size_t> strides(const std::vector<std::optional<double>>& frame) const {
         std::vector<std::size_t> result(frame.size(), 1);
         const double share = options_.seconds * 1e3 / static_cast<double>(frame.size() + 1);
@@ -126,7 +126,8 @@ private:
             if (!frame[i]) continue;
             const double sample = *frame[i] > 500 ? *frame[i] : *frame[i] + std::max(*frame[i], options_.at_least);
             const double all = sample * options_.rounds;
-            const auto most = static_cast<std::size_t>(std::max(options_.rounds / 3, 1));  // three rounds at least
+            // Ensures at least three rounds.
+            const auto most = static_cast<std::size_t>(std::max(options_.rounds / 3, 1));
             if (all > share) result[i] = std::min(static_cast<std::size_t>(std::ceil(all / share)), most);
         }
         return result;
@@ -144,7 +145,7 @@ private:
         const auto start = std::chrono::steady_clock::now();
         std::mt19937_64 random(options_.seed);
         const std::size_t again = frame.size();
-        // One interval in twenty misses 1 by chance, and many are too wide at first: more rounds tell.
+        // One interval in twenty misses 1 by chance, and many are initially too wide, so more rounds are measured.
         for (int round = 0; round < most_rounds * options_.rounds; ++round) {
             const bool enough = round >= options_.rounds;
             if (enough && seconds_since(start) > options_.seconds) break;
@@ -188,7 +189,7 @@ private:
     std::vector<double> again_;
 };
 
-// Where the last steps shrink as a geometric series does, its remainder; else nothing is known.
+// If the last steps shrink like a geometric series, the residual is its remainder; otherwise it is unknown.
 void estimate_residual(SweepResult& result) {
     const std::size_t n = result.rungs.size();
     if (result.sweep.kind != SweepKind::ladder || !result.sweep.numeric || n < 3) {

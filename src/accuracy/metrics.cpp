@@ -13,7 +13,7 @@ bool counts(const Region& region, std::size_t pixel) { return region.empty() || 
 
 bool finite3(const float* p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
-// Of the values of both pictures; Pearson's coefficient in the end.
+// Accumulates the values of both pictures for Pearson's correlation coefficient.
 struct Correlation {
     double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
 
@@ -25,7 +25,7 @@ struct Correlation {
         bb += y * y;
         ab += x * y;
     }
-    // Two constant pictures are correlated; a constant one and another are not.
+    // Two constant pictures count as correlated, a constant and a varying one as uncorrelated.
     double value() const {
         if (n == 0) return 1;
         const double va = aa - a * a / n, vb = bb - b * b / n;
@@ -33,7 +33,7 @@ struct Correlation {
         if (va <= tiny || vb <= tiny) return va <= tiny && vb <= tiny ? 1 : 0;
         return (ab - a * b / n) / std::sqrt(va * vb);
     }
-    // A constant is no picture of any kind.
+    // A constant picture is not considered unrelated.
     bool unrelated() const {
         if (n == 0) return false;
         const double va = aa - a * a / n, vb = bb - b * b / n;
@@ -47,7 +47,7 @@ Region where_different(const Picture& a, const Picture& b, float threshold) {
     Region region(a.pixels(), 0);
     for (std::size_t i = 0; i < region.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c)
-            // NaN differs from everything, itself included.
+            // NaN compares false, so it differs from everything, including itself.
             if (!(std::abs(a.rgba[4 * i + c] - b.rgba[4 * i + c]) <= threshold)) region[i] = 1;
     return region;
 }

@@ -13,9 +13,9 @@ namespace snell::accuracy {
 namespace {
 
 constexpr double width = 640, height = 400, left = 64, right = 16, top = 16, bottom = 48;
-constexpr double exact_gap = 34;  // below the axis of errors: where an error of 0 stands
+constexpr double exact_gap = 34;  // distance of the line for errors of 0 below the axis of errors
 
-// Logarithmic, with room at both ends.
+// A logarithmic axis with margins at both ends.
 class Axis {
 public:
     Axis(double low, double high, double from, double to) : from_(from), to_(to) {
@@ -31,7 +31,7 @@ public:
         return from_ + (std::log(std::max(value, 1e-30)) - low_) / (high_ - low_) * (to_ - from_);
     }
     bool shows(double value) const { return value > 0 && std::log(value) >= low_ && std::log(value) <= high_; }
-    // 1, 2 and 5 of each decade, or 1 alone where that is too many; even steps where it is too few.
+    // 1, 2 and 5 in each decade; only 1 if these are too many, even steps if they are too few.
     std::vector<double> ticks() const {
         std::vector<double> all;
         const int first = static_cast<int>(std::floor(low_ / std::log(10))),
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    // 1, 2 or 5 times a power of ten apart: three to seven of them.
+    // Three to seven even steps of 1, 2 or 5 times a power of ten.
     std::vector<double> even_ticks() const {
         const double low = std::exp(low_), high = std::exp(high_);
         const double power = std::pow(10, std::floor(std::log10((high - low) / 3)));
@@ -154,7 +154,7 @@ private:
         }
     }
 
-    // Combinations that differ in one rung; red where the dearer is the worse.
+    // Connects combinations that differ in one rung; red if the more expensive one is worse.
     void edges() {
         for (const Mark& a : marks_)
             for (const Mark& b : marks_) {
@@ -182,7 +182,7 @@ private:
         return front;
     }
 
-    // A staircase: between two rungs there is nothing.
+    // Draws the front as a staircase, because there are no choices between two rungs.
     void front_line() {
         std::string path;
         for (const Mark& mark : front())
@@ -218,7 +218,7 @@ private:
                                 mark.y, title);
     }
 
-    // What no label may cover: symbols, whiskers, and the line of the front.
+    // The areas that no label may cover: symbols, whiskers, and the line of the front.
     std::vector<Box> obstacles() const {
         std::vector<Box> taken;
         for (const Mark& m : marks_) {
@@ -236,8 +236,8 @@ private:
         return taken;
     }
 
-    // Each where it meets no symbol and no other label, near its symbol if it can. Of many combinations only those
-    // that matter.
+    // Places each label where it covers no symbol and no other label, near its symbol if possible. Of many combinations
+    // only the important ones get labels.
     void labels() {
         std::vector<Box> taken = obstacles();
         std::vector<Mark> order = marks_;

@@ -1,4 +1,4 @@
-// One ladder as a picture: error over time, both logarithmic.
+// Plots one ladder: error over time, both logarithmic.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace snell::accuracy {
 
-// An <svg> element, 640 by 400, whose parts have classes. `style`: stands in it, for a file of its own.
+// Returns an <svg> element of 640 by 400, whose parts have classes. `style` is included in it, for use as a file of its
+// own.
 std::string plot_svg(const SweepResult& sweep, std::string_view style = {});
 
-// For texts and attributes of HTML and SVG.
+// Escapes text for contents and attributes of HTML and SVG.
 std::string escaped(std::string_view text);
 
 }  // namespace snell::accuracy

@@ -1,4 +1,4 @@
-// Presets of a scene: for each of a few wishes, the rung of every ladder, as they were found by measurement. Values and
+// Quality presets of a scene: the rung of every ladder for each of a few wishes, as found by measurement. Values and
 // JSON; no files.
 #pragma once
 
@@ -15,29 +15,30 @@ namespace snell::accuracy {
 
 inline constexpr std::array<std::string_view, 3> quality_names{"fast", "balanced", "exact"};
 
-// fast: the cheapest combination of all. balanced: the cheapest whose RMSE is below one step of an 8-bit display.
-// exact: the cheapest whose RMSE is below a hundredth of that.
+// The wishes of the presets. fast: the cheapest combination of all. balanced: the cheapest whose RMSE is below one step
+// of an 8-bit display. exact: the cheapest whose RMSE is below a hundredth of such a step.
 std::array<Wish, 3> quality_wishes();
 
 struct Preset {
     std::string name;
-    std::vector<std::string> choices;  // "A=x", of each ladder
+    std::vector<std::string> choices;  // "A=x" for each ladder
     double rmse = 0;
     double milliseconds = 0;
-    Interval ratio{1, 1, 1};  // to the scene as it was measured
-    bool settled = false;     // nothing among what was measured fulfils the wish better
-    bool trusted = false;     // the control allowed to say so
+    Interval ratio{1, 1, 1};  // relative to the scene's rungs at the time of measurement
+    bool settled = false;     // no measured combination fulfils the wish better
+    bool trusted = false;     // the control was not noisy
 };
 
+// Makes the presets from the results of advise() for quality_wishes().
 std::vector<Preset> presets_of(const Scene& scene, const Counsel& counsel);
 
 std::string quality_json(const Circumstances& where, const std::vector<Preset>& presets);
 
 struct StoredPreset {
     std::vector<std::string> choices;
-    std::string measured;  // "RMSE 0.0031, 1.20 [1.10, 1.31] times the scene's own time on llvmpipe"
+    std::string measured;  // such as "RMSE 0.0031, 1.20 [1.10, 1.31] times the scene's own time on llvmpipe"
 };
-// Of a file that quality_json wrote. Nothing, and why, when it is not such a file.
+// Reads a preset from a file that quality_json wrote. Returns nullopt and sets `error` if it is not such a file.
 std::optional<StoredPreset> read_quality(std::string_view json, std::string_view name, std::string& error);
 
 }  // namespace snell::accuracy

@@ -1,4 +1,4 @@
-// What was measured, as text, CSV, JSON and HTML. Values in, text out; no files, no GL.
+// Reports of measurements as text, CSV, JSON, Markdown and HTML. Values in, text out; no files, no GL.
 #pragma once
 
 #include <string>
@@ -9,45 +9,46 @@
 
 namespace snell::accuracy {
 
-// Where and when.
+// Where, when and how the measurement was done.
 struct Circumstances {
-    std::string scene;  // as it was named
+    std::string scene;  // as the user gave it
     std::string tool, date, cpu, os;
     int cores = 0;
-    double load_before = 0, load_after = 0;  // processes that ran or waited, mean of a minute
+    double load_before = 0, load_after = 0;  // load average over one minute: processes that run or wait
     std::string renderer, vendor, gl;
     int width = 0, height = 0, rounds = 0;
     double time = 0;
-    double query_over_wall = 0;  // of the GPU's timer; 0: not asked
-    std::string from;            // reference, scene, lattice
+    double query_over_wall = 0;  // ratio of the GPU's timer to wall time; 0 if it was not measured
+    std::string from;            // "reference", "scene" or "lattice"
     std::vector<std::string> sets;
 };
 
 struct Report {
     Circumstances where;
     std::vector<SweepResult> sweeps;
-    std::vector<std::string> problems;  // of the scene: a line each
+    std::vector<std::string> problems;  // of the scene, one line each
 };
 
-// One sentence or a few about a sweep, from its numbers alone.
+// A few sentences about a sweep, derived from its numbers alone.
 std::string in_words(const SweepResult& sweep);
-// "1.02 [.99, 1.05]", with the digits that the interval leaves.
+// Formats as "1.02 [.99, 1.05]", with as many digits as the interval justifies.
 std::string ratio_text(const Interval& ratio);
-// What the front says of a rung: "front", "dominated by x", "no saving: x"; empty where times are not trusted.
+// The rung's position relative to the front: "front", "dominated by x" or "no saving: x"; empty if the times are not
+// trusted.
 std::string standing_text(const SweepResult& sweep, const RungResult& rung);
 
-// For a terminal.
+// Text for a terminal.
 std::string table_text(const SweepResult& sweep);
 std::string header_text(const Report& report);
 
-// One row for each rung, after a row of names.
+// A row of column names, then one row for each rung.
 std::string csv_text(const Report& report);
 std::string json_text(const Report& report);
-// One file without network. Its plots stand there as SVG.
+// A single file that needs no network; its plots are inline SVG.
 std::string html_text(const Report& report);
-// A page of Markdown; `plots`: by sweep, where its plot lies.
+// A page of Markdown; `plots` has the path of the plot of each sweep.
 std::string markdown_text(const Report& report, const std::vector<std::string>& plots);
-// One plot for a paper: black on nothing, with its own fonts and sizes.
+// A plot for use in a paper: black on a transparent background, with its own fonts and sizes.
 std::string svg_text(const SweepResult& sweep);
 
 }  // namespace snell::accuracy

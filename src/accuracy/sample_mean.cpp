@@ -9,7 +9,7 @@ namespace snell::accuracy {
 
 namespace {
 
-// The digits of the number, mirrored behind the point.
+// The digits of the number, mirrored at the point (radical inverse).
 double halton(int number, int base) {
     double result = 0, place = 1;
     for (; number > 0; number /= base) {

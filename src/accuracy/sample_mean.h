@@ -1,4 +1,4 @@
-// A picture as the mean of many, each at another position within the pixel. Needs a current context.
+// A picture as the mean of many, each shifted by a fraction of a pixel. Needs a current context.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace snell::accuracy {
 
-// The positions follow each other so that any number of the first ones is spread evenly (Halton, bases 2 and 3). In
-// pixels, within half of one; the first is where pictures always stand.
+// The shift of a sample in pixels, at most half a pixel. The first one is 0, and any number of the first samples is
+// evenly distributed (Halton sequence, bases 2 and 3).
 std::array<double, 2> sample_position(int index);
 
 class SampleMean {
 public:
     SampleMean(int width, int height, bool es) : target_(width, height, 1, es) {}
 
-    // False: the context has no such targets, and nothing below may be called.
+    // If false, the context has no float targets, and the functions below must not be called.
     bool valid() const { return target_.valid(); }
     int samples() const { return samples_; }
     void restart() { samples_ = 0; }
-    // Draws the next sample; frame.shift is ignored. What drawing took, in milliseconds: process CPU time with
-    // `cpu`, else by the wall's clock.
+    // Draws the next sample; frame.shift is ignored. Returns the milliseconds of the drawing: the process's CPU time if
+    // `cpu`, otherwise wall time.
     double add(Runtime& runtime, Frame frame, bool cpu);
-    // Precondition: samples() > 0.
+    // samples() must be above 0.
     Picture picture() const;
 
 private:

@@ -9,7 +9,7 @@ namespace snell::accuracy {
 
 namespace {
 
-// Of frames drawn on a shared machine: what differs by more is not chance.
+// For frames on a shared machine: larger differences are not chance.
 constexpr std::size_t few = 5;
 constexpr double apart = 1.5;
 
@@ -51,7 +51,7 @@ Interval bootstrap_median(std::span<const double> values, std::uint64_t seed, in
     std::mt19937_64 random(seed);
     std::vector<double> drawn(values.size()), medians;
     for (int i = 0; i < resamples; ++i) {
-        // Not uniform_int_distribution: its numbers differ between standard libraries.
+        // uniform_int_distribution gives different numbers with different standard libraries.
         for (double& value : drawn) value = values[random() % values.size()];
         medians.push_back(median_in_place(drawn));
     }

@@ -1,4 +1,4 @@
-// Medians, their uncertainty, and ratios of what was measured in the same rounds.
+// Medians, their uncertainty, and ratios of values measured in the same rounds.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,15 @@
 
 namespace snell::accuracy {
 
-// Of an even number of values the mean of the middle two; of none NaN.
+// For an even number of values, the mean of the two in the middle; NaN for none.
 double median(std::span<const double> values);
 // Median absolute deviation from the median, not scaled.
 double mad(std::span<const double> values);
-// Standard deviation over mean; 0 for fewer than two values.
+// Standard deviation divided by the mean; 0 for fewer than two values.
 double variation(std::span<const double> values);
 
-// A median, and where 95 % of the medians of as many values drawn with replacement lie.
+// A median and its 95 % confidence interval by bootstrapping: the interval that contains 95 % of the medians of
+// resampled values.
 struct Interval {
     double low = 0, middle = 0, high = 0;
 
@@ -22,13 +23,13 @@ struct Interval {
     double width() const { return high - low; }
 };
 
-// By `resamples` draws from a generator with that seed: the same values give the same interval. Of fewer than five
-// values no interval can be told: it is half as much again as the largest, and less than the smallest, of positive
-// ones, which no quiet machine exceeds. Of no values: nothing but NaN.
+// Computes the interval from `resamples` samples with replacement; the same values and seed give the same interval.
+// Fewer than five values allow no such estimate: the interval is then a factor of 1.5 wider than the values on both
+// sides (for positive values), which deviations on a quiet machine do not exceed. For no values, all members are NaN.
 Interval bootstrap_median(std::span<const double> values, std::uint64_t seed = 1, int resamples = 2000);
 
-// Of the quotients a[i] / b[i] of the rounds that both took part in (a value that is not positive is an absent
-// one). Load of the machine that lasts for a round cancels.
+// The interval of the quotients a[i] / b[i] over the rounds that both took part in (a value that is not positive is
+// missing). A load of the machine that lasts for a whole round cancels out.
 Interval paired_ratio(std::span<const double> a, std::span<const double> b, std::uint64_t seed = 1,
                       int resamples = 2000);
 

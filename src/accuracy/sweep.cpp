@@ -16,7 +16,7 @@ Rungs references(const Scene& scene) {
     return rungs;
 }
 
-// The ladders of those names, each once; of none all there are.
+// The ladders of these names, each once; all ladders if there are no names.
 std::vector<std::size_t> find_ladders(const Scene& scene, const std::vector<std::string>& names,
                                       Diagnostics& diagnostics) {
     std::vector<std::size_t> found;
@@ -63,7 +63,7 @@ struct Setting {
     bool current = false;
 };
 
-// The last is the reference.
+// The last setting is the reference.
 std::vector<Setting> sample_settings() {
     std::vector<Setting> settings{{"1", {}, true}, {"msaa4", {.multisample = 4}}};
     for (int n : {2, 3, 4, 8}) settings.push_back({fmt::format("{0}x{0}", n), {.grid = n}});

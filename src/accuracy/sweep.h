@@ -1,4 +1,5 @@
-// What is to be compared: the rungs of a ladder, the settings of a knob, or all combinations of a few ladders.
+// Sweeps: lists of variants to compare. They are the rungs of a ladder, the settings of a knob, or all combinations of
+// a few ladders.
 #pragma once
 
 #include <string>
@@ -12,35 +13,35 @@ namespace snell::accuracy {
 
 enum class SweepKind { ladder, knob, lattice };
 
-// Where the ladders stand that a sweep does not move.
+// The rungs of those ladders that a sweep does not vary.
 enum class From { reference, scene };
 
 struct SweepRung {
-    std::string name;  // of a lattice: the rungs' names, by blanks
+    std::string name;  // for a lattice, the rungs' names separated by blanks
     Variant variant;
-    std::vector<std::size_t> steps;  // of a lattice: the rung of each of its ladders
+    std::vector<std::size_t> steps;  // for a lattice, the rung of each of its ladders
 };
 
 struct Sweep {
     SweepKind kind = SweepKind::ladder;
-    std::string name;                // of a lattice: the ladders' names
-    std::vector<SweepRung> rungs;    // cheapest first, as the scene says
-    std::size_t reference = 0;       // the rung that errors are measured against
-    std::size_t current = 0;         // where the scene stands; the base of all ratios
-    std::vector<std::size_t> moved;  // ladders, by Scene::ladders
+    std::string name;                // for a lattice, the ladders' names
+    std::vector<SweepRung> rungs;    // cheapest first, in the scene's order
+    std::size_t reference = 0;       // index of the rung that errors are measured against
+    std::size_t current = 0;         // index of the scene's own rung, the base of all ratios
+    std::vector<std::size_t> moved;  // the ladders that vary, as indices into Scene::ladders
     bool numeric = false;            // the rungs' names are counts
 };
 
 inline constexpr std::array<std::string_view, 5> knob_names{"samples", "tessellation", "filter", "cube-size",
                                                             "cube-precision"};
 
-// One for each ladder that is named; of no names, for each there is. A name that there is not is an error.
+// Returns a sweep for each named ladder; without names, for all ladders. Reports an error for an unknown name.
 std::vector<Sweep> ladder_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
                                  Diagnostics& diagnostics);
-// Of two or three ladders; of no names, the first three of the scene.
+// Returns a sweep over all combinations of two or three ladders; without names, of the scene's first three.
 std::vector<Sweep> lattice_sweep(const Scene& scene, const Rungs& now, const std::vector<std::string>& names,
                                  Diagnostics& diagnostics);
-// One for each knob that is named and that the scene has a use for.
+// Returns a sweep for each named knob that affects the scene.
 std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
                                Diagnostics& diagnostics);
 

@@ -1,4 +1,5 @@
-// Tables for a terminal, and sentences: each says what the numbers say, or nothing.
+// Tables for a terminal and sentences that summarise the numbers; a sentence without support in the numbers is left
+// out.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ std::string price_sentence(const SweepResult& sweep) {
                        ratio_text(reference.ratio), base.name, error_text(sweep, base));
 }
 
-// The cheapest of the rungs on the front that halves the error of the scene's own.
+// The cheapest rung on the front that halves the error of the scene's own rung.
 std::string bargain_sentence(const SweepResult& sweep) {
     const RungResult& base = base_of(sweep);
     if (!(sweep.error(base) > 0)) return {};
@@ -107,7 +108,7 @@ std::string in_words(const SweepResult& sweep) {
         text = price_sentence(sweep);
     if (sweep.trusted()) {
         if (const std::string bargain = bargain_sentence(sweep); !bargain.empty()) text += " " + bargain;
-        // Of a lattice the table says it.
+        // For a lattice, the table has this information.
         if (sweep.sweep.kind != SweepKind::lattice) text += standing_sentences(sweep);
     }
     std::vector<std::string> far, dear, odd;

@@ -1,4 +1,4 @@
-// The accuracy panel's side of the window: nothing at all while the panel is closed.
+// The accuracy panel within the window. It does nothing while the panel is closed.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,22 @@ namespace snell {
 
 class AccuracyView {
 public:
-    // Needs the GL context of `caps` to be current, for all of its life.
+    // The GL context of `caps` must be current during the object's whole life.
     AccuracyView(std::string path, const gl::Caps& caps) : path_(std::move(path)), caps_(caps) {}
 
-    // After the picture was drawn, or was found to stand; see Refinement::follow. What is shown beside the picture is
-    // of the same moment.
+    // Call it after each frame, whether the picture was drawn or is unchanged; see Refinement::follow. Uploads the
+    // comparison picture, so that both halves show the same moment.
     void follow(Document& shown, bool stale, const Stand& stand, const ui::AccuracyMemory& memory);
     bool busy() const { return refinement_ && refinement_->busy(); }
-    // True: the panel or the picture changed.
+    // Returns true if the panel or the picture changed.
     bool step() { return refinement_ && refinement_->step(); }
+    // Starts measuring all rungs of the plotted ladder, or stops it.
     void measure(const ui::AccuracyMemory& memory);
-    // Null while closed. Stands until the next call.
+    // Null while the panel is closed. Valid until the next call.
     const ui::AccuracyFacts* facts(const ui::AccuracyMemory& memory);
-    // Over the window's picture, whose bottom left is at pixel (0, y).
+    // Draws the reference or the heat map over the window's picture, whose bottom left is at pixel (0, y).
     void show(int y, const ui::AccuracyMemory& memory);
-    // Changes when show() would show something else.
+    // Changes whenever show() would draw something else.
     std::uint64_t revision(const ui::AccuracyMemory& memory) const;
 
 private:
@@ -36,7 +37,7 @@ private:
     std::unique_ptr<Refinement> refinement_;
     ui::AccuracyFacts facts_;
     gl::Still still_;
-    std::uint64_t uploaded_ = 0;  // revision()
+    std::uint64_t uploaded_ = 0;  // revision() of what still_ shows
 };
 
 }  // namespace snell

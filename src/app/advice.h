@@ -1,4 +1,4 @@
-// What `snell accuracy` says when it is asked for a combination: --within, --error, --save-quality.
+// The part of `snell accuracy` that recommends a combination of rungs: --within, --error, --save-quality.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace snell::app {
 
-// Whether a combination is asked for, rather than what each rung is worth.
+// True if the options ask for a combination, rather than for the value of each rung.
 bool asks_for_advice(const AccuracyOptions& options);
 
-// "16ms", "16", "0.016s": milliseconds above 0.
+// Parses a duration above 0, such as "16ms", "16" or "0.016s"; returns milliseconds.
 std::optional<double> parse_milliseconds(const std::string& text);
 
-// Measures, prints what was found as values and as a command line, writes the presets if they are wanted, and adds
-// what was measured to the report. False, with its reason printed: nothing could be told, or not be written.
-// Precondition: asks_for_advice.
+// Measures, prints the combinations found as values and as a command line, writes the presets if requested, and adds
+// the measurements to the report. If there is no result, or a file cannot be written, it prints the reason and returns
+// false. asks_for_advice must be true.
 bool give_advice(const AccuracyOptions& options, const std::string& path, accuracy::Bench& bench, const Rungs& now,
                  const accuracy::MeasureOptions& measuring, accuracy::Report& report);
 

@@ -1,4 +1,5 @@
-// What a window does: input, panels, files, and a picture when it would be another.
+// The window's main class: it handles input, panels and files, and draws a picture only if it would differ from the
+// last one.
 #pragma once
 
 #include <cstdint>
@@ -29,16 +30,17 @@
 
 namespace snell {
 
-// All that the last picture of the scene was drawn from: while it stays, so does the picture.
+// The inputs of the last picture of the scene. While they are the same, so is the picture.
 struct Drawn {
     std::uint64_t revision = 0;
     Stand stand;
     Rungs rungs;
-    Index object = none;  // that is outlined
+    Index object = none;  // the object with the outline
 
     bool operator==(const Drawn&) const = default;
 };
 
+// Collects the values of all controls, in their order.
 void gather(const Controls& controls, std::vector<double>& values);
 std::string title_of(const std::string& scene);
 
@@ -47,43 +49,44 @@ public:
     App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried);
     void run();
     bool readable() { return session_.document() != nullptr; }
-    // The driver took the context away. carried() is for another window, once this one's run() is over.
+    // True if the driver reset the context. Once run() has returned, carried() has the state for a new window.
     bool lost() const { return lost_; }
     Carried carried();
 
 private:
     PixelSize size_without_scene();
-    // The drawing area is the scene's WindowSize; who asked for none gets a comfortable one.
+    // The size of the drawing area: the scene's WindowSize, or a comfortable default if it has none.
     PixelSize first_size();
-    // The scene says how large it is.
+    // True if the scene sets its size.
     bool own_size();
     bool held() const { return memory_.accuracy.open && memory_.accuracy.hold_time; }
-    // Another frame of the same would be another picture.
+    // True if the next frame would be another picture even without input.
     bool moving();
-    // Seconds of the scene's own time, which the user may hold and set.
+    // The scene's time in seconds, which the user can pause and set.
     double scene_time();
-    // Of the picture that was drawn last.
+    // The state of the picture that was drawn last.
     Carried carry(Recovery recovery);
-    // For a window that has to take this one's place: what was drawn well, not what may be why it has to.
+    // Stores the state for a window that may have to replace this one: the last state that was drawn without problems,
+    // because the current one may be their cause.
     void keep_by_hand();
     void reload();
-    // How long nothing will happen without input.
+    // Seconds to sleep if there is no input.
     double pause();
     bool visible();
     void step();
-    // A step toward a better reference, while there is nothing else to do.
+    // Takes a step of the accuracy panel's refinement, while there is nothing else to do.
     bool refined();
-    // The panels see the input and change controls and view; nothing is drawn yet.
+    // Passes the input to the panels, which change controls and view. Draws nothing yet.
     void interface_frame(std::span<const Event> events);
     ui::Facts facts();
-    // Another scene, as if the window had been opened on it; what its looks are stays.
+    // Shows another scene, as if the window had been opened with it; the appearance of the window stays.
     void show_scene(const std::optional<std::string>& path);
     void tell_measured(ui::Facts& facts);
-    // Draws the scene if its picture would be another, and presents if anything is.
+    // Draws the scene if its picture would change, and presents the window if anything in it changed.
     void show(bool repaint);
-    // True: there is something else to show.
+    // Returns true if something must be shown again.
     bool look_at_pixels();
-    // That the user gave it.
+    // Stores the window's size as the one that the user chose.
     void remember_size();
     bool draw_scene(PixelSize pixels);
     void present(PixelSize pixels);
@@ -110,17 +113,18 @@ private:
     ui::Memory memory_;
     ui::Layout layout_;
     std::vector<Event> events_;
-    std::string file_, named_, reported_;  // the file's name, of which path; what was printed of its problems
+    // Name of the scene's file, the path it belongs to, and the last problems that were printed.
+    std::string file_, named_, reported_;
     std::vector<char> linked_;
     WindowCounters counters_;
-    std::uint64_t kept_frame_ = 0;  // what Restart has is of that one
+    std::uint64_t kept_frame_ = 0;  // the frame whose state Restart has
     Explanation explanation_;
-    std::uint64_t explained_ = 0;  // the revision that it is of
+    std::uint64_t explained_ = 0;  // the revision that explanation_ belongs to
     std::uint64_t interface_ = 0, presented_ = 0, presented_beside_ = 0;
     app::Deadline hang_;
     app::LossWatch loss_;
     bool lost_ = false;
-    bool edited_ = false;  // before the window was there
+    bool edited_ = false;  // a file was saved before the window was open
     int unsettled_ = 3;
     double began_ = 0, ticked_ = 0, last_input_ = 0, last_picture_ = 0, next_look_ = 0;
 };

@@ -1,4 +1,4 @@
-// The pictures of one command, drawn one after the other in one context. For render.cpp and its reports.
+// Draws the pictures of one command one after the other in one context. For render.cpp and its reports.
 #pragma once
 
 #include <algorithm>
@@ -25,40 +25,41 @@
 namespace snell::app {
 
 struct Timings {
-    double context = 0, load = 0, frame = 0, write = 0;  // milliseconds
+    double context = 0, load = 0, frame = 0, write = 0;  // in milliseconds
 };
 
 struct Record {
     Shot shot;
-    bool skipped = false;  // the file was there
+    bool skipped = false;  // the file existed already
     double time = 0;
-    double milliseconds = 0;  // drawing and reading back
+    double milliseconds = 0;  // for drawing and reading back
 };
 
 class Batch {
 public:
     Batch(const RenderOptions& options, const Shots& shots, Shard shard);
 
-    // Draws all; the status is the process's. Records are those of the pictures that were tried.
+    // Draws all pictures and returns the exit status of the process. Records are those of the pictures that were
+    // attempted.
     Exit run();
 
     const std::vector<Record>& records() const { return records_; }
-    // By records(); there once run() is done.
+    // In the order of records(); valid once run() has returned.
     const std::vector<Written>& written() const { return *written_; }
-    // "" until there is a context.
+    // Empty until there is a context.
     const gl::Caps& caps() const { return caps_; }
-    // Of one scene: timings and counters, where its file could be read.
+    // True for a single scene that could be read: stats() then has its timings and counters.
     bool has_stats() const { return last_ != nullptr; }
     nlohmann::ordered_json stats() const;
 
 private:
-    // What an axis means in a scene.
+    // The meaning of an axis in a scene.
     enum class Role { frame, time, ladder, uniform };
     struct Open {
         std::unique_ptr<Document> document;
-        std::vector<Role> roles;      // by Shots::axes
-        Rungs rungs;                  // where no axis says otherwise
-        std::optional<Plan> looping;  // where there may be something to say of its loops
+        std::vector<Role> roles;      // in the order of Shots::axes
+        Rungs rungs;                  // the rungs of ladders that no axis sets
+        std::optional<Plan> looping;  // set if the scene's loops must be checked
     };
 
     void leave_no_parts() const;
@@ -84,18 +85,18 @@ private:
     Shard shard_;
     Deadline deadline_;
     std::unique_ptr<HeadlessContext> context_;
-    bool refused_ = false;  // there is no context
+    bool refused_ = false;  // no context could be made
     LossWatch loss_;
     gl::Caps caps_;
-    gl::Target target_;  // none where pictures are drawn in parts
+    gl::Target target_;  // empty if pictures are drawn in parts
     PictureSize size_;
     Tiling tiling_;
     Timings timings_;
     std::optional<NonFinite> non_finite_;
     ProgressLine progress_;
-    std::unique_ptr<Document> last_;  // whose counters stats() tells
+    std::unique_ptr<Document> last_;  // the document whose counters stats() returns
     std::vector<Record> records_;
-    std::set<std::string> said_;  // of this scene
+    std::set<std::string> said_;  // messages about the current scene that were printed
     Exit status_ = exit_fine;
     Writer writer_;
     const std::vector<Written>* written_ = nullptr;

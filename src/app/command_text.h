@@ -1,4 +1,4 @@
-// What is in the window, as a command.
+// The window's state as a command line.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ struct Picture {
     int width = 0, height = 0, samples = 1;
     double time = 0;
     View view;
-    std::string file = {};  // as `snell render -o` takes it; empty: named as the scene
+    std::string file = {};  // as for `snell render -o`; empty: named after the scene
     bool transparent = false;
-    int frames = 0;  // at `rate` a second; 0: one picture
+    int frames = 0;  // at `rate` per second; 0: one picture
     double rate = 25;
 };
 
-// A line for a POSIX shell that draws the same picture: values and rungs that are not the scene's, view, time, size.
-// Programs of one name can't be told apart there: of these the last value holds.
+// Returns a line for a POSIX shell that draws the same picture: the values and rungs that differ from the scene's, and
+// view, time and size. The syntax cannot distinguish programs of the same name: the value of the last one is used.
 std::string render_command(const Document& document, const Picture& picture);
 
-// In quotes where a shell would read it otherwise.
+// Quotes a word if a shell would interpret it.
 std::string shell_word(std::string_view word);
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// The end of a process whose driver doesn't return.
+// Ends the process if the driver does not return.
 #pragma once
 
 #include <chrono>
@@ -10,22 +10,23 @@
 
 namespace snell::app {
 
-// While one is there, a thread of its own watches the clock: past the time it says what took too long and ends the
-// process with exit_timeout, whatever the other threads are doing. Files are written whole or not at all, so none is
-// left half. 0 seconds: no end.
+// While the object exists, a thread of its own watches the clock. After the time has passed, it prints what took too
+// long and ends the process with exit_timeout, whatever the other threads are doing. Files are written whole or not at
+// all, so none is left incomplete. With 0 seconds there is no deadline.
 class Deadline {
 public:
-    // With `late` that is called instead, once, on the thread that watches; when it returns, life goes on.
+    // If given, it is called once on the watching thread instead of ending the process; when it returns, the process
+    // continues.
     using Late = std::function<void(const std::string& what)>;
-    // `last` is what is still to be done, on that thread, before the process is ended.
+    // `last` is called on that thread before the process is ended.
     explicit Deadline(double seconds, Late late = nullptr, std::function<void()> last = nullptr);
     ~Deadline();
     Deadline(const Deadline&) = delete;
     Deadline& operator=(const Deadline&) = delete;
 
-    // What is done from now on has the whole time again.
+    // Starts the time again for the work that begins now; `what` names it in the message.
     void begin(std::string what);
-    // Nothing is being done that could take too long.
+    // Stops the time until the next begin().
     void rest();
 
 private:
@@ -39,7 +40,7 @@ private:
     std::condition_variable change_;
     Clock::time_point end_ = Clock::time_point::max();
     std::string what_;
-    bool idle_ = false;  // the thread waits for a beginning
+    bool idle_ = false;  // the thread waits for begin()
     bool done_ = false;
     std::thread thread_;
 };

@@ -1,4 +1,4 @@
-// A scene that is open: everything from its text to the runtime that draws it.
+// An open scene: its text, its diagnostics, and the runtime that draws it.
 #pragma once
 
 #include <functional>
@@ -20,43 +20,44 @@ struct Document {
     std::string path;
     std::unique_ptr<Files> files;
     Sources sources;
-    Diagnostics diagnostics;         // of reading, planning, compiling, loading
-    std::optional<Runtime> runtime;  // none: the file could not be read
+    Diagnostics diagnostics;         // from reading, planning, compiling and loading
+    std::optional<Runtime> runtime;  // nullopt if the file could not be read
     Controls controls;
 
     const Scene& scene() const { return runtime->scene(); }
 };
 
-// The reading alone, for what needs no graphics. Nothing when the file can't be read.
+// The result of parsing alone, for commands that need no graphics.
 struct ParsedDocument {
     FileId file = 0;
     Scene scene;
 };
+// Returns nullopt if the file cannot be read.
 std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
                                              Diagnostics& diagnostics);
 
-// `access`, confined to the scene's folder where it says nothing and `grade` is asked for.
+// Returns `access`; with `grade`, confined to the scene's folder unless `access` sets a folder.
 Access access_to(const std::string& path, Access access, bool grade);
 
-// The folder that names in the scene are relative to.
+// The folder that file names in the scene are relative to.
 std::string scene_folder(const std::string& path);
 
-// Changes the rungs that the programs are compiled for from those that the scene's text marks.
+// Changes the rungs that the programs are compiled for; `rungs` is initially as the scene's text marks them.
 using RungChooser = std::function<void(const Scene& scene, Rungs& rungs)>;
 
-// Is shown the plan before it is compiled.
+// Called with the plan before it is compiled.
 using PlanReader = std::function<void(const Plan& plan, Document& document)>;
 
-// Never throws; what is wrong is in `diagnostics`. Needs a current context.
+// Opens a scene. Never throws; problems are in the document's `diagnostics`. Needs a current context.
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps,
                                         const RungChooser& choose = nullptr, const PlanReader& planned = nullptr,
                                         const RuntimeOptions& options = {}, const Access& access = {});
 
-// Compiles what the rungs of `controls` need; the controls are then those of the programs as they are now, with
-// the values they had. True: they may be others.
+// Compiles the programs for the rungs in `controls`, and makes the controls of the new programs, with the values that
+// they had. Returns true if the controls may have changed.
 bool follow_rungs(Document& document);
 
-// What was read and made of it, line by line, for scenes that say Verbose.
+// Lists what was read and made, line by line, for scenes with Verbose.
 std::string verbose_report(const Document& document);
 
 }  // namespace snell

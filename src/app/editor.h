@@ -1,4 +1,4 @@
-// Opens a file in the user's editor, at a line, without a shell.
+// Opens a file in the user's editor at a line, without a shell.
 #pragma once
 
 #include <string>
@@ -9,26 +9,26 @@
 
 namespace snell {
 
-// $VISUAL, else $EDITOR, else "xdg-open". Blanks separate arguments; nothing else is special.
+// Returns $VISUAL, otherwise $EDITOR, otherwise "xdg-open". Blanks separate arguments; there is no other syntax.
 std::string editor_of_environment();
 
 struct EditorCommand {
     std::vector<std::string> words;  // the program, then its arguments
-    bool terminal = false;           // it draws into one
+    bool terminal = false;           // the editor needs a terminal
 };
-// The line and the column, 1-based, are told to editors that are known by the name of their program; others get the
-// file alone. `file` must not begin with '-' or '+'.
+// Editors that are known by their program's name get the line and the column, both 1-based; others get only the file.
+// `file` must not begin with '-' or '+'.
 EditorCommand editor_command(std::string_view editor, const std::string& file, int line, int column);
 
-// Runs editors beside the window and does not wait for them; they stay when it closes.
+// Starts editors without waiting for them; they stay open when the window closes.
 class Editor {
 public:
     explicit Editor(std::string name = editor_of_environment()) : name_(std::move(name)) {}
 
     const std::string& name() const { return name_; }
-    // Says what became of it.
+    // Starts the editor and returns a message about the outcome.
     std::string open(const std::string& file, int line, int column);
-    // To be called now and then. What has to be said of one that failed; else "".
+    // Call it regularly. Returns a message if an editor failed, otherwise "".
     std::string look();
 
 private:

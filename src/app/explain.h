@@ -1,4 +1,4 @@
-// `snell explain`: what a scene pays for, as text and JSON. Values in, text out.
+// Formats what a scene pays for, for `snell explain`, as text and JSON. Values in, text out.
 #pragma once
 
 #include <functional>
@@ -15,23 +15,23 @@
 namespace snell::app {
 
 struct ExplainReport {
-    std::string scene, clock;  // clock: "CPU time of the process", …; empty: frames were not timed
+    std::string scene, clock;  // such as "CPU time of the process"; empty if frames were not timed
     gl::Caps caps;
     int width = 0, height = 0, rounds = 0;
     FrameCost frame;
-    double spread = 0;  // median absolute deviation of the frame's chosen clock, milliseconds
+    double spread = 0;  // median absolute deviation of the frame's time by the chosen clock, in milliseconds
     Explanation explanation;
-    Counters load, per_frame;  // of loading, and of one frame more
+    Counters load, per_frame;  // for loading, and for one further frame
     Diagnostics lints;
 };
 
 std::string explain_text(const ExplainReport& report, const Sources& sources);
-// "schema" 1; its keys are those of docs/architecture.md.
+// Has "schema" 1 and the keys that docs/architecture.md lists.
 nlohmann::ordered_json explain_json(const ExplainReport& report, const Sources& sources);
 
-// The time of every pass and of the draws with every program, by difference: without these draws, in interleaved
-// rounds of which there are `rounds`, or fewer when they would take more than 20 seconds. Cube passes that are kept
-// have none. `before` is called before frames are drawn.
+// Times every pass, and the draws of every program, by difference: whole frames and frames without these draws are
+// timed in interleaved rounds. There are `rounds` of them, or fewer if they would take more than 20 seconds. Cube
+// passes that are not drawn again have no time. `before` is called before frames are drawn.
 void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface, int rounds,
                  const std::function<void()>& before);
 

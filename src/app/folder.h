@@ -1,4 +1,4 @@
-// What the file browser shows of a folder.
+// Lists a folder for the file browser.
 #pragma once
 
 #include <string>
@@ -7,14 +7,15 @@
 
 namespace snell {
 
-// Folders first, then scenes (`all`: every regular file), each by name without regard to case, numbers by value; hidden
-// ones left out. `folder` may begin with ~. An error where it can't be read; the path is absolute all the same.
+// Lists folders, then scenes (with `all`, every regular file), each sorted by name without regard to case and with
+// numbers by value. Hidden entries are left out. `folder` may begin with ~. If the folder cannot be read, the listing
+// has an error and the absolute path.
 ui::Listing list_folder(const std::string& folder, bool all);
 
-// "~" and "~/…" as the home folder's.
+// Replaces a leading "~" or "~/" by the home folder.
 std::string without_tilde(const std::string& path);
 
-// Whether a name comes before another where people look for it: "room2" before "Room10".
+// The order in which names are sorted for the user: "room2" before "Room10".
 bool before(std::string_view a, std::string_view b);
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// What the window's pictures cost while its panel is open, and on request what each pass and draw of one does.
+// Times the window's pictures while the frame cost panel is open and, on request, the passes and draws of one picture.
 #pragma once
 
 #include <cstdint>
@@ -23,29 +23,29 @@ public:
     FrameCosts(FrameCosts&&) noexcept;
     FrameCosts& operator=(FrameCosts&&) noexcept;
 
-    // Whether pictures are to be timed. Closed, all is forgotten and nothing is done.
+    // Starts or stops timing. Stopping discards all results; no work is done until it starts again.
     void open(bool wanted);
-    // About to draw a picture of the document that has this revision; gives what Frame::after is to be.
+    // Call it before drawing a picture of the document with this revision. Returns the function for Frame::after.
     const std::function<void(const Step&)>* begin(std::uint64_t revision);
-    // It is drawn, and the GPU is done with it.
+    // Call it after the picture was drawn and the GPU has finished.
     void end();
 
-    // Measures passes and draws in frames of their own; or stops.
+    // Starts or stops measuring passes and draws, in additional frames.
     void measure();
     bool busy() const { return apart_ != nullptr; }
-    // One of these frames. True: there is something new to show.
+    // Draws one of the additional frames. Returns true if there is something new to show.
     bool step(Document& document, const Stand& stand, int samples);
-    // What was measured so: passes, and programs as the sum of their draws.
+    // Adds the results of measure(): times of passes, and of programs as the sum of their draws.
     void fill(Explanation& explanation) const;
 
-    // Null while closed. Stands until the next call.
+    // Null while the panel is closed. Valid until the next call.
     const ui::FrameCostFacts* facts(const Document* document);
 
 private:
-    static constexpr std::size_t most_frames = 240;  // that are plotted
-    static constexpr int rounds = 11;                // of frames of their own; the first warms up
+    static constexpr std::size_t most_frames = 240;  // number of frames in the plot
+    static constexpr int rounds = 11;  // number of additional frames for each measurement; the first warms up
 
-    using Key = std::pair<Index, Index>;  // pass, draw; none: all of the pass
+    using Key = std::pair<Index, Index>;  // pass and draw; `none` as the draw: the whole pass
     using Times = std::map<Key, std::vector<double>>;
     struct Apart;
 
@@ -56,18 +56,18 @@ private:
 
     gl::Caps caps_;
     bool open_ = false, running_ = false;
-    double cpu_ = 0, wall_ = 0;           // when the picture was begun
-    std::vector<float> frames_, sorted_;  // milliseconds; as they came
+    double cpu_ = 0, wall_ = 0;           // at the beginning of the picture
+    std::vector<float> frames_, sorted_;  // in milliseconds; frames_ is in order of time
     gl::Marks marks_;
-    std::vector<Index> marked_;  // passes, in the order of marks; none: what came before them
+    std::vector<Index> marked_;  // the passes in the order of the marks; `none` for the time before them
     std::function<void(const Step&)> listener_;
     Times live_;   // of the last pictures, by the GPU's clock
-    int odd_ = 0;  // pictures for which the GPU's clock told of more time than there was
+    int odd_ = 0;  // number of pictures for which the GPU's clock measured more time than passed
     bool distrusted_ = false;
     std::uint64_t revision_ = 0;
     std::unique_ptr<Apart> apart_;
-    Times known_;                          // as measured apart
-    std::map<Key, std::size_t> together_;  // how many draws one call did
+    Times known_;                          // results of measure()
+    std::map<Key, std::size_t> together_;  // how many draws one call executed
     std::vector<ui::CostRow> live_rows_, apart_rows_;
     ui::FrameCostFacts facts_;
 };

@@ -1,4 +1,4 @@
-// A headless context for a command, or the message that says why there is none.
+// Makes a headless context for a command, or prints why there is none.
 #pragma once
 
 #include <memory>
@@ -8,10 +8,11 @@
 
 namespace snell::app {
 
-// "" is the best there is; "3.3", "4.5", "es3.2". nullopt-like: false when the text names no version.
+// Parses an OpenGL version: "" is the highest available; others are "3.3", "4.5", "es3.2". Returns false if the text is
+// not a version.
 bool parse_context(const std::string& text, ContextRequest& request);
 
-// Prints why on standard error when there is none.
+// Returns null and prints the reason to standard error if there is none.
 std::unique_ptr<HeadlessContext> headless_context(const std::string& text);
 
 }  // namespace snell::app

@@ -1,4 +1,5 @@
-// Does what the user wants kept: values into the scene, snapshots, the command that draws the picture.
+// Executes the requests to keep values: it saves them to the scene, stores and restores snapshots, and copies the
+// command that draws the picture.
 #pragma once
 
 #include <array>
@@ -19,8 +20,9 @@ class Keeper {
 public:
     explicit Keeper(std::string scene) : scene_(std::move(scene)) {}
 
+    // Fills in what the panels show: whether values changed, whether saving can be undone, and the snapshots.
     void tell(ui::Facts& facts, const Document* document);
-    // Says in `notice` what became of it.
+    // Executes the requests and sets `notice` to their outcome.
     void serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
                std::string& notice);
 
@@ -30,9 +32,9 @@ private:
     std::string store(int number, const Document& document);
 
     std::string scene_;
-    std::vector<std::vector<SavedFile>> saved_;  // the last one at the end
+    std::vector<std::vector<SavedFile>> saved_;  // the latest is last
     std::array<bool, ui::snapshot_count + 1> snapshots_{};
-    std::uint64_t looked_ = 0;  // the revision at which the snapshots were looked for
+    std::uint64_t looked_ = 0;  // the revision at which the snapshots were last looked for
 };
 
 }  // namespace snell

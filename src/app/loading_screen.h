@@ -1,4 +1,4 @@
-// A window while its scene loads: a bar from half a second after that began.
+// Shows a progress bar in the window if loading takes longer than half a second.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,11 @@ namespace snell {
 
 class LoadingScreen {
 public:
-    // `behind` draws what the bar lies over into the cleared window of that many pixels.
+    // Draws the background of the bar into the cleared window, of the given size in pixels.
     using Behind = std::function<void(PixelSize pixels)>;
     LoadingScreen(Window& window, ui::Gui& gui, ui::Painter& painter, Behind behind);
 
-    // What RuntimeOptions::progress takes. A window that was not shown yet is shown in `size`.
+    // Returns a function for RuntimeOptions::progress. A window that is still hidden is shown in `size`.
     Watcher watcher(PixelSize size);
 
 private:

@@ -1,4 +1,4 @@
-// A context that its driver took away.
+// Detects that the driver has reset the context.
 #pragma once
 
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace snell::app {
 
-// What is asked after each frame.
+// Asked after each frame.
 class LossWatch {
 public:
     LossWatch() = default;
-    // For tests, which have no driver that resets: lost from that frame on, if it is not 0; lost when that file is
-    // there, which is then removed.
+    // For tests, whose drivers never reset: `frame` is the number of frames after which the context counts as lost (0:
+    // never). It also counts as lost if `file` exists, which is then removed.
     explicit LossWatch(int frame) : left_(frame) {}
     explicit LossWatch(std::string file) : file_(std::move(file)) {}
-    // Call it once a frame.
+    // Call it once per frame.
     bool lost();
 
 private:
@@ -22,7 +22,7 @@ private:
     std::string file_;
 };
 
-// "the graphics driver …", and what may be done.
+// The message about a reset, and its help.
 inline constexpr const char* loss_message = "the graphics driver reset itself and took the OpenGL context away";
 inline constexpr const char* loss_help = "a shader may not end, or the driver has a fault";
 

@@ -1,4 +1,4 @@
-// Pixels that are no numbers: a picture of bytes shows them as 0 or 255, by the driver's choice.
+// Counts pixels with NaN or infinite values, which a picture of bytes shows as 0 or 255, depending on the driver.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@ namespace snell::app {
 
 struct NonFinite {
     std::size_t nan = 0;       // pixels with a channel that is NaN
-    std::size_t infinite = 0;  // pixels with an infinite channel, and none that is NaN
+    std::size_t infinite = 0;  // pixels with an infinite channel and none that is NaN
 };
 
-// Draws the frame once more, into floats, and counts before anything is clamped: off-screen targets excepted, which
-// hold bytes. Nothing where the context has no such target.
+// Draws the frame again into floats and counts before values are clamped, except in off-screen targets, which hold
+// bytes. Returns nullopt if the context has no float target.
 std::optional<NonFinite> count_non_finite(Runtime& runtime, const Frame& frame, int width, int height);
 
 }  // namespace snell::app

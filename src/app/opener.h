@@ -1,4 +1,4 @@
-// Serves what the user wants of files: other scenes, folders to look into, editors.
+// Executes the user's requests about files: opens other scenes, lists folders, starts editors.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,24 @@ namespace snell {
 
 class Opener {
 public:
-    // `file`: where settings are kept.
+    // `file` is the path of the settings.
     explicit Opener(std::string file) : file_(std::move(file)), kept_(read_settings(file_)), settings_(kept_) {}
 
     const Settings& settings() const { return settings_; }
-    // `in_use` and `revision` are the session's; the rows are made when the latter changes.
+    // `in_use` and `revision` are those of the session; the rows are made again when the revision changes.
     void tell(ui::Facts& facts, const std::string& scene, const std::vector<std::string>& in_use);
-    // The scene that is to be opened, if one is. Says in `notice` what became of the rest.
+    // Returns the path of a scene to open, if there is one. Sets `notice` to the outcome of the other requests.
     std::optional<std::string> serve(const ui::Requests& requests, const std::string& scene, ui::Memory& memory);
-    // The same for files that were dropped on the window: the first scene among them, or a folder to look into.
+    // Handles files that were dropped on the window: opens the first scene among them, or lists a folder.
     std::optional<std::string> serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory);
-    // To be called now and then: ended editors; settings that changed are written, and all the scenes that were open.
-    // True: `memory.notice` says something new.
+    // Call it regularly: it checks for ended editors and writes settings that changed, including the recent scenes.
+    // Returns true if it changed `memory.notice`.
     bool look(ui::Memory& memory);
+    // Records the scene as the most recent one.
     void opened(const std::string& scene);
-    // In the window's coordinates at zoom 1 and 96 dots per inch.
+    // The size is in the window's coordinates at zoom 1 and 96 dots per inch.
     void resized(int width, int height);
+    // Writes the settings if they changed.
     void write();
 
 private:
@@ -39,8 +41,8 @@ private:
     Editor editor_;
     ui::Listing listing_;
     std::vector<ui::FileRow> rows_;
-    std::string rows_of_;                        // the scene
-    std::uint64_t rows_at_ = ~std::uint64_t{0};  // the revision
+    std::string rows_of_;                        // the scene that rows_ belong to
+    std::uint64_t rows_at_ = ~std::uint64_t{0};  // the revision that rows_ belong to
 };
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// A picture that is drawn part by part into its file: of any size, in little memory.
+// Draws a picture part by part into its file, so that pictures of any size need little memory.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,16 @@ namespace snell::app {
 
 class Painting {
 public:
-    // Needs the GL context that was current when it was made. Nothing stands under the name `file` until it is whole.
+    // The GL context that is current now must be current for every call. `file` appears only when the picture is
+    // complete.
     Painting(const std::string& file, const PictureSize& size, const Tiling& tiling, bool transparent);
 
-    // Draws the next part. True: there are more. The same runtime and frame for all of them.
+    // Draws the next part and returns true if there are more. All parts must have the same runtime and frame.
     bool step(Runtime& runtime, Frame frame);
-    // "" or why there will be no picture; then step() says that there is no more to do.
+    // "", or why the picture cannot be made; step() then returns false.
     const std::string& error() const { return error_; }
     bool without_graphics() const { return !target_.framebuffer; }
-    // 0 to 1.
+    // From 0 to 1.
     double progress() const { return static_cast<double>(done_) / static_cast<double>(parts_.size()); }
 
 private:
@@ -34,9 +35,9 @@ private:
     PictureKind kind_;
     std::vector<Surface::Part> parts_;
     std::size_t done_ = 0;
-    std::uint64_t drawn_ = 0;  // frames of the runtime, after the last part
+    std::uint64_t drawn_ = 0;  // number of the runtime's frames after the last part
     gl::Target target_;
-    content::Image band_;  // as high as a part, as wide as the picture
+    content::Image band_;  // one row of parts, as wide as the picture
     std::unique_ptr<content::RowWriter> file_;
     std::string error_;
 };

@@ -1,4 +1,4 @@
-// Names of files with placeholders in them.
+// File names with placeholders.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,20 @@ namespace snell::app {
 
 class Pattern {
 public:
-    // "out/{uEta:.2f}.png" over the names that may stand in braces. Nothing, with the error, for others.
+    // Parses a pattern such as "out/{uEta:.2f}.png"; `names` are the valid placeholders. Returns nullopt and sets
+    // `error` for any other name.
     static std::optional<Pattern> parse(std::string_view text, const std::vector<std::string>& names,
                                         std::string& error);
-    // `values` are by the names given to parse. Nothing, with the error, where a format does not suit its value.
+    // Replaces the placeholders; `values` is in the order of the names given to parse. Returns nullopt and sets `error`
+    // if a format does not suit its value.
     std::optional<std::string> expand(const std::vector<AxisValue>& values, std::string& error) const;
 
 private:
     struct Piece {
-        std::string literal;      // before the value
-        std::size_t name = 0;     // of the value; past the end of the names: none
-        std::string format;       // "{:.2f}"; "": as it is shown
-        std::string placeholder;  // as it was written
+        std::string literal;      // text before the value
+        std::size_t name = 0;     // index of the value's name; past the end of the names: no value
+        std::string format;       // such as "{:.2f}"; "": the default format
+        std::string placeholder;  // as written in the pattern
     };
     std::vector<Piece> pieces_;
 };

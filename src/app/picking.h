@@ -1,4 +1,4 @@
-// The window's side of objects that are picked and moved: nothing at all until one is.
+// Picks and moves objects in the window. It does nothing until the first object is picked.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,23 @@ namespace snell {
 
 class Picking {
 public:
-    // Before the panels see the view. After another reading of the scene the objects are other numbers, or gone.
+    // Call it before the panels use the view. After the scene was read again, it updates the indices of the objects and
+    // drops those that are gone.
     void follow(Document& shown, std::uint64_t revision, View& view, ui::HoldMemory& hold);
-    // What is at the click, in the picture that `stand` tells of; `density`: pixels for one window coordinate.
+    // Picks the object at the click, in the picture that `stand` describes; `density` is pixels per window coordinate.
     void serve(const ui::Requests& requests, Document& shown, const Stand& stand, float density, ui::HoldMemory& hold);
+    // Fills in the text about the picked object.
     void tell(ui::Facts& facts, const Document* shown, const ui::HoldMemory& hold);
 
 private:
     std::uint64_t revision_ = 0;
-    std::vector<std::string> names_;  // of the objects, by Scene::draws; empty: none was ever held
+    // Names of the objects, in the order of Scene::draws; empty if none was picked yet.
+    std::vector<std::string> names_;
     std::string told_;
-    std::pair<std::uint64_t, Index> told_of_{0, none};  // the revision and the object
+    std::pair<std::uint64_t, Index> told_of_{0, none};  // the revision and the object that told_ describes
 };
 
-// The statement, and where it is.
+// The object's statement and its place in the text.
 std::string object_text(const Document& document, Index object);
 
 }  // namespace snell

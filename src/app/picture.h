@@ -1,4 +1,4 @@
-// What was drawn, as a picture to be written.
+// Draws pictures in the form in which they are written.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace snell::app {
 
-// Formats of floats get what the shaders wrote, not a byte of it.
+// True for formats that store floats, which get the shaders' values without rounding to bytes.
 bool holds_floats(const std::string& path);
 
-// Formats that a picture without its background can be written in.
+// True for formats that store alpha, which a picture without background needs.
 bool holds_alpha(const std::string& path);
 
 struct PictureKind {
     bool floats = false;
-    // Four channels, without the background: it is drawn twice, over black and over white, and what differs shows
-    // through. Floats are multiplied by alpha, as EXR means it; bytes are not, as PNG means it. Else three channels:
-    // what blending left in the alpha channel is nobody's.
+    // Makes four channels, without the background: the picture is drawn over black and over white, and the difference
+    // is its transparency. Floats are multiplied by alpha, as EXR requires; bytes are not, as PNG requires. If false,
+    // makes three channels: the alpha that blending leaves has no meaning.
     bool transparent = false;
 };
 
-// Draws into the target, which has room for the surface's part, or for all of it.
+// Draws into the target, which must be large enough for the surface's part, or for the whole surface.
 content::Image draw_picture(Runtime& runtime, Frame frame, const gl::Target& target, Surface surface,
                             const PictureKind& kind);
 

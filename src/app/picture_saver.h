@@ -1,4 +1,4 @@
-// Saves pictures of what the window shows, part by part, while the window goes on.
+// Saves pictures of the window's scene part by part, while the window stays responsive.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,19 @@ namespace snell {
 
 class PictureSaver {
 public:
-    // Needs the GL context of `caps` to be current, for all of its life.
+    // The GL context of `caps` must be current during the object's whole life.
     PictureSaver(gl::Caps caps, Limits limits) : caps_(std::move(caps)), limits_(limits) {}
 
-    // `shown`: what the window shows now.
+    // Executes requests of the picture window; `shown` is what the window shows now.
     void serve(const ui::Requests& requests, const Document& document, const Picture& shown, Window& window,
                ui::Memory& memory);
     bool busy() const { return work_ != nullptr; }
-    // Draws the next part, or gives up where `document`, read `revision` times, is no longer what it was. To be called
-    // while busy.
+    // Draws the next part; call it while busy() is true. Gives up if `document` was read again: `revision` is its
+    // current revision.
     void step(Document* document, std::uint64_t revision, ui::Memory& memory);
 
 private:
-    // All that the pictures are drawn from: what is changed meanwhile does not matter.
+    // A copy of everything the pictures depend on, so that changes in the window do not affect them.
     struct Work {
         const Document* document = nullptr;
         std::uint64_t revision = 0;
@@ -51,7 +51,7 @@ private:
     gl::Caps caps_;
     Limits limits_;
     std::unique_ptr<Work> work_;
-    std::string filled_for_;  // the scene
+    std::string filled_for_;  // the scene that the dialog's fields were filled for
     std::uint64_t revision_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The window's side of pixels as numbers: nothing at all until it is asked for.
+// Values of pixels in the window. It does nothing until the user asks for them.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +14,16 @@
 
 namespace snell {
 
-// The axes are left out: they are no part of the scene.
+// The axes are left out, because they are not part of the scene.
 class PixelView {
 public:
-    // After the picture was drawn, or was found to stand. `picture` counts pictures; `density`: pixels for one window
-    // coordinate. True: there is something else to show.
+    // Call it after each frame, whether the picture was drawn or is unchanged. `picture` counts pictures; `density` is
+    // pixels per window coordinate. Returns true if something must be shown again.
     bool follow(Document& shown, const Stand& stand, std::uint64_t picture, const ui::PixelMemory& memory,
                 float density);
-    // Null while nothing is asked for. Stands until the next call of follow().
+    // Null while nothing is requested. Valid until the next call of follow().
     const ui::PixelFacts* facts() const { return pixels_ ? &facts_ : nullptr; }
-    // The flagged pixels over the window's picture, whose bottom left is at pixel (0, y).
+    // Draws the flagged pixels over the window's picture, whose bottom left is at pixel (0, y).
     void show(int y) const;
 
 private:
@@ -31,9 +31,9 @@ private:
     void look(Document& shown, const Stand& stand, int x, int y);
     void flag(Document& shown, const Stand& stand);
 
-    static constexpr int radius = 4;  // of what is magnified
+    static constexpr int radius = 4;  // of the magnified area, in pixels
     std::unique_ptr<FloatPicture> pixels_;
-    std::uint64_t looked_ = 0, flagged_ = 0;  // the pictures that were looked at; 0: none
+    std::uint64_t looked_ = 0, flagged_ = 0;  // the pictures that were inspected and flagged last; 0: none
     Inspection found_;
     std::vector<float> rgba_;
     View view_;

@@ -1,4 +1,4 @@
-// How far loading is, for who waits longer than half a second.
+// Progress of loading, for a load that takes longer than half a second.
 #pragma once
 
 #include <chrono>
@@ -9,18 +9,18 @@
 
 namespace snell {
 
-// "compiling programs: 2 of 5 (Glass)"
+// Formats as "compiling programs: 2 of 5 (Glass)".
 std::string words(const LoadProgress& progress);
-// Of its stage, 0 to 1.
+// The completed part of the current stage, 0 to 1.
 double share(const LoadProgress& progress);
 
-// When it is worth showing.
+// Decides when progress is shown.
 class Patience {
 public:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds before{500}, between{50};
 
-    // Loading began half a second ago, and what was shown last is a twentieth old.
+    // True if loading began at least half a second ago, and progress was not shown within the last 50 ms.
     bool due(const LoadProgress& progress, Clock::time_point now = Clock::now());
     static bool begins(const LoadProgress& progress) {
         return progress.stage == LoadProgress::Stage::programs && progress.done == 0;
@@ -33,10 +33,11 @@ private:
     Clock::time_point next_{};
 };
 
-// One line of a terminal, which is empty again when loading ends.
+// Shows progress in one line of a terminal, which is cleared when loading ends.
 class ProgressLine {
 public:
-    // What RuntimeOptions::progress takes, as long as this stays where it is; none where standard error is no terminal.
+    // Returns a function for RuntimeOptions::progress, which is valid as long as this object is neither moved nor
+    // destroyed. Null if standard error is not a terminal.
     Watcher watcher();
 
 private:
@@ -44,10 +45,10 @@ private:
     void clear();
 
     Patience patience_;
-    std::string shown_;  // "": nothing
+    std::string shown_;  // "" while nothing is shown
 };
 
-// `columns`: what the line may take.
+// `columns` is the maximum width of the line.
 std::string progress_line(const LoadProgress& progress, std::size_t columns);
 
 }  // namespace snell

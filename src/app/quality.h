@@ -1,4 +1,4 @@
-// `--quality`: the presets that were measured of a scene, in a file beside it.
+// Quality presets for `--quality`, which were measured for a scene and stored in a file next to it.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace snell::app {
 
-// room.glib → room.quality.json
+// The path of the presets: room.glib → room.quality.json
 std::string quality_path(const std::string& scene);
 
-// Chooses the rungs of the preset and says on stderr which they are. False, with an error, where nothing was measured,
-// or of another scene than it is now: a ladder or a rung has come or gone.
+// Chooses the rungs of the preset and prints them to standard error. Returns false and reports an error if there are no
+// presets, or if the scene's ladders or rungs have changed since they were measured.
 bool choose_quality(const std::string& path, const std::string& name, const Scene& scene, Rungs& rungs,
                     Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// What a window goes on with when the driver took its context away, or when it had to be started again.
+// The state with which a window continues after the driver reset its context, or after it was restarted.
 #pragma once
 
 #include <memory>
@@ -14,22 +14,22 @@
 
 namespace snell {
 
-// What a document was made from: it outlives a context.
+// The inputs of a document, which outlive a context.
 struct Kept {
     Plan plan;
     Sources sources;
-    Controls controls;  // their values when it was last drawn
+    Controls controls;  // with the values when it was last drawn
 };
 
 struct Recovery {
-    std::shared_ptr<const Kept> kept;  // what was last drawn well; null: nothing is shown
-    std::vector<std::string> files;    // a change of which is another try
-    std::string values;                // what is not as the scene says: restore_changed() once it is read
-    std::string problem;               // what happened, and what may be done
-    bool edited = false;               // a file was saved while nothing could look
+    std::shared_ptr<const Kept> kept;  // the last state that was drawn without problems; null if nothing is shown
+    std::vector<std::string> files;    // files in use; a change of one makes the window try again
+    std::string values;   // the values that differ from the scene's, for restore_changed() once the scene is read
+    std::string problem;  // what happened, and what the user can do
+    bool edited = false;  // a file was saved while no window watched it
 };
 
-// What another window begins with.
+// The initial state of a window that replaces another one.
 struct Carried {
     std::string scene;
     Recovery recovery;
@@ -38,10 +38,11 @@ struct Carried {
     double time = 0;           // of the scene
 };
 
+// The state after a loss of the context; its problem tells the user what happened.
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files);
 
-// As text, without what only lives with the process: what is kept, and the problem. "" reads as what a window begins
-// with, of no scene.
+// Converts to and from text, without `kept`, which exists only within the process, and without the problem. "" reads as
+// the initial state of a window without a scene.
 std::string carried_text(const Carried& carried);
 Carried read_carried(const std::string& text);
 

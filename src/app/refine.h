@@ -1,5 +1,5 @@
-// While nothing moves: the picture of the chosen rungs and that of the last rung of every ladder, both refined sample
-// by sample, and how far they are from each other. In steps that are one picture each.
+// Compares the picture of the chosen rungs with the reference, which has the last rung of every ladder. While nothing
+// else happens, both are refined sample by sample; each step draws one picture.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace snell {
 
-// All that pictures depend on, but the rungs.
+// Everything that pictures depend on, except for the rungs.
 struct Stand {
     int width = 0, height = 0;
     double time = 0;
@@ -25,34 +25,36 @@ struct Stand {
 
 class Refinement {
 public:
-    // Needs the GL context of `caps` to be current, for all of its life.
+    // The GL context of `caps` must be current during the object's whole life.
     Refinement(std::string path, const gl::Caps& caps);
 
-    // What the window shows; to be called before step(). Whatever makes another picture starts anew. The reference is
-    // a document of its own, that shares with the shown one what both need. `stale`: the files are others.
+    // Tells what the window shows; call it before step(). Anything that changes the picture restarts the refinement.
+    // The reference is a separate document, which shares with the shown one everything that both need. `stale` says
+    // that the files have changed since.
     void follow(Document& shown, bool stale, const Stand& stand);
-    // There is a reference, as far as the files go.
+    // True if there is a reference, as far as the files are concerned.
     bool comparable() const { return note_.empty(); }
-    // Another step would tell more.
+    // True if another step would improve the result.
     bool busy() const;
-    // True: there is something new to show.
+    // Returns true if there is something new to show.
     bool step();
-    // Measures all rungs of the ladder, the others as they are; or stops.
+    // Starts measuring all rungs of the ladder, with the other ladders unchanged, or stops it.
     void measure(std::size_t ladder);
 
-    // `ladder`: whose rungs are plotted.
+    // `ladder` is the one whose rungs are plotted.
     ui::AccuracyFacts facts(std::size_t ladder) const;
-    // As far as it is refined; null: not yet.
+    // The reference in its current refinement; null if there is none yet.
     const accuracy::Picture* reference() const;
-    // By pixel, root mean square of red, green and blue; empty: not yet.
+    // For each pixel the root mean square of the differences in red, green and blue; empty if there is no reference
+    // yet.
     std::vector<float> differences() const;
-    // Counts changes of what the above give.
+    // Increases whenever a result of the functions above changes.
     std::uint64_t revision() const { return revision_; }
 
 private:
-    // Errors are taken at these numbers of samples.
+    // Errors are computed at these numbers of samples.
     static constexpr std::array<int, 3> levels{1, 4, 16};
-    // levels.size(): none of them.
+    // The index into `levels`; levels.size() if the number is not one of them.
     static std::size_t level(int samples);
 
     struct Means {
@@ -78,10 +80,10 @@ private:
     std::array<accuracy::Picture, levels.size()> references_;
     accuracy::Picture chosen_;
     accuracy::Error error_;
-    int samples_ = 0;            // of `chosen_`, and `error_` is of as many
+    int samples_ = 0;            // of `chosen_` and `error_`
     int reference_samples_ = 0;  // of the best of `references_`
     std::vector<double> times_;  // of the last samples of the chosen rungs
-    bool cold_ = true;           // the next one compiles or loads
+    bool cold_ = true;           // the next sample compiles or loads, so it is not timed
     std::uint64_t revision_ = 0;
     RungCosts costs_;
 };

@@ -1,4 +1,4 @@
-// What a batch of pictures was, as JSON.
+// Reports a batch of pictures as JSON.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace snell::app {
 
-// "", or why it can't be written.
+// Returns "", or why the file cannot be written.
 std::string write_json(const std::string& path, const nlohmann::ordered_json& json);
 
-// Every picture with its values, file, size, hash and time.
+// Lists every picture with its values, file, size, hash and time.
 nlohmann::ordered_json pictures_json(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard);
 
 }  // namespace snell::app

@@ -1,5 +1,5 @@
-// A window that can't go on, because a frame does not end or memory ran out, and starts itself again in its own
-// process's place. What was set by hand goes with it: in memory that has a name in no folder, so nothing stays behind.
+// Restarts a window within its own process if a frame does not end or memory runs out. The user's changes are passed on
+// in an anonymous memory file, so nothing stays behind on disk.
 #pragma once
 
 #include <atomic>
@@ -13,36 +13,37 @@
 
 namespace snell {
 
-// One at a time: while it is there, operator new calls it when there is no more memory.
+// There may be only one at a time. While it exists, operator new calls it when memory runs out.
 class Restart {
 public:
-    // `after`: what "--after" says in a window that was started again, else "".
+    // `after` is the value of "--after" in a window that was restarted, otherwise "".
     explicit Restart(std::string after);
     ~Restart();
     Restart(const Restart&) = delete;
     Restart& operator=(const Restart&) = delete;
 
-    // What a window that was started again begins with.
+    // The state that a restarted window begins with.
     std::optional<Carried> carried() const;
-    // What the next one begins with, if there is one.
+    // Stores the state for the next window, if there will be one.
     void keep(const Carried& carried);
-    // The scene is about to be read again. Memory that runs out before that, and before anything is kept, ends the
-    // program: it would again and again. What is saved from now on is another edit.
+    // Tells that the scene is about to be read again. If memory runs out before this call and before a state is kept,
+    // the program ends, because it would restart over and over. Files that are saved from now on count as another edit.
     void trying();
 
-    // Watches frames: after that many seconds the window is started again. Threads that don't return end with it.
+    // Watches frames: if one takes longer than that many seconds, the window is restarted, which also ends threads that
+    // do not return.
     app::Deadline hang_watch(double seconds) const;
 
 private:
     enum class Cause { hang, memory };
-    // Both allocate nothing, and return where this system can't.
+    // Neither function allocates memory. They return if this system cannot restart.
     void start(Cause cause) const;
     static void out_of_memory();
 
     std::string after_, program_;
-    std::vector<std::string> arguments_;  // the last one is what "--after" says
+    std::vector<std::string> arguments_;  // the last one is the value of "--after"
     std::vector<char*> after_hang_, after_memory_;
-    int memory_ = -1;  // a file of it
+    int memory_ = -1;  // descriptor of the memory file
     std::atomic<bool> worth_it_ = false;
     std::new_handler before_;
 };

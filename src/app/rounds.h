@@ -1,4 +1,4 @@
-// Loops that Mesa's llvmpipe would end early, without a word.
+// Finds loops that Mesa's llvmpipe would silently end early.
 #pragma once
 
 #include "src/app/document.h"
@@ -7,19 +7,19 @@
 
 namespace snell {
 
-// There may be some: llvmpipe draws, and a shader has a loop.
+// True if llvmpipe draws and a shader has a loop, so that a check is worthwhile.
 bool may_go_round(const Plan& plan, const Document& document, const gl::Caps& caps);
 
-// As `snell check` finds them. The texts that shaders include are added to the document's.
+// Returns the warnings that `snell check` would give. Adds the texts that shaders include to the document's sources.
 Diagnostics too_many_rounds(const Plan& plan, Document& document);
 
-// What uniforms are set to where nobody moves a slider.
+// The values that uniforms take in a command, where no user moves a slider.
 class Reach {
 public:
     explicit Reach(const Controls& controls) : low_(controls), high_(controls) {}
-    // The same controls, with other values.
+    // Adds other values of the same controls.
     void add(const Controls& controls);
-    // The plan's numbers are then those, instead of the whole way of their sliders.
+    // Limits the plan's ranges of uniforms to these values, instead of the full ranges of their sliders.
     void narrow(Plan& plan) const;
 
 private:

@@ -1,5 +1,5 @@
-// What choices of rungs are off by and what they cost, while nothing else changes: of those that were visited, and of
-// all of a ladder when they are asked for.
+// Errors and costs of choices of rungs, while nothing else changes: of those that the user visited and, on request, of
+// all rungs of a ladder.
 #pragma once
 
 #include <map>
@@ -17,42 +17,44 @@ class RungCosts {
 public:
     using SampleMean = accuracy::SampleMean;
 
-    // Something else changed.
+    // Discards all results; call it when something other than the rungs changes.
     void forget();
-    // The rungs were drawn: once for each of `times`.
+    // Records that these rungs were drawn, with one time for each drawing.
     void visit(const Rungs& rungs, double error, std::span<const double> times);
 
-    // Measures all rungs of the ladder, the others as chosen: first errors, then times in interleaved rounds.
+    // Starts measuring all rungs of the ladder, with the other ladders as chosen: first errors, then times in
+    // interleaved rounds.
     void begin(std::size_t ladder, const Scene& scene, const Rungs& chosen);
     void stop();
     bool measuring() const { return job_.has_value(); }
     double done() const;  // 0..1
-    // One or two pictures by a runtime that is nobody else's. `reference`: of as many samples. `frame`'s rungs are
-    // ignored. True: something more is known.
+    // Draws one or two pictures with a runtime that nothing else uses. `reference` must have as many samples as
+    // `samples`; the rungs in `frame` are ignored. Returns true if there are new results.
     bool step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples,
               const gl::Caps& caps);
 
+    // The results as points of a plot of that ladder.
     std::vector<ui::AccuracyPoint> points(const Scene& scene, std::size_t ladder, const Rungs& chosen) const;
-    // Of the last measurement.
+    // A note on the last measurement.
     const std::string& remark() const { return remark_; }
 
 private:
     struct Known {
         double error = 0;
-        std::vector<double> times;  // of the same rounds as others' where it was compared
+        std::vector<double> times;  // if it was compared, from the same rounds as the others'
         ui::AccuracyPoint::Standing standing = ui::AccuracyPoint::Standing::visited;
         std::string by;
     };
     struct Job {
         std::vector<std::string> names;          // of the ladder's rungs
-        std::size_t chosen = 0;                  // of these
-        std::vector<Rungs> rungs;                // as `names`, and the chosen one again: the control
-        std::vector<double> errors;              // as `names`
-        std::vector<std::vector<double>> times;  // as `rungs`, by round
-        std::size_t next = 0;                    // of `rungs`
+        std::size_t chosen = 0;                  // index into `names`
+        std::vector<Rungs> rungs;                // in the order of `names`, then the chosen one again as the control
+        std::vector<double> errors;              // in the order of `names`
+        std::vector<std::vector<double>> times;  // in the order of `rungs`, by round
+        std::size_t next = 0;                    // index into `rungs`
         bool timing = false;
         int rounds = 0, wanted = 21;
-        double spent = 0;  // milliseconds
+        double spent = 0;  // in milliseconds
         std::unique_ptr<SampleMean> mean;
     };
     bool error_step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples, bool cpu);

@@ -1,4 +1,4 @@
-// The current values into the files of a scene.
+// Saves the current values to the files of a scene.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace snell {
 
-// A text that is to take the place of another.
+// The new text of a file, and the text that it replaces.
 struct SavedFile {
     std::string path, before, after;
 };
@@ -18,20 +18,20 @@ struct SavedFile {
 struct Saved {
     std::vector<SavedFile> files;
     std::vector<Unwritten> unwritten;
-    std::size_t values = 0;  // and rungs, that were written
-    std::string error;       // why nothing can be written; then there are no files
+    std::size_t values = 0;  // the number of values and rungs that are written
+    std::string error;       // why nothing can be written; `files` is then empty
 };
 
-// Of uniforms and ladders, those that are not as the scene says.
+// The number of uniforms and ladders that differ from the scene.
 std::size_t changed_values(const Document& document);
 
-// What saving the document's controls would write. Nothing is written yet. An error where a file is no longer what the
-// document was read from, or where the new texts would not read as they must.
+// Computes what saving the document's controls would write; writes nothing. The result has an error if a file changed
+// since the document was read, or if the new texts would not read back correctly.
 Saved saved_values(const Document& document);
 
-// All files or none, each of which must still be as it was before. "" or why not.
+// Writes all files or none; each must still have the text `before`. Returns "" or the error.
 std::string write_saved(const std::vector<SavedFile>& files);
-// Back to what was before, where the files are still as they were saved.
+// Restores the previous texts if the files are still as saved. Returns "" or the error.
 std::string undo_saved(const std::vector<SavedFile>& files);
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// What a window remembers from run to run: its looks, and the scenes that were open.
+// The settings that a window remembers from run to run: its appearance and the recent scenes.
 #pragma once
 
 #include <string>
@@ -13,30 +13,31 @@ inline constexpr std::size_t most_recent = 12;
 
 struct Settings {
     bool dark = false;
-    double zoom = 1, panel_width = 22;  // in heights of the letters
+    double zoom = 1, panel_width = 22;  // in multiples of the text height
     bool panel = true;
-    std::vector<std::string> open;  // sections
-    int width = 0, height = 0;      // of the window, in its coordinates at zoom 1 and 96 dots per inch; 0: not known
+    std::vector<std::string> open;  // titles of the open sections
+    int width = 0, height = 0;      // of the window, in its coordinates at zoom 1 and 96 dots per inch; 0: unknown
     std::vector<std::string> recent;
 
     bool operator==(const Settings&) const = default;
 };
 
-// $XDG_STATE_HOME/snell/window.json, ~/.local/state where that is not set; "" where there is no home.
+// Returns $XDG_STATE_HOME/snell/window.json, with ~/.local/state as the default of the variable; "" if there is no home
+// folder.
 std::string settings_file();
 
-// What is missing, damaged or out of range is as in a first run.
+// Values that are missing, damaged or out of range get their defaults.
 Settings read_settings(const std::string& file);
-// Scenes that other windows opened meanwhile stay in the list. "" or why not.
+// Writes the settings. Recent scenes that other windows added in the meantime are kept. Returns "" or the error.
 std::string write_settings(const std::string& file, const Settings& settings);
 
-// The scene is the last one now. Absolute paths, once each.
+// Moves the scene to the front of the recent ones, which are absolute paths, each listed once.
 void remember(std::vector<std::string>& recent, const std::string& scene);
 
-// To and from what the panels hold.
+// Copies settings to the panels' memory, and back.
 void restore(const Settings& settings, ui::Memory& memory);
 void gather(const ui::Memory& memory, Settings& settings);
-// From one scene to the next.
+// Copies the appearance of the window from one scene's memory to the next.
 void carry_looks(const ui::Memory& before, ui::Memory& memory);
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), as sha256sum prints it.
+// SHA-256 (FIPS 180-4), formatted as by sha256sum.
 #pragma once
 
 #include <string>

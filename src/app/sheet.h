@@ -1,4 +1,4 @@
-// Many pictures on one.
+// Contact sheets: many small pictures on one.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace snell::app {
 
-// At most 160 pixels a side, by the mean of the pixels that fall on each; 3 channels of bytes. Smaller pictures stay
-// as they are.
+// Shrinks a picture to at most 160 pixels per side, by averaging; returns 3 channels of bytes. Smaller pictures keep
+// their size.
 content::Image thumbnail(const content::Image& picture);
 
 struct Tile {
-    content::Image picture;  // as thumbnail() makes it; empty: was not drawn
+    content::Image picture;  // from thumbnail(); empty if the picture was not drawn
     std::string label;
 };
-// The most tiles that one sheet takes.
+// The maximum number of tiles on one sheet.
 constexpr std::size_t max_tiles = 4096;
 
-// Rows of `columns`, each tile with its label below if wanted.
+// Arranges the tiles in rows of `columns`, each with its label below if `labels` is true.
 content::Image contact_sheet(const std::vector<Tile>& tiles, std::size_t columns, bool labels);
 
 }  // namespace snell::app

@@ -1,4 +1,4 @@
-// Statements of a scene, to be read by people.
+// Formats statements of a scene for messages.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace snell {
 
-// Its text in one line, however it is written; long ones are cut.
+// The statement's text in one line, cut if it is long.
 std::string statement_text(const Span& span, const Sources& sources);
-// "scene.glib:12"
+// The statement's place, such as "scene.glib:12".
 std::string statement_place(const Span& span, const Sources& sources);
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// How a picture of any size is drawn: at once, or part by part.
+// Divides a picture of any size into parts that fit into memory.
 #pragma once
 
 #include <string>
@@ -12,22 +12,23 @@ namespace snell::app {
 
 struct PictureSize {
     int width = 0, height = 0, samples = 1;
-    bool floats = false;  // the driver's pixels are
+    bool floats = false;  // of the framebuffer's pixels
     bool operator==(const PictureSize&) const = default;
 };
 
-// What is drawn at once, in pixels.
+// The size of the part that is drawn at once, in pixels.
 struct Tiling {
     int width = 0, height = 0;
-    std::string error;  // why it can't be; with a help where there is one
+    std::string error;  // why the picture cannot be drawn, with help if possible
     bool whole(const PictureSize& size) const { return width >= size.width && height >= size.height; }
 };
 
-// As much at once as memory allows within the limits; `most`: and no more pixels along a side; 0: no such bound.
+// Returns the largest part that memory allows within the limits. With `most` above 0, its sides are at most that many
+// pixels.
 Tiling tile(const PictureSize& size, const Limits& limits, const gl::Caps& caps, int most = 0);
 
-// From the top down, each row of them from the left. They begin at multiples of the tiling's size, from the bottom
-// left.
+// Lists the parts from top to bottom, each row from left to right. They begin at multiples of the tiling's size,
+// counted from the bottom left.
 std::vector<Surface::Part> parts_of(const PictureSize& size, const Tiling& tiling);
 
 }  // namespace snell::app

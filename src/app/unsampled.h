@@ -1,15 +1,15 @@
-// Files of textures that nothing samples: the picture does not depend on them.
+// Problems with files of textures that nothing samples, so that the picture does not depend on them.
 #pragma once
 
 #include "src/app/document.h"
 
 namespace snell {
 
-// That they are missing becomes a note, where that is all that is wrong: a program that failed may be one that samples
-// them, and so may one of another rung.
+// Turns the errors about such missing files into notes if the scene has no other errors and no ladders: a program that
+// failed, or one of another rung, may sample them.
 void excuse_unsampled(Document& document);
 
-// Reads and decodes them all the same: what is wrong with them is a warning.
+// Reads and decodes these files nevertheless; problems with them become warnings.
 void check_unsampled(Document& document);
 
 }  // namespace snell

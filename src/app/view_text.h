@@ -1,4 +1,4 @@
-// The camera that the user holds, as an option of the command line.
+// The view that the user has set, as a command-line option.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace snell {
 
-// "rotate_x=30,rotate_y=-12.5,scale=1.2,x=.1": what is not as it was at first; "eye.", "texture." and "object3." before
-// the names of the other transformations; "projection=ortho", "background=.3". "" where all is. Reads back to the same
-// bits; axes and mouse are not in it.
+// Formats the values that differ from their initial state, such as "rotate_x=30,rotate_y=-12.5,scale=1.2,x=.1". Names
+// of other transformations begin with "eye.", "texture." and "object3."; further values are "projection=ortho" and
+// "background=.3". "" if nothing differs. The text reads back to the same bits. Axes and mouse are not included.
 std::string view_text(const View& view);
 
-// "" or what is wrong.
+// Returns "" or the error.
 std::string parse_view(std::string_view text, View& view);
 
 }  // namespace snell

@@ -7,15 +7,16 @@
 
 namespace snell {
 
-// Looks at the files themselves, not at the system's notifications: these are silent on network folders, and an
-// editor that saves by renaming makes them lose the file. One look at fifty files costs less than 0.1 ms.
-// Of a folder only the names in it count: a file that a scene lacks may appear there.
+// Polls the files instead of using the system's notifications. Notifications do not work on network folders, and an
+// editor that saves by renaming makes them lose the file. Polling fifty files takes less than 0.1 ms. For a folder only
+// the names in it count, because a missing file of a scene may appear there.
 class Watch {
 public:
-    // The files and folders whose present state is known; further ones are compared from now on.
+    // Sets the files and folders to watch. The known state of those that were watched before stays; new ones are
+    // compared with their current state.
     void set_paths(std::vector<std::string> paths);
-    // Looks. True once a change has come to rest: two looks in a row saw the same new state, so that a file
-    // still being written is not read by half.
+    // Polls once. Returns true when two polls in a row saw the same new state, so that a file is not read while it is
+    // still being written.
     bool changed();
 
 private:
@@ -28,7 +29,7 @@ private:
     struct Entry {
         std::string path;
         Stamp known, last;
-        Stamp folder;  // when its names were last read
+        Stamp folder;  // modification time when its names were last read
     };
     static Stamp look(Entry& entry);
 

@@ -1,4 +1,4 @@
-// The window: a scene, its sliders, and the loop that draws only when something changed.
+// The window: it shows a scene with its sliders, and draws only when something changed.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@ namespace snell {
 struct WindowOptions {
     std::string scene;
     std::optional<std::pair<int, int>> size;
-    std::string state_file;            // for tests: counters, values and layout are written there after every frame
-    double exit_after = 0;             // seconds; 0: never
-    std::string quality;               // the preset that the scene begins with; empty: its own rungs
-    std::vector<std::string> ladders;  // NAME=rung, on top of that
+    std::string state_file;  // for tests: counters, values and layout are written to this file after every frame
+    double exit_after = 0;   // in seconds; 0: never
+    std::string quality;     // the preset that the scene begins with; empty: its own rungs
+    std::vector<std::string> ladders;  // NAME=rung; applied after the preset
     Access access;
-    double timeout = 60;    // seconds of one frame; 0: no end
-    std::string after;      // of a window that was started again: Restart
-    std::string lose_file;  // for tests: while it is there, the context is lost
+    double timeout = 60;    // in seconds for one frame; 0: no timeout
+    std::string after;      // passed by Restart to a window that was restarted
+    std::string lose_file;  // for tests: when this file exists, the context counts as lost
 };
 
 // Returns the exit status.

@@ -1,4 +1,4 @@
-// What a window is doing, as JSON, so that tests can look into it.
+// Writes the state of a window as JSON, for tests.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 namespace snell {
 
 struct WindowCounters {
-    std::uint64_t frames = 0;    // pictures of the scene drawn
-    std::uint64_t presents = 0;  // times that the window's contents were replaced
-    double time = 0;             // of the last picture
+    std::uint64_t frames = 0;    // number of pictures of the scene that were drawn
+    std::uint64_t presents = 0;  // number of times that the window's contents were replaced
+    double time = 0;             // of the last picture, in seconds
     double frame_ms = 0;
 };
 
-// The file is replaced as a whole: a reader never sees half of one.
+// Replaces the file as a whole, so that a reader never sees an incomplete one.
 void write_window_state(const std::string& file, const WindowCounters& counters, Session& session, const View& view,
                         const ui::Layout& layout, const ui::Memory& memory, const ui::Facts& measured, PixelSize size);
 

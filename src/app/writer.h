@@ -1,4 +1,4 @@
-// Pictures go to disk while the next ones are drawn.
+// Writes pictures to files while the next ones are drawn.
 #pragma once
 
 #include <condition_variable>
@@ -15,12 +15,12 @@
 
 namespace snell::app {
 
-// What became of a picture.
+// The outcome of writing a picture.
 struct Written {
-    std::string error;  // "" when it is there
+    std::string error;  // "" if the file was written
     std::uintmax_t bytes = 0;
-    std::string sha256;   // of the file, where wanted
-    content::Image tile;  // a thumbnail, where wanted
+    std::string sha256;   // of the file, if requested
+    content::Image tile;  // a thumbnail, if requested
     double milliseconds = 0;
 };
 
@@ -34,10 +34,10 @@ public:
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
-    // Waits when more than a few are on their way. No picture: the file is there already, and is only looked at; unless
-    // `wrong` says why it is not.
+    // Adds a picture; waits if more than a few are pending. Without a picture, the file exists already and is only read
+    // for hash and thumbnail, unless `wrong` gives the error that prevented the picture.
     void add(std::string path, std::optional<content::Image> picture, const std::string& wrong = {});
-    // Waits for all; in the order in which they were added.
+    // Waits until all are written; the results are in the order in which they were added.
     const std::vector<Written>& finish();
 
 private:

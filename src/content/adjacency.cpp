@@ -5,10 +5,10 @@
 namespace snell::content {
 namespace {
 
-// A triangle's edge. `edge` names its two places in ascending order.
+// An edge of a triangle. `edge` combines its two places in ascending order.
 struct Half {
     std::uint64_t edge = 0;
-    std::uint32_t corner = 0;  // of the triangle list: where the edge begins
+    std::uint32_t corner = 0;  // index into the triangle list at which the edge begins
     bool reversed = false;     // runs from the higher place to the lower
 };
 
@@ -29,11 +29,12 @@ std::vector<Half> sorted_halves(std::span<const std::uint32_t> triangles, const 
     return halves;
 }
 
-// The partner of the k-th of `own`, all of one edge and direction; `other` runs the other way.
+// The partner of the k-th edge of `own`, which all join the same places in the same direction; those of `other` run in
+// the opposite direction.
 const Half& partner(std::span<const Half> own, std::span<const Half> other, std::size_t k) {
     if (k < other.size()) return other[k];
     if (!other.empty()) return other[0];
-    return own[(k + 1) % own.size()];  // itself when it is alone: a border
+    return own[(k + 1) % own.size()];  // an edge at a border is alone and is its own partner
 }
 
 }  // namespace

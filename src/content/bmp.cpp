@@ -1,5 +1,5 @@
-// Windows and OS/2 bitmaps: headers of 12, 40 (Windows 3), 52, 56, 64 (OS/2 2), 108 (V4) and 124 (V5) bytes;
-// 1, 2, 4, 8 bits with a palette, also run-length coded; 16, 24 and 32 bits, with or without bit masks.
+// Decodes Windows and OS/2 bitmaps: headers of 12, 40 (Windows 3), 52, 56, 64 (OS/2 2), 108 (V4) and 124 (V5) bytes; 1,
+// 2, 4 and 8 bits with a palette, also run-length coded; 16, 24 and 32 bits, with or without bit masks.
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -17,14 +17,14 @@ struct Rgba {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
 };
 
-// What the headers say.
+// The contents of the headers.
 struct Layout {
     std::int64_t width = 0, height = 0;
     bool top_down = false;
     std::uint32_t bits = 0, compression = rgb;
     std::size_t header_size = 0, palette_at = 0, pixels_at = 0;
     std::size_t palette_entry = 4;
-    std::array<std::uint32_t, 4> masks{};  // r g b a
+    std::array<std::uint32_t, 4> masks{};  // in the order r g b a
     std::array<Rgba, 256> palette{};
 
     std::size_t stride() const { return (static_cast<std::size_t>(width) * bits + 31) / 32 * 4; }
@@ -81,7 +81,7 @@ std::string check_coding(const Layout& layout) {
     }
 }
 
-// Masks stand inside headers of 52 bytes and more, and behind the one of 40.
+// Masks are inside of headers of 52 bytes and more, but follow the one of 40 bytes.
 void read_masks(std::string_view bytes, Layout& layout) {
     layout.palette_at = file_header + layout.header_size;
     if (layout.bits == 16) layout.masks = {0x7c00, 0x03e0, 0x001f, 0};
@@ -114,7 +114,7 @@ void read_palette(std::string_view bytes, Layout& layout) {
     }
 }
 
-// Where the pixels start when the file does not say, or says nonsense.
+// The start of the pixels if the file's value is missing or invalid.
 std::size_t natural_start(std::string_view bytes, const Layout& layout) {
     std::size_t colors = layout.bits <= 8 ? std::size_t{1} << layout.bits : 0;
     const std::size_t used = layout.header_size >= 40 ? read_u32(bytes, 46) : 0;
@@ -122,7 +122,7 @@ std::size_t natural_start(std::string_view bytes, const Layout& layout) {
     return layout.palette_at + colors * layout.palette_entry;
 }
 
-// A mask's bits as 0..255, rounded.
+// Extracts a mask's bits and scales them to 0..255, rounded.
 struct Channel {
     std::uint32_t mask = 0;
     int shift = 0;
@@ -144,7 +144,7 @@ public:
         const std::int64_t y = layout_.top_down ? from_start : layout_.height - 1 - from_start;
         return reinterpret_cast<Rgba*>(image_.pixels.data() + static_cast<std::size_t>(y) * image_.row_bytes());
     }
-    // `data` holds `count` whole pixels.
+    // `data` must hold `count` whole pixels.
     void decode(std::string_view data, std::size_t count, Rgba* out) const {
         if (layout_.bits <= 8) return palette(data, count, out);
         if (layout_.bits == 24) {
@@ -175,7 +175,7 @@ private:
     Channel r_{layout_.masks[0]}, g_{layout_.masks[1]}, b_{layout_.masks[2]}, a_{layout_.masks[3]};
 };
 
-// Both return how many rows are whole.
+// Both functions return the number of complete rows.
 std::int64_t decode_plain(std::string_view data, const Layout& layout, Rows rows) {
     const auto width = static_cast<std::size_t>(layout.width);
     const std::size_t stride = layout.stride();
@@ -212,7 +212,7 @@ std::int64_t decode_runs(std::string_view data, const Layout& layout, Rows rows)
         } else if (value == 0) {  // end of the row
             x = 0;
             ++y;
-        } else if (value == 1) {  // end of the picture
+        } else if (value == 1) {  // end of the image
             return layout.height;
         } else if (value == 2) {  // skip
             if (at + 2 > data.size()) break;
@@ -231,7 +231,7 @@ std::int64_t decode_runs(std::string_view data, const Layout& layout, Rows rows)
     return y;
 }
 
-// Bitmaps of 32 bits whose alpha was never set are meant to be seen.
+// Makes a 32-bit bitmap opaque if its alpha is 0 everywhere: its writer did not set it.
 void mend_alpha(Image& image) {
     auto* const first = reinterpret_cast<Rgba*>(image.pixels.data());
     Rgba* const last = first + image.pixels.size() / sizeof(Rgba);

@@ -1,4 +1,5 @@
-// Light as surfaces of some roughness gather it: an integral over a tree of a cube's texels for each direction.
+// Integrates the light of a cube map over the lobes of rough surfaces. For each direction it walks a tree over the
+// cube's texels.
 #include "src/content/convolve.h"
 
 #include <algorithm>
@@ -10,21 +11,21 @@
 namespace snell::content {
 namespace {
 
-constexpr int smallest_level = 8;  // enough for roughness 1 (within .4 % of the mean with seamless filtering)
-// Irradiance is summed over 16 texels a side, each where its light comes from as told by 4 · 4 finer ones.
+constexpr int smallest_level = 8;  // enough for roughness 1 (error below .4 % of the mean with seamless filtering)
+// Irradiance is summed over 16 texels per side. The direction of each one's light is computed from 4 · 4 finer texels.
 constexpr int irradiance_source = 64;
 constexpr std::size_t irradiance_levels = 5;
 
-// A texel of some level: the light that comes through it.
+// A texel of some level of the tree, and the light from it.
 struct Node {
-    float x = 0, y = 0, z = 0;  // unit vector to the middle of its light
+    float x = 0, y = 0, z = 0;  // unit vector to the centroid of its light
     float solid_angle = 0;
     float red = 0, green = 0, blue = 0;  // radiance · solid angle
-    float reach = 0;                     // no part of what it covers is farther than this
+    float reach = 0;                     // maximum distance from that vector to any part of the texel
 };
 
-// Column and row with their bits taken in turns: the four texels of a quarter follow each other on every level, so
-// the children of texel i are 4i to 4i + 3.
+// Interleaves the bits of column and row (Morton order): the four texels of a quarter are consecutive on every level,
+// so the children of texel i are 4i to 4i + 3.
 std::size_t interleave(int column, int row) {
     std::size_t result = 0;
     for (int bit = 0; bit < 15; ++bit)
@@ -32,10 +33,10 @@ std::size_t interleave(int column, int row) {
     return result;
 }
 
-// A cube of 1, 2, 4 … texels a side, down to the light's own, whose size is a power of two.
+// A pyramid of cubes of 1, 2, 4 … texels per side, up to the light's own size, which must be a power of two.
 class Tree {
 public:
-    // Only the first `most` levels are kept.
+    // Keeps only the `most` coarsest levels.
     explicit Tree(const CubeLight& light, std::size_t most = 32)
         : finest_(std::countr_zero(static_cast<unsigned>(light.size))) {
         levels_.resize(static_cast<std::size_t>(finest_) + 1);
@@ -48,9 +49,9 @@ public:
         if (levels_.size() > most) levels_.resize(most);
     }
 
-    // Mean light in the lobes around four directions near each other. A texel is taken as a whole where its solid
-    // angle is small against the square of the distance over which the lobe changes: `detail` times that; 0: nowhere
-    // but at the finest level.
+    // Mean light in the lobes around four nearby directions. A texel is used as a whole if its solid angle is at most
+    // `detail` times the square of the distance over which the lobe changes; with `detail` 0 only texels of the finest
+    // level are used.
     void lobes(const std::array<std::array<double, 3>, 4>& directions, double alpha, double detail,
                std::array<std::array<float, 3>, 4>& means) const {
         Lobes lobes;
@@ -106,7 +107,8 @@ private:
         Node sum;
         for (int i = 0; i < 4; ++i) {
             const Node& child = children[i];
-            // Where most of the light comes from: a lamp in a corner of what is taken as a whole stays in its corner.
+            // The direction of a node is weighted by light, so that a lamp in a corner of its area stays in that
+            // corner.
             const float light = std::max(child.red + child.green + child.blue, 0.0F) + 1e-6F * child.solid_angle;
             sum.x += child.x * light;
             sum.y += child.y * light;
@@ -127,7 +129,7 @@ private:
         std::array<float, 4> cosine;
         for (std::size_t i = 0; i < 4; ++i) cosine[i] = lobes.x[i] * node.x + lobes.y[i] * node.y + lobes.z[i] * node.z;
         const float nearest = std::max(std::max(cosine[0], cosine[1]), std::max(cosine[2], cosine[3]));
-        if (nearest < -node.reach) return;  // all of it is behind
+        if (nearest < -node.reach) return;  // the whole texel is behind the surface
         const float size2 = lobes.alpha2 + .5F - .5F * nearest;
         if (level + 1 < levels_.size() && node.solid_angle > lobes.detail * size2) {
             for (std::size_t child = 4 * index; child < 4 * index + 4; ++child) gather(lobes, level + 1, child);
@@ -151,7 +153,7 @@ private:
     std::vector<std::vector<Node>> levels_;  // 6 · 4^level nodes each
 };
 
-// Texels are made in squares of four, which share most of what they see.
+// Texels are computed in squares of four, which share most of the tree walk.
 CubeLight convolved(const Tree& tree, int size, double alpha, double detail) {
     CubeLight result;
     result.size = size;
@@ -195,7 +197,8 @@ int prefilter_levels(int size) {
 }
 
 std::vector<CubeLight> prefiltered(const CubeLight& light, int size) {
-    const auto detail = [](int texels) { return texels > 16 ? .08 : .02; };  // small levels can afford to look closer
+    // Small levels are cheap enough for more detail.
+    const auto detail = [](int texels) { return texels > 16 ? .08 : .02; };
     std::vector<CubeLight> levels{resized(light, size)};
     const Tree tree(levels[0]);
     const int count = prefilter_levels(size);

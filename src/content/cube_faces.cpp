@@ -1,4 +1,4 @@
-// Cube maps from six files: their names, their sizes, reading them.
+// Cube maps from six files: names, sizes and decoding.
 #include <algorithm>
 #include <cstring>
 

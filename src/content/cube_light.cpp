@@ -1,4 +1,4 @@
-// Cube maps as light: sizes, means and harmonics by solid angle.
+// Cube maps as light: resizing, means and spherical harmonics, weighted by solid angle.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -17,13 +17,13 @@ std::size_t texel_index(int size, int face, int column, int row) {
     return static_cast<std::size_t>((face * size + row) * size + column);
 }
 
-// ∫ of the solid angle's density from the face's middle to (s, t).
+// The solid angle between the face's centre and (s, t), with a sign.
 double corner(double s, double t) {
     const double u = 2 * s - 1, v = 2 * t - 1;
     return std::atan2(u * v, std::sqrt(u * u + v * v + 1));
 }
 
-// Unlike the texels of a face, all faces are alike: one table does for six.
+// All six faces have the same solid angles, so one table is enough.
 std::vector<double> solid_angles(int size) {
     std::vector<double> above, angles;
     for (int column = 0; column <= size; ++column) above.push_back(corner(static_cast<double>(column) / size, 0));

@@ -11,7 +11,7 @@ namespace {
 
 using Pixel = std::array<float, 4>;
 
-// A picture as floats, looked up between its texels.
+// An image as floats, with bilinear lookup.
 class Sampler {
 public:
     explicit Sampler(const Image& image)
@@ -26,8 +26,8 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // x and y in texels, centres at halves. `texel(x, y)` gives a texel's index for any whole coordinates up to
-    // one outside the picture: what lies there is the layout's affair.
+    // x and y are in texels, with centres at halves. `texel(x, y)` maps whole coordinates, up to one outside of the
+    // image, to the index of a texel: each layout continues differently beyond its edges.
     template <class Texel>
     Pixel bilinear(double x, double y, const Texel& texel) const {
         const double left = std::floor(x - .5), top = std::floor(y - .5);
@@ -67,7 +67,7 @@ void store(Image& image, std::size_t index, float value) {
     }
 }
 
-// Every texel is the mean of grid x grid evenly spread samples: sample(face, s, t).
+// Fills faces with the mean of grid x grid evenly spread samples for each texel, by sample(face, s, t).
 template <class Sample>
 CubeFaces fill_faces(const Image& like, int size, int grid, const Sample& sample) {
     CubeFaces faces;
@@ -103,13 +103,13 @@ CubeFaces fill_faces(const Image& like, int size, int grid, const Sample& sample
     return faces;
 }
 
-// Samples along a texel's side for a picture that is `ratio` times finer than the faces.
+// The number of samples along a texel's side, for an image that is `ratio` times finer than the faces.
 int grid_for(double ratio) { return std::clamp(static_cast<int>(std::lround(ratio)), 1, 64); }
 
 CubeFaces from_equirectangular(const Image& image, int face_size) {
     const Sampler sampler(image);
     const int width = sampler.width(), height = sampler.height();
-    // Around in longitude; beyond a pole the picture goes on half a turn away.
+    // Longitude wraps around. Beyond a pole, the image continues half a turn away.
     const auto texel = [&](int x, int y) {
         if (y < 0 || y >= height) {
             y = y < 0 ? 0 : height - 1;
@@ -118,8 +118,8 @@ CubeFaces from_equirectangular(const Image& image, int face_size) {
         if (x < 0) x += width;
         return sampler.index(x % width, y);
     };
-    // Rows a radian against face texels a radian, at a face's centre. With half as many samples again no small lamp
-    // falls between them: the light from all around stays what it was within .3 %, and would be off by 1.6 % without.
+    // Rows per radian relative to face texels per radian at a face's centre. 1.5 times as many samples ensure that no
+    // small lamp falls between them: the total light is preserved within .3 %, otherwise within 1.6 %.
     const double ratio = height / std::acos(-1.0) / (face_size / 2.0);
     return fill_faces(image, face_size, grid_for(1.5 * ratio), [&](int face, double s, double t) {
         const auto [u, v] = equirectangular_position(face_direction(face, s, t));

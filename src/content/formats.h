@@ -1,4 +1,4 @@
-// The decoders behind decode_image, one for each format that snell reads by itself. Inside src/content only.
+// Decoders of image formats, used by decode_image. Internal to src/content.
 #pragma once
 
 #include <string>
@@ -8,39 +8,42 @@
 
 namespace snell::content {
 
-// "bmp", "png", "jpeg" …, from the first bytes; empty when they tell nothing (TGA and raw .tex have no
-// signature). Kinds of file that are no pictures but are met under picture names come as "html", "git-lfs" …
+// Recognises a format by its first bytes: "bmp", "png", "jpeg" …; empty if they are unknown (TGA and raw .tex have no
+// signature). Files that are not images but often have an image's name are recognised as "html", "git-lfs" …
 std::string_view sniff(std::string_view first_bytes);
 
-// Lower case, without the dot: "png".
+// Returns the extension in lower case without the dot, such as "png".
 std::string extension_of(std::string_view path);
 
-// The format that an extension stands for, by sniff's names; empty: not known here.
+// Returns the format that an extension stands for, by the names of sniff(); empty if it is unknown.
 std::string_view format_of_extension(std::string_view extension);
 
+// Decode formats that snell reads without OpenImageIO. `bytes` is the whole file.
 ImageResult decode_bmp(std::string_view bytes, const ImageLimits& limits);
 ImageResult decode_tex(std::string_view bytes, const ImageLimits& limits);
 ImageResult decode_png(std::string_view bytes, const ImageLimits& limits);
-// Whatever OpenImageIO reads. `format` is sniff's word, empty to let it try them all.
-// The bytes are given to it as a file in memory: what stands under the picture's name may have changed meanwhile.
+// Decodes a format that OpenImageIO reads. `format` is a name from sniff(), or empty to try all formats. OpenImageIO
+// gets the bytes as a file in memory, because the file on disk may have changed since they were read.
 ImageResult decode_other(std::string_view bytes, std::string_view format, const ImageLimits& limits);
 
+// Read the headers; nullopt if the bytes are not a valid header of the format.
 std::optional<ImageHeader> bmp_header(std::string_view first_bytes);
 std::optional<ImageHeader> png_header(std::string_view first_bytes);
-// The whole file's size decides whether the first numbers are sizes of a raw texture.
+// A raw texture has no signature: the header is valid only if its sizes match the size of the whole file.
 std::optional<ImageHeader> tex_header(std::string_view first_bytes, std::size_t file_size);
 
+// Makes the result of a failed decoding: no image, and one error.
 ImageResult image_failed(std::string code, std::string message, std::string help = {});
 
-// What speaks against a picture of this size, asked before memory is taken for it.
+// Returns an issue if an image of this size exceeds the limits; called before memory is allocated.
 std::optional<ImageIssue> check_size(std::string_view format, std::int64_t width, std::int64_t height,
                                      std::int64_t depth, std::size_t pixel_bytes, const ImageLimits& limits);
 
-// Floats (tightly packed, as `shape` says) → f16: non-finite values become the mean of their neighbours, values
-// beyond ±65504 are clamped; both are reported.
+// Converts floats (tightly packed, as `shape` describes) to f16. Non-finite values become the mean of their neighbours,
+// values beyond ±65504 are clamped; both are reported.
 ImageResult half_image(Image shape, std::vector<float> values);
 
-// Little-endian numbers; the caller has checked that they are there.
+// Read little-endian numbers. The caller must have checked that `bytes` is long enough.
 inline std::uint32_t read_u16(std::string_view bytes, std::size_t at) {
     return static_cast<unsigned char>(bytes[at]) | static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + 1]))
                                                        << 8;

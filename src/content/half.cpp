@@ -8,11 +8,11 @@ namespace snell::content {
 float half_to_float(std::uint16_t half) {
     const std::uint32_t sign = static_cast<std::uint32_t>(half & 0x8000u) << 16;
     const std::uint32_t magnitude = half & 0x7fffu;
-    if (magnitude >= 0x7c00u) {  // infinity, NaN
+    if (magnitude >= 0x7c00u) {  // infinity or NaN
         return std::bit_cast<float>(sign | 0x7f800000u | (magnitude & 0x3ffu) << 13);
     }
-    // Shifted as it is the value has the wrong bias; one multiplication by 2^112 mends normal and subnormal
-    // numbers alike, exactly.
+    // After the shift the exponent has the wrong bias. Multiplication by 2^112 corrects normal and subnormal numbers
+    // alike, exactly.
     const float unbiased = std::bit_cast<float>(magnitude << 13) * 0x1p112f;
     return std::bit_cast<float>(sign | std::bit_cast<std::uint32_t>(unbiased));
 }
@@ -24,7 +24,8 @@ std::uint16_t float_to_half(float value) {
     if (magnitude > 0x7f800000u) return static_cast<std::uint16_t>(sign | 0x7e00u);   // NaN
     if (magnitude >= 0x477ff000u) return static_cast<std::uint16_t>(sign | 0x7c00u);  // rounds to 65536 or more
     if (magnitude < 0x38800000u) {
-        // Subnormal: adding 1/2 lets the float unit round to a multiple of 2^-24, to nearest even.
+        // For subnormal results, adding 1/2 makes the floating-point unit round to a multiple of 2^-24, to nearest
+        // even.
         const float shifted = std::bit_cast<float>(magnitude) + 0.5f;
         return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(shifted) - 0x3f000000u));
     }

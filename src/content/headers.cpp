@@ -1,4 +1,4 @@
-// How large a picture says that it is, from its first bytes.
+// Reads the size of an image from its first bytes.
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -23,7 +23,7 @@ ImageHeader header_of(std::string_view format, std::int64_t width, std::int64_t 
     return {std::string(format), static_cast<int>(std::min(width, most)), static_cast<int>(std::min(height, most)), 1};
 }
 
-// The size stands in the start-of-frame segment.
+// The size is in the start-of-frame segment.
 std::optional<ImageHeader> jpeg_header(std::string_view b) {
     for (std::size_t at = 2; at + 9 <= b.size();) {
         if (static_cast<unsigned char>(b[at]) != 0xff) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<ImageHeader> jpeg_header(std::string_view b) {
     return std::nullopt;
 }
 
-// The line "-Y height +X width" that ends the header.
+// Reads the line "-Y height +X width" that ends the header.
 std::optional<ImageHeader> hdr_header(std::string_view b) {
     std::size_t at = b.find("\n-Y ");
     if (at == std::string_view::npos) return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<ImageHeader> hdr_header(std::string_view b) {
     return header;
 }
 
-// The attribute "dataWindow" of type "box2i".
+// Reads the attribute "dataWindow" of type "box2i".
 std::optional<ImageHeader> exr_header(std::string_view b) {
     constexpr std::string_view key = "dataWindow\0box2i\0"sv;
     const std::size_t at = b.find(key);
@@ -68,7 +68,8 @@ std::optional<ImageHeader> gif_header(std::string_view b) {
     return header_of("gif", read_u16(b, 6), read_u16(b, 8));
 }
 
-// The first chunk: of the simple format (RFC 6386, 9.1), the lossless one, or the extended one with its canvas.
+// Reads the first chunk: of the simple format (RFC 6386, 9.1), the lossless format, or the extended format with its
+// canvas.
 std::optional<ImageHeader> webp_header(std::string_view b) {
     if (b.size() < 30) return std::nullopt;
     const std::string_view chunk = b.substr(12, 4);
@@ -81,7 +82,8 @@ std::optional<ImageHeader> webp_header(std::string_view b) {
     return std::nullopt;
 }
 
-// The SIZ segment that a codestream begins with: the image's extent on the reference grid, and its offset there.
+// Reads the SIZ segment at the beginning of a codestream: the image's extent on the reference grid, and its offset
+// there.
 std::optional<ImageHeader> jpeg2000_header(std::string_view b) {
     const std::size_t at = b.find("\xff\x4f\xff\x51");
     if (at == std::string_view::npos || at + 24 > b.size()) return std::nullopt;
@@ -89,7 +91,7 @@ std::optional<ImageHeader> jpeg2000_header(std::string_view b) {
                      std::max<std::int64_t>(big_endian_32(b, at + 12) - big_endian_32(b, at + 20), 0));
 }
 
-// The largest extent of all the items that the file holds: thumbnails and tiles have theirs, too.
+// The largest extent of all items in the file: thumbnails and tiles have extents too.
 std::optional<ImageHeader> heif_header(std::string_view b) {
     constexpr std::string_view extents = "ispe\0\0\0\0"sv;
     std::int64_t width = 0, height = 0;

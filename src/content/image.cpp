@@ -20,7 +20,7 @@ std::size_t channel_bytes(PixelType type) {
     return 0;
 }
 
-// One, in a channel of this type.
+// The value 1 in a channel of this type.
 std::array<std::byte, 4> one(PixelType type) {
     std::array<std::byte, 4> bytes{std::byte{255}};
     const std::uint16_t half = 0x3c00;
@@ -50,7 +50,7 @@ ImageResult decode_as(std::string_view format, std::string_view named, std::stri
     for (const std::string_view other : {"html", "svg", "pdf", "zip", "git-lfs"}) {
         if (format == other) return not_a_picture(format);
     }
-    // Some of OpenImageIO's readers take memory for the whole picture before its size can be asked for.
+    // Some of OpenImageIO's readers allocate memory for the whole image before its size can be queried.
     if (const auto header = format.empty() ? std::nullopt : read_header(bytes, bytes.size())) {
         if (auto issue = check_size(format, header->width, header->height, header->depth, 1, limits))
             return {{}, {*issue}};
@@ -83,7 +83,7 @@ std::optional<ImageIssue> check_size(std::string_view format, std::int64_t width
         return ImageIssue{true, "image-unreadable", std::string(format) + " picture: it has no texels",
                           "save it again"};
     }
-    // Each factor is below 2^31 here: the product of two fits, that of three is taken in floating point.
+    // Each factor is below 2^31, so the product of two fits; that of three is computed in floating point.
     const double bytes =
         static_cast<double>(width * height) * static_cast<double>(depth) * static_cast<double>(pixel_bytes);
     if (bytes > static_cast<double>(limits.bytes)) {
@@ -98,9 +98,10 @@ ImageResult decode_image(const std::string& path, std::string_view bytes, const 
     const std::string extension = extension_of(path);
     const std::string_view named = format_of_extension(extension);
     std::string_view format = sniff(bytes);
-    // Raw textures have no signature: one whose size fits exactly is taken for one under any name.
+    // Raw textures have no signature: a file whose size matches its first numbers exactly is treated as one under any
+    // name.
     if (format.empty() && (named == "tex" || (named != "targa" && tex_header(bytes, bytes.size())))) format = "tex";
-    if (format.empty() && (named == "bmp" || named == "png")) format = named;  // their decoders say what is wrong
+    if (format.empty() && (named == "bmp" || named == "png")) format = named;  // their decoders report what is wrong
     const bool misnamed = !format.empty() && !named.empty() && format != named;
     ImageResult result = decode_as(format, named, bytes, limits);
     if (misnamed && result.image) {

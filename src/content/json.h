@@ -1,4 +1,4 @@
-// JSON as text. Reading and writing are templates that build slowly: they are built once, here.
+// JSON to and from text. nlohmann's templates are slow to compile, so they are instantiated only here.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,11 +7,11 @@
 
 namespace snell::content {
 
-// Indented by two blanks. Bytes that are not UTF-8 are replaced by U+FFFD.
+// Formats with an indent of two blanks. Bytes that are not UTF-8 are replaced by U+FFFD.
 std::string json_text(const nlohmann::ordered_json& json);
-// The same in one line.
+// Formats in one line.
 std::string json_line(const nlohmann::ordered_json& json);
-// A discarded value where the text is no JSON.
+// Returns a discarded value if the text is not JSON.
 nlohmann::ordered_json parse_json(std::string_view text);
 
 }  // namespace snell::content

@@ -1,4 +1,5 @@
-// Floating-point pictures made safe for filtering: one NaN spreads over a whole mip chain.
+// Replaces non-finite values of floating-point images, because filtering would spread a single NaN over the whole mip
+// chain.
 #include <cmath>
 #include <cstring>
 
@@ -9,12 +10,12 @@ namespace {
 
 constexpr float half_max = 65504.0f;
 
-// Values in place: width · height · depth · channels of them.
+// Accesses width · height · depth · channels values in place.
 class Grid {
 public:
     Grid(const Image& shape, std::vector<float>& values) : shape_(shape), values_(values) {}
 
-    // The mean of the finite values among the eight neighbours in the same slice and channel; NaN if none is.
+    // The mean of the finite values among the eight neighbours in the same slice and channel; NaN if none is finite.
     float neighbours(std::size_t i) const {
         const auto channels = static_cast<std::size_t>(shape_.channels);
         const auto width = static_cast<std::int64_t>(shape_.width), height = static_cast<std::int64_t>(shape_.height);
@@ -39,8 +40,8 @@ private:
     std::vector<float>& values_;
 };
 
-// Fills from the edge of each hole inwards, one ring a round, so that the result does not depend on the order
-// in which texels are visited. A picture without one finite value becomes 0.
+// Fills each hole from its edge inwards, one ring per round, so that the result does not depend on the order in which
+// texels are visited. An image without any finite value becomes 0. Returns the number of values that were replaced.
 std::size_t mend(const Image& shape, std::vector<float>& values) {
     std::vector<std::size_t> holes;
     for (std::size_t i = 0; i < values.size(); ++i) {

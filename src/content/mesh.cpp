@@ -28,7 +28,7 @@ void at_least(int& count, int least, std::string_view what, Issues& issues) {
     count = least;
 }
 
-// False, and reported, if the shape can't be made at all.
+// Reports an error and returns false if the shape cannot be made.
 bool finite(double value, std::string_view what, Issues& issues) {
     if (std::abs(value) <= 1e37) return true;
     fail(issues, "size-not-finite", fmt::format("the {} {} is too large or not a number", what, value),
@@ -47,7 +47,7 @@ bool positive(double& value, std::string_view what, Issues& issues) {
     return true;
 }
 
-// Halves the larger count until the product of (count + 1) fits.
+// Halves the largest count until the product of all (count + 1) fits.
 template <std::size_t N>
 void fit(const std::array<int*, N>& counts, const MeshLimits& limits, Issues& issues, bool quads = false) {
     const auto product = [&] {
@@ -56,7 +56,7 @@ void fit(const std::array<int*, N>& counts, const MeshLimits& limits, Issues& is
         return p;
     };
     const double asked = product();
-    // Indices must fit in 32 bits: at most six for each vertex.
+    // Indices must fit in 32 bits, with at most six for each vertex.
     const std::size_t limit = quads ? std::min(limits.vertices, limits.sub_quads) : limits.vertices;
     const double most = static_cast<double>(std::clamp<std::size_t>(limit, 1024, 500'000'000));
     while (product() > most) {
@@ -84,7 +84,7 @@ struct Maker {
         return make_sphere(s, wire);
     }
 
-    // The larger radius is the ring's: scenes give them in either order.
+    // Scenes give the two radii in either order; the larger one is the ring's.
     Mesh operator()(Torus s) const {
         if (!positive(s.outer, "outer radius", issues) || !positive(s.inner, "inner radius", issues)) return {};
         if (s.inner > s.outer) {
@@ -107,7 +107,7 @@ struct Maker {
         if (s.height == 0) warn(issues, "zero-size", "the height is 0; only flat discs are left");
         at_least(s.slices, 3, "slices", issues);
         at_least(s.stacks, 1, "stacks", issues);
-        int rows = s.stacks + std::min(4, std::numeric_limits<int>::max() - s.stacks);  // with the caps'
+        int rows = s.stacks + std::min(4, std::numeric_limits<int>::max() - s.stacks);  // including those of the caps
         fit(std::array{&s.slices, &rows}, limits, issues);
         s.stacks = std::clamp(rows - 4, 1, s.stacks);
         return true;
@@ -142,7 +142,7 @@ struct Maker {
 
     Mesh operator()(QuadBox s) const {
         at_least(s.n, 1, "quads", issues);
-        int corners = 3;  // four a quad
+        int corners = 3;  // four for a quad
         fit(std::array{&s.n, &corners}, limits, issues, true);
         return make_quad_box(s, wire);
     }

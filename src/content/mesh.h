@@ -1,4 +1,4 @@
-// Geometry on the CPU: what the runtime uploads. No GL here.
+// Meshes on the CPU, which the runtime uploads. No GL.
 #pragma once
 
 #include <array>
@@ -16,36 +16,35 @@ namespace snell::content {
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
 
-// A part of a mesh that is drawn with its own value of `uniform int FaceIndex` (the Soccerball's faces).
+// A part of a mesh with its own value of `uniform int FaceIndex`, such as a face of the Soccerball.
 struct MeshPart {
     int face_index = 0;
-    std::uint32_t first = 0, count = 0;  // of the indices
+    std::uint32_t first = 0, count = 0;  // range of the indices
 };
 
-// Counter-clockwise front faces, outward unit normals. Attribute arrays are as long as `positions`, or empty
-// where the mesh has none (texcoords: read as 0; tangents, colors: not offered).
+// A mesh with counter-clockwise front faces and outward unit normals. Attribute arrays are as long as `positions`, or
+// empty if the mesh does not have them (shaders then read texcoords as 0, and have no tangents or colors).
 struct Mesh {
     Topology topology = Topology::triangles;
-    int patch_vertices = 3;  // of Topology::patches
+    int patch_vertices = 3;  // for Topology::patches
     std::vector<Float3> positions;
-    std::vector<float> w;  // only where some w of glVertex is not 1
+    std::vector<float> w;  // empty unless some w of glVertex is not 1
     std::vector<Float3> normals;
     std::vector<Float3> texcoords;       // s, t, p
-    std::vector<Float3> tangents;        // unit
-    std::vector<Float4> colors;          // only from glColor
-    std::vector<std::uint32_t> indices;  // always indexed
-    std::vector<MeshPart> parts;         // none: one draw of all indices
+    std::vector<Float3> tangents;        // unit vectors
+    std::vector<Float4> colors;          // present only if set by glColor
+    std::vector<std::uint32_t> indices;  // always used: every mesh is indexed
+    std::vector<MeshPart> parts;         // empty: one draw of all indices
 
-    Float3 min{0, 0, 0}, max{0, 0, 0};  // bounds of the positions; see compute_bounds
+    Float3 min{0, 0, 0}, max{0, 0, 0};  // bounds of the positions, set by compute_bounds()
     void compute_bounds();
     std::size_t bytes() const;
 };
 
-// What is odd about a mesh that was asked for; never fatal. For OBJ and shape files also what is wrong with
-// the file.
+// A problem with a requested mesh or its file.
 struct MeshIssue {
     bool error = false;
-    std::string code;  // stable, kebab-case
+    std::string code;  // stable, in kebab-case
     std::string message;
     std::string help;
 };
@@ -57,20 +56,21 @@ struct MeshLimits {
 };
 
 struct MeshResult {
-    Mesh mesh;  // empty when it can't be made; past a limit, of fewer vertices
+    Mesh mesh;  // empty if it cannot be made; with reduced vertex counts if it exceeded a limit
     std::vector<MeshIssue> issues;
 };
 
-// Every Shape except the ones that read files or vertex lists. Parameters outside their domain are mended
-// (slices below 3 …) and reported. `wire`: the same solid's edges as GL_LINES.
+// Makes every Shape that does not read a file or a vertex list. Parameters outside of their domain (such as slices
+// below 3) are corrected and reported. With `wire`, makes the edges of the same solid as GL_LINES.
 MeshResult make_shape(const Shape& shape, bool wire, const MeshLimits& limits = {});
 
+// Makes the mesh of a list of vertices (glBegin … glEnd, Triangles, LinesAdjacency).
 MeshResult make_vertex_list(const VertexListData& list);
 
-// `text` is the whole .obj. Missing normals are area-weighted averages at shared positions.
+// Parses a whole .obj file. Missing normals are computed as area-weighted averages over the faces at a position.
 MeshResult parse_obj(std::string_view text, ObjAs as, bool wire, const MeshLimits& limits = {});
 
-// Polylines of an ESRI shape file, as GL_LINES. `shp` is the whole .shp (the .shx is not needed).
+// Parses the polylines of an ESRI shape file as GL_LINES. `shp` is the whole .shp file; the .shx is not needed.
 MeshResult parse_shp(std::string_view shp, const MeshLimits& limits = {});
 
 }  // namespace snell::content

@@ -48,7 +48,7 @@ OiioModule open_module() {
     return result;
 }
 
-// What one reading collects: the module asks for room through a C function.
+// Collects the result of one reading; the module requests memory through a C function.
 struct Reading {
     const ImageLimits& limits;
     SnellOiioShape shape{};
@@ -56,7 +56,7 @@ struct Reading {
     std::vector<std::byte> bytes;
     std::vector<float> floats;
 
-    // Something other than zero was read before the file broke off.
+    // Whether anything other than zero was read before the file ended.
     bool any() const {
         return std::any_of(bytes.begin(), bytes.end(), [](std::byte b) { return b != std::byte{0}; }) ||
                std::any_of(floats.begin(), floats.end(), [](float f) { return f != 0; });
@@ -82,7 +82,7 @@ void* allocate(void* context, const SnellOiioShape* shape) noexcept try {
     return nullptr;
 }
 
-// A file without a name, for libraries that open files by name.
+// A file in memory with a path, for libraries that open files by name.
 class MemoryFile {
 public:
     explicit MemoryFile(std::string_view bytes) : fd_(memfd_create("picture", MFD_CLOEXEC)) {
@@ -98,8 +98,8 @@ public:
     }
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
-    const std::string& path() const { return path_; }  // empty: no memory
-    // Messages of libraries name the path, which says nothing.
+    const std::string& path() const { return path_; }  // empty if there was no memory
+    // Removes the meaningless path from a library's message.
     std::string unnamed(std::string message) const {
         for (std::size_t at = 0; (at = message.find(path_, at)) != std::string::npos;)
             message.replace(at, path_.size(), "the file");
@@ -111,7 +111,7 @@ private:
     std::string path_;
 };
 
-// Two channels that are not grey and alpha are the first two of three.
+// Adds a third channel: two channels that are not grey and alpha are the first two of three.
 template <class Value>
 std::vector<Value> third_channel(const std::vector<Value>& pairs) {
     std::vector<Value> triples(pairs.size() / 2 * 3);
@@ -122,7 +122,7 @@ std::vector<Value> third_channel(const std::vector<Value>& pairs) {
     return triples;
 }
 
-// Turns and mirrors as EXIF's orientation (2..8) asks.
+// Rotates and mirrors the image by EXIF's orientation (2..8).
 Image oriented(const Image& image, int orientation) {
     if (orientation < 2 || orientation > 8 || image.depth != 1) return image;
     const bool transposed = orientation >= 5;

@@ -1,4 +1,4 @@
-// The OpenImageIO module: found and opened on first need. Inside src/content only.
+// The OpenImageIO module, found and opened when it is first needed. Internal to src/content.
 #pragma once
 
 #include <string>
@@ -13,12 +13,13 @@ struct OiioModule {
     decltype(&snell_oiio_begin) begin = nullptr;
     decltype(&snell_oiio_rows) rows = nullptr;
     decltype(&snell_oiio_end) end = nullptr;
-    std::string error;  // why it can't be used; empty: it can
+    std::string error;  // why it cannot be used; empty if it can
 };
 
-// Looked for beside the executable, then in ../lib/snell. Thread-safe; stays open.
+// Looks for the module in the executable's folder, then in ../lib/snell. Thread-safe; the module stays open.
 const OiioModule& oiio_module();
 
+// The size, type and channels of an image, in the form of the module's interface.
 SnellOiioShape module_shape(const Image& image);
 
 }  // namespace snell::content

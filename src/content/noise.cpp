@@ -1,6 +1,6 @@
-// Gradient noise (Perlin, "An Image Synthesizer", 1985) on a lattice that repeats with the texture. Its fade is
-// the cubic of that paper: it fits the rows of glman's own textures better than the quintic of "Improving Noise"
-// (2002).
+// Gradient noise (Perlin, "An Image Synthesizer", 1985) on a lattice that repeats with the texture. The fade is the
+// cubic polynomial of that paper, which fits the rows of glman's own textures better than the quintic of "Improving
+// Noise" (2002).
 #include "src/content/noise.h"
 
 #include <algorithm>
@@ -18,13 +18,13 @@ constexpr int centre = 127;
 
 using Gradient = std::array<float, 3>;
 
-std::uint64_t mixed(std::uint64_t x) {  // splitmix64's finaliser
+std::uint64_t mixed(std::uint64_t x) {  // the finaliser of splitmix64
     x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
     x = (x ^ x >> 27) * 0x94d049bb133111ebu;
     return x ^ x >> 31;
 }
 
-// Unit vectors of a uniform distribution; in the plane, z is 0.
+// A uniformly distributed unit vector; in 2D, z is 0.
 Gradient random_direction(int dimensions, std::uint64_t key) {
     const double two_pi = 2 * std::acos(-1.0);
     const std::uint64_t bits = mixed(key);
@@ -34,7 +34,8 @@ Gradient random_direction(int dimensions, std::uint64_t key) {
     return {static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)), static_cast<float>(z)};
 }
 
-// Where a texel lies in its cell. Exact integers decide, so that lattice points are exactly zero.
+// The position of a texel in its lattice cell. It is computed from integers, so that the noise at lattice points is
+// exactly zero.
 struct Place {
     int cell = 0, next = 0;
     float offset = 0, fade = 0;  // 0..1 from the cell's lower corner
@@ -54,11 +55,11 @@ std::vector<Place> places(int size, int cells) {
     return result;
 }
 
-// One channel of the texture.
+// One octave, which is one channel of the texture.
 class Octave {
 public:
     Octave(int dimensions, int size, int channel)
-        // Where the texture is too small for the octave, two texels make a cell: with one, all would be zero.
+        // If the texture is too small for the octave, a cell has two texels: with one, all values would be zero.
         : cells_(std::clamp(size / 2, 1, 4 << channel)),
           layers_(dimensions == 3 ? cells_ : 1),
           places_(places(size, cells_)) {
@@ -72,8 +73,8 @@ public:
         }
     }
 
-    // The row of texels at (y, z), `step` floats apart. Along a row the share of each lattice column is a
-    // linear function of x, so the four columns of corners become two numbers for each cell boundary.
+    // Computes the row of texels at (y, z), written `step` floats apart. Along a row the contribution of each lattice
+    // column is linear in x, so the four corners of a column become two numbers for each cell boundary.
     void row(int y, int z, float* out, std::size_t step) const {
         std::array<float, 32> at_zero{}, slope{};
         const Place& py = places_[static_cast<std::size_t>(y)];
@@ -107,8 +108,8 @@ private:
     std::vector<Gradient> gradients_;
 };
 
-// Factor from noise to texel values that gives the wanted deviation, rounding's share (a variance of 1/12)
-// taken into account.
+// The factor from noise to texel values that gives the wanted deviation, including that of rounding (a variance of
+// 1/12).
 float amplitude(double wanted, double square_sum, std::size_t count) {
     const double variance = square_sum / static_cast<double>(count);
     if (variance < 1e-12) return 0;
@@ -133,7 +134,7 @@ Image make_noise(int dimensions, int size) {
             octaves[c].row(static_cast<int>(row % rows), static_cast<int>(row / rows), out.data() + c, 4);
         }
     };
-    // Sums of each row are kept apart: their total does not depend on the number of threads.
+    // The sum of each row is stored separately, so that the total does not depend on the number of threads.
     std::vector<std::array<double, 4>> squares(rows * slices);
     parallel_blocks(rows * slices, [&](std::size_t first, std::size_t last) {
         std::vector<float> values(rows * 4);

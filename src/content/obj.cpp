@@ -10,7 +10,7 @@
 namespace snell::content {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;  // of ObjData::corners
+using Corners = std::array<std::uint32_t, 3>;  // indices into ObjData::corners
 constexpr std::uint32_t empty = ~std::uint32_t{0};
 
 Vec3 wide(const Float3& v) { return {v[0], v[1], v[2]}; }
@@ -18,7 +18,7 @@ Float3 narrow(const Vec3& v) {
     return {static_cast<float>(v[0]) + 0.f, static_cast<float>(v[1]) + 0.f, static_cast<float>(v[2]) + 0.f};
 }
 
-// Zero if `v` has no direction.
+// Normalises `v`; zero if it has no direction.
 Float3 unit(const Vec3& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
     if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
@@ -26,7 +26,7 @@ Float3 unit(const Vec3& v) {
 }
 bool is_zero(const Vec3& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
-// Twice the area, along the normal.
+// A vector along the normal, of twice the triangle's area.
 Vec3 area(const Float3& p0, const Float3& p1, const Float3& p2) {
     const Vec3 o = wide(p0), p = wide(p1), q = wide(p2);
     const Vec3 a{p[0] - o[0], p[1] - o[1], p[2] - o[2]}, b{q[0] - o[0], q[1] - o[1], q[2] - o[2]};
@@ -37,7 +37,7 @@ const Float3& position(const ObjData& data, std::uint32_t corner) {
     return data.positions[static_cast<std::size_t>(data.corners[corner].position)];
 }
 
-// All faces as triangles; those with two corners at one place are left out. `flat`: how many have no area.
+// Splits all faces into triangles and leaves out those with two corners at one place. `flat` counts those without area.
 std::vector<Corners> triangles_of(const ObjData& data, std::size_t& flat) {
     std::vector<Corners> result;
     result.reserve(data.face_ends.size());
@@ -59,8 +59,8 @@ std::vector<Corners> triangles_of(const ObjData& data, std::size_t& flat) {
     return result;
 }
 
-// Area-weighted normals at shared places. Where the sum vanishes (two sides of a sheet) the first triangle's;
-// where there is no area at all, +Z.
+// Area-weighted normals by place. If the sum vanishes (the two sides of a sheet), the normal of the first triangle; if
+// all triangles have no area, +Z.
 std::vector<Float3> normals_by_place(const ObjData& data, const std::vector<Corners>& triangles, const Weld& places) {
     std::vector<Vec3> sum(places.places, Vec3{0, 0, 0}), first(places.places, Vec3{0, 0, 0});
     std::vector<double> total(places.places, 0);
@@ -83,7 +83,7 @@ std::vector<Float3> normals_by_place(const ObjData& data, const std::vector<Corn
     return normals;
 }
 
-// Makes one vertex of all corners with the same indices.
+// Makes one vertex for all corners with the same indices.
 class Vertices {
 public:
     Vertices(const ObjData& data, Mesh& mesh, std::vector<Float3> computed, const Weld& places)
@@ -113,7 +113,7 @@ public:
 private:
     struct Made {
         std::int32_t texcoord, normal;
-        std::uint32_t next;  // another vertex of the same position
+        std::uint32_t next;  // another vertex at the same position
     };
     const ObjData& data_;
     Mesh& mesh_;

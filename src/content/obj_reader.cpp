@@ -22,7 +22,7 @@ std::string_view next_word(std::string_view& line) {
     return word;
 }
 
-// Hands the text over line by line without comments, so that a callback can see the line that it is for.
+// Passes the text on line by line without comments, so that a callback knows the line that it is called for.
 class Lines : public std::streambuf {
 public:
     explicit Lines(std::string_view text) : rest_(text) {}
@@ -30,8 +30,8 @@ public:
     std::string_view line() const { return line_; }
     std::size_t number() const { return number_; }
 
-    // Called with each `l` element, after everything above it has been read: tinyobjloader's callbacks leave
-    // them out.
+    // Called for each `l` element after everything above it has been read, because tinyobjloader has no callback for
+    // them.
     std::function<void(std::string_view)> line_element;
 
 protected:
@@ -62,10 +62,10 @@ private:
 
     std::string_view rest_, line_;
     std::size_t number_ = 0;
-    bool ending_ = false;  // a comment was left out; its line feed is next
+    bool ending_ = false;  // a comment was left out, and its line feed is next
 };
 
-// One kind of trouble, reported once with its first line and how often it came.
+// A kind of problem, reported once with its first line and the number of times it occurred.
 struct Trouble {
     std::string_view code, one, many, help;
     std::size_t count = 0, first_line = 0;
@@ -102,7 +102,7 @@ struct Reader {
     Trouble too_small{"obj-face-too-small", "a face needs three corners; it is left out",
                       "faces have fewer than three corners; they are left out", ""};
 
-    // What tinyobjloader reads as 0 without a word.
+    // Checks for numbers that tinyobjloader silently reads as 0.
     enum class Numbers { good, odd, bad };
     Numbers check(std::string_view line, int count) {
         next_word(line);
@@ -130,7 +130,8 @@ struct Reader {
         unusable.push_back(!good);
     }
 
-    // 1-based or backward to 0-based; `has` numbers exist so far. Nothing (0) stays nothing.
+    // Converts a 1-based or negative (relative) index to a 0-based one; `has` elements exist so far. 0 (not given)
+    // becomes -1. Returns false if it is out of range.
     static bool resolve(std::int64_t written, std::size_t has, std::int32_t& index) {
         index = -1;
         const std::int64_t n = static_cast<std::int64_t>(has);
@@ -147,7 +148,7 @@ struct Reader {
         return resolve(written.vertex_index, data.positions.size(), c.position) && c.position >= 0;
     }
 
-    // tinyobjloader wraps indices that do not fit in 32 bits: 4294967297 would be 1.
+    // Detects indices beyond 32 bits, which tinyobjloader wraps around: 4294967297 would be read as 1.
     static bool wraps(std::string_view line) {
         int digits = 0;
         for (const char c : line) {
@@ -180,7 +181,7 @@ struct Reader {
             data.face_ends.push_back(static_cast<std::uint32_t>(data.corners.size()));
     }
 
-    // What follows `l`: v1/vt1 v2/vt2 …
+    // Parses the arguments of `l`: v1/vt1 v2/vt2 …
     void line_element(std::string_view line) {
         ObjCorner last;
         for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
@@ -198,7 +199,7 @@ struct Reader {
     }
 };
 
-// Line feeds only, and continued lines joined, where the text is not so already; else empty.
+// Converts line ends to line feeds and joins continued lines; returns an empty string if nothing had to be changed.
 std::string normalised(std::string_view text) {
     bool needed = false;
     for (std::size_t i = text.find_first_of("\r\\"); i != std::string_view::npos && !needed;

@@ -1,4 +1,4 @@
-// Work on all cores.
+// Runs work on all cores.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace snell::content {
 
-// Starts `count` threads, or as many as the machine gives.
+// Starts `count` threads, or fewer if the system refuses more.
 template <class Run>
 std::vector<std::jthread> start_threads(std::size_t count, const Run& run) {
     std::vector<std::jthread> threads;
@@ -22,12 +22,12 @@ std::vector<std::jthread> start_threads(std::size_t count, const Run& run) {
     return threads;
 }
 
-// Calls `work(first, last)` for blocks that cover 0..count, on as many threads as there are cores. `work` must
-// not throw.
+// Calls `work(first, last)` for blocks that cover 0..count, on as many threads as there are cores. `work` must not
+// throw.
 template <class Work>
 void parallel_blocks(std::size_t count, const Work& work) {
     const std::size_t threads = std::min<std::size_t>(std::max(std::thread::hardware_concurrency(), 1u), count);
-    // Several blocks for each thread, so that a slow one does not hold up the rest.
+    // Each thread gets several blocks, so that a slow block does not delay the rest.
     const std::size_t block = std::max<std::size_t>(count / std::max<std::size_t>(threads * 8, 1), 1);
     std::atomic<std::size_t> next{0};
     const auto run = [&] {

@@ -1,5 +1,5 @@
-// PNG through libpng, without the 185 ms that loading OpenImageIO takes. Values come as they are stored: gamma
-// and colour profiles are not applied.
+// Decodes PNG with libpng, which avoids the 185 ms that loading OpenImageIO takes. Values stay as they are stored:
+// gamma and colour profiles are not applied.
 #include <png.h>
 
 #include <bit>
@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
 
-// Everything that must survive libpng's jump out of an error lives here, outside the functions that set it.
+// Data that must survive libpng's longjmp after an error is kept here, outside of the functions that call setjmp.
 struct Reader {
     std::string_view bytes;
     std::size_t at = 0;
-    bool ended = false;  // asked for bytes beyond the end
+    bool ended = false;  // bytes beyond the end were requested
     std::string error;
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -53,9 +53,9 @@ bool start(Reader& reader, const ImageLimits& limits) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     png_set_read_fn(reader.png, &reader, on_read);
     png_set_user_limits(reader.png, static_cast<png_uint_32>(limits.side), static_cast<png_uint_32>(limits.side));
-    // Small steps: of a file that ends too early, only the rows within the last step are lost.
+    // With a small buffer, a file that ends too early loses only the rows of the last step.
     png_set_compression_buffer_size(reader.png, 512);
-    // A wrong checksum of a chunk that is only about the picture does no harm.
+    // A wrong checksum in an ancillary chunk does no harm.
     png_set_crc_action(reader.png, PNG_CRC_DEFAULT, PNG_CRC_WARN_DISCARD);
     png_read_info(reader.png, reader.info);
     const int color = png_get_color_type(reader.png, reader.info);

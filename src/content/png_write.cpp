@@ -35,14 +35,14 @@ bool PngEncoder::begin(const Image& shape) {
     if (setjmp(png_jmpbuf(png_))) return false;
     row_ = shape.row_bytes();
     png_set_write_fn(png_, this, on_write, on_flush);
-    // The picture's own limit is the file format's.
+    // The size is limited only by the file format.
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_IHDR(png_, info_, static_cast<png_uint_32>(shape.width), static_cast<png_uint_32>(shape.height), 8,
                  colors[static_cast<std::size_t>(shape.channels - 1)], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    // Of zlib's levels the second: files grow by 15 % against the default, and are written in a fifth of the time.
+    // Compared with zlib's default, level 2 makes files 15 % larger, but writes them in a fifth of the time.
     png_set_compression_level(png_, 2);
-    // Trying every filter on every row takes half of the rest, for 5 %.
+    // Trying every filter on every row would save 5 % in size, but take twice as long.
     png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_write_info(png_, info_);
     return true;

@@ -1,4 +1,4 @@
-// PNG out, row by row. Inside src/content only.
+// Writes PNG row by row. Internal to src/content.
 #pragma once
 
 #include <png.h>
@@ -13,15 +13,16 @@ namespace snell::content {
 
 class PngEncoder {
 public:
-    // Takes the file's bytes; false: they can't be kept.
+    // Receives the bytes of the file; returns false if they cannot be stored.
     using Sink = std::function<bool(std::string_view)>;
     explicit PngEncoder(Sink sink) : sink_(std::move(sink)) {}
     ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
     PngEncoder(const PngEncoder&) = delete;
     PngEncoder& operator=(const PngEncoder&) = delete;
 
-    // All false when something went wrong, which error() tells. Bytes only (PixelType::u8).
+    // begin(), rows() and end() return false after an error, which error() describes. Only PixelType::u8 is supported.
     bool begin(const Image& shape);
+    // Appends `count` whole rows, top first.
     bool rows(const std::byte* rows, std::size_t count);
     bool end();
     const std::string& error() const { return error_; }
@@ -33,7 +34,7 @@ private:
     Sink sink_;
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
-    std::size_t row_ = 0;  // bytes
+    std::size_t row_ = 0;  // bytes per row
     std::string error_;
 };
 

@@ -1,5 +1,5 @@
-// glman's raw textures: one, two or three little-endian 32-bit sizes, then RGBA texels, all bytes or all
-// floats. Nothing in the file says which: its size does.
+// Decodes glman's raw textures: one, two or three little-endian 32-bit sizes, then RGBA texels, either all bytes or all
+// floats. Only the size of the file tells which.
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -22,7 +22,7 @@ struct RawLayout {
     }
 };
 
-// Bytes of a whole file with this reading; 0 when no file can be that large.
+// The size of a whole file with this layout, in bytes; 0 if no file can be that large.
 std::size_t file_bytes(const RawLayout& reading) {
     std::uint64_t texels = 1;
     for (const std::int64_t side : reading.size) {

@@ -51,7 +51,8 @@ std::string Replacement::take_place() {
 
 namespace {
 
-// What has no place to take: the terminal, a pipe. Standard output keeps its offset even where it is a file.
+// Terminals and pipes cannot be replaced. Standard output is written to directly even if it is a file, to keep its
+// offset.
 bool is_stream(const std::string& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -69,7 +70,7 @@ std::string write_all(int file, std::string_view bytes) {
     return {};
 }
 
-// A link that stands under the temporary name is not followed.
+// A link that exists under the temporary name is removed, not followed.
 int new_file(const fs::path& path) {
     unlink(path.c_str());
     return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);

@@ -1,4 +1,4 @@
-// Files that appear whole or not at all: written beside their place and then renamed.
+// Files that appear whole or not at all: they are written under a temporary name in the same folder and then renamed.
 #pragma once
 
 #include <filesystem>
@@ -7,20 +7,20 @@
 
 namespace snell::content {
 
-// A file that will take the place of another. A link stays one: what it leads to is replaced.
+// A file that will replace another one. If the path is a link, the file that it points to is replaced.
 class Replacement {
 public:
     explicit Replacement(const std::string& path);
-    // Removes what was written unless it took its place.
+    // Removes the temporary file unless it has replaced the target.
     ~Replacement();
     Replacement(const Replacement&) = delete;
     Replacement& operator=(const Replacement&) = delete;
 
-    // What is wrong with the place itself, asked before any work; "" if nothing.
+    // Checks before any work whether the target can be replaced; returns "" or what prevents it.
     std::string check() const;
-    // Where to write.
+    // The temporary file, to write to.
     const std::filesystem::path& path() const { return path_; }
-    // "" when done. The file keeps the permissions of the one that it replaces.
+    // Replaces the target and keeps its permissions. Returns "" or what went wrong.
     std::string take_place();
 
 private:
@@ -28,7 +28,7 @@ private:
     bool kept_ = false;
 };
 
-// A new file that is written piece by piece. What went wrong first is said by all that follows.
+// A new file that is written piece by piece. After an error, every call returns that first error.
 class PartFile {
 public:
     explicit PartFile(const std::filesystem::path& path);
@@ -36,7 +36,7 @@ public:
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
 
-    // "" or why not: at the latest close() says it.
+    // Both return "" or the error. Writing is buffered, so an error may only appear at close().
     std::string write(std::string_view bytes);
     std::string close();
 
@@ -45,14 +45,14 @@ private:
     std::string pending_, wrong_;
 };
 
-// "" or why not.
+// Writes a file; returns "" or the error.
 std::string write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// All of it: "" when the file has these bytes, else why it is as it was. Pipes, terminals and what is in /dev, such as
-// /dev/stdout, are written to as they are.
+// Replaces a file by one with these bytes; returns "", or the error, after which the file is unchanged. Pipes,
+// terminals and files in /dev, such as /dev/stdout, are written to directly.
 std::string replace_file(const std::string& path, std::string_view bytes);
 
-// Its bytes as they are now; none where it can't be read.
+// Returns the file's current bytes; empty if it cannot be read.
 std::string whole_file(const std::string& path);
 
 }  // namespace snell::content

@@ -30,14 +30,14 @@ struct RowWriter::File {
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
-    // "" or all that is to be said.
+    // Both return "" or the whole error message.
     std::string begin();
     std::string begin_png();
     std::string add(std::span<const std::byte> rows);
     std::string end();
 
     std::string about(const std::string& why) const { return path + ": " + why; }
-    // What the file system says counts more than what libpng makes of it.
+    // An error of the file system is more useful than libpng's message about it.
     std::string png_failed() {
         const std::string why = part->close();
         return about(why.empty() ? png->error() : why);
@@ -48,8 +48,8 @@ struct RowWriter::File {
     Replacement place;
     std::optional<PartFile> part;
     std::optional<PngEncoder> png;
-    void* other = nullptr;  // the module's
-    int rows = 0;           // so far
+    void* other = nullptr;  // the writer of the OpenImageIO module
+    int rows = 0;           // number of rows written
 };
 
 std::string RowWriter::File::begin_png() {
@@ -99,7 +99,7 @@ std::string RowWriter::File::end() {
         Message message{};
         const int status = oiio_module().end(std::exchange(other, nullptr), 1, message.data(), message.size());
         if (status != 0) return about(said(message));
-        // Some of OpenImageIO's writers (JPEG 2000's among them) may write nothing and say nothing.
+        // Some of OpenImageIO's writers (among them JPEG 2000's) may write nothing without reporting an error.
         std::error_code error;
         if (std::filesystem::file_size(place.path(), error) == 0) return about(said({}));
         return place.take_place();

@@ -1,4 +1,4 @@
-// A picture that is written as its rows come, so that no memory need hold all of it.
+// Writes an image row by row, so that it never has to be in memory as a whole.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,16 @@ namespace snell::content {
 
 class RowWriter {
 public:
-    // By extension, as write_image does. Of `shape` only the size, the channels and the type matter. Whatever goes
-    // wrong is said by all calls from then on, and the file stays as it was.
+    // The format is that of the extension, as for write_image. Only size, channels and type of `shape` are used. After
+    // an error, all calls return it and the file stays unchanged.
     RowWriter(const std::string& path, const Image& shape);
     ~RowWriter();
     RowWriter(const RowWriter&) = delete;
     RowWriter& operator=(const RowWriter&) = delete;
 
-    // The next rows, top first, whole ones. "" or what went wrong.
+    // Appends whole rows, top first. Returns "" or the error.
     std::string add(std::span<const std::byte> rows);
-    // When all rows are there: the file takes its place.
+    // Call it after the last row: the file appears in its place. Returns "" or the error.
     std::string finish();
 
 private:

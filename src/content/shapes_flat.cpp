@@ -1,4 +1,4 @@
-// Boxes, quads and clouds.
+// Boxes, quads and point clouds.
 #include <cstdint>
 
 #include "src/content/surface.h"
@@ -6,7 +6,7 @@
 namespace snell::content {
 namespace {
 
-// -1 to 1 in n steps; step i and step n - i are exact mirror images.
+// -1 to 1 in n steps; steps i and n - i are exact mirror images.
 double across(int i, int n) { return static_cast<double>(2 * std::int64_t{i} - n) / n; }
 double fraction(int i, int n) { return static_cast<double>(i) / n; }
 
@@ -14,10 +14,10 @@ struct Face {
     Vec3 normal, s, t;  // s x t = normal
 };
 
-// splitmix64, Steele et al. 2014: the same cloud on every machine.
+// splitmix64 (Steele et al. 2014), so that the cloud is the same on every machine.
 class Random {
 public:
-    double unit() {  // [0, 1)
+    double unit() {  // in [0, 1)
         std::uint64_t x = state_ += 0x9e3779b97f4a7c15ull;
         x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
         x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
@@ -30,8 +30,8 @@ private:
 
 }  // namespace
 
-// Each face spans s,t 0..1, upright (t along +y) and readable from outside; on top t runs along -z, below
-// along +z.
+// On each face s and t are 0..1, upright (t along +y) and not mirrored seen from outside. On the top face t runs along
+// -z, on the bottom face along +z.
 Mesh make_box(const Box& b, bool wire) {
     static constexpr std::array<Face, 6> faces{{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
                                                 {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
@@ -51,8 +51,8 @@ Mesh make_box(const Box& b, bool wire) {
     return std::move(surface).finish();
 }
 
-// The front faces +Z, +Y or +X, on whichever side of the origin the quad is. s and t run as glman's do, so
-// that six quads around the origin show what the faces of a cube map show:
+// The front faces +Z, +Y or +X, on whichever side of the origin the quad is. s and t run as in glman, so that six
+// quads around the origin show the faces of a cube map:
 //   XY  z >= 0: s +x, t +y    z < 0: s -x, t +y
 //   XZ  y >= 0: s +x, t -z    y < 0: s +x, t +z
 //   YZ  x >= 0: s -z, t +y    x < 0: s +z, t +y
@@ -68,7 +68,7 @@ Mesh make_quad(const Quad& q, bool wire) {
             case Plane::xy:  // a along x, b along y
                 surface.vertex({a, b, q.offset}, {0, 0, 1}, {beyond ? u : 1 - u, v, 0});
                 break;
-            case Plane::xz:  // a along x, b against z
+            case Plane::xz:  // a along x, b along -z
                 surface.vertex({a, q.offset, -b}, {0, 1, 0}, {u, beyond ? v : 1 - v, 0});
                 break;
             case Plane::yz:  // a along y, b along z
@@ -79,7 +79,8 @@ Mesh make_quad(const Quad& q, bool wire) {
     return std::move(surface).finish();
 }
 
-// Facing +Z, the farthest from a viewer on +Z first, so that they blend in order. One quad alone is in the middle.
+// Quads face +Z. The farthest from a viewer on +Z is first, so that they blend in order. A single quad is in the
+// middle.
 Mesh make_quad_box(const QuadBox& b, bool wire) {
     Surface surface(wire);
     for (int k = 0; k < b.n; ++k) {
@@ -92,8 +93,8 @@ Mesh make_quad_box(const QuadBox& b, bool wire) {
     return std::move(surface).finish();
 }
 
-// Regular: from -1 to 1, both included. Jittered: one point anywhere in each of nx x ny x nz equal cells.
-// Texture coordinates are the place in the cloud, 0..1; normals are +Z.
+// A regular cloud spans -1 to 1, both included. A jittered cloud has one random point in each of nx x ny x nz equal
+// cells. Texture coordinates are the position in the cloud, 0..1; normals are +Z.
 Mesh make_cloud(const PointCloud& c) {
     const std::array<int, 3> n{c.nx, c.ny, c.nz};
     Mesh mesh;

@@ -9,10 +9,10 @@ namespace {
 
 double fraction(int i, int n) { return static_cast<double>(i) / n; }
 
-// A side from (radius0, y0) up to (radius1, y1), straight, in `stacks` steps.
+// Adds a straight side from (radius0, y0) up to (radius1, y1) in `stacks` steps.
 void add_side(std::vector<Ring>& rings, double radius0, double y0, double radius1, double y1, int stacks, double t0,
               double t1) {
-    // Perpendicular to the side, outward; a side without length faces outward.
+    // The normal is perpendicular to the side, outward; that of a side without length is radial.
     double radial = y1 - y0, up = radius0 - radius1;
     if (radial == 0 && up == 0) radial = 1;
     for (int j = 0; j <= stacks; ++j) {
@@ -21,8 +21,8 @@ void add_side(std::vector<Ring>& rings, double radius0, double y0, double radius
     }
 }
 
-// Below `y` lies the other side of the disc when `up` is -1. Rings ascend on the outside, so a lower cap goes
-// from its centre to its rim.
+// Adds a cap that faces up (`up` = 1) or down (-1). Rings ascend on the outside, so a lower cap goes from its centre to
+// its rim.
 void add_cap(std::vector<Ring>& rings, double radius, double y, double up, double t) {
     const Ring centre{0, y, 0, up, t}, rim{radius, y, 0, up, t};
     if (up < 0)
@@ -31,7 +31,8 @@ void add_cap(std::vector<Ring>& rings, double radius, double y, double up, doubl
         rings.insert(rings.end(), {rim, centre});
 }
 
-// Cones and cylinders of negative height hang below y = 0: the same rings upside down, in the opposite order.
+// Cones and cylinders of negative height extend below y = 0: they use the same rings, mirrored and in the opposite
+// order.
 Mesh stand(std::vector<Ring> rings, int slices, bool hang, bool wire) {
     if (hang) {
         for (Ring& r : rings) {
@@ -47,9 +48,9 @@ Mesh stand(std::vector<Ring> rings, int slices, bool hang, bool wire) {
 
 }  // namespace
 
-// x = cos(lng) cos(lat), y = sin(lat), z = -sin(lng) cos(lat), lng = -pi + 2 pi s, lat = -pi/2 + pi t.
+// x = cos(lng) cos(lat), y = sin(lat), z = -sin(lng) cos(lat), with lng = -pi + 2 pi s and lat = -pi/2 + pi t.
 Mesh make_sphere(const Sphere& s, bool wire) {
-    const std::vector<SinCos> angle = circle(2 * s.stacks);  // from the south pole
+    const std::vector<SinCos> angle = circle(2 * s.stacks);  // begins at the south pole
     std::vector<Ring> rings;
     for (int j = 0; j <= s.stacks; ++j) {
         const double radial = angle[static_cast<std::size_t>(j)].sin, up = -angle[static_cast<std::size_t>(j)].cos;
@@ -60,7 +61,8 @@ Mesh make_sphere(const Sphere& s, bool wire) {
     return std::move(surface).finish();
 }
 
-// The ring lies in XZ; s around the ring as the sphere's, t around the tube from the outer equator over the top.
+// The ring is in the XZ plane. s runs around the ring as on the sphere, t around the tube from the outer equator over
+// the top.
 Mesh make_torus(const Torus& s, bool wire) {
     const std::vector<SinCos> tube = circle(s.sides);
     std::vector<Ring> rings;
@@ -73,7 +75,7 @@ Mesh make_torus(const Torus& s, bool wire) {
     return std::move(surface).finish();
 }
 
-// Cap at y = 0 with t = 0. The apex has a vertex for each slice, with that slice's side normal.
+// The cap at y = 0 has t = 0. The apex has one vertex for each slice, with that slice's normal.
 Mesh make_cone(const Cone& s, bool wire) {
     std::vector<Ring> rings;
     add_cap(rings, s.radius, 0, -1, 0);
@@ -81,7 +83,7 @@ Mesh make_cone(const Cone& s, bool wire) {
     return stand(std::move(rings), s.slices, s.height < 0, wire);
 }
 
-// Caps with t = 0 and t = 1.
+// The caps have t = 0 and t = 1.
 Mesh make_cylinder(const Cylinder& s, bool wire) {
     const double height = std::abs(s.height);
     std::vector<Ring> rings;
@@ -91,7 +93,7 @@ Mesh make_cylinder(const Cylinder& s, bool wire) {
     return stand(std::move(rings), s.slices, s.height < 0, wire);
 }
 
-// Facing +Z; s and t across the disc as across its bounding square, s along +x, t along +y.
+// The disc faces +Z. s and t span its bounding square, s along +x, t along +y.
 Mesh make_disk(const Disk& s, bool wire) {
     const std::vector<SinCos> around = circle(s.slices);
     Surface surface(wire);
@@ -104,8 +106,8 @@ Mesh make_disk(const Disk& s, bool wire) {
     return std::move(surface).finish();
 }
 
-// A solid arrow, so that it can be lit: a shaft of radius .02 to x = .8, then a head of radius .06. n sections
-// along X let a vertex shader bend it; 24 around. t = x.
+// A solid arrow, so that it can be lit: a shaft of radius .02 to x = .8, then a head of radius .06. It has n sections
+// along X, so that a vertex shader can bend it, and 24 around; t = x.
 Mesh make_xarrow(const Xarrow& s, bool wire) {
     constexpr double shaft_radius = .02, head_radius = .06, neck = .8;
     const int shaft = std::clamp(static_cast<int>(std::lround(neck * s.n)), 1, std::max(s.n - 1, 1));
@@ -117,7 +119,7 @@ Mesh make_xarrow(const Xarrow& s, bool wire) {
     Surface surface(wire);
     revolve(surface, 24, rings);
     Mesh mesh = std::move(surface).finish();
-    for (auto* vectors : {&mesh.positions, &mesh.normals})  // turn +Y to +X
+    for (auto* vectors : {&mesh.positions, &mesh.normals})  // turns +Y to +X
         for (Float3& v : *vectors) v = {v[1], -v[0] + 0.f, v[2]};
     mesh.compute_bounds();
     return mesh;

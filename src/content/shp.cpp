@@ -23,8 +23,8 @@ void append_big_endian(std::string& s, std::uint32_t v) {
     for (const int shift : {24, 16, 8, 0}) s.push_back(static_cast<char>(v >> shift & 0xff));
 }
 
-// The index file that belongs to a .shp, from its record headers. Sizes count 16-bit words. `cut`: the file is
-// shorter than it says; a last record that is not whole is left out.
+// Makes the index file of a .shp from its record headers. Sizes are in 16-bit words. Sets `cut` if the file is shorter
+// than its header states; an incomplete last record is left out.
 std::string make_index(std::string_view shp, bool& cut) {
     std::string records;
     std::size_t at = header_bytes;
@@ -48,8 +48,8 @@ std::string make_index(std::string_view shp, bool& cut) {
     return index + records;
 }
 
-// A file in memory, behind shapelib's file interface. shapelib passes no context to FOpen, so the two files
-// stand in a thread's own slot while they are opened.
+// A file in memory, behind shapelib's file interface. shapelib passes no context to FOpen, so the two files are in
+// thread-local variables while they are opened.
 struct MemoryFile {
     std::string_view bytes;
     std::size_t at = 0;
@@ -89,7 +89,7 @@ int close(SAFile file) {
     return 0;
 }
 int remove_nothing(const char*) { return -1; }
-void ignore_error(const char*) {}  // the return values say it too
+void ignore_error(const char*) {}  // the return values report errors too
 
 SAHooks hooks() {
     SAHooks h{};
@@ -130,8 +130,8 @@ bool has_lines(int type) {
 }
 bool has_z(int type) { return type == SHPT_ARCZ || type == SHPT_POLYGONZ || type == SHPT_MULTIPATCH; }
 
-// One part: a line strip as separate lines. s runs from 0 to 1 along the part, by vertices. False, and
-// nothing added, if a number is not finite; heights that are not are 0, and counted.
+// Adds one part, a line strip, as separate lines. s runs from 0 to 1 along the part, by vertex count. Returns false and
+// adds nothing if an x or y is not finite; heights that are not finite become 0 and are counted.
 bool add_part(const SHPObject& o, int begin, int end, Mesh& mesh, int& heights) {
     for (int i = begin; i < end; ++i)
         if (!(std::abs(o.padfX[i]) <= 1e37 && std::abs(o.padfY[i]) <= 1e37)) return false;
@@ -149,7 +149,7 @@ bool add_part(const SHPObject& o, int begin, int end, Mesh& mesh, int& heights) 
     return true;
 }
 
-// Counts of what could not be used.
+// Counts of records and values that could not be used.
 struct Leftovers {
     int unreadable = 0, without_lines = 0, not_finite = 0, heights = 0;
 };
@@ -181,7 +181,8 @@ void report(const Leftovers& left, bool cut, std::vector<MeshIssue>& issues) {
 
 }  // namespace
 
-// X and Y are the file's, Z its height where it has one (PolyLineZ, PolygonZ, MultiPatch), else 0; M is ignored.
+// X and Y are those of the file, Z its height if it has one (PolyLineZ, PolygonZ, MultiPatch), otherwise 0. M is
+// ignored.
 MeshResult parse_shp(std::string_view shp, const MeshLimits& limits) {
     MeshResult result;
     const auto fail = [&](std::string code, std::string message, std::string help = {}) {

@@ -1,4 +1,4 @@
-// Which format a file is in, from its first bytes or its name.
+// Recognises the format of a file by its first bytes or its name.
 #include <algorithm>
 
 #include "src/content/formats.h"
@@ -58,7 +58,7 @@ constexpr Extension extensions[] = {
     {"rgb", "sgi"},     {"ico", "ico"}, {"jp2", "jpeg2000"}, {"heic", "heif"}, {"avif", "heif"}, {"fits", "fits"},
 };
 
-// "P6\n": a letter, a digit, a blank.
+// A letter, a digit and a blank, such as "P6\n".
 bool is_pnm(std::string_view b) {
     return b.size() > 2 && b[0] == 'P' && ((b[1] >= '1' && b[1] <= '6') || b[1] == 'F' || b[1] == 'f') &&
            (b[2] == '\n' || b[2] == ' ' || b[2] == '\r' || b[2] == '\t');

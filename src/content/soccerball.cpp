@@ -1,4 +1,4 @@
-// A truncated icosahedron blown up to a sphere.
+// A truncated icosahedron, projected onto a sphere.
 #include <algorithm>
 #include <cmath>
 
@@ -37,14 +37,15 @@ std::array<Vec3, 12> icosahedron() {
     return corners;
 }
 
-// A corner of the ball is a third of the way along the icosahedron's edge from one corner to the other.
+// A corner of the ball is a third of the way along an edge of the icosahedron, from `from` to `to`.
 struct Corner {
     int from = 0, to = 0;
     int id() const { return from * 12 + to; }
 };
-using Face = std::vector<Corner>;  // counter-clockwise from outside
+using Face = std::vector<Corner>;  // counter-clockwise seen from outside
 
-bool joined(const Vec3& a, const Vec3& b) { return dot(a, b) > .4 && dot(a, b) < .5; }  // 1 / sqrt 5
+// Neighbours' dot product is 1 / sqrt 5.
+bool joined(const Vec3& a, const Vec3& b) { return dot(a, b) > .4 && dot(a, b) < .5; }
 
 Face pentagon(const std::array<Vec3, 12>& ico, int centre) {
     const auto& axis = ico[static_cast<std::size_t>(centre)];
@@ -57,7 +58,7 @@ Face pentagon(const std::array<Vec3, 12>& ico, int centre) {
         return std::atan2(dot(p, y) / dot(y, y), dot(p, x) - dot(p, axis) * dot(x, axis));
     };
     std::sort(face.begin() + 1, face.end(), [&](const Corner& a, const Corner& b) {
-        const double full = 8, at = angle(a), bt = angle(b);  // angles from the first on, counter-clockwise
+        const double full = 8, at = angle(a), bt = angle(b);  // angles relative to the first, counter-clockwise
         return (at < 0 ? at + full : at) < (bt < 0 ? bt + full : bt);
     });
     return face;
@@ -79,8 +80,8 @@ std::vector<Face> faces(const std::array<Vec3, 12>& ico) {
     return all;
 }
 
-// One face: rings of points around its centre, in its plane, then pushed out to the sphere. On the seam both
-// faces reckon from the same end, so that they get the same bits.
+// Makes one face: rings of points around its centre, in its plane, projected onto the sphere. Both faces at a seam
+// compute its points from the same end, so that they are equal to the bit.
 class FaceMaker {
 public:
     FaceMaker(Surface& surface, const std::array<Vec3, 12>& ico, const Face& face, double radius)
@@ -155,8 +156,8 @@ private:
 
 }  // namespace
 
-// s,t: the face's plane, its corners on the circle of radius .5 about (.5, .5), the first at s = 1; p: 0 at
-// the face's centre, 1 along its seam. Tangent: the direction of growing s.
+// s and t span the face's plane: its corners are on the circle of radius .5 about (.5, .5), the first one at s = 1. p
+// is 0 at the face's centre and 1 along its seam. The tangent is the direction of increasing s.
 Mesh make_soccerball(const Soccerball& ball, bool wire) {
     const std::array<Vec3, 12> ico = icosahedron();
     Surface surface(wire);

@@ -8,7 +8,7 @@
 namespace snell::content {
 namespace {
 
-Float3 to_float(const Vec3& v) {  // + 0: no negative zeros
+Float3 to_float(const Vec3& v) {  // adding 0 turns -0 into 0
     return {static_cast<float>(v[0]) + 0.f, static_cast<float>(v[1]) + 0.f, static_cast<float>(v[2]) + 0.f};
 }
 
@@ -87,7 +87,7 @@ std::vector<SinCos> circle(int n) {
     for (int k = 0; k < n; ++k) {
         const std::int64_t quarter = std::int64_t{4} * k / n, rest = std::int64_t{4} * k - quarter * n;
         const double angle = static_cast<double>(rest) / n * (std::numbers::pi / 2);
-        // From the nearer end of the quadrant: mirror images get the same bits.
+        // Angles are measured from the nearer end of the quadrant, so that mirror images are equal to the bit.
         const double other = static_cast<double>(n - rest) / n * (std::numbers::pi / 2);
         const double s = 2 * rest <= n ? std::sin(angle) : std::cos(other);
         const double c = 2 * rest <= n ? std::cos(angle) : std::sin(other);
@@ -108,8 +108,8 @@ void revolve(Surface& surface, int slices, std::span<const Ring> rings, bool tan
         surface.vertex({-a.cos * r.radius, r.y, a.sin * r.radius},
                        {-a.cos * r.normal_radial, r.normal_y, a.sin * r.normal_radial},
                        {static_cast<double>(i) / slices, r.t, 0});
-        // Perpendicular to the normal in the half plane of this slice; at a pole too, where each slice has
-        // its own vertex.
+        // The tangent is perpendicular to the normal in the half plane of this slice. This holds at a pole too, because
+        // each slice has its own vertex there.
         if (tangents) surface.tangent({a.cos * r.normal_y, r.normal_radial, -a.sin * r.normal_y});
     });
 }

@@ -1,4 +1,4 @@
-// Builds meshes of triangles, or of the same faces' edges. Internal to content/.
+// Builds meshes of triangles, or of the edges of the same faces. Internal to src/content.
 #pragma once
 
 #include <span>
@@ -7,24 +7,25 @@
 
 namespace snell::content {
 
-// Collects vertices and faces. Faces are counter-clockwise seen from outside. A corner that falls on its
-// neighbour (sphere poles, cone apex) makes a quad a triangle and a triangle nothing, so no degenerate
-// triangles arise.
+// Collects vertices and faces. Faces are counter-clockwise seen from outside. If two adjacent corners coincide (sphere
+// poles, cone apex), a quad becomes a triangle and a triangle is dropped, so there are no degenerate triangles.
 class Surface {
 public:
     explicit Surface(bool wire) : wire_(wire) { mesh_.topology = wire ? Topology::lines : Topology::triangles; }
 
-    // How much is about to come; saves reallocation.
+    // Reserves memory for what will be added.
     void reserve(std::size_t vertices, std::size_t quads);
-    // `normal` of any length but 0; -0 becomes 0, so that equal places have equal bits.
+    // Adds a vertex. `normal` may have any length but 0. -0 is stored as 0, so that equal places have equal bits.
     std::uint32_t vertex(const Vec3& position, const Vec3& normal, const Vec3& texcoord);
-    void tangent(const Vec3& tangent);  // of the vertex just added; all vertices or none
+    // Sets the tangent of the vertex just added; set it for all vertices or for none.
+    void tangent(const Vec3& tangent);
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
-    // Indices from here to the next part() or the end are drawn with `face_index`. Not for wires.
+    // Starts a part: indices from here to the next part() or the end are drawn with `face_index`. Not for wires.
     void part(int face_index);
 
-    // (nu + 1) x (nv + 1) vertices that `make(i, j)` adds, rows of constant j first; outward is dP/di x dP/dj.
+    // Adds a grid of (nu + 1) x (nv + 1) vertices, each added by `make(i, j)`, row by row with constant j. The outside
+    // is along dP/di x dP/dj.
     template <class Make>
     void grid(int nu, int nv, Make make) {
         const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
@@ -38,7 +39,7 @@ public:
             }
     }
 
-    Mesh finish() &&;  // bounds computed; wire: each edge once
+    Mesh finish() &&;  // computes the bounds; with `wire`, keeps each edge once
 
 private:
     bool same(std::uint32_t a, std::uint32_t b) const { return mesh_.positions[a] == mesh_.positions[b]; }
@@ -52,8 +53,8 @@ private:
 struct SinCos {
     double sin = 0, cos = 1;
 };
-// n + 1 equal steps around the full circle. The last entry is the first one bit for bit, quarter turns are
-// exact, and opposite entries are exact mirror images: seams close and poles are points.
+// n + 1 equal steps around the full circle. The last entry equals the first one bit for bit, quarter turns are exact,
+// and opposite entries are exact mirror images, so that seams close and poles are single points.
 std::vector<SinCos> circle(int n);
 
 // A ring of a surface of revolution about +Y.
@@ -62,8 +63,9 @@ struct Ring {
     double normal_radial = 1, normal_y = 0;
     double t = 0;
 };
-// Rings in the order that makes d/ds x d/dring point outward (upward on the outside). s = 0 at -X, .25 at
-// +Z, .5 at +X, .75 at -Z. `tangents`: along the rings' order, d/dring, for the unit sphere's rings.
+// Adds a surface of revolution. Rings must be in the order in which d/ds x d/dring points outward (upward on the
+// outside). s = 0 at -X, .25 at +Z, .5 at +X, .75 at -Z. With `tangents`, adds tangents along d/dring; correct for
+// rings of the unit sphere only.
 void revolve(Surface& surface, int slices, std::span<const Ring> rings, bool tangents = false);
 
 // ---- makers of the shapes; parameters are in their domain (see mesh.cpp) ----------------------------

@@ -1,5 +1,5 @@
-// The Utah teapot: Martin Newell's 32 bicubic Bezier patches of 1975 (rim 4, body 8, lid 8, bottom 4,
-// handle 4, spout 4), with the size and place of glutSolidTeapot(1), turned to +Y up, spout to +X.
+// The Utah teapot: Martin Newell's 32 bicubic Bezier patches of 1975 (rim 4, body 8, lid 8, bottom 4, handle 4, spout
+// 4), with the size and position of glutSolidTeapot(1), turned so that +Y is up and the spout points to +X.
 #include "src/content/teapot.h"
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace snell::content {
 namespace {
 
-// Newell's numbers, z up. Rim, body, lid and bottom are turned about the axis: four control points (radius,
-// height) of the profile, the quarter circle being (r, 0) (r, c) (c, r) (0, r).
+// Newell's numbers, with z up. Rim, body, lid and bottom are surfaces of revolution: the profile has four control
+// points (radius, height), and a quarter circle is (r, 0) (r, c) (c, r) (0, r).
 struct Turned {
     double radius, height, c;
 };
@@ -19,7 +19,7 @@ using Profile = std::array<Turned, 4>;
 
 constexpr Turned turned(double radius, double height) { return {radius, height, .56 * radius}; }
 
-// t runs along the profile. From the tip of the lid and from the bottom's middle outward, else downward.
+// t runs along the profile: outward from the tip of the lid and from the middle of the bottom, otherwise downward.
 constexpr std::array<Profile, 5> downward{{
     {turned(1.4, 2.4), turned(1.3375, 2.53125), turned(1.4375, 2.53125), turned(1.5, 2.4)},  // rim
     {turned(1.5, 2.4), turned(1.75, 1.875), turned(2, 1.35), turned(2, .9)},                 // body
@@ -29,8 +29,7 @@ constexpr std::array<Profile, 5> downward{{
 }};
 constexpr Profile bottom{turned(0, 0), turned(1.425, 0), turned(1.5, .075), turned(1.5, .15)};
 
-// Handle and spout are tubes: a row is half a cross-section, from (x0, z0) around the side at y = width to
-// (x1, z1).
+// Handle and spout are tubes: each row is half a cross-section, from (x0, z0) around the side at y = width to (x1, z1).
 struct Section {
     double x0, z0, x1, z1, width;
 };
@@ -51,9 +50,9 @@ constexpr std::array<Tube, 4> tubes{{
       {2.8, 2.4, 3.2, 2.4, .15}}},
 }};
 
-using Patch = std::array<std::array<Vec3, 4>, 4>;  // [along t][along s], y up
+using Patch = std::array<std::array<Vec3, 4>, 4>;  // indexed [along t][along s], y up
 
-// Newell's to ours: y up, GLUT's scale and height.
+// Converts Newell's coordinates to snell's: y up, with GLUT's scale and height.
 Vec3 placed(double x, double y, double z) { return {.5 * x, .5 * (z - 1.5), .5 * y}; }
 
 Patch turned_patch(const Profile& profile, int quarter, bool reversed) {
@@ -92,7 +91,8 @@ Weights bernstein_slope(double t) {
     return {-3 * u * u, 3 * u * u - 6 * u * t, 6 * u * t - 3 * t * t, 3 * t * t};
 }
 
-// Sums along s first: on shared edges, where one weight is 1 and the others 0, neighbours get the same bits.
+// Sums along s first, so that neighbours are equal to the bit on shared edges, where one weight is 1 and the others are
+// 0.
 Vec3 evaluate(const Patch& patch, const Weights& s, const Weights& t) {
     Vec3 sum{0, 0, 0};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -122,7 +122,7 @@ Vec2 largest_slopes(const Patch& patch) {
     return largest;
 }
 
-// A patch and the largest derivatives that its control net allows along s and along t.
+// A patch, and upper bounds of its derivatives along s and along t, from its control net.
 struct Net {
     Patch points;
     Vec2 largest;
@@ -146,9 +146,9 @@ const std::vector<Net>& nets() {
     return table;
 }
 
-// Ss x St. Where the row t = 0 is one point (tip of the lid, middle of the bottom) Ss vanishes like t Sst, and
-// the limit of the direction is Sst x St. In floating point the product there is small garbage rather than 0,
-// hence a relative threshold.
+// Ss x St. If the row t = 0 is one point (tip of the lid, middle of the bottom), Ss vanishes like t Sst, and the limit
+// of the direction is Sst x St. In floating point the product there is a small rounding error rather than 0, so the
+// threshold is relative.
 Vec3 normal(const Net& net, double s, double t) {
     const Patch& patch = net.points;
     const Vec3 along_s = evaluate(patch, bernstein_slope(s), bernstein(t));

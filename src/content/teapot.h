@@ -1,4 +1,4 @@
-// The teapot as a surface. Internal to content/.
+// The surface of the teapot. Internal to src/content.
 #pragma once
 
 #include "parser/scene.h"
@@ -8,9 +8,9 @@ namespace snell::content {
 inline constexpr int teapot_patches = 32;
 
 struct SurfacePoint {
-    Vec3 position, normal;  // normal: outward, not of unit length, never 0
+    Vec3 position, normal;  // the normal points outward; it is not of unit length, but never 0
 };
-// `patch` 0..31: rim 4, body 8, lid 8, bottom 4, handle 4, spout 4. s and t in 0..1.
+// Evaluates patch 0..31 (rim 4, body 8, lid 8, bottom 4, handle 4, spout 4) at s and t in 0..1.
 SurfacePoint teapot_point(int patch, double s, double t);
 
 }  // namespace snell::content

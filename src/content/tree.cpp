@@ -25,7 +25,7 @@ struct Bounds {
         add(other.low);
         add(other.high);
     }
-    // Half the surface; in double: the square of a float's range.
+    // Half the surface area, in double because it is a square of floats.
     double area() const {
         const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
         return x >= 0 ? x * y + y * z + z * x : 0;
@@ -52,7 +52,7 @@ bool usable(const Mesh& mesh, const Corners& corners) {
     });
 }
 
-// Corners in the order that GL gives them, so that the front is kept.
+// Corners in GL's order for each topology, which keeps the front faces.
 std::vector<Corners> triangles_of(const Mesh& mesh) {
     const std::vector<std::uint32_t>& v = mesh.indices;
     std::vector<Corners> out;
@@ -83,7 +83,7 @@ std::vector<Corners> triangles_of(const Mesh& mesh) {
     return out;
 }
 
-// How deep a tree of so many triangles is when it is halved all the way.
+// The depth of a tree of that many triangles if every node is halved.
 std::size_t halvings(std::size_t count) {
     std::size_t levels = 1;
     for (; count > tree_leaf; count = (count + 1) / 2) ++levels;
@@ -151,7 +151,8 @@ private:
         return count / 2;
     }
 
-    // How many triangles come first, by least expected cost; 0: their middles are all one, or not finite apart.
+    // The number of triangles in the lower child at the least expected cost; 0 if all centres coincide, or their extent
+    // is not finite.
     std::size_t by_surface(std::size_t first, std::size_t count, std::size_t axis, const Bounds& middles) {
         const float size = middles.high[axis] - middles.low[axis], scale = bins / size;
         if (!(size > 0) || !std::isfinite(size) || !std::isfinite(scale)) return 0;

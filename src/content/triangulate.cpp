@@ -8,11 +8,11 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-// Ear clipping takes the square of the corners at best and the cube at worst. Above these bounds a polygon is
-// cut anyhow, which may cover some of it twice.
+// Ear clipping takes time quadratic in the number of corners at best, cubic at worst. Beyond these bounds a polygon is
+// cut without looking for ears, which may cover parts of it twice.
 constexpr std::size_t most_concave_corners = 20'000, most_point_tests = 50'000'000;
 
-// Newell's method: twice the area vector, good for concave and slightly bent polygons.
+// Newell's method: a vector along the normal of twice the area, also for concave and slightly bent polygons.
 std::array<double, 3> area_vector(std::span<const Float3> p) {
     std::array<double, 3> n{0, 0, 0};
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -25,7 +25,7 @@ std::array<double, 3> area_vector(std::span<const Float3> p) {
     return n;
 }
 
-// Seen along the largest component of the normal, so that the winding is counter-clockwise.
+// Projects along the largest component of the normal, so that the winding is counter-clockwise.
 std::vector<Point> flatten(std::span<const Float3> p) {
     const auto n = area_vector(p);
     std::size_t k = 0;
@@ -53,7 +53,7 @@ void fan(std::size_t corners, std::vector<std::uint32_t>& triangles) {
     for (std::uint32_t i = 1; i + 1 < corners; ++i) triangles.insert(triangles.end(), {0, i, i + 1});
 }
 
-// Ear clipping, Meisters 1975.
+// Ear clipping (Meisters 1975).
 class Ears {
 public:
     explicit Ears(const std::vector<Point>& points) : p_(points) {
@@ -64,7 +64,7 @@ public:
         std::size_t i = 0, refused = 0;
         while (left_.size() > 3) {
             i %= left_.size();
-            // A polygon that crosses itself may have no ear; then any corner will do.
+            // A polygon that intersects itself may have no ear; then any corner is cut off.
             if (tests_ < most_point_tests && !ear(i) && refused++ < left_.size()) {
                 ++i;
                 continue;

@@ -8,7 +8,7 @@ namespace {
 
 Float3 narrow(const Vec3& v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
 
-// As given, but of unit length; one without direction becomes +Z.
+// Normalises `v`; a vector without direction becomes +Z.
 Float3 unit(const Vec3& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
     if (!(length > 0) || !std::isfinite(length)) return {0, 0, 1};

@@ -8,14 +8,15 @@ namespace {
 
 constexpr std::uint32_t empty = ~std::uint32_t{0};
 
-std::uint64_t mix(std::uint64_t x) {  // splitmix64's finaliser
+std::uint64_t mix(std::uint64_t x) {  // the finaliser of splitmix64
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
     return x ^ (x >> 31);
 }
 
 std::uint64_t hash(const Float3& p) {
-    const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.f)}; };  // -0 + 0 is 0
+    // Adding 0 turns -0 into 0.
+    const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.f)}; };
     return mix(mix(bits(p[0]) | bits(p[1]) << 32) ^ bits(p[2]));
 }
 
@@ -26,7 +27,7 @@ std::size_t table_size(std::size_t entries) { return std::bit_ceil(entries * 2 +
 Weld weld(std::span<const Float3> positions) {
     Weld result;
     result.place.resize(positions.size());
-    std::vector<std::uint32_t> table(table_size(positions.size()), empty);  // first vertex of each place
+    std::vector<std::uint32_t> table(table_size(positions.size()), empty);  // index of the first vertex of each place
     const std::size_t mask = table.size() - 1;
     for (std::uint32_t i = 0; i < positions.size(); ++i) {
         std::size_t slot = hash(positions[i]) & mask;

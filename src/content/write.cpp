@@ -1,4 +1,4 @@
-// Pictures out.
+// Writes images to files.
 #include <algorithm>
 #include <cmath>
 

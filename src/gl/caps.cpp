@@ -29,7 +29,7 @@ float range_end(GLenum name) {
 
 int glsl_version(int gl, bool es) {
     if (es) return gl >= 32 ? 320 : 300;
-    return gl * 10;  // from 3.3 on the two count alike
+    return gl * 10;  // from 3.3 on, versions of GL and GLSL have the same number
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ Caps query_caps() {
     if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || (!caps.es && version >= 46))
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &caps.max_anisotropy);
     caps.max_line_width = range_end(GL_ALIASED_LINE_WIDTH_RANGE);
-    // A forward-compatible core context refuses widths above 1 whatever it says of the range.
+    // Forward-compatible core contexts refuse widths above 1, even if the range that they report is larger.
     if (!caps.es && (integer(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT)) caps.max_line_width = 1;
     caps.max_point_size = range_end(caps.es ? GL_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE);
     return caps;

@@ -1,4 +1,4 @@
-// What the current context can do.
+// Capabilities of the current context.
 #pragma once
 
 #include <string>
@@ -7,20 +7,20 @@ namespace snell::gl {
 
 struct Caps {
     std::string renderer, vendor, version;
-    int glsl = 330;  // GLSL version that shaders are given: 330, 410, 450 …; with es: 300, 320
+    int glsl = 330;  // GLSL version of the translated shaders: 330, 410, 450 …; with `es`: 300 or 320
     bool es = false;
-    bool software = false;  // llvmpipe and its like
+    bool software = false;  // the renderer runs on the CPU, such as llvmpipe
     bool fp64 = false;
     bool geometry = true, tessellation = false;
     bool program_interface_query = false;
     int max_viewport = 0;
     int max_texture = 0, max_texture_3d = 0, max_cube = 0, max_units = 0, max_vertex_attributes = 0;
-    int max_texture_buffer = 0;  // texels; 0: there are none
+    int max_texture_buffer = 0;  // in texels; 0 if the context has no buffer textures
     int max_samples = 0, max_draw_buffers = 0, max_uniform_components = 0, max_patch_vertices = 0;
     float max_anisotropy = 1, max_line_width = 1, max_point_size = 1;
 };
 
-// Of the context that is current.
+// Queries the context that is current.
 Caps query_caps();
 
 }  // namespace snell::gl

@@ -61,7 +61,7 @@ void print_messages() { listen(print_message, nullptr); }
 
 std::vector<std::string> take_errors() {
     std::vector<std::string> errors;
-    // A lost context reports the same error for ever.
+    // The loop is bounded because a lost context reports the same error for ever.
     for (GLenum error; errors.size() < 16 && (error = glGetError()) != GL_NO_ERROR;)
         errors.emplace_back(error_name(error));
     return errors;

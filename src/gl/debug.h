@@ -1,4 +1,4 @@
-// What the driver complains of. Tests fail on any of it.
+// Errors and warnings of the OpenGL driver. The tests fail on any of them.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace snell::gl {
 
-// Messages of errors, undefined behaviour, and all of high severity, gathered from now on (a debug context tells most).
-// `log` must outlive the context. No effect where the context has no debug output.
+// From now on appends the driver's messages to `log`: errors, undefined behaviour, and all messages of high severity. A
+// debug context reports the most. `log` must outlive the context. Has no effect if the context has no debug output.
 void collect_messages(std::vector<std::string>& log);
 
-// Prints them on standard error instead, for debug builds.
+// Prints the same messages to standard error instead; used in debug builds.
 void print_messages();
 
-// The names of the errors that glGetError holds, and clears them.
+// Returns the names of the errors that glGetError reports, and clears them.
 std::vector<std::string> take_errors();
 
 }  // namespace snell::gl

@@ -1,4 +1,4 @@
-// Pictures in 32-bit floats, as the mean of several.
+// Pictures in 32-bit floats, and their weighted sums: the mean of many samples.
 #pragma once
 
 #include <cstddef>
@@ -9,30 +9,30 @@
 
 namespace snell::gl {
 
-// To draw a picture into, or many of which it keeps the sum.
+// A framebuffer to draw a picture into, with a second one that accumulates a weighted sum of such pictures.
 class ExactTarget {
 public:
-    // What the context refuses leaves valid() false. `multisample`: samples a pixel by the driver; `es`: of the
-    // context.
+    // `multisample` is the number of samples per pixel that the driver takes; `es` says that the context is OpenGL ES.
+    // If the context refuses the framebuffer, valid() is false.
     ExactTarget(int width, int height, int multisample, bool es);
 
     bool valid() const { return static_cast<bool>(sum_framebuffer_); }
     int width() const { return width_; }
     int height() const { return height_; }
-    // To draw into.
+    // The framebuffer to draw into.
     unsigned framebuffer() const;
-    // After drawing: makes one sample a pixel of several.
+    // Resolves the multisampled picture to one value per pixel. Call it after drawing.
     void resolve() const;
-    // Empties the sum.
+    // Sets the sum to zero.
     void begin() const;
-    // Resolves, and adds what was drawn, times `weight`.
+    // Resolves the picture, multiplies it by `weight` and adds it to the sum.
     void add(float weight) const;
-    // What was resolved last, or the sum: rows top first, RGBA.
+    // Returns the sum, or the picture that was resolved last: RGBA, top row first.
     std::vector<float> read(bool sum) const;
 
 private:
     int width_ = 0, height_ = 0;
-    Target multisampled_;  // empty: drawn into drawn_ itself
+    Target multisampled_;  // empty without multisampling: the picture is then drawn into drawn_ itself
     Texture drawn_;
     TextureTarget drawn_target_;
     Texture sum_;
@@ -41,7 +41,7 @@ private:
     VertexArray nothing_;
 };
 
-// How long the GPU says that it worked between begin and end: a timer query. Only where the context has them.
+// Measures the GPU's time between begin() and end() with a timer query, if the context has one.
 class TimerQuery {
 public:
     TimerQuery();
@@ -51,7 +51,7 @@ public:
 
     bool available() const { return id_ != 0; }
     void begin() const;
-    // Waits. Milliseconds.
+    // Waits for the GPU and returns milliseconds.
     double end() const;
 
 private:

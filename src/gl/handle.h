@@ -1,4 +1,4 @@
-// Owners of GL objects: move-only, deleted with their context still current.
+// Owners of GL objects: move-only. Each deletes its object, so its context must still be current then.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -50,7 +50,7 @@ using Renderbuffer = Handle<delete_renderbuffer>;
 using Program = Handle<delete_program>;
 using Shader = Handle<delete_shader>;
 
-// Generates one object of the kind, for example make(glGenBuffers).
+// Generates one object and returns its name, for example make(glGenBuffers).
 inline GLuint make(void (*generate)(GLsizei, GLuint*)) {
     GLuint id = 0;
     generate(1, &id);

@@ -1,13 +1,13 @@
-// Whether the context is still one.
+// Detects that the driver has reset the context.
 #pragma once
 
 namespace snell::gl {
 
-// True: the driver has taken the context away, after a shader that did not end or a fault of its own. What was drawn
-// since is undefined, and nothing more can be. Always false where the context does not notify of resets.
+// True if the driver has reset the context, after a shader that did not end or a fault of its own. Everything drawn
+// since is undefined, and the context cannot be used any more. Always false if the context does not report resets.
 bool lost();
 
-// True: lost() would tell.
+// True if the context reports resets, so that lost() can become true.
 bool tells_of_loss();
 
 }  // namespace snell::gl

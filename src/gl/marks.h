@@ -1,4 +1,4 @@
-// When the GPU came by: moments of its own clock, by timestamp queries.
+// Times on the GPU's own clock, by timestamp queries.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,13 @@ using Query = Handle<delete_query>;
 
 class Marks {
 public:
-    // The context has such a clock. Whether it is right is another matter: those of software renderers are not.
+    // True if the context has timestamp queries. Software renderers have them, but their times are wrong.
     bool available();
-    // After all that was asked for so far. Costs nothing but the call.
+    // Records the time at which the GPU has finished all commands issued so far. Does not wait.
     void mark();
     std::size_t count() const { return used_; }
-    // Milliseconds from each mark to the next one: one fewer than there are marks. Waits for the GPU, and forgets them.
+    // Returns the milliseconds between consecutive marks, one value fewer than there are marks, and clears the marks.
+    // Waits for the GPU.
     std::span<const double> take();
 
 private:

@@ -4,7 +4,7 @@ namespace snell::gl {
 
 namespace {
 
-// Scissors cut copies and clears too.
+// The scissor test is disabled because it clips blits and clears too.
 void copy(GLuint from, GLuint to, int width, int height, int x, int y) {
     glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
@@ -17,12 +17,13 @@ void copy(GLuint from, GLuint to, int width, int height, int x, int y) {
 
 bool Canvas::resize(int width, int height, int samples) {
     if (drawn_.framebuffer && drawn_.width == width && drawn_.height == height && wanted_ == samples) return true;
-    // The old ones go first: both at once need not fit.
+    // The old targets are freed first: memory may be too small for both.
     drawn_ = {};
     resolved_ = {};
     wanted_ = samples;
     drawn_ = make_target(width, height, samples);
-    // A default framebuffer need not have our format, which a multisampled copy requires: resolve to our own.
+    // A multisampled blit requires equal formats, and the default framebuffer's may differ: resolve into a target of
+    // our own.
     if (drawn_.samples > 1) resolved_ = make_target(width, height, 1);
     return drawn_.framebuffer && (drawn_.samples <= 1 || resolved_.framebuffer);
 }

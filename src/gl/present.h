@@ -1,22 +1,22 @@
-// The picture that a window keeps, and how it comes onto the screen.
+// The window's last picture, and its way to the screen.
 #pragma once
 
 #include "src/gl/target.h"
 
 namespace snell::gl {
 
-// Drawn at its own size, multisampled, resolved once, and kept: what lies over it may change without drawing
-// it again.
+// A multisampled framebuffer of a size of its own. Its picture is resolved once and kept, so that overlays can change
+// without drawing it again.
 class Canvas {
 public:
-    // False: the context refused it. Nothing happens where nothing changes.
+    // Returns false if the context refuses the size. Does nothing if the size and the samples are the same as before.
     bool resize(int width, int height, int samples);
-    // To draw into.
+    // The framebuffer to draw into.
     unsigned framebuffer() const { return drawn_.framebuffer.get(); }
     int samples() const { return drawn_.samples; }
-    // After drawing.
+    // Resolves the multisampled picture. Call it after drawing.
     void resolve();
-    // Copies the resolved picture into the default framebuffer, its bottom left at pixel (x, y).
+    // Copies the resolved picture into the default framebuffer, with its bottom left corner at pixel (x, y).
     void show(int x, int y) const;
 
 private:
@@ -24,10 +24,10 @@ private:
     Target drawn_, resolved_;
 };
 
-// Fills the default framebuffer with one colour and leaves it bound, for the overlays.
+// Fills the default framebuffer with one colour and leaves it bound, so that overlays can be drawn.
 void clear_window(int width, int height, float red, float green, float blue);
 
-// Returns when all that was asked for has been drawn: to tell what it cost.
+// Waits until the GPU has executed all commands, so that their time can be measured.
 void finish();
 
 }  // namespace snell::gl

@@ -121,7 +121,7 @@ std::vector<Uniform> active_uniforms(GLuint program, bool interface_query) {
         glGetActiveUniform(program, static_cast<GLuint>(i), name.size(), nullptr, &uniform.size, &uniform.type,
                            name.data());
         uniform.location = glGetUniformLocation(program, name.data());
-        if (uniform.location < 0) continue;  // in a block, or the driver's own
+        if (uniform.location < 0) continue;  // a member of a block, or one of the driver's own uniforms
         if (interface_query && !is_referenced(program, static_cast<GLuint>(i))) continue;
         uniform.name = name.data();
         if (uniform.name.ends_with("[0]")) uniform.name.resize(uniform.name.size() - 3);

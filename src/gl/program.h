@@ -1,4 +1,4 @@
-// Compiling, linking and asking programs.
+// Compiles and links shaders, and lists the active uniforms of a program.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 namespace snell::gl {
 
 struct Compiled {
-    Shader shader;  // empty when it failed
+    Shader shader;  // empty if compiling failed
     std::string log;
 };
-// `stage` is GL_VERTEX_SHADER and so on.
+// `stage` is GL_VERTEX_SHADER, GL_FRAGMENT_SHADER and so on.
 Compiled compile(GLenum stage, std::string_view text);
 
 struct AttributeLocation {
@@ -21,24 +21,26 @@ struct AttributeLocation {
     GLuint location;
 };
 struct Linked {
-    Program program;  // empty when it failed
+    Program program;  // empty if linking failed
     std::string log;
 };
+// Links shaders with fixed locations of attributes.
 Linked link(const std::vector<const Shader*>& shaders, const std::vector<AttributeLocation>& attributes);
 
 struct Uniform {
-    std::string name;  // without "[0]"
+    std::string name;  // array names are without "[0]"
     GLenum type = 0;   // GL_FLOAT_VEC3 …
-    GLint size = 1;    // of the array
+    GLint size = 1;    // number of array elements
     GLint location = -1;
 };
-// Active default-block uniforms. With program interface queries those that no stage references are left out:
-// an initialised uniform looks active when it is not used.
+// Lists the active uniforms outside of blocks. With `interface_query` (the context has program interface queries),
+// uniforms that no stage references are left out: some drivers report an initialised uniform as active although no
+// stage uses it.
 std::vector<Uniform> active_uniforms(GLuint program, bool interface_query);
 
 std::vector<std::string> active_attributes(GLuint program);
 
-// The name GLSL has for the type: "vec3", "sampler2D"; empty: not one that a scene can set.
+// The GLSL name of the type, such as "vec3" or "sampler2D"; empty if scenes cannot set this type.
 std::string_view type_name(GLenum type);
 
 }  // namespace snell::gl

@@ -21,7 +21,7 @@ void Still::show(int x, int y, int first) const {
     glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    // The first row is the top one, and GL's is the bottom one.
+    // The blit flips the picture: its first row is the top one, but GL's first row is the bottom one.
     glBlitFramebuffer(first, 0, width_, height_, x + first, y + height_, x + width_, y, GL_COLOR_BUFFER_BIT,
                       GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -1,4 +1,4 @@
-// A picture made on the CPU, to show in the window.
+// A picture made on the CPU, such as a measured difference, to show in the window.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@ namespace snell::gl {
 
 class Still {
 public:
-    // RGBA bytes, top row first.
+    // Uploads RGBA bytes, top row first.
     void set(int width, int height, std::span<const std::byte> rgba);
-    // Copies the columns from `first` on into the default framebuffer; the bottom left of the whole picture is at
-    // pixel (x, y). Nothing happens before set().
+    // Copies the columns from `first` on into the default framebuffer. (x, y) is the pixel of the bottom left corner of
+    // the whole picture. Does nothing before set() was called.
     void show(int x, int y, int first) const;
 
 private:

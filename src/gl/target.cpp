@@ -18,7 +18,7 @@ Renderbuffer make_renderbuffer(GLenum format, int width, int height, int samples
     return buffer;
 }
 
-// What is read back alone needs no depth.
+// A target that is only read back needs no depth.
 Target make_color_target(int width, int height, Pixels type) {
     Target target;
     target.width = width;
@@ -30,7 +30,7 @@ Target make_color_target(int width, int height, Pixels type) {
     return target;
 }
 
-// The first row is the last.
+// Reverses the order of the rows: GL's first row is the bottom one.
 template <typename Component>
 void flip(std::vector<Component>& rows, size_t row) {
     std::vector<Component> one(row);

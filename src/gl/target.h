@@ -9,27 +9,28 @@
 
 namespace snell::gl {
 
-// A framebuffer of its own: colour and depth renderbuffers, multisampled or not.
+// A framebuffer with its own colour and depth renderbuffers, multisampled if `samples` is above 1.
 struct Target {
     Framebuffer framebuffer;
     Renderbuffer color, depth;
     int width = 0, height = 0, samples = 1;
 };
-// Samples are rounded up to what the context has. Empty framebuffer: the context refused it.
+// `samples` is rounded up to a number that the context supports. The framebuffer is empty if the context refuses it.
 Target make_target(int width, int height, int samples, Pixels type = Pixels::rgba8);
 
-// A framebuffer over textures (levels 0), with its own depth. `faces`: GL_TEXTURE_2D or a cube face for each.
+// One colour attachment of a framebuffer: level 0 of a texture. `target` is GL_TEXTURE_2D or a face of a cube map.
 struct Attachment {
     GLuint texture = 0;
     GLenum target = GL_TEXTURE_2D;
 };
+// A framebuffer that draws into textures, with its own depth renderbuffer.
 struct TextureTarget {
     Framebuffer framebuffer;
     Renderbuffer depth;
 };
 TextureTarget make_texture_target(const std::vector<Attachment>& attachments, int width, int height);
 
-// Rows top first, RGBA bytes or floats. Resolves multisampled framebuffers.
+// Reads pixels back: RGBA, top row first, as bytes or floats. Resolves multisampled framebuffers first.
 std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples);
 std::vector<float> read_rgba32f(GLuint framebuffer, int width, int height, int samples);
 

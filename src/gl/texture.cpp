@@ -49,7 +49,7 @@ void upload(GLenum target, const Texels& texels) {
     }
 }
 
-// Without this a texture with one level and the default filter is incomplete and reads as black.
+// Without a maximum level, a texture with one level and the default filter is incomplete and reads as black.
 void set_levels(GLenum target, const Sampling& sampling) {
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, min_filter(sampling));
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, sampling.mode == Sampling::Mode::nearest ? GL_NEAREST : GL_LINEAR);
@@ -152,7 +152,7 @@ void replace_cube_levels(GLuint texture, const std::vector<std::array<Texels, 6>
     glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
 }
 
-// By a framebuffer: OpenGL ES can't read textures themselves.
+// Reads through a framebuffer, because OpenGL ES cannot read textures directly.
 std::array<std::vector<std::byte>, 6> read_cube(GLuint texture, int size) {
     std::array<std::vector<std::byte>, 6> faces;
     const Framebuffer framebuffer(make(glGenFramebuffers));

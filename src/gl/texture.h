@@ -1,4 +1,4 @@
-// Textures of the kinds that scenes name.
+// Textures of the kinds that scenes use, and sampler objects.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@ namespace snell::gl {
 
 enum class Pixels { rgba8, rgba16f, rgba32f };
 
-// Tightly packed RGBA rows, the first row at t = 0 (cube faces: as uploaded). Null data: allocated only.
+// Tightly packed RGBA texels. The first row is at t = 0; faces of cube maps are in the order that GL expects. If `data`
+// is null, the storage is allocated but not filled.
 struct Texels {
     Pixels type = Pixels::rgba8;
     int width = 0, height = 1, depth = 1;
@@ -22,37 +23,42 @@ struct Sampling {
     enum class Mode { nearest, linear, mipmap, anisotropic };
     Mode mode = Mode::linear;
     float anisotropy = 1;
-    bool clamp = false;  // repeat otherwise; cube maps always clamp
+    bool clamp = false;  // clamp to the edge instead of repeating; cube maps are always clamped
 };
 
 GLenum internal_format(Pixels type);
 std::size_t texel_bytes(Pixels type);
 
-// `target` is GL_TEXTURE_1D, 2D, 3D or CUBE_MAP.
+// `target` is GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D or GL_TEXTURE_CUBE_MAP.
 Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling);
+// Makes a cube map from its six faces, in OpenGL's order.
 Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling);
-// All levels given, each half of the one before, the first as large as any; null data: allocated only.
+// Makes a cube map from all of its levels, each half the size of the one before; the first may have any size. If `data`
+// is null, the storage is allocated but not filled.
 Texture make_cube_levels(const std::vector<std::array<Texels, 6>>& levels);
-// Other texels of the same types and sizes.
+// Replaces the texels of all levels; types and sizes must be the same as before.
 void replace_cube_levels(GLuint texture, const std::vector<std::array<Texels, 6>>& levels);
-// The faces of level 0, as uploaded: row 0 first. RGBA bytes.
+// Reads the faces of level 0 as RGBA bytes, in the order of rows in which they were uploaded.
 std::array<std::vector<std::byte>, 6> read_cube(GLuint texture, int size);
 void generate_mipmaps(GLenum target, GLuint texture);
 
-// RGBA32F texels in a buffer, for samplerBuffer. At least one.
+// A buffer texture of RGBA32F texels, for a samplerBuffer. `count` must be at least 1.
 struct BufferTexture {
     Buffer buffer;
     Texture texture;
 };
+// `texels` points to `count` texels of four floats.
 BufferTexture make_buffer_texture(const void* texels, std::size_t count);
 
-// A sampler object, so that one texture may be clamped in one draw and repeated in the next.
+// A sampler object keeps wrapping apart from the texture, so that one texture can be clamped in one draw and repeated
+// in the next.
 inline void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }
 using Sampler = Handle<delete_sampler>;
+// `cube` is true for samplers of cube maps, which are always clamped.
 Sampler make_sampler(const Sampling& sampling, bool cube);
 
-// Three vertices without attributes, by the program in use, which reads the 2D texture as unit 0. ES and core contexts
-// want a vertex array even so.
+// Draws one triangle that covers the viewport, with the program in use and `texture` bound to unit 0. The triangle has
+// no attributes, but OpenGL ES and core contexts require a vertex array even so.
 void draw_covering(GLuint texture, GLuint vertex_array);
 
 }  // namespace snell::gl

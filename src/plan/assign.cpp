@@ -1,4 +1,4 @@
-// "Program.uniform=value" from a command line.
+// Parses assignments such as "Program.uniform=value" from the command line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,8 @@ std::optional<double> number(std::string_view text) {
     return value;
 }
 
-// Numbers between commas or blanks, in brackets or not; nullopt, with the word, for what is no number.
+// Parses numbers separated by commas or blanks, optionally in brackets. Returns nullopt, with the offending word in
+// `bad`, if one is not a number.
 std::optional<std::vector<double>> numbers(std::string_view text, std::string& bad) {
     text = trimmed(text);
     if (text.size() > 1 &&
@@ -59,12 +60,12 @@ std::optional<std::vector<double>> numbers(std::string_view text, std::string& b
         text = trimmed(text.substr(end));
         if (text.empty() || text.front() != ',') continue;
         text = trimmed(text.substr(1));
-        if (text.empty()) return std::nullopt;  // a comma with nothing after it
+        if (text.empty()) return std::nullopt;  // nothing follows the comma
     }
     return values;
 }
 
-// The controls that `name` means: of every program, or after "Program." of that one.
+// The controls that `name` means: those of every program, or of one program if prefixed by "Program.".
 std::vector<Control*> named(Controls& controls, const Scene& scene, std::string_view name) {
     std::vector<Control*> found;
     const auto collect = [&](std::string_view uniform, std::optional<std::string_view> program) {
@@ -84,7 +85,7 @@ std::vector<Control*> named(Controls& controls, const Scene& scene, std::string_
     return found;
 }
 
-// ".g" of "uColor.g": which component of a vector; nullopt for other names.
+// The component that a name such as "uColor.g" selects, here 1; nullopt for other names.
 std::optional<std::size_t> component_of(std::string_view name) {
     if (name.size() < 3 || name[name.size() - 2] != '.') return std::nullopt;
     for (const std::string_view letters : {"xyzw", "rgba"})
@@ -92,7 +93,7 @@ std::optional<std::size_t> component_of(std::string_view name) {
     return std::nullopt;
 }
 
-// The vectors that have such a component.
+// The vectors that have the component that `name` selects.
 std::vector<Control*> named_vectors(Controls& controls, const Scene& scene, std::string_view name) {
     std::vector<Control*> found = named(controls, scene, name.substr(0, name.size() - 2));
     const std::size_t component = *component_of(name);
@@ -121,7 +122,7 @@ void report_unknown(const Controls& controls, const Scene& scene, std::string_vi
     diagnostics.error("unknown-uniform-name", fmt::format("there is no uniform '{}'", name), std::move(help));
 }
 
-// The numbers in the control's type; nullopt, with an error, when they don't fit.
+// Converts the numbers to the control's type; returns nullopt and reports an error if they do not fit.
 std::optional<std::vector<double>> fitted(const Control& control, std::vector<double> values,
                                           Diagnostics& diagnostics) {
     if (control.widget == Widget::color && control.components == 4 && values.size() == 3) values.resize(4, 1);
@@ -173,7 +174,7 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
         report_unknown(controls, scene, name, diagnostics);
         return false;
     }
-    // What no program uses is set only when nothing else has the name.
+    // A control that no program uses is set only if no used one has the name.
     if (std::any_of(targets.begin(), targets.end(), [](const Control* c) { return c->active; })) {
         std::erase_if(targets, [](const Control* c) { return !c->active; });
     } else {

@@ -1,4 +1,4 @@
-// From the values of Program lines and the uniforms of linked programs to controls.
+// Makes controls from the values on Program lines and the uniforms of linked programs.
 #include "src/plan/controls.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ const ActiveUniform* find_active(const std::vector<ActiveUniform>& active, std::
     return found == active.end() ? nullptr : &*found;
 }
 
-// Of the translator's own making: never shown, never suggested.
+// Names that the translator generates are never shown or suggested.
 bool is_internal(std::string_view name) { return name.starts_with("snell_") || name.starts_with("gl_"); }
 
 std::string type_name(const ActiveUniform& uniform) {
@@ -37,7 +37,7 @@ struct Element {
     std::size_t index = 0;
 };
 
-// Of an array that the program has: "weights[2]".
+// Finds the element of an array that a name such as "weights[2]" means.
 Element find_element(const std::vector<ActiveUniform>& active, std::string_view name) {
     const std::size_t bracket = name.rfind('[');
     if (bracket == std::string_view::npos || name.back() != ']') return {};
@@ -50,7 +50,8 @@ Element find_element(const std::vector<ActiveUniform>& active, std::string_view 
     return {array, index};
 }
 
-// <true> rather than <1>, which is a constant unless the uniform is a bool: the only whole numbers that long.
+// True for <true>, false for <1>: the first makes a check box, the second is a constant unless the uniform is a bool.
+// Only the length of the word tells them apart.
 bool is_word(const UniformValue& boolean) {
     if (!boolean.integral || boolean.value_spans.empty()) return false;
     const Span& span = boolean.value_spans[0];
@@ -99,7 +100,7 @@ private:
         return control;
     }
 
-    // "weights[2] 5.": the elements of one array are one control.
+    // Adds a value such as "weights[2] 5." to the array's control: the elements of one array share a control.
     void add_element(Index program, const UniformValue& written, const Element& element) {
         const ActiveUniform& array = *element.array;
         Control* control = controls_.find(program, base_name(array.name));
@@ -121,8 +122,8 @@ private:
         control->initial = control->value;
     }
 
-    // Behind a ladder, what this rung does not use may be another's: only a name that looks like one which is used
-    // and not listed is a slip.
+    // If the program depends on a ladder, another rung may use what this one does not. The name is then reported only
+    // if it resembles one that is used but not listed, because that suggests a typing error.
     void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
         const bool laddered = scene_.programs[program].ladders > 0;
         std::vector<std::string_view> names;
@@ -144,7 +145,7 @@ private:
                                    [&](const UniformValue& value) { return base_name(value.name) == name; });
     }
 
-    // The type that a value would have in a program that does not tell.
+    // Guesses the type of a value in a program whose uniforms are unknown.
     static ActiveUniform guess(const UniformValue& written) {
         ActiveUniform uniform;
         uniform.name = written.name;
@@ -163,7 +164,7 @@ private:
         return uniform;
     }
 
-    // Type, and the value that linking gave.
+    // Takes over the type, and the value that the uniform has after linking.
     static void take_type(Control& control, const ActiveUniform& uniform) {
         control.type = uniform.type;
         control.components = std::max(uniform.components, 1);
@@ -193,7 +194,7 @@ private:
         }
     }
 
-    // As many of `values` as there is room for, in the uniform's type.
+    // Copies as many of `values` as the control has room for, converted to the uniform's type.
     void fit_values(Control& control, const std::vector<double>& values, const UniformValue& written,
                     const ActiveUniform& uniform) {
         if (values.size() != control.value.size()) {
@@ -245,7 +246,7 @@ private:
             return;
         }
         const Range range = mend_range(control, written, uniform);
-        // A range is for one number; one for a vector moves all of its components.
+        // A range belongs to one number; for a vector it changes all components together.
         const double current = typed(control, range.current, written, uniform);
         if (control.value.size() > 1) {
             diagnostics_.warning(
@@ -261,7 +262,7 @@ private:
         if (control.widget == Widget::slider && range.min == range.max) control.widget = Widget::none;
     }
 
-    // min <= current <= max, finite, of the uniform's type.
+    // Returns a range with min <= current <= max, finite and of the uniform's type.
     Range mend_range(const Control& control, const UniformValue& written, const ActiveUniform& uniform) {
         std::vector<double> v = written.values;
         for (double& number : v) number = std::isnan(number) ? 0 : number;
@@ -333,7 +334,7 @@ Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveU
 }
 
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
-    // Programs are told apart by name; of several with one name, by their order.
+    // Programs are matched by name; several programs with one name are matched by their order.
     const auto occurrence = [](const Scene& scene, Index program) {
         const auto end = scene.programs.begin() + program;
         return std::count_if(scene.programs.begin(), end,
@@ -356,7 +357,7 @@ void carry_over(const Controls& from, const Scene& from_scene, Controls& to, con
         if (match == from.items.end() || match->initial != control.initial) continue;
         control.value = match->value;
         if (control.widget != Widget::slider) continue;
-        if (written(from_scene, *match) == written(to_scene, control)) {  // it may have been widened since
+        if (written(from_scene, *match) == written(to_scene, control)) {  // the range may have been widened since
             control.min = match->min;
             control.max = match->max;
         } else {

@@ -20,7 +20,7 @@ std::optional<DepthRange> fit_depth(std::span<const DepthBox> boxes) {
             nearest = std::min(nearest, depth);
             farthest = std::max(farthest, depth);
         }
-    // A hundredth more on both sides, for what rounding may move.
+    // The range is widened by 1 % on both sides to absorb rounding.
     const DepthRange fitted{std::max(usual.near, nearest * .99), std::min(usual.far, farthest * 1.01)};
     if (!(fitted.far > fitted.near)) return std::nullopt;
     return fitted;

@@ -20,10 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Folders with more entries are not searched to the end.
+// The search in a folder stops after this many entries.
 constexpr std::size_t max_entries = 100'000;
 
-// The real path, without links and "..": "" when there is nothing.
+// The path without links and ".."; "" if nothing exists there.
 std::string real_path(const std::string& path) {
     const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.empty() ? "." : path.c_str(), nullptr),
                                                            &std::free);
@@ -47,7 +47,7 @@ std::string join(std::string_view folder, std::string_view name) {
     return result += name;
 }
 
-// A name as a path: '/' only, no empty or "." components, no blanks or quotes around it.
+// Normalises a name to a path: '/' only, no empty or "." components, no blanks or quotes around it.
 std::string tidy(std::string_view name) {
     while (!name.empty() && std::isspace(static_cast<unsigned char>(name.front())) != 0) name.remove_prefix(1);
     while (!name.empty() && std::isspace(static_cast<unsigned char>(name.back())) != 0) name.remove_suffix(1);
@@ -74,9 +74,9 @@ bool is_absolute(std::string_view name) { return (!name.empty() && name[0] == '/
 
 std::string_view last_component(std::string_view name) { return name.substr(name.rfind('/') + 1); }
 
-// Looks names up in folders, within bounds: what lies outside of `root` is as if it were not there.
+// Looks names up in folders. Anything outside of `root` is treated as missing.
 struct Finder {
-    const std::string& root;  // a real path; empty: no bounds
+    const std::string& root;  // a real path; empty if the search is unbounded
 
     bool inside(const std::string& path) const { return root.empty() || below(real_path(path), root); }
 
@@ -90,7 +90,7 @@ struct Finder {
         return stat(path.empty() ? "." : path.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && inside(path);
     }
 
-    // Names in a folder, sorted so that the choice among several never depends on the file system.
+    // Lists the names in a folder, sorted so that the choice among several never depends on the file system.
     std::vector<std::string> list(const std::string& folder) const {
         std::vector<std::string> names;
         if (!inside(folder)) return names;
@@ -104,7 +104,7 @@ struct Finder {
         return names;
     }
 
-    // The file (or folder) that `rest` leads to from `folder` without regard to case; empty when there is none.
+    // The file or folder that `rest` leads to from `folder` without regard to case; empty if there is none.
     std::string match_case(const std::string& folder, std::string_view rest, bool want_folder) const {
         const std::size_t slash = rest.find('/');
         const std::string part(rest.substr(0, slash));
@@ -123,7 +123,7 @@ struct Finder {
         return {};
     }
 
-    // The entry of the name's folder that is most like its last component; "" when nothing is like it.
+    // The entry of the name's folder that is most similar to its last component; "" if none is similar.
     std::string most_similar(const std::string& base, const std::string& name) const {
         const std::string_view file = last_component(name);
         std::string_view where(name.data(), name.size() - file.size());
@@ -138,7 +138,7 @@ struct Finder {
         }
         const std::vector<std::string_view> candidates(names.begin(), names.end());
         std::string best(nearest(file, candidates));
-        if (best.empty()) {  // the same name with another extension is worth naming, however far by letters
+        if (best.empty()) {  // the same name with another extension is worth suggesting, however many letters differ
             const std::string stem = lower(file.substr(0, file.rfind('.')));
             const auto same = std::find_if(names.begin(), names.end(), [&](const std::string& entry) {
                 return !stem.empty() && lower(entry.substr(0, entry.rfind('.'))) == stem;
@@ -158,12 +158,13 @@ struct Finder {
 Files::Files(std::string folder, Access access) : folder_(std::move(folder)), access_(std::move(access)) {
     if (!access_.confine) return;
     root_ = real_path(*access_.confine);
-    if (root_.empty()) root_ = "/\n";  // no such folder: nothing is inside
+    if (root_.empty()) root_ = "/\n";  // the folder does not exist, so no file is inside of it
 }
 
 namespace {
 
-// A scene may ask for the same thousands of times, and each search reads whole folders.
+// Remembers a failed look-up: a scene may name the same missing file thousands of times, and each search reads whole
+// folders.
 template <class Look>
 Resolved once(std::mutex& mutex, std::map<std::string, Resolved>& missing, std::string_view folder,
               std::string_view name, const std::vector<std::string_view>& extensions, const Look& look) {
@@ -200,7 +201,7 @@ Resolved Files::look_for(std::string_view written, const std::vector<std::string
         if (std::string path = finder.find_case(folder_, longer); !path.empty())
             return {std::move(path), true, {}, false};
     }
-    // Written on another machine, or before the files were gathered in one folder.
+    // The scene was written on another machine, or before its files were gathered in one folder.
     if (const std::string file(last_component(name)); file != name && file != ".." && !has_drive(file)) {
         if (Resolved here = resolve(file, extensions); !here.path.empty()) return {here.path, true, {}, false};
     }
@@ -268,7 +269,7 @@ std::string link_target(const std::string& link) {
 }
 
 bool read_all(int fd, std::size_t expected, std::uint64_t limit, std::string& bytes, std::string& error) {
-    // One byte more than expected, so that the end is seen without growing.
+    // One byte more than expected, so that the end of the file is detected without growing the buffer.
     bytes.resize(expected + 1);
     std::size_t size = 0;
     for (;;) {
@@ -292,8 +293,8 @@ bool read_all(int fd, std::size_t expected, std::uint64_t limit, std::string& by
 
 }  // namespace
 
-// The file is first held without being opened (O_PATH), so that nothing happens to a device or a pipe; what is held is
-// looked at and then opened itself, so that what stands under the name meanwhile does not matter.
+// The file is first opened with O_PATH, which has no effect on a device or a pipe. The descriptor is checked and then
+// opened itself, so that replacing the file under that name in the meantime has no effect.
 std::optional<std::string> Files::read(const std::string& path, std::string& error) {
     struct stat status {};
     const Descriptor held(path, O_PATH);

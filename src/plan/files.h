@@ -1,4 +1,5 @@
-// The only way snell reads files that a scene names: relative to a folder, forgiving about case, counted.
+// The only way in which snell reads the files that a scene names. Names are relative to a folder, their case is
+// forgiven, and every file read is counted.
 #pragma once
 
 #include <cstdint>
@@ -18,48 +19,52 @@ struct FileCounters {
     std::uint64_t opened = 0, bytes = 0;
 };
 
-// What a name led to.
+// The result of looking up a file name.
 struct Resolved {
-    std::string path;      // on disk; empty: nothing there
-    bool inexact = false;  // found under another case, in another place or with an extension: warn
-    std::string nearest;   // when nothing is there: the most similar name, as a scene would write it
-    bool outside = false;  // something is there, and outside of what may be read
+    std::string path;  // path on disk; empty if the file is not found
+    // Found in another case, in another folder or with an added extension; the caller should warn.
+    bool inexact = false;
+    std::string nearest;   // if nothing is found: the most similar name, written as in a scene
+    bool outside = false;  // the file exists, but outside of the folder that may be read
 };
 
-// What a scene may read, and how much.
+// Which files a scene may read, and how large they may be.
 struct Access {
     Limits limits;
-    // Nothing outside of this folder is read, by whatever name or through whatever link. Nothing: no such bound.
+    // Only files within this folder are read, by whatever name or link they are reached. Nullopt: all files may be
+    // read.
     std::optional<std::string> confine;
 };
 
-// Thread-safe. Nothing is ever created or written.
+// Finds and reads files. Thread-safe; it never creates or writes a file.
 class Files {
 public:
-    // Names are relative to `folder` ("" is the working directory).
+    // Names are relative to `folder`; "" is the working directory.
     explicit Files(std::string folder, Access access = {});
 
     const std::string& folder() const { return folder_; }
     const Access& access() const { return access_; }
     const Limits& limits() const { return access_.limits; }
-    // Tries, in this order: the name itself; its components without regard to case (ASCII); the name with each
-    // of `extensions` ({"vert", "vs", "glsl"}), exactly and then without regard to case; its last component in
-    // the folder itself. '\' is '/', quotes around the name are dropped. Only regular files count, links to them
-    // included. What was not there is not looked for again.
+    // Looks for a regular file, or a link to one, in this order: the name itself; the name without regard to (ASCII)
+    // case; the name with each of `extensions`, such as {"vert", "vs", "glsl"}, first exactly and then without regard
+    // to case; its last component in the folder itself. '\' counts as '/', and quotes around the name are dropped. A
+    // name that was not found is remembered, and its search is not repeated.
     Resolved resolve(std::string_view name, const std::vector<std::string_view>& extensions = {}) const;
-    // The same from the folder of a file that was read (`from` is its path on disk), then from the own folder:
-    // what an included scene or shader names.
+    // Resolves a name that an included scene or shader contains: relative to the folder of that file, whose path on
+    // disk is `from`, and otherwise to this object's folder.
     Resolved resolve_beside(std::string_view from, std::string_view name,
                             const std::vector<std::string_view>& extensions = {}) const;
-    // nullopt: can't be read (`error` says why). Regular files only: a pipe or a device is refused before
-    // it is opened, so that reading never waits.
+    // Returns the file's bytes. Returns nullopt and sets `error` if it cannot be read. A pipe or a device is refused
+    // before it is opened, so that reading never blocks.
     std::optional<std::string> read(const std::string& path, std::string& error);
-    // The same for what several name, such as included shaders: each file is read once. Null: can't be read.
+    // Returns the text of a file that several others may name, such as an included shader; each file is read once.
+    // Returns null and sets `error` if it cannot be read.
     std::shared_ptr<const std::string> read_once(const std::string& path, std::string& error);
-    // The file is in use although what was read of it earlier serves again: to be watched like one that was read.
+    // Lists a file as in use whose contents were reused from earlier, so that it is watched like the files that were
+    // read.
     void keep(const std::string& path);
     FileCounters counters() const;
-    // Every path that was read or kept, once each in the order of first reading, for watching.
+    // Returns every path that was read or kept, once each in the order of first use, so that the files can be watched.
     std::vector<std::string> read_paths() const;
 
 private:
@@ -67,11 +72,11 @@ private:
 
     std::string folder_;
     Access access_;
-    std::string root_;  // the real path of the folder that reading is confined to; empty: it is not
+    std::string root_;  // real path of the folder to which reading is confined; empty if it is not
     mutable std::mutex mutex_;
     FileCounters counters_;
-    std::map<std::string, std::shared_ptr<const std::string>> texts_;  // by path, of read_once()
-    mutable std::map<std::string, Resolved> missing_;                  // by what was asked for
+    std::map<std::string, std::shared_ptr<const std::string>> texts_;  // by path, for read_once()
+    mutable std::map<std::string, Resolved> missing_;                  // by the name that was looked up
     std::vector<std::string> read_paths_;
 };
 

@@ -54,7 +54,7 @@ bool names_color(std::string name) {
     return name.find("color") != std::string::npos || name.find("colour") != std::string::npos;
 }
 
-// Room on both sides of values that differ from the usual ones.
+// Widens the range for values that lie outside of the usual one.
 void widen(Control& control) {
     for (const double value : control.value) {
         if (value > control.max) control.max = 2 * value;

@@ -1,4 +1,4 @@
-// Numbers in the types of uniforms. For src/plan alone.
+// Fits numbers to the types of uniforms. For use in src/plan only.
 #pragma once
 
 #include "src/plan/controls.h"
@@ -9,15 +9,15 @@ struct Range {
     double min, current, max;
 };
 
-// The nearest value that a uniform of that type can hold: integers rounded (halves away from zero), bool 0 or
-// 1, texture units not negative, floats within float's range. NaN becomes 0.
+// Returns the nearest value that a uniform of that type can hold: integers are rounded (halves away from zero), bool
+// becomes 0 or 1, texture units are not negative, floats stay within float's range. NaN becomes 0.
 double fit_to_type(double value, ValueType type);
 
-// min and max as a slider of that type can have them: integers that are whole, and widths that overflow in no
-// arithmetic on the way (half of the type's range, which is what user interfaces take).
+// Limits min and max to what a slider of that type supports: whole numbers for integers, and at most half of the type's
+// range, so that max - min cannot overflow.
 Range limit_range(Range range, ValueType type);
 
-// Widget and range for a uniform that the scene says nothing about.
+// Chooses widget and range for a uniform whose range the scene does not give.
 void suggest_widget(Control& control);
 
 }  // namespace snell

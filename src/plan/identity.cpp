@@ -8,13 +8,13 @@
 namespace snell {
 namespace {
 
-// Extends a key by the bytes of values without padding.
+// Appends the bytes of values, which must have no padding, to a key.
 template <class... Values>
 void put(std::string& key, Values... values) {
     (key.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
 }
 
-// The file as it is on disk now. False: it is not there.
+// Adds the file's current size and time. Returns false if it does not exist.
 bool put_file(Identity& identity, const std::string& path) {
     struct stat status {};
     if (path.empty() || stat(path.c_str(), &status) != 0) return false;
@@ -63,7 +63,7 @@ Identity mesh_identity(const Plan& plan, Index mesh, const Files& files) {
     if (const auto* list = std::get_if<VertexList>(&request.shape); list && list->list < scene.vertex_lists.size())
         put_list(identity.key, scene.vertex_lists[list->list]);
     const Index file = file_of(request.shape);
-    Diagnostics unheard;  // they are said when the mesh is loaded
+    Diagnostics unheard;  // discarded: these are reported when the mesh is loaded
     if (file < scene.files.size() &&
         !put_file(identity, locate(scene.files[file], mesh_extensions(request.shape), files, unheard)))
         return {};

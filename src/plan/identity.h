@@ -1,4 +1,4 @@
-// What resources are made of: equal identities are equal bytes, today and after the scene was read again.
+// Identities of resources: resources with equal identities have equal bytes, also after the scene was read again.
 #pragma once
 
 #include <string>
@@ -9,18 +9,20 @@
 namespace snell {
 
 struct Identity {
-    std::string key;                 // empty: nothing is known of it, or a file of it is missing
-    std::vector<std::string> files;  // the paths, each with its size and time in the key
+    std::string key;                 // empty if nothing is known about the resource, or one of its files is missing
+    std::vector<std::string> files;  // paths of the files; the key holds their sizes and times
 };
 
-// Of a texture from files, without its filter; and of one that is computed from such.
+// The identity of a texture from files, without its filter, or of a texture that is computed from one.
 Identity texture_identity(const Scene& scene, Index texture, const Files& files);
+// The identity of a mesh, by its shape or its file.
 Identity mesh_identity(const Plan& plan, Index mesh, const Files& files);
-// The statement, and the file's name in it: what can be said of a mesh points there.
+// The places in the text that messages about a mesh point to: its statement, and the file name in it.
 std::vector<Span> mesh_places(const Plan& plan, Index mesh);
 Identity noise_identity(int dimensions, int size, const Files& files);
 
-// Of two shapes of one scene: files and lists of vertices go by name and number.
+// A key by which shapes of one scene are compared. It names files and lists of vertices by name and number, so it means
+// nothing outside of that scene.
 std::string shape_key(const Scene& scene, const Shape& shape, bool wire);
 
 }  // namespace snell

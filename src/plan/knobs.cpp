@@ -11,7 +11,7 @@ int scaled(int count, double factor) {
     return std::clamp(static_cast<int>(std::lround(count * factor)), 3, std::max(count, 2000));
 }
 
-// Whether the shape approximates a round one; such a shape is made of `factor` times as many parts.
+// If the shape approximates a round one, multiplies its number of parts by `factor`; returns whether it does.
 bool scale(Shape& shape, double factor) {
     bool any = false;
     const auto each = [&](auto& value, bool round) {

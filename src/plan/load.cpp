@@ -16,7 +16,7 @@ using content::Image;
 using content::ImageIssue;
 using content::PixelType;
 
-// What the libraries found, at the place in the scene that asked.
+// Reports an issue of a loader at the place in the scene that names the file.
 template <class Issue>
 void report(const Issue& issue, std::string_view name, const Span& span, Diagnostics& diagnostics) {
     std::string message = name.empty() ? issue.message : fmt::format("'{}': {}", name, issue.message);
@@ -68,9 +68,9 @@ Picture decode(const std::string& path, Files& files, ImageCache& cache) {
     return entry;
 }
 
-// The decoded picture; null, with an error, when there is none.
+// Returns the decoded image; returns null and reports an error if there is none.
 const Image* usable(const Picture& picture, const TextureFile& file, Diagnostics& diagnostics) {
-    if (!picture) return nullptr;  // not there, and said so
+    if (!picture) return nullptr;  // the missing file has been reported
     if (!picture->unreadable.empty()) {
         report_unreadable({file.name, file.span}, picture->unreadable, diagnostics);
         return nullptr;
@@ -79,7 +79,7 @@ const Image* usable(const Picture& picture, const TextureFile& file, Diagnostics
     return picture->result.image ? &*picture->result.image : nullptr;
 }
 
-// The first `count` rows, in memory order, of the first slice.
+// Returns `count` rows of the first slice, from row `first` on, in memory order.
 Image some_rows(const Image& image, int first, int count) {
     Image part = image;
     part.height = count;
@@ -89,7 +89,7 @@ Image some_rows(const Image& image, int first, int count) {
     return part;
 }
 
-// A picture of more dimensions than its texture is cut: its bottom row, its first slice.
+// An image with more dimensions than its texture is cut to its bottom row or its first slice, with a warning.
 Image fitted(const Image& image, const Texture& texture, const TextureFile& file, Diagnostics& diagnostics) {
     const bool too_tall = texture.target == TextureTarget::d1 && image.height > 1;
     const bool too_deep = texture.target != TextureTarget::d3 && image.depth > 1;
@@ -103,7 +103,7 @@ Image fitted(const Image& image, const Texture& texture, const TextureFile& file
 
 // ---- cube maps -------------------------------------------------------------------------------------------
 
-// GL takes six faces only of one format.
+// Converts the faces to one format, because GL requires that all six have the same.
 void make_alike(CubeFaces& faces) {
     const auto all = [&](auto same) {
         return std::all_of(faces.begin(), faces.end(), [&](const Image& face) { return same(face, faces[0]); });
@@ -126,7 +126,7 @@ CubeFaces all_checks(int side) {
     return faces;
 }
 
-// To the size and the bits that were asked for, where the files have more.
+// Reduces the faces to the size and the bits that were asked for, if the files have more.
 void refit(CubeFaces& faces, const Texture& texture) {
     const bool bytes = faces[0].type == PixelType::u8 || texture.bits == 8;
     if (texture.size[0] > 0 && texture.size[0] < faces[0].width)

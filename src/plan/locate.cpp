@@ -23,7 +23,7 @@ void report_missing(const FileName& file, const std::string& nearest, Diagnostic
                       nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest));
 }
 
-// Beside the scene that names it, which may be an included one.
+// Names are relative to the scene that contains them, which may be an included one.
 Resolved resolve(const FileName& file, std::string_view name, const Extensions& extensions, const Files& files) {
     return file.from.empty() ? files.resolve(name, extensions) : files.resolve_beside(file.from, name, extensions);
 }
@@ -42,7 +42,7 @@ std::string accept(const FileName& file, const Resolved& resolved, Diagnostics& 
     return resolved.path;
 }
 
-// The six names that one stands for: of the convention that most of its files are there for.
+// The names of the six faces that one name stands for, by the naming convention for which most files exist.
 std::vector<TextureFile> locate_faces(const FileName& file, const Files& files, Diagnostics& diagnostics) {
     std::vector<TextureFile> best;
     std::size_t most = 0;

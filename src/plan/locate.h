@@ -1,4 +1,4 @@
-// From the file names of a scene to paths, with what there is to say about them. For src/plan alone.
+// Resolves the file names of a scene to paths and reports what is wrong with them. For use in src/plan only.
 #pragma once
 
 #include <string>
@@ -11,24 +11,26 @@
 
 namespace snell {
 
-// Extensions that a name without one may mean.
+// The extensions that are tried for a name without one.
 const std::vector<std::string_view>& stage_extensions(Stage stage);
 const std::vector<std::string_view>& mesh_extensions(const Shape& shape);
 const std::vector<std::string_view>& image_extensions();
 
-// The path, or empty with file-not-found; file-inexact when the name on disk is another. Neither is said twice
-// of one place in the text.
+// Returns the path. Returns an empty string and reports file-not-found if there is none; reports file-inexact if the
+// name on disk differs. Each is reported once per place in the text.
 std::string locate(const FileName& file, const std::vector<std::string_view>& extensions, const Files& files,
                    Diagnostics& diagnostics);
 
+// Reports file-unreadable, once per place in the text.
 void report_unreadable(const FileName& file, std::string_view reason, Diagnostics& diagnostics);
 
-// The files of a texture, as located: one picture, or the six faces of a cube map.
+// A file of a texture: its one image, or one of the six faces of a cube map.
 struct TextureFile {
     std::string name;  // for messages
-    std::string path;  // empty: not there, and said so
+    std::string path;  // empty if the file was not found, which has been reported
     Span span;
 };
+// Locates the files of a texture that is not computed; reports missing ones.
 std::vector<TextureFile> locate_texture(const Texture& texture, const Files& files, Diagnostics& diagnostics);
 
 }  // namespace snell

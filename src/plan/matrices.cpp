@@ -1,5 +1,5 @@
-// Formulas: OpenGL 1.0 specification (glFrustum, glOrtho) and GLU (gluPerspective, gluLookAt), in double, with
-// results for what those leave undefined.
+// Matrices in double precision. The formulas are those of the OpenGL 1.0 specification (glFrustum, glOrtho) and of GLU
+// (gluPerspective, gluLookAt), extended to inputs for which these are undefined.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,14 +13,14 @@ constexpr double pi = 3.14159265358979323846;
 
 bool usable(double value) { return std::isfinite(value) && value > 0; }
 
-// Half extents that show the square's content, and more along the longer side.
+// Half extents that show the square's content, plus more along the longer side.
 glm::dvec2 widened(glm::dvec2 half, double aspect) {
     if (aspect >= 1) return {half.x * aspect, half.y};
     return {half.x, half.y / aspect};
 }
 
 glm::dmat4 perspective(double fov, double aspect, DepthRange depth) {
-    constexpr double smallest = 1e-9;  // below, the reciprocal of its tangent loses its meaning
+    constexpr double smallest = 1e-9;  // in degrees; below it, the reciprocal of the tangent loses its meaning
     if (!(fov >= smallest && fov < 180)) fov = Camera{}.fov;
     if (!usable(depth.near) || !std::isfinite(depth.far) || !(depth.far > depth.near)) depth = DepthRange{};
     const glm::dvec2 half = widened(glm::dvec2(std::tan(fov * (pi / 360))), aspect);
@@ -58,7 +58,8 @@ bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// Of unit length; zero for a vector that has no direction. Scaled first: squares neither overflow nor vanish.
+// Normalises `v`; returns zero if it has no direction. It is scaled first, so that its squares neither overflow nor
+// vanish.
 glm::dvec3 direction(glm::dvec3 v) {
     const double size = largest(v);
     if (!usable(size)) return glm::dvec3(0);
@@ -66,10 +67,10 @@ glm::dvec3 direction(glm::dvec3 v) {
     return v / std::sqrt(glm::dot(v, v));
 }
 
-// Unit vector perpendicular to `forward` toward `up`; zero when they are parallel. Projecting twice keeps it
-// perpendicular to the last digit however small the angle between them.
+// The unit vector perpendicular to `forward` nearest to `up`; zero if they are parallel. The projection is done twice,
+// which keeps the result perpendicular to the last digit, however small the angle between them.
 glm::dvec3 upright(const glm::dvec3& forward, const glm::dvec3& up) {
-    // Two directions nearer than this differ by little more than their own rounding.
+    // Below this, the difference of two directions is little more than their rounding error.
     constexpr double parallel = 1e-12;
     glm::dvec3 u = direction(up);
     u -= forward * glm::dot(forward, u);
@@ -81,7 +82,7 @@ glm::dvec3 upright(const glm::dvec3& forward, const glm::dvec3& up) {
 }  // namespace
 
 glm::dmat4 projection_matrix(const Camera& camera, double aspect, std::optional<DepthRange> depth) {
-    if (!usable(aspect)) aspect = 1;  // a minimised window
+    if (!usable(aspect)) aspect = 1;  // the window is minimised
     if (camera.perspective) return perspective(camera.fov, aspect, depth.value_or(DepthRange{}));
     return orthographic(camera.ortho, aspect, depth.value_or(DepthRange{-DepthRange{}.far, DepthRange{}.far}));
 }
@@ -93,7 +94,7 @@ glm::dmat4 view_matrix(const Camera& camera) {
     glm::dvec3 forward = direction(vector((*camera.look_at)[1]) - eye);
     if (forward == glm::dvec3(0)) forward = {0, 0, -1};
     glm::dvec3 up = upright(forward, vector((*camera.look_at)[2]));
-    // What tilting a level camera up or down leads to.
+    // A camera that looks straight up or down gets the up vector that tilting a level one there would give.
     if (up == glm::dvec3(0)) up = upright(forward, {0, 1, 0});
     if (up == glm::dvec3(0)) up = upright(forward, {0, 0, forward.y});
     const glm::dvec3 right = glm::cross(forward, up);
@@ -114,7 +115,7 @@ double length(const glm::dvec3& v) {
     return size > 0 ? size * std::sqrt(glm::dot(v / size, v / size)) : 0;
 }
 
-// |det| as a part of what it could be at most (Hadamard), by columns or by rows, whichever is larger: 1 for
+// |det| relative to its largest possible value (Hadamard's bound), by columns or by rows, whichever is larger: 1 for
 // any scaling of perpendicular axes, and rounding noise for a matrix that flattens space.
 double independence(const glm::dmat3& a, double determinant) {
     const glm::dmat3 t = glm::transpose(a);
@@ -128,7 +129,7 @@ double independence(const glm::dmat3& a, double determinant) {
 
 glm::dmat3 normal_matrix(const glm::dmat4& model_view) {
     constexpr double noise = 1e-14;
-    // Squares of what a shader normalises must fit into a float.
+    // A shader squares the components when it normalises, and the squares must fit into a float.
     constexpr double longest = 1e18, shortest = 1e-18;
     glm::dmat3 a(model_view);
     const double size = std::max({largest(a[0]), largest(a[1]), largest(a[2])});
@@ -138,10 +139,10 @@ glm::dmat3 normal_matrix(const glm::dmat4& model_view) {
     const double determinant = glm::dot(a[0], cofactors[0]);
     const double top = std::max({largest(cofactors[0]), largest(cofactors[1]), largest(cofactors[2])});
     if (!(independence(a, determinant) > noise)) {
-        // Flat: all normals are the plane's. Flatter still: nothing to be lit is left.
+        // A matrix of rank 2 gives every normal the direction of the plane's. Of a lower rank, no lit surface is left.
         return top > noise ? cofactors / top : glm::dmat3(1);
     }
-    // Divided by the determinant last: its inverse alone may overflow.
+    // The division by the determinant comes last, because the inverse alone may overflow.
     const double sign = determinant < 0 ? -1 : 1;
     const double scale = std::abs(determinant) / top;
     const glm::dmat3 inverse_transpose = (cofactors / (top * sign)) / scale / size;

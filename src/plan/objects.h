@@ -1,4 +1,4 @@
-// Objects that the user moves: the draws of the scene, by their statements.
+// Objects that the user moves: draws of the scene, identified by their statements.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@
 
 namespace snell {
 
-// World from model with the transformation that the user gave the object: about the object's own origin, along the axes
-// of the scene's camera, in units of the world. `view`: eye from world without the user's eye transformation; rigid.
+// World from model with the user's transformation of the object: about the object's own origin, along the axes of the
+// scene's camera, in world units. `view` is eye from world without the user's eye transformation; it is rigid.
 glm::dmat4 placed(const Transformation& object, const glm::dmat4& view, const glm::dmat4& model);
 
-// By Scene::draws: what each draws, and how many before it draw the same.
+// One name for each of Scene::draws: what it draws, and how many draws before it draw the same.
 std::vector<std::string> object_names(const Scene& scene);
 
-// After another reading of the scene, the same object: by its place where there are as many as before (some parameter
-// was edited), else by its name. none: it is gone.
+// Finds an object again after the scene was read again: by its index if there are as many draws as before (a parameter
+// was edited), otherwise by its name. Returns none if the object is gone.
 Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object);
 
-// Objects keep their transformations, and what is gone loses them.
+// Moves the transformations of objects to their new indices; those of objects that are gone are removed.
 void carry_objects(const std::vector<std::string>& from, const std::vector<std::string>& to, View& view);
 
 }  // namespace snell

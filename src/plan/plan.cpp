@@ -110,7 +110,8 @@ private:
     Files& files_;
     Sources& sources_;
     Diagnostics& diagnostics_;
-    std::map<std::string, std::optional<FileId>> shaders_;  // by path; none: can't be read, said so
+    // By path; nullopt if the file cannot be read, which has been reported.
+    std::map<std::string, std::optional<FileId>> shaders_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Which rung of each ladder is chosen. Plain values; drop-downs, command-line flags and tests write the same ones.
+// The chosen rung of each ladder. Plain values; drop-downs, command-line flags and tests write the same ones.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,23 @@
 
 namespace snell {
 
-// By Scene::ladders: places in Ladder::rungs.
+// For each of Scene::ladders, an index into Ladder::rungs.
 using Rungs = std::vector<std::size_t>;
 
-// As the scene's text marks them.
+// The rungs that the scene's text marks.
 Rungs marked_rungs(const Scene& scene);
 
-// What shaders see of them, `rungs` as `ladders`: FRESNEL and the number of each of its rungs, FRESNEL_f0 …; where
-// these are numbers, the current one as FRESNEL_VALUE.
+// The macros that tell shaders the chosen rungs; `rungs` is in the order of `ladders`. A ladder FRESNEL defines FRESNEL
+// (the number of the chosen rung), FRESNEL_f0 … (the number of each rung) and, if its rungs are numbers, FRESNEL_VALUE
+// (the chosen one).
 std::vector<glsl::Define> ladder_defines(std::span<const Ladder> ladders, const Rungs& rungs);
 
-// "FRESNEL=exact". False, with an error that suggests the nearest name, when there is no such ladder or rung.
+// Chooses a rung by a text such as "FRESNEL=exact". Returns false and reports an error, which suggests the nearest
+// name, if there is no such ladder or rung.
 bool choose_rung(Rungs& rungs, const Scene& scene, std::string_view assignment, Diagnostics& diagnostics);
 
-// The choices of `from` for every ladder and rung that both have, by name; `to` keeps its own where the scene's
-// text marks another rung than before.
+// Copies the choices of `from` for every ladder and rung that both have, by name. `to` keeps its own choice if the
+// scene's text now marks another rung than before.
 void carry_over(const Rungs& from, const Scene& from_scene, Rungs& to, const Scene& to_scene);
 
 }  // namespace snell

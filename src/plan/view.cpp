@@ -9,8 +9,8 @@ struct SinCos {
     double sin, cos;
 };
 
-// Of an angle in degrees: reduced before it is turned into radians, so that 1e9 degrees lose nothing and
-// multiples of 90 are exact.
+// Takes degrees and reduces them before the conversion to radians, so that 1e9 degrees lose no accuracy and multiples
+// of 90 are exact.
 SinCos sin_cos(double degrees) {
     if (!std::isfinite(degrees)) return {0, 1};
     const double reduced = std::remainder(degrees, 360.);
@@ -38,7 +38,7 @@ glm::dmat4 Transformation::matrix() const {
     const auto [sy, cy] = sin_cos(rotate_y);
     const auto [sz, cz] = sin_cos(rotate_z);
     const double s = finite_or(scale, 1);
-    // Ry · Rx: turning about the screen's Y acts on what the turn about X left.
+    // The rotation is Ry · Rx: the turn about the screen's Y acts on the result of the turn about X.
     const glm::dvec4 right(s * cy, 0, s * -sy, 0), up(s * sy * sx, s * cx, s * cy * sx, 0);
     return {cz * right + sz * up, cz * up - sz * right, glm::dvec4(s * sy * cx, s * -sx, s * cy * cx, 0),
             glm::dvec4(finite_or(x, 0), finite_or(y, 0), finite_or(z, 0), 1)};

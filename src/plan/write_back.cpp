@@ -22,8 +22,8 @@ constexpr std::string_view blanks = " \t";
 
 bool is_word(std::string_view text) { return same_word(text, "true") || same_word(text, "false"); }
 
-// As short as reads back to the same bits; a point or a zero before it where `like` has one. Empty where the language
-// can't say the number.
+// The shortest text that reads back to the same bits, with a point or a leading zero if `like` has one. Empty if the
+// language cannot express the number.
 std::string number_text(double value, std::string_view like) {
     const bool whole = value == std::round(value) && std::abs(value) < 1e15;
     std::string text = text_of::number(value, whole && written_integral(like));
@@ -48,19 +48,19 @@ std::string value_text(double value, std::string_view like) {
     return text;
 }
 
-// What one value of a Program line becomes.
+// The changed form of one value on a Program line.
 struct Rewritten {
     UniformValue uniform;
     std::vector<Edit> edits;
-    std::string refused;  // why not
+    std::string refused;  // the reason if the value cannot be written
 };
 
-// The components of a control that one value of the Program line gives.
+// The components of a control that one value of the Program line sets.
 struct Part {
     const Control* control = nullptr;
     std::size_t first = 0;
-    bool element = false;     // of an array, by its index
-    std::vector<char> given;  // by component: not 0 where no later value gives it
+    bool element = false;     // the value sets one element of an array, by its index
+    std::vector<char> given;  // by component; 0 if a later value overrides it
 };
 
 class Rewriter {
@@ -97,7 +97,7 @@ private:
         result_.edits.push_back({span, written(value, text(span))});
     }
 
-    // <min current max>: one number for all components.
+    // Rewrites <min current max>, whose one number sets all components.
     void range() {
         std::optional<double> value;
         bool moved = false;
@@ -110,7 +110,7 @@ private:
             value = wanted(i);
         }
         if (!value || !moved || !result_.refused.empty()) return;
-        // A number beyond the range widens it.
+        // A number outside of the range widens it.
         const std::size_t low = uniform_.values[0] <= uniform_.values[2] ? 0 : 2, high = 2 - low;
         if (*value < uniform_.values[low]) replace(low, *value);
         if (*value > uniform_.values[high]) replace(high, *value);
@@ -119,7 +119,7 @@ private:
         result_.edits.push_back({uniform_.value_spans[1], " " + written(*value, text(uniform_.value_spans[0]))});
     }
 
-    // Numbers that follow the components; what the text lacks is added behind the last one.
+    // Rewrites the numbers of the components; numbers that the text lacks are appended after the last one.
     void values() {
         const std::size_t room = part_.control->value.size() - part_.first;
         std::size_t there = 0, last_changed = 0;
@@ -167,7 +167,7 @@ std::optional<std::size_t> element_index(std::string_view name) {
     return index;
 }
 
-// What each value of a Program line gives; of two that give one component, the later one does.
+// The components that each value of a Program line sets; if two set the same component, the later one counts.
 std::vector<Part> parts_of(const Scene& scene, const Controls& controls, Index program) {
     const std::vector<UniformValue>& uniforms = scene.programs[program].uniforms;
     std::vector<Part> parts(uniforms.size());
@@ -200,7 +200,7 @@ std::vector<Part> parts_of(const Scene& scene, const Controls& controls, Index p
     return parts;
 }
 
-// A file by whatever way its name was written.
+// Identifies a file independent of how its name was written.
 std::string file_of(FileId file, const Sources& sources) {
     return std::filesystem::path(sources.name(file)).lexically_normal().string();
 }
@@ -254,7 +254,7 @@ private:
         }
     }
 
-    // A text that is included twice is two programs and one place.
+    // A scene that is included twice has two programs for one place in the text; both must change it in the same way.
     void agree(std::vector<Reading>& readings) {
         const bool same = std::ranges::all_of(
             readings, [&](const Reading& r) { return same_change(r.rewritten, readings.front().rewritten); });
@@ -292,7 +292,7 @@ private:
         result_.ladders[index].current = rung;
     }
 
-    // A blank stays where two words would become one.
+    // A blank stays if two words would otherwise become one.
     void erase(FileId file, std::size_t at) {
         const auto place = static_cast<std::uint32_t>(at);
         const std::string_view text = sources_.text(file);
@@ -302,7 +302,7 @@ private:
         result_.edits.push_back({{file, place, place + 1}, word(at - 1) && word(at + 1) ? " " : ""});
     }
 
-    // Of a file that is included several times.
+    // The first of several inclusions of the same file.
     FileId first_reading(FileId file) const {
         for (FileId other = 0; other < file; ++other)
             if (file_of(other, sources_) == file_of(file, sources_)) return other;

@@ -1,4 +1,4 @@
-// Values back into the scene's text, where only the numbers change: comments, blanks and line ends stay as they are.
+// Writes values back into the scene's text. Only the numbers change; comments, blanks and line ends stay as they are.
 #pragma once
 
 #include <span>
@@ -12,39 +12,40 @@
 
 namespace snell {
 
-// The bytes of `span` become `text`.
+// Replaces the bytes of `span` by `text`.
 struct Edit {
     Span span;
     std::string text;
     bool operator==(const Edit&) const = default;
 };
 
-// A value that the text has no place for.
+// A value that has no place in the text.
 struct Unwritten {
-    std::string name;    // "Glass.uEta", or a ladder's
-    std::string reason;  // with what to write by hand, where that would help
+    std::string name;    // such as "Glass.uEta", or the name of a ladder
+    std::string reason;  // includes what the user can write instead, if that helps
 };
 
 struct WriteBack {
-    std::vector<Edit> edits;  // by file and place; none overlap
+    std::vector<Edit> edits;  // sorted by file and place, without overlaps
     std::vector<Unwritten> unwritten;
-    // As the edited texts read.
+    // The programs and ladders that the edited texts must read as.
     std::vector<Program> programs;
     std::vector<Ladder> ladders;
 };
 
-// What to change so that `scene`, read again, has the values and rungs of `controls`. Numbers are as short as reads
-// back to the same bits, in the style of those they replace; values that are the scene's own keep their text. A range
-// that the value left is widened. Texts that are included twice are changed only if both readings agree.
+// Computes the edits after which `scene`, read again, has the values and rungs of `controls`. Numbers are the shortest
+// that read back to the same bits, in the style of those that they replace; values that are the scene's own keep their
+// text. A range is widened if its value is outside of it. Texts that are included twice are changed only if both
+// readings agree.
 WriteBack write_back(const Scene& scene, const Controls& controls, const Sources& sources);
 
-// `text` with those of `edits` that are of `file`.
+// Applies those of `edits` that belong to `file` to its text.
 std::string with_edits(std::string_view text, FileId file, std::span<const Edit> edits);
 
-// Whether the edited texts, read as `scene`, say just what was to be written.
+// True if the edited texts, which were read as `scene`, have exactly the intended values.
 bool reads_back(const WriteBack& write_back, const Scene& scene);
 
-// How a Program line would say the control's value: "uEta <0. .5 1.>".
+// Formats the control's value as on a Program line, such as "uEta <0. .5 1.>".
 std::string uniform_text(const Control& control);
 
 }  // namespace snell

@@ -32,7 +32,7 @@ std::vector<Attempt> displays() {
     return attempts;
 }
 
-// With `notify` it tells when the driver resets itself, instead of going on with pictures of nothing.
+// With `notify` the context reports resets by the driver; without, it would silently continue with undefined pictures.
 EGLContext make_context(EGLDisplay display, EGLConfig config, const ContextRequest& request, int version, bool notify) {
     const EGLint profile =
         request.compatibility ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT;
@@ -50,7 +50,7 @@ EGLContext best_context(EGLDisplay display, const ContextRequest& request) {
     if (!eglBindAPI(request.es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return EGL_NO_CONTEXT;
     EGLConfig config = EGL_NO_CONFIG_KHR;
     if (!epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
-        // The default surface type is a window, which no config here has.
+        // EGL's default surface type is a window, which none of these configurations supports.
         const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                            request.es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
         EGLint count = 0;

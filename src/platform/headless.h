@@ -1,4 +1,4 @@
-// An OpenGL context without a display: EGL's surfaceless platform, then its devices.
+// An OpenGL context without a display, from EGL's surfaceless platform or else from its devices.
 #pragma once
 
 #include <memory>
@@ -7,16 +7,16 @@
 namespace snell {
 
 struct ContextRequest {
-    int version = 0;  // 33, 41, 45 …; with es 30, 32; 0: the best there is, from 4.5 down to 3.3
+    int version = 0;  // 33, 41, 45 …; with `es` 30 or 32; 0: the highest available from 4.5 down to 3.3
     bool es = false;
-    bool compatibility = false;  // tests only: the oracle of the GLSL translation
+    bool compatibility = false;  // for tests only, as the oracle of the GLSL translation
     bool debug = false;
 };
 
-// Current on the thread that made it, until it is destroyed.
+// The context is current on the thread that made it, until it is destroyed.
 class HeadlessContext {
 public:
-    // Null, with the reason, where there is no graphics.
+    // Returns null and sets `error` if no such context can be made.
     static std::unique_ptr<HeadlessContext> make(const ContextRequest& request, std::string& error);
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;

@@ -53,7 +53,7 @@ Key key_of(int code) {
     return Key::other;
 }
 
-// Where plus and minus are, the layout says.
+// The keyboard layout decides where plus and minus are.
 Key key_of(int code, int scan_code) {
     if (code == GLFW_KEY_KP_ADD) return Key::plus;
     if (code == GLFW_KEY_KP_SUBTRACT) return Key::minus;
@@ -79,12 +79,14 @@ GLFWwindow* make_window(const WindowRequest& request) {
     constexpr std::array<std::pair<int, int>, 3> versions{{{4, 5}, {4, 1}, {3, 3}}};
     for (const auto& [major, minor] : versions) {
         glfwDefaultWindowHints();
-        // Where the driver can: tells when it resets itself, instead of showing nothing for ever.
+        // Asks the driver to report resets if it can; otherwise the window would stay black for ever.
         glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-#ifdef __APPLE__  // gives no other; elsewhere it would forbid lines wider than a pixel, which pictures without one have
+#ifdef __APPLE__
+        // macOS has no other core context. Elsewhere a forward-compatible one would refuse lines wider than a pixel,
+        // which headless contexts draw.
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
 #endif
         glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
@@ -130,7 +132,7 @@ Window::~Window() {
 Window& Window::of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
 
 void Window::push(Event event) {
-    // Only the last of several moves matters, and a slow frame can gather hundreds.
+    // Only the last of several consecutive moves matters, and hundreds can gather during a slow frame.
     if (event.kind == Event::Kind::move && !events_.empty() && events_.back().kind == Event::Kind::move)
         events_.back() = event;
     else
@@ -154,7 +156,7 @@ void Window::listen() {
     glfwSetScrollCallback(handle_,
                           [](GLFWwindow* w, double x, double y) { of(w).push({.kind = Kind::wheel, .x = x, .y = y}); });
     glfwSetKeyCallback(handle_, [](GLFWwindow* w, int code, int scan_code, int action, int bits) {
-        // X11 tells the modifiers as they were before the key: add the key itself.
+        // X11 reports the modifiers from before the event, so the pressed key itself is added.
         const bool down = action != GLFW_RELEASE;
         Modifiers modifiers = modifiers_of(bits);
         if (code == GLFW_KEY_LEFT_SHIFT || code == GLFW_KEY_RIGHT_SHIFT) modifiers.shift = down;

@@ -1,4 +1,4 @@
-// A window with an OpenGL core context: events in, pictures out. It draws nothing itself.
+// A window with an OpenGL core context. It collects input events and presents pictures, but draws nothing itself.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct GLFWcursor;
 
 namespace snell {
 
-// The keys that something listens to; text comes as Event::Kind::text.
+// The keys that snell uses. Typed characters come as Event::Kind::text.
 enum class Key : std::uint8_t {
     other,
     tab,
@@ -45,9 +45,9 @@ enum class Key : std::uint8_t {
     z,
     f1,
     f5,
-    one,  // to nine, one after the other
+    one,  // the keys 1 to 9, consecutive
     nine = one + 8,
-    plus,  // by what is printed on them, wherever they are
+    plus,  // these three by the character printed on them, wherever the layout has them
     minus,
     zero,
     count_,
@@ -62,10 +62,10 @@ struct Modifiers {
 struct Event {
     enum class Kind : std::uint8_t { move, leave, button, wheel, key, text, focus, resize, refresh };
     Kind kind = Kind::refresh;
-    double x = 0, y = 0;  // move: window coordinates from the top left; wheel: steps
+    double x = 0, y = 0;  // move: window coordinates from the top left; wheel: number of steps
     MouseButton button = MouseButton::left;
     Key key = Key::other;
-    bool down = false;  // button, key (repeats are further downs), focus
+    bool down = false;  // for button, key (a repeat is another event with `down` set) and focus
     char32_t text = 0;
     Modifiers modifiers = {};
 };
@@ -84,22 +84,23 @@ struct PixelSize {
 
 class Window {
 public:
-    // Hidden at first, its context current: 4.5, else 4.1, else 3.3. Null, with the reason, where there is no
-    // display or no such context.
+    // Makes a hidden window and makes its context current: OpenGL 4.5, otherwise 4.1, otherwise 3.3. Returns null and
+    // sets `error` if there is no display or no such context.
     static std::unique_ptr<Window> make(const WindowRequest& request, std::string& error);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // Shows it at this size, or at what the screen has room for.
+    // Shows the window at this size, reduced to what fits the screen.
     void show(PixelSize size);
-    // Sleeps until something happens, at most `seconds`; 0 only looks.
+    // Sleeps until an event arrives, at most `seconds`. With 0 it polls and returns at once.
     void wait(double seconds);
-    // What happened since the last call, in order, instead of what `into` holds. Nothing is allocated where the same
-    // vector is given each time.
+    // Replaces the contents of `into` by the events since the last call, in order. Pass the same vector each time to
+    // avoid allocations.
     void take_events(std::vector<Event>& into);
-    // The files that were dropped on it since the last call.
+    // Returns the paths of the files dropped on the window since the last call.
     std::vector<std::string> take_dropped();
+    // Swaps the buffers, which shows the picture.
     void present();
 
     bool closing() const;
@@ -107,7 +108,7 @@ public:
     PixelSize size() const;         // in the coordinates of events
     PixelSize framebuffer() const;  // in pixels; zero while minimised
     float content_scale() const;    // 1 at 96 dots per inch
-    double now() const;             // seconds, monotonic
+    double now() const;             // in seconds, monotonic
 
     void set_title(const std::string& title);
     void set_cursor(Cursor cursor);

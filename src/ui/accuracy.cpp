@@ -17,7 +17,7 @@ namespace {
 
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
-// At the right end of the line, dimmed, where there is room.
+// Draws dimmed text at the right end of the line, if there is room.
 void remark(const std::string& text) {
     const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;
     ImGui::SameLine();
@@ -85,7 +85,7 @@ void show_buttons(AccuracyMemory& memory, Layout& layout) {
     }
 }
 
-// Rungs with what is known of them; a click chooses one.
+// Lists the rungs with their measured values; a click chooses one.
 void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& chosen, Layout& layout) {
     if (!ImGui::BeginTable("##rungs", 3, ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableSetupColumn("", 0, 2);
@@ -107,7 +107,7 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
     ImGui::EndTable();
 }
 
-// Which ladder is plotted, and the button that measures it.
+// Draws the choice of the plotted ladder and the button that measures it. Returns true if the button was clicked.
 bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, AccuracyMemory& memory,
                 Layout& layout) {
     const char* label = facts.measured ? "Stop" : "Measure rungs";
@@ -141,7 +141,7 @@ std::string milliseconds_text(double milliseconds) {
 std::string error_text(double error) {
     if (error == 0) return "0";
     if (!(error >= 1e-4 && error < 1)) return fmt::format("{:.2g}", error);
-    const std::string text = fmt::format("{:.2g}", error);  // .0031
+    const std::string text = fmt::format("{:.2g}", error);  // drops the leading zero, as in .0031
     return text.starts_with("0.") ? text.substr(1) : text;
 }
 
@@ -159,7 +159,7 @@ std::string standing_text(const AccuracyPoint& point) {
     return {};
 }
 
-// Through five colours, each lighter than the one before.
+// Interpolates five colours, each lighter than the one before.
 Heat heat(double fraction) {
     constexpr std::array<Heat, 5> colors{
         {{0, 0, .02F}, {.32F, .07F, .48F}, {.72F, .21F, .47F}, {.99F, .55F, .38F}, {.99F, .99F, .75F}}};
@@ -230,7 +230,7 @@ void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout)
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
-    // What lies on either side.
+    // Names what is on either side of the divider.
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const auto sign = [&](const char* text, float left, float most_left, float most_right) {
         const ImVec2 size = ImGui::CalcTextSize(text);

@@ -1,4 +1,4 @@
-// Error over time, both logarithmic; what is exact lies on the lowest line.
+// Plots error over time on logarithmic axes; points without error are on the lowest line.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -17,13 +17,13 @@ using Standing = AccuracyPoint::Standing;
 
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
-// Powers of ten of what an axis shows.
+// The range of an axis, in powers of ten.
 struct Range {
     double low = 0, high = 1;
     float part(double value) const { return static_cast<float>((std::log10(value) - low) / (high - low)); }
 };
 
-// All values with some air, and at least `span` powers of ten.
+// The range that contains all values with a margin; at least `span` powers of ten.
 template <typename Values>
 Range range_of(const std::vector<AccuracyPoint>& points, double span, Range otherwise, Values values) {
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -39,8 +39,8 @@ Range range_of(const std::vector<AccuracyPoint>& points, double span, Range othe
 }
 
 struct Plot {
-    ImVec2 min, max;  // of the area within the axes
-    float floor = 0;  // where what is exact lies
+    ImVec2 min, max;  // corners of the area within the axes
+    float floor = 0;  // y of the line for points without error
     Range time, error;
 
     ImVec2 place(const AccuracyPoint& point) const {
@@ -93,7 +93,7 @@ void axes(ImDrawList& list, const Plot& plot) {
     text_at(list, {plot.min.x - ImGui::CalcTextSize("0").x - em * .3F, plot.floor - em * .5F}, colors.dim, "0");
 }
 
-// A staircase: between two rungs there is nothing.
+// Draws the front as a staircase, because there are no choices between two rungs.
 void front_line(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPoint>& points) {
     std::vector<ImVec2> corners;
     for (const AccuracyPoint& point : points)
@@ -120,7 +120,7 @@ void mark(ImDrawList& list, const Plot& plot, const AccuracyPoint& point) {
     if (point.chosen) list.AddCircle(at, radius * 1.8F, pack(colors.text), 0, 1.5F);
 }
 
-// Beside their points, where nothing else stands already.
+// Draws names next to their points, if the place is free.
 void names(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPoint>& points) {
     const float em = ImGui::GetFontSize();
     std::vector<Rect> taken;

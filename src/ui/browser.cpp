@@ -35,7 +35,7 @@ void close(Browser& browser) {
     ImGui::CloseCurrentPopup();
 }
 
-// The folder's name in pieces; of a long one the last pieces.
+// Draws the folder's path as clickable parts; a long path shows only its last parts.
 void path_row(const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
     const std::vector<Crumb> all = crumbs(listing.folder);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x * .5F;
@@ -144,7 +144,7 @@ void choose_by_keys(Browser& browser, std::size_t count) {
     browser.chosen = std::min(browser.chosen, count > 0 ? count - 1 : 0);
 }
 
-// The field for the name and the buttons.
+// Draws the name field and the buttons.
 void answer_row(const Listing& listing, const std::vector<std::size_t>& shown, Memory& memory, Requests& requests,
                 Layout& layout) {
     Browser& browser = memory.browser;

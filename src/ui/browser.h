@@ -1,4 +1,4 @@
-// The file browser: folders and scenes, as the desktop's own would show them.
+// The file browser: lists folders and scenes as the desktop's own browsers do.
 #pragma once
 
 #include <array>
@@ -16,37 +16,39 @@ struct Memory;
 struct Requests;
 
 struct Entry {
-    std::string name;  // fit to be shown
+    std::string name;  // with unprintable characters replaced
     std::string path;
     bool folder = false;
-    std::string size, date;  // as they are shown; a folder has no size
+    std::string size, date;  // as displayed; empty size for a folder
 };
 
 struct Listing {
-    std::string folder;  // absolute, without a link in it
+    std::string folder;  // absolute, with links resolved
     std::string home;
     std::vector<Entry> entries;  // folders first
-    std::string error;           // why there are none
+    std::string error;           // why the folder could not be listed; empty if it could
 };
 
 struct Browser {
     bool open = false;
-    std::string folder;  // to be listed at the next request; empty: the scene's
-    bool all = false;    // files that are no .glib too
+    std::string folder;  // the folder of the next listing; empty: the scene's
+    bool all = false;    // also list files other than .glib
     std::array<char, 1024> typed{};
-    std::size_t chosen = 0;  // of what is shown
-    bool focus = false;      // the field for the name takes the keys
+    std::size_t chosen = 0;  // index into the entries that are shown
+    bool focus = false;      // moves the keyboard focus to the name field
 };
 
-// Asks for the listing of a folder; the window is open until something is chosen or Escape is pressed.
+// Opens the browser and requests the listing of a folder. It stays open until the user chooses a file or presses
+// Escape.
 void open_browser(std::string folder, Memory& memory, Requests& requests);
 
+// Draws the browser while it is open.
 void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
 
-// The entries that a name begun in the browser leaves, by index: those that contain it, in any case.
+// Indices of the entries whose name contains the typed text, in any case.
 std::vector<std::size_t> matching(const Listing& listing, std::string_view typed);
 
-// "/home/ann/scenes" as what can be clicked: {"/", "/"}, {"home", "/home"} ...
+// Splits a path into clickable parts: "/home/ann/scenes" gives {"/", "/"}, {"home", "/home"} ...
 struct Crumb {
     std::string name, path;
 };

@@ -12,7 +12,7 @@ namespace snell::ui {
 
 namespace {
 
-constexpr double step = 1. / 25;  // of a picture, as `snell render --frames` takes it
+constexpr double step = 1. / 25;  // seconds per picture, the default of `snell render --frames`
 
 }  // namespace
 

@@ -1,12 +1,13 @@
-// Play, pause, step, scrub and speed.
+// Controls of the scene's time: play, pause, step, scrub and speed.
 #pragma once
 
 #include "src/ui/state.h"
 
 namespace snell::ui {
 
-// A section, for scenes that move. Space plays and pauses.
+// Draws the section, for animated scenes only.
 void clock_panel(const Facts& facts, Memory& memory, Layout& layout);
+// Space plays or pauses.
 void clock_keys(const Facts& facts, Memory& memory);
 
 }  // namespace snell::ui

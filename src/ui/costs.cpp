@@ -17,7 +17,7 @@ namespace {
 using Kind = Explanation::Kind;
 using Paid = Explanation::Paid;
 
-// A line of two columns. What does not fit, `why` and the place in the files are told when the mouse is on it.
+// Draws a line of two columns. The tooltip has the full text, `why`, and the place in the files.
 void line(const Facts& facts, const std::string& name, const std::string& amount, const std::string& why,
           const std::optional<Span>& span) {
     const float width = ImGui::GetContentRegionAvail().x, right = ImGui::GetCursorPosX() + width;

@@ -9,7 +9,7 @@ namespace snell::ui {
 
 namespace {
 
-// Where each character begins, and the end.
+// Byte offsets of the characters, and of the end.
 std::vector<std::size_t> characters(std::string_view text) {
     std::vector<std::size_t> starts;
     for (std::size_t at = 0; at < text.size(); at += utf8::decode(text, at).length) starts.push_back(at);
@@ -17,7 +17,7 @@ std::vector<std::size_t> characters(std::string_view text) {
     return starts;
 }
 
-// Characters `first` to `first + count`, behind the `margin` that always stays.
+// Characters `first` to `first + count`, after the `margin`, which is always kept.
 std::string window(std::string_view text, std::size_t margin, std::size_t first, std::size_t count,
                    std::string_view dots) {
     const std::vector<std::size_t> at = characters(text);
@@ -51,7 +51,7 @@ Excerpt excerpt(std::string_view source, std::string_view carets, std::size_t co
     const std::size_t room = columns - margin;
     const std::size_t caret = std::min(carets.find('^'), carets.size());
     const std::size_t place = caret > margin ? caret - margin : 0;
-    // A third of what is shown stands before the place.
+    // A third of the visible characters precedes the caret.
     const std::size_t last = length - margin - room;
     const std::size_t first = place + 2 < room ? 0 : std::min(place - room / 3, last);
     return {window(source, margin, first, room, "\u2026"), window(carets, margin, first, room, {})};

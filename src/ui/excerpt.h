@@ -1,4 +1,4 @@
-// A line of source and the carets under it, in as many columns as there are.
+// Cuts a line of source and the carets under it to a given number of columns.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace snell::ui {
 
-// "   10 |     uSc <0. .5 1.>": a diagnostic shows source so.
+// Whether a line of a diagnostic shows source, such as "   10 |     uSc <0. .5 1.>".
 bool is_source(std::string_view line);
 
 struct Excerpt {
     std::string source, carets;
 };
-// Both lines as diagnostics print them; at most `columns` characters of each stay, with the first caret among them and
-// dots where something is missing.
+// Cuts both lines, given as a diagnostic prints them, to at most `columns` characters each. The first caret stays
+// visible; dots mark what is left out.
 Excerpt excerpt(std::string_view source, std::string_view carets, std::size_t columns);
 
 }  // namespace snell::ui

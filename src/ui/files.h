@@ -1,4 +1,4 @@
-// The files in use, each a link to its editor; and what the window looks like.
+// The files in use, each a link that opens it in the editor, and the appearance of the window.
 #pragma once
 
 #include "src/ui/state.h"
@@ -7,16 +7,16 @@ namespace snell::ui {
 
 void files_section(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
 
-// Theme and size of letters.
+// Draws the settings for theme and text size.
 void look_section(Memory& memory, Layout& layout);
 
-// Ctrl+O, and Ctrl with +, - and 0.
+// Handles Ctrl+O, and Ctrl with +, - and 0.
 void files_keys(Memory& memory, Requests& requests);
 
-// The next larger (`way` 1) or smaller (-1) size of letters.
+// Returns the next larger (`way` = 1) or smaller (`way` = -1) text size.
 float next_zoom(float zoom, int way);
 
-// Hand and tooltip over the last item; true: clicked.
+// Makes the last item a link with a tooltip. Returns true if it was clicked.
 bool edit_link(const Facts& facts, const Place& place);
 
 }  // namespace snell::ui

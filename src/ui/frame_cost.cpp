@@ -16,7 +16,7 @@ namespace {
 
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
-// 1, 2 or 5 times a power of ten, so that `value` is at most that.
+// Rounds up to 1, 2 or 5 times a power of ten.
 double round_up(double value) {
     const double power = std::pow(10, std::floor(std::log10(std::max(value, 1e-3))));
     for (const double digit : {1., 2., 5.})
@@ -28,7 +28,7 @@ void put(ImDrawList& list, ImVec2 at, ImVec4 color, const Text& text) {
     list.AddText(at, pack(color), text.begin(), text.end());
 }
 
-// The last frames from left to right; a line for the median, one for what 95 of 100 do not exceed.
+// Plots the last frames from left to right, with lines for the median and the 95th percentile.
 void plot(const FrameCostFacts& facts, Layout& layout) {
     const Palette& colors = palette();
     const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x, height = 5 * em;
@@ -36,7 +36,7 @@ void plot(const FrameCostFacts& facts, Layout& layout) {
     ImGui::InvisibleButton("##frames", {std::max(width, 1.0F), height});
     layout.note("frame cost.plot");
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    // Single frames may be far above: what matters has room.
+    // Single frames may be far longer; the scale shows the typical ones.
     const double top = round_up(1.3 * std::max<double>(facts.high, facts.median));
     Text text;
     text.add("{:g} ms", top);
@@ -58,7 +58,7 @@ void plot(const FrameCostFacts& facts, Layout& layout) {
         ImGui::SetTooltip("the last %zu pictures\nlines: the median, and what 95 of 100 do not exceed", count);
 }
 
-// Name at the left, milliseconds at the right, over a bar of its part of `all`.
+// Draws name and milliseconds over a bar that shows its share of `all`.
 void row(const CostRow& cost, double all, Layout& layout) {
     const float em = ImGui::GetFontSize(), indent = cost.draw ? em : 0;
     const float width = ImGui::GetContentRegionAvail().x;

@@ -1,4 +1,4 @@
-// What frames cost: the last ones as a plot, and the passes and draws of one.
+// The frame cost panel: a plot of the last frames' times, and the times of the passes and draws of a frame.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace snell::ui {
 struct Facts;
 struct Memory;
 
-// A pass or, below it, its draws.
+// The time of a pass; rows of its draws follow it.
 struct CostRow {
     std::string name, place;
     double milliseconds = 0;  // median
@@ -22,16 +22,17 @@ struct CostRow {
 };
 
 struct FrameCostFacts {
-    std::string_view clock;           // of the frames and of `passes`
-    std::span<const float> frames;    // milliseconds, the last one at the end
-    float median = 0, high = 0;       // 95 of 100 take no longer
-    std::span<const CostRow> passes;  // of the frames that were drawn; empty where there is no clock for them
-    std::span<const CostRow> apart;   // measured on request, in frames of their own
+    std::string_view clock;           // the clock that measured the frames and `passes`
+    std::span<const float> frames;    // in milliseconds, oldest first
+    float median = 0, high = 0;       // `high` is the 95th percentile
+    std::span<const CostRow> passes;  // of the frames that were drawn; empty if no clock measures passes
+    std::span<const CostRow> apart;   // measured on request, in additional frames
     std::string_view apart_clock;
-    std::optional<double> measuring;  // 0..1: these frames are being drawn
+    std::optional<double> measuring;  // progress 0..1 while the additional frames are drawn
 };
 
-// Memory::frame_cost: open. True: passes and draws are to be measured; or, while they are, no more.
+// Draws the section; Memory::frame_cost says whether it is open. Returns true if the user starts measuring passes and
+// draws, or stops it while it runs.
 bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout);
 
 }  // namespace snell::ui

@@ -11,7 +11,7 @@
 
 namespace snell::ui {
 
-// The text handed out must outlive the call: Dear ImGui copies it at once, so one is enough for a context.
+// Text that is handed out must outlive the call. Dear ImGui copies it at once, so one string per context is enough.
 struct Gui::Clipboard {
     Window* window;
     std::string text;
@@ -59,7 +59,7 @@ Gui::Gui(Window* window) : context_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    io.ConfigInputTextCursorBlink = false;  // a blinking cursor would be a frame every half second
+    io.ConfigInputTextCursorBlink = false;  // a blinking cursor would need a frame every half second
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
     io.MousePos = {-FLT_MAX, -FLT_MAX};

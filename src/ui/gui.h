@@ -1,4 +1,4 @@
-// Dear ImGui's context and its frames, without any GL; and the painter that brings them onto the screen.
+// Dear ImGui's context and frames, without GL, and the painter that draws them with GL.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,28 @@ struct ImGuiContext;
 namespace snell::ui {
 
 struct Screen {
-    float width = 0, height = 0;  // window coordinates
-    float density = 1;            // pixels for one of them
-    float scale = 1;              // of text and widgets, in window coordinates
+    float width = 0, height = 0;  // in window coordinates
+    float density = 1;            // pixels per window coordinate
+    float scale = 1;              // factor for text and widgets, in window coordinates
     Theme theme = Theme::light;
     bool operator==(const Screen&) const = default;
 };
 
 class Gui {
 public:
-    // `window`, if any, lends its clipboard.
+    // Uses the clipboard of `window`, if it is not null.
     explicit Gui(Window* window);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    // Takes the input for a frame, `seconds` after the last one. True: the fonts are new, upload them first.
+    // Passes the input for a frame that begins `seconds` after the last one. Returns true if the fonts were rebuilt and
+    // must be uploaded first.
     bool input(const Screen& screen, double seconds, std::span<const Event> events);
-    // Of the last input.
+    // The screen of the last call of input().
     const Screen& screen() const { return screen_; }
-    // A frame: panels go between. The same number from two means the same picture.
+    // Begin and end of a frame; panels are drawn in between. end() returns a hash of the frame: equal hashes mean equal
+    // pictures.
     void begin();
     std::uint64_t end();
 
@@ -48,7 +50,8 @@ private:
     Fonts fonts_;
 };
 
-// Needs the GL context that was current when it was made, and a Gui.
+// Draws Dear ImGui's frames with GL. The context that was current when it was made must be current for every call, and
+// a Gui must exist.
 class Painter {
 public:
     Painter();
@@ -56,9 +59,9 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    // When Gui::input says so.
+    // Must be called if Gui::input returns true.
     void upload_fonts();
-    // Over what the bound framebuffer shows.
+    // Draws over the contents of the bound framebuffer.
     void paint();
 };
 

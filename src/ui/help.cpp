@@ -36,14 +36,14 @@ std::span<const KeyRow> key_rows() {
 
 namespace {
 
-// The stars are of the page.
+// The asterisks are Markdown for docs/window.md.
 std::string shown(const char* what) {
     std::string text = what;
     std::erase(text, '*');
     return text;
 }
 
-// In two columns, or below each other where there is no room for two.
+// Lists the keys in two columns, or in one if there is no room.
 void list(float room) {
     const float em = ImGui::GetFontSize();
     float keys = 0, what = 0;

@@ -1,4 +1,4 @@
-// What the mouse and the keys do. The one table of them: F1 shows it, and docs/window.md has the same.
+// The table of what the mouse and the keys do. F1 shows it, and docs/window.md lists the same.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ struct KeyRow {
 };
 std::span<const KeyRow> key_rows();
 
-// Over the scene while it is open; F1 and Escape close it.
+// Draws the table over the scene while `open` is true. F1 and Escape close it.
 void help_panel(const Rect& scene, bool& open, Layout& layout);
 
 }  // namespace snell::ui

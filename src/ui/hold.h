@@ -1,4 +1,4 @@
-// What of the view the mouse and the panel change.
+// The transformation of the view that the mouse and the panel change.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,20 @@ namespace snell::ui {
 enum class Held : std::uint8_t { scene, eye, object, texture };
 
 struct HoldMemory {
-    Held held = Held::scene;  // object: only while one is picked
-    bool picking = false;     // a click picks
-    Index object = none;      // Scene::draws: the picked one
+    Held held = Held::scene;  // `object` only while an object is picked
+    bool picking = false;     // a click on the scene picks the object there
+    Index object = none;      // the picked object, an index into Scene::draws
 };
 
-// The object that the user holds from now on; none: the scene again.
+// Picks an object, so that the user moves it from now on. With none, the user moves the scene again.
 void hold_object(HoldMemory& hold, Index object);
 
+// The transformation that is held.
 Transformation held(const View& view, const HoldMemory& hold);
-// What an object has lost all of is no longer in the view.
+// Sets the transformation that is held. An object whose transformation becomes the identity is removed from the view.
 void set_held(View& view, const HoldMemory& hold, const Transformation& transformation);
 
-// All as the scene says it; axes stay.
+// Resets everything to what the scene says, except for the axes.
 void reset_view(View& view);
 
 }  // namespace snell::ui

@@ -19,7 +19,7 @@ std::size_t batch(std::span<const Event> events) {
     if (events.empty()) return 0;
     std::size_t count = 1;
     if (is_press(events[0])) {
-        // The text of a key comes right behind it.
+        // The character of a key press follows directly.
         while (count < events.size() && events[count].kind == Event::Kind::text) ++count;
     } else {
         while (count < events.size() && !is_press(events[count])) ++count;
@@ -64,7 +64,7 @@ void feed(std::span<const Event> events) {
                 io.MousePos = {static_cast<float>(event.x), static_cast<float>(event.y)};
                 break;
             case Event::Kind::leave:
-                // A drag goes on outside the window.
+                // While a button is down, the drag continues outside of the window.
                 if (std::none_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; }))
                     io.MousePos = {-FLT_MAX, -FLT_MAX};
                 break;

@@ -1,4 +1,4 @@
-// Events of a window → Dear ImGui's input.
+// Passes a window's events to Dear ImGui.
 #pragma once
 
 #include <span>
@@ -7,13 +7,13 @@
 
 namespace snell::ui {
 
-// How many of the first events one frame may take: one press or release, or what lies between two. So none is
-// missed, each is seen where the mouse was, and a drag ends where the button was released.
+// How many of the first events one frame may take: one press or release, or the events between two of them. So no click
+// is missed, each is seen at the pointer's position at that time, and a drag ends where the button was released.
 std::size_t batch(std::span<const Event> events);
 
-// Into the current Dear ImGui context.
+// Passes the events to the current Dear ImGui context.
 void feed(std::span<const Event> events);
-// Once per context: which key is which, and keys that are held.
+// Call once per context, before feed(): maps Dear ImGui's keys to those of Key.
 void map_keys();
 
 }  // namespace snell::ui

@@ -50,7 +50,7 @@ void value_labels(const Facts& facts, const Controls& controls, const Rect& scen
         if (const auto columns = static_cast<std::size_t>(room); text.view().size() > columns)
             text = Text(cut_name(std::string(text.view()), columns));
         const ImVec2 at(scene.x + margin, y);
-        // White is seen on white pictures too.
+        // A dark outline makes the white text visible on white pictures.
         for (const ImVec2 off : {ImVec2(1, 1), ImVec2(-1, 1), ImVec2(1, -1), ImVec2(-1, -1)})
             list.AddText(fonts.mono, size, {at.x + off.x, at.y + off.y}, IM_COL32(0, 0, 0, 190), text.c_str());
         list.AddText(fonts.mono, size, at, IM_COL32_WHITE, text.c_str());

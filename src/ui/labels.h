@@ -1,4 +1,4 @@
-// The values over the picture, for screen shots.
+// The values of the controls as text over the picture, for screen shots.
 #pragma once
 
 #include "src/ui/state.h"
@@ -7,13 +7,13 @@
 
 namespace snell::ui {
 
-// A line for each slider, check box and colour, in the order of the Program lines, at the lower left of `scene`.
+// Draws a line for each slider, check box and colour, in the order of the Program lines, at the lower left of `scene`.
 void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts);
 
-// "Glass : uEta =     1.1000", as glman writes it.
+// A label such as "Glass : uEta =     1.1000", in glman's format.
 Text label_of(const Scene& scene, const Control& control);
 
-// Of a label with more columns than these: the name gives way, not the value.
+// Shortens a label to that many columns, by cutting the name and keeping the value.
 std::string cut_name(const std::string& label, std::size_t columns);
 
 }  // namespace snell::ui

@@ -1,4 +1,4 @@
-// Where things are in the window: window coordinates, from the top left.
+// Rectangles of the window's items, in window coordinates from the top left.
 #pragma once
 
 #include <string>
@@ -13,22 +13,22 @@ struct Rect {
     bool contains(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
 };
 
-// The widgets of one frame by name ("Glass.uEta", "axes"), so that a test can put the mouse on one.
+// A widget of one frame, by name ("Glass.uEta", "axes"), so that a test can put the mouse on it.
 struct Placed {
     std::string name;
     Rect rect;
-    bool visible = false;  // not scrolled away
+    bool visible = false;  // not scrolled out of view
 };
 
 class Layout {
 public:
-    // Only a listener pays for the names.
+    // Names are recorded only if `listening` is true, so that nothing is allocated otherwise.
     explicit Layout(bool listening) : listening_(listening) {}
     void clear() { items_.clear(); }
-    // The last item of Dear ImGui.
+    // Records Dear ImGui's last item under this name.
     void note(std::string_view name);
     void note(std::string_view first, std::string_view second);
-    // What is no item.
+    // Records a rectangle that is not an item of Dear ImGui.
     void place(std::string_view name, const Rect& rect);
     const std::vector<Placed>& items() const { return items_; }
 

@@ -1,4 +1,4 @@
-// Small text in pictures, without GL.
+// Draws small text into pictures in memory, without GL.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,12 @@ public:
     Lettering(const Lettering&) = delete;
     Lettering& operator=(const Lettering&) = delete;
 
+    // Sizes in pixels.
     int line_height() const;
     int width(std::string_view text) const;
-    // White, over the RGB bytes of a picture that is `stride` pixels wide; (x, y) is the upper left corner. Letters
-    // that would pass `right` are left out. The text's line must lie within the picture.
+    // Draws white text over the RGB bytes of a picture that is `stride` pixels wide; (x, y) is the text's upper left
+    // corner. Letters that would pass column `right` are left out. The line of text must lie within the picture
+    // vertically.
     void draw(std::string_view text, std::span<std::uint8_t> rgb, int stride, int x, int y, int right) const;
 
 private:

@@ -27,7 +27,7 @@ double read_back(double otherwise, fmt::format_string<Arguments...> format, Argu
 double tidy(double value, double min, double max, bool fine) {
     const double range = max - min;
     if (!(range > 0) || !std::isfinite(range) || range > 1e7) return value;
-    const int digits = static_cast<int>(std::ceil(std::log10(range) - 1e-9));  // before the point
+    const int digits = static_cast<int>(std::ceil(std::log10(range) - 1e-9));  // before the decimal point
     const int decimals = (digits <= 0 ? 4 - digits : std::max(5 - digits, 1)) + (fine ? 2 : 0);
     if (decimals > 15) return value;
     return std::clamp(read_back(value, "{:.{}f}", value, decimals), min, max);
@@ -45,7 +45,7 @@ std::string shown(double value, double min, double max, bool integral) {
     const double size = std::max(std::abs(value), range);
     if (!(size < 1e7)) return fmt::format("{:.6g}", value);
     if (range <= 0) return fmt::format("{:.7g}", value);
-    const int digits = static_cast<int>(std::ceil(std::log10(range) - 1e-9));  // before the point
+    const int digits = static_cast<int>(std::ceil(std::log10(range) - 1e-9));  // before the decimal point
     const int decimals = digits <= 0 ? 4 - digits : 5 - digits;
     if (decimals > 9) return fmt::format("{:.4e}", value);
     return fmt::format("{:.{}f}", value, std::clamp(decimals, 1, 9));

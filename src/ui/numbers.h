@@ -1,4 +1,4 @@
-// Numbers as sliders show and read them.
+// Formats and parses the numbers of sliders.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,19 @@
 
 namespace snell::ui {
 
-// As many decimals as a step of a thousandth of the range needs, four at least for what glman shows with four.
+// Formats a value with as many decimals as a thousandth of the range needs, but at least the four that glman shows.
 std::string shown(double value, double min, double max, bool integral);
-// A value that was dragged to, with as many decimals as are shown (two more where `fine`), so that saving it gives a
-// short number. Within the range still.
+// Rounds a value that was dragged to, to as many decimals as are shown (two more if `fine`), so that a saved number is
+// short. The result stays within the range.
 double tidy(double value, double min, double max, bool fine);
-// The same by digits that count, for ranges over several decades.
+// Does the same with significant digits, for ranges over several decades.
 double tidy_relative(double value, double min, double max, bool fine);
-// Of a float: the double that its shortest text reads as.
+// Converts a float to the double that its shortest text reads as.
 double tidy(float value);
-// The shortest text that reads back as the same double.
+// Formats a double as the shortest text that reads back to the same value.
 std::string exact(double value);
-// A number as a user types it: "+" and blanks around allowed. None where it is no number, not finite, or no
-// float (integral: no 32-bit integer; fractions are rounded).
+// Parses a number that a user typed; "+" and surrounding blanks are allowed. Returns nullopt if it is not a number, not
+// finite, or does not fit a float (with `integral`, a 32-bit integer, to which fractions are rounded).
 std::optional<double> typed(std::string_view text, bool integral);
 
 }  // namespace snell::ui

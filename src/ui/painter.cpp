@@ -10,7 +10,7 @@ Painter::Painter() { ImGui_ImplOpenGL3_Init("#version 330 core"); }
 Painter::~Painter() { ImGui_ImplOpenGL3_Shutdown(); }
 
 void Painter::upload_fonts() {
-    ImGui_ImplOpenGL3_NewFrame();  // makes the shaders on its first call, and the fonts' texture with them
+    ImGui_ImplOpenGL3_NewFrame();  // its first call makes the shaders and the fonts' texture
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }

@@ -1,4 +1,4 @@
-// The window that saves what is seen: of any size, or many pictures of a time.
+// The dialog that saves the picture in any size, or a sequence of pictures over a span of time.
 #pragma once
 
 #include <array>
@@ -15,23 +15,26 @@ struct Requests;
 
 struct PictureMemory {
     bool open = false;
-    std::array<char, 2048> file{};  // as `snell render -o` takes it
-    double width = 0, height = 0;   // whole numbers, as `samples` is
-    double samples = 4;             // a pixel
+    std::array<char, 2048> file{};  // as for `snell render -o`
+    double width = 0, height = 0;   // whole numbers, as is `samples`
+    double samples = 4;             // per pixel
     bool transparent = false;
-    bool sequence = false;  // pictures of the time between these, the last one left out
+    // Saves pictures from time `from` to `to`, in seconds, without the one at `to`; `rate` is pictures per second.
+    bool sequence = false;
     double from = 0, to = 10, rate = 25;
-    std::string there;               // the file that would be replaced: asked before it is
-    std::string error;               // why there is no picture
-    std::optional<double> progress;  // 0 to 1, while it is drawn
+    std::string there;               // an existing file that the user is asked to replace; empty if none
+    std::string error;               // why the picture was not saved; empty if there was no error
+    std::optional<double> progress;  // 0 to 1 while pictures are being saved
 };
 
-// Of a sequence: picture k is at from + k / rate.
+// The number of pictures of a sequence; picture k is at time from + k / rate.
 int picture_count(const PictureMemory& picture);
 
 enum class PictureRequest : unsigned char { none, open, save, replace, command, stop };
 
+// Draws the button that opens the dialog.
 void picture_button(Requests& requests, Layout& layout);
+// Draws the dialog while it is open.
 void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
 
 }  // namespace snell::ui

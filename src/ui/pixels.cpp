@@ -23,7 +23,7 @@ constexpr std::array<Flag, 4> flags{Flag::nan, Flag::infinite, Flag::negative, F
 
 ImU32 pack(const std::array<std::uint8_t, 3>& c) { return IM_COL32(c[0], c[1], c[2], 255); }
 
-// A square of its colour, as an item.
+// Draws a square in the flag's colour, as an item.
 void swatch(Flag flag) {
     const float em = ImGui::GetFontSize(), side = std::round(em * .65F);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -32,7 +32,7 @@ void swatch(Flag flag) {
     ImGui::Dummy({side, em});
 }
 
-// As the screen shows it, or its flag.
+// The colour on the screen, or that of the pixel's flag.
 ImU32 color_of(std::span<const float, 4> rgba) {
     if (const Flag flag = flag_of(rgba); flag >= Flag::infinite) return pack(snell::color_of(flag));
     const auto byte = [](float value) {
@@ -41,7 +41,7 @@ ImU32 color_of(std::span<const float, 4> rgba) {
     return pack({byte(rgba[0]), byte(rgba[1]), byte(rgba[2])});
 }
 
-// A square for each pixel, the middle one framed.
+// Draws a square for each pixel and frames the middle one.
 void magnified(const Inspection& found, float cell) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -69,7 +69,7 @@ void channels(const Inspection& found, const Fonts& fonts) {
         ImGui::TextUnformatted(Text("{} {:<14}", names[i], value_text(value).view()).c_str());
         ImGui::PopFont();
         Flag flag = flag_of(value);
-        if (i == 3 && flag < Flag::infinite) flag = Flag::none;  // beyond 0 to 1 it shows nowhere
+        if (i == 3 && flag < Flag::infinite) flag = Flag::none;  // an alpha outside of 0 to 1 has no visible effect
         if (flag == Flag::none) continue;
         ImGui::SameLine();
         swatch(flag);
@@ -78,7 +78,8 @@ void channels(const Inspection& found, const Fonts& fonts) {
     }
 }
 
-// Where a box of that size is seen whole and does not cover the pointer: beside it, or above or below.
+// A position for a box of that size that is fully visible and does not cover the pointer: to the side of it, or above
+// or below.
 ImVec2 beside(ImVec2 pointer, ImVec2 size, const Rect& scene, float gap) {
     const float right = scene.x + scene.width, bottom = scene.y + scene.height;
     const float x = std::clamp(pointer.x - size.x / 2, scene.x, std::max(scene.x, right - size.x));
@@ -129,7 +130,7 @@ void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memo
         if (!facts.pixels->flags) {
             ImGui::TextUnformatted(facts.pixels->note.c_str());
         } else {
-            const bool narrow = scene.width < 36 * em;  // one below the other
+            const bool narrow = scene.width < 36 * em;  // stacks the entries
             for (const Flag flag : flags) {
                 if (flag != flags.front() && !narrow) ImGui::SameLine(0, em);
                 swatch(flag);
@@ -154,7 +155,7 @@ void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory,
     const ImVec2 size(width + 2 * padding.x,
                       cell * static_cast<float>(2 * found.radius + 1) + 2.2F * line + 2 * padding.y);
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const bool fits = size.x <= scene.width && size.y <= scene.height;  // else it may cover the panel
+    const bool fits = size.x <= scene.width && size.y <= scene.height;  // otherwise the box may cover the panel
     const ImVec2 at = beside(ImGui::GetIO().MousePos, size, fits ? scene : Rect{0, 0, all.x, all.y}, 1.5F * em);
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(size);

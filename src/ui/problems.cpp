@@ -28,7 +28,7 @@ std::size_t count(std::span<const Problem> problems, Severity severity) {
 
 std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
 
-// "paint.frag:3:12", underlined, of the line that was just shown.
+// Underlines the place, such as "paint.frag:3:12", in the line that was just drawn.
 void underline(std::string_view line, const Place& place) {
     const std::string end = fmt::format(":{}:{}: ", place.line, place.column);
     const std::size_t at = line.find(end);
@@ -40,7 +40,7 @@ void underline(std::string_view line, const Place& place) {
                                         ImGui::GetColorU32(palette().link), std::max(1.0F, ImGui::GetFontSize() / 14));
 }
 
-// Source and carets, in one piece: carets stand under what they mean, so neither is wrapped.
+// Draws source and carets without wrapping, because the carets must stay under what they mark.
 void show_source(std::string_view line, std::string_view carets) {
     const float column = ImGui::CalcTextSize("M").x;
     const Excerpt part =
@@ -49,7 +49,7 @@ void show_source(std::string_view line, std::string_view carets) {
     if (!carets.empty()) ImGui::TextUnformatted(part.carets.c_str());
 }
 
-// The first line says what, in its colour, and is a link to the editor; the rest shows where.
+// The first line is the message, in its severity's colour, and a link to the editor; the rest shows the source.
 void show(const Facts& facts, const Problem& problem, std::size_t number, Requests& requests, Layout& layout) {
     const Palette& colors = palette();
     const std::string_view text = problem.text;
@@ -85,7 +85,7 @@ void show(const Facts& facts, const Problem& problem, std::size_t number, Reques
 }
 
 void list(const Facts& facts, Severity severity, const Fonts& fonts, Requests& requests, Layout& layout) {
-    constexpr std::size_t most = 30;  // nobody reads more at once, and every line costs every frame
+    constexpr std::size_t most = 30;  // more could not be read at once, and every line costs time in every frame
     std::size_t shown = 0;
     ImGui::PushFont(fonts.mono);
     for (std::size_t i = 0; i < facts.problems.size(); ++i)
@@ -118,7 +118,7 @@ bool right_button(const char* label) {
     return ImGui::Button(label);
 }
 
-// The size that last frame's contents asked for, within the picture.
+// Begins an overlay of the size that its contents had in the last frame, limited to the picture.
 bool begin_overlay(const char* name, ImVec2 at, float width, float most_height) {
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(most_height, 1.0F)});
@@ -171,7 +171,7 @@ void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, 
 
 void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
                     Layout& layout) {
-    // What was hidden comes back when the files were read again.
+    // Problems that were hidden are shown again after the files were read again.
     if (memory.revision != facts.revision) {
         memory.revision = facts.revision;
         memory.problems_hidden = false;

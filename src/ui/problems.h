@@ -1,4 +1,4 @@
-// Over the picture: what is wrong with the files, and what the scene has to say.
+// Messages over the picture: errors and warnings about the files, and message boxes of the scene.
 #pragma once
 
 #include "src/ui/state.h"
@@ -6,11 +6,11 @@
 
 namespace snell::ui {
 
-// Errors are open and in the way, as they should be; warnings are one line until asked for.
+// Shows errors in full, because they must be seen. Warnings are one line until the user opens them.
 void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
                     Layout& layout);
 
-// MessageBox, each until dismissed.
+// Shows each message of a MessageBox statement until the user dismisses it.
 void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layout);
 
 }  // namespace snell::ui

@@ -26,8 +26,7 @@ bool is_integral(ValueType type) {
     return type == ValueType::int_ || type == ValueType::uint_ || type == ValueType::sampler;
 }
 
-// The name at the left, shortened where it must be, with `value` behind it; `remark` at the right, dimmed, if all have
-// room.
+// Draws the name at the left, shortened if necessary, followed by `value`, and `remark` dimmed at the right if all fit.
 void caption(std::string_view name, std::string_view value, std::string_view remark) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float right = width_of(remark), end = ImGui::GetCursorPosX() + width;
@@ -44,7 +43,7 @@ void caption(std::string_view name, std::string_view value, std::string_view rem
     ImGui::TextDisabled("%.*s", static_cast<int>(remark.size()), remark.data());
 }
 
-// As glman's: "uEta = 1.1000".
+// The value in glman's format: "uEta = 1.1000".
 Text value_of(const Control& control) {
     Text text;
     for (std::size_t i = 0; i < control.value.size(); ++i)
@@ -60,7 +59,7 @@ bool is_logarithmic(const Control& control, const Section& section) {
     return !chosen.empty() && control.min > 0 && chosen.contains(key_of(control));
 }
 
-// Under the right button on a slider's name.
+// The menu that a right click on a slider's name opens.
 void slider_menu(Control& control, const Section& section) {
     if (!ImGui::BeginPopupContextItem("##menu")) return;
     const std::string initial = shown(control.initial[0], control.min, control.max, is_integral(control.type));
@@ -95,7 +94,7 @@ void sliders(Control& control, const Section& section) {
     control.max = range.max;
 }
 
-// A row of number fields for each element of an array, or each column of a matrix.
+// Draws a row of number fields for each element of an array or each column of a matrix.
 void numbers(Control& control, const Section& section) {
     auto columns = static_cast<std::size_t>(control.type == ValueType::matrix && control.components > 4
                                                 ? (control.components == 9 ? 3 : 4)
@@ -126,7 +125,7 @@ void check_box(Control& control, const Section& section) {
     section.layout.note(section.program.name, control.name);
 }
 
-// Why a uniform has no effect; empty when it has.
+// The reason why a uniform has no effect; empty if it has one.
 std::string_view idle_reason(const Control& control, const Section& section) {
     if (control.active) return {};
     return section.linked ? "not used by the program" : "the program failed";
@@ -183,7 +182,7 @@ void row(Control& control, const Section& section) {
     ImGui::PopID();
 }
 
-// Large arrays and texture units are no business of a slider panel.
+// Large arrays and texture units are not shown in the panel.
 bool is_shown(const Control& control) { return control.type != ValueType::sampler && control.value.size() <= 64; }
 
 bool sliding(const Control& control) { return control.listed && control.widget != Widget::none; }
@@ -243,7 +242,7 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
     ImGui::PopID();
 }
 
-// A drop-down; a right click gives the scene's rung back.
+// Draws a drop-down; a right click resets it to the scene's rung.
 void ladder_row(const Ladder& ladder, std::size_t& rung, Layout& layout) {
     if (rung >= ladder.rungs.size()) return;
     ImGui::PushID(ladder.name.c_str());
@@ -276,9 +275,9 @@ void ladders_panel(const Facts& facts, Controls& controls, Layout& layout) {
 
 void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
     const std::vector<Program>& programs = facts.scene->programs;
-    bool slides = false;  // some section so far
+    bool slides = false;  // a slider was drawn in an earlier section
     for (Index i = 0; i < programs.size(); ++i) {
-        // The first, and if that has nothing to slide, the first that has.
+        // Opens the first section, and if it has no sliders, also the first that has.
         const bool first_sliding = !slides && any(controls, i, sliding);
         slides |= first_sliding;
         const bool linked = i < facts.linked.size() && facts.linked[i];

@@ -1,14 +1,14 @@
-// The controls of a scene.
+// The controls of a scene: its ladders and the uniforms of its programs.
 #pragma once
 
 #include "src/ui/state.h"
 
 namespace snell::ui {
 
-// A drop-down for each ladder.
+// Draws a drop-down for each ladder.
 void ladders_panel(const Facts& facts, Controls& controls, Layout& layout);
 
-// A section for each Program: its uniforms as sliders, check boxes and colours.
+// Draws a section for each Program, with its uniforms as sliders, check boxes and colours.
 void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout);
 
 }  // namespace snell::ui

@@ -16,25 +16,25 @@ namespace snell::ui {
 namespace {
 
 constexpr double degrees_per_point = .5;
-constexpr double scale_per_step = 1.1;     // of the wheel
-constexpr double scale_per_point = 1.006;  // of a drag
-constexpr double points_per_step = 20;     // of the wheel, toward the viewer
+constexpr double scale_per_step = 1.1;     // per step of the wheel
+constexpr double scale_per_point = 1.006;  // per point of a drag
+constexpr double points_per_step = 20;     // per step of the wheel, towards the viewer
 constexpr double smallest = 1e-3, largest = 1e3;
-constexpr float still = 3;  // a press that moved less is a click
+constexpr float still = 3;  // in points: a press that moves less is a click
 
-// What a gesture does, in points of the window.
+// The effect of a gesture, in points of the window.
 struct Gesture {
     glm::dvec3 move{0};  // right, up, toward the viewer
     glm::dvec2 turn{0};  // right, down
     double scale = 1;
 };
 
-// `picks`: a press that stays where it is will be a click, and turns nothing.
+// With `picks`, a press that does not move will be a click, and does not turn anything.
 Gesture gesture(const Rect& area, bool picks) {
     const ImGuiIO& io = ImGui::GetIO();
     Gesture made;
     if (area.contains(io.MousePos.x, io.MousePos.y)) {
-        // Some systems turn the wheel sideways while Shift is down.
+        // Some systems swap the wheel's axes while Shift is down.
         if (io.KeyShift)
             made.move.z = points_per_step * (io.MouseWheel + io.MouseWheelH);
         else
@@ -61,14 +61,14 @@ glm::dmat4 matrix(const Mat4& m) {
     return result;
 }
 
-// As many decimals as a hundredth of a step needs: numbers that are dragged to are short, and 0 is 0 again.
+// Rounds to a hundredth of a step, so that numbers that are dragged to are short and 0 can be reached again.
 double tidied(double value, double step) {
     const double scale = std::pow(10, -std::floor(std::log10(step / 100)));
     const double rounded = std::round(value * scale) / scale;
     return std::isfinite(rounded) ? rounded : value;
 }
 
-// From points to the units that what is held is moved in, so that it stays under the mouse.
+// Converts points to the units of the transformation that is held, so that what is dragged stays under the mouse.
 glm::dvec3 moved(const glm::dvec3& points, const Scene& scene, const View& view, const HoldMemory& hold,
                  double shorter) {
     if (hold.held == Held::texture) return glm::dvec3(-points.x, -points.y, points.z) / shorter;
@@ -111,7 +111,7 @@ void apply(const Gesture& made, const Facts& facts, const Rect& area, View& view
     };
     turn(texture ? t.rotate_z : t.rotate_y, made.turn.x);
     if (!texture) turn(t.rotate_x, made.turn.y);
-    // Coordinates that grow make the texture's picture smaller.
+    // Larger coordinates make the texture's picture smaller.
     if (made.scale != 1) t.scale = std::clamp(t.scale * (texture ? 1 / made.scale : made.scale), smallest, largest);
     if (!(t == before)) set_held(view, hold, t);
 }

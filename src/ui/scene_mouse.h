@@ -1,13 +1,13 @@
-// The mouse over the scene.
+// Mouse input over the scene.
 #pragma once
 
 #include "src/ui/state.h"
 
 namespace snell::ui {
 
-// Left drag turns; wheel, middle drag or Ctrl-drag scales; right drag or Shift-drag moves along the screen; Shift-wheel
-// or Ctrl-Shift-drag towards the viewer: what is held. While a click picks, one that is no drag asks for the object
-// there. Only while no panel has the mouse.
+// Applies the mouse to the transformation that is held. A left drag turns; the wheel, a middle drag or Ctrl-drag
+// scales; a right drag or Shift-drag moves along the screen; Shift-wheel or Ctrl-Shift-drag moves towards the viewer.
+// While picking is on, a click without a drag requests the object there. Does nothing while a panel has the mouse.
 void hold_scene(const Facts& facts, const Rect& scene, View& view, const HoldMemory& hold, Requests& requests);
 
 }  // namespace snell::ui

@@ -34,7 +34,7 @@ struct Areas {
     Rect scene, panel, status;
 };
 
-// In whole pixels, so that the picture is copied, not resampled.
+// Areas in whole pixels, so that the picture is copied and not resampled.
 Areas areas(Memory& memory) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
@@ -72,7 +72,7 @@ void tools(View& view, Memory& memory, Requests& requests, Layout& layout) {
     layout.note("labels");
 }
 
-// A strip over the panel's left edge that drags it wider.
+// Draws a strip over the panel's left edge; dragging it changes the panel's width.
 void splitter(const Rect& panel, Memory& memory) {
     const float grip = ImGui::GetFontSize() * .35F;
     ImGui::SetCursorScreenPos({panel.x, panel.y});
@@ -90,7 +90,7 @@ void panel_window(const Facts& facts, const Rect& panel, Controls& controls, Vie
     place(panel);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     if (ImGui::Begin("##panel", nullptr, fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-        // Where there is little room what stays in sight elsewhere is scrolled away too.
+        // In a low window, the parts of the panel that are otherwise fixed scroll too.
         const bool low = panel.height < 40 * ImGui::GetFontSize();
         if (low) ImGui::BeginChild("##programs", {0, 0});
         tools(view, memory, requests, layout);
@@ -142,7 +142,7 @@ void problem_chip(const Facts& facts, Memory& memory, Layout& layout) {
     ImGui::PopStyleColor();
 }
 
-// What became of the last request: its first line, all of it under the mouse.
+// Shows the first line of the last request's outcome; the tooltip has all of it.
 void notice(const Memory& memory, float left, float right, Layout& layout) {
     if (right <= left) return;
     ImGui::SameLine(left);

@@ -1,4 +1,5 @@
-// All of the window: the scene's area, the panel beside it, the line below, and what lies over the picture.
+// The layout of the whole window: the scene's area, the panel next to it, the status line below, and what is drawn over
+// the picture.
 #pragma once
 
 #include "src/ui/state.h"
@@ -6,7 +7,7 @@
 
 namespace snell::ui {
 
-// Between Gui::begin and Gui::end. Leaves the scene's area in `memory`.
+// Draws the window; call it between Gui::begin and Gui::end. Stores the scene's area in `memory`.
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout);
 
 }  // namespace snell::ui

@@ -1,4 +1,4 @@
-// What the panels show, what they change, and what they remember from frame to frame.
+// The data of the panels: facts that they show, requests that they make, and what they remember from frame to frame.
 #pragma once
 
 #include <array>
@@ -28,104 +28,106 @@
 
 namespace snell::ui {
 
-// Where an editor is to open a file; 1-based.
+// A place in a file that an editor opens; line and column are 1-based.
 struct Place {
-    std::string file;  // on disk; empty: nowhere
+    std::string file;  // path on disk; empty if there is no place
     int line = 1, column = 1;
 };
 
-// A diagnostic as it is printed, and what it speaks of.
+// A diagnostic as printed, and the place that it refers to.
 struct Problem {
     Severity severity = Severity::error;
     std::string text;
     Place place;
 };
 
-// A file in use. Names are fit to be shown.
+// A file in use.
 struct FileRow {
-    std::string name;  // from the scene's folder, if it is not far from there
-    std::string path;  // on disk
+    std::string name;  // relative to the scene's folder if it is near, with unprintable characters replaced
+    std::string path;  // path on disk
 };
 
-// Sets of values that are kept beside the scene, by number from 1.
+// The number of snapshots, which are sets of values stored next to the scene, numbered from 1.
 inline constexpr int snapshot_count = 9;
 
-// In window coordinates, from the scene's top left.
+// A point in window coordinates from the scene's top left.
 struct Point {
     double x = 0, y = 0;
 };
 
+// What the panels show; filled in anew for every frame.
 struct Facts {
-    std::string_view file;                 // the scene's name, without its folder
-    const Scene* scene = nullptr;          // none: it could not be read
-    std::span<const char> linked;          // by Scene::programs: not 0 where it can draw
+    std::string_view file;                 // name of the scene's file without its folder
+    const Scene* scene = nullptr;          // null if the scene could not be read
+    std::span<const char> linked;          // by Scene::programs: not 0 if the program can draw
     std::span<const Problem> problems;     // of the files as they are now
-    bool stale = false;                    // the picture is that of an earlier, working state of the files
-    std::uint64_t revision = 0;            // counts readings of the files
-    bool animated = false, mouse = false;  // the picture depends on time, on where the mouse is
+    bool stale = false;                    // the picture shows an earlier, working version of the files
+    std::uint64_t revision = 0;            // increases each time the files are read
+    bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
     double time = 0;                       // seconds since the scene began
-    double frame_ms = 0;                   // to draw the last picture
+    double frame_ms = 0;                   // time to draw the last picture, in milliseconds
     int samples = 1;
     std::string_view renderer;
-    bool changed = false;                              // some value or rung is not the scene's
-    bool undoable = false;                             // values were saved to the scene
-    std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether there is one
-    const AccuracyFacts* accuracy = nullptr;           // while its panel is open
-    const Explanation* explanation = nullptr;          // while Memory::costs
-    const Sources* sources = nullptr;                  // that the spans of it are of
-    const FrameCostFacts* frame_cost = nullptr;        // while Memory::frame_cost
-    const PixelFacts* pixels = nullptr;                // while PixelMemory asks for something
-    std::string_view object;                           // what the picked one is
-    std::span<const FileRow> files;                    // in use, in the order of reading
-    std::string_view editor;                           // what opens them
-    std::span<const std::string> recent;               // scenes, the last one first
+    bool changed = false;                              // whether any value or rung differs from the scene's
+    bool undoable = false;                             // whether values were saved to the scene, which can be undone
+    std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists
+    const AccuracyFacts* accuracy = nullptr;           // set while its panel is open
+    const Explanation* explanation = nullptr;          // set while Memory::costs
+    const Sources* sources = nullptr;                  // the sources that the explanation's spans refer to
+    const FrameCostFacts* frame_cost = nullptr;        // set while Memory::frame_cost
+    const PixelFacts* pixels = nullptr;                // set while PixelMemory needs them
+    std::string_view object;                           // name of the picked object
+    std::span<const FileRow> files;                    // the files in use, in the order of reading
+    std::string_view editor;                           // name of the editor that opens them
+    std::span<const std::string> recent;               // paths of recent scenes, the latest first
     const Listing* listing = nullptr;                  // of the folder in the browser
 };
 
-// The scene's time, as the user lets it go.
+// The scene's time as the user controls it.
 struct Clock {
     bool paused = false;
     double speed = 1;
-    double time = 0;  // seconds
+    double time = 0;  // in seconds
 };
 
 struct Memory {
     bool panel = true;
-    float panel_width = 22;  // in heights of the letters
+    float panel_width = 22;  // in multiples of the text height
     Theme theme = Theme::light;
-    float zoom = 1;  // of letters and widgets, on top of the screen's
-    Titles open;     // sections
+    float zoom = 1;  // factor for text and widgets, in addition to the screen's
+    Titles open;     // titles of the open sections
     bool warnings_open = false;
     bool problems_hidden = false;
-    std::uint64_t revision = 0;       // that `problems_hidden` speaks of
-    std::set<std::string> dismissed;  // messages
+    std::uint64_t revision = 0;       // the revision whose problems are hidden
+    std::set<std::string> dismissed;  // messages of MessageBox that the user dismissed
     SliderMemory slider;
-    std::set<std::string> logarithmic;  // sliders, as "program.name" with the program's index
-    std::string notice;                 // what became of the last request
-    bool labels = false;                // the values over the picture
+    // Names of the sliders that are logarithmic, as "program.name" with the program's index.
+    std::set<std::string> logarithmic;
+    std::string notice;   // the outcome of the last request
+    bool labels = false;  // shows the values over the picture
     Clock clock;
     AccuracyMemory accuracy;
-    bool costs = false;       // that panel is open
-    bool frame_cost = false;  // so is that
+    bool costs = false;       // whether the costs panel is open
+    bool frame_cost = false;  // whether the frame cost panel is open
     PixelMemory pixels;
     HoldMemory hold;
-    bool keys = false;  // the list of them is open
+    bool keys = false;  // whether the list of keys is open
     Browser browser;
     PictureMemory picture;
-    Rect scene;  // where the scene is, of this frame
+    Rect scene;  // the scene's area in this frame
 };
 
-// What a user asked for in this frame that is not a change of Controls or View.
+// What the user requested in this frame, other than changes of Controls or View.
 struct Requests {
     bool reload = false;
     bool save = false, undo_save = false;
     bool copy_command = false;
-    std::optional<Point> pick;                     // the object there
-    int store_snapshot = 0, restore_snapshot = 0;  // its number
-    bool measure = false;        // all rungs of the plotted ladder; while they are measured: no longer
-    bool measure_frame = false;  // its passes and draws; or no longer
-    bool browse = false;         // the folder of Browser is to be listed
-    std::string open;            // a scene
+    std::optional<Point> pick;                     // picks the object at this point
+    int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none
+    bool measure = false;                          // measures all rungs of the plotted ladder, or stops measuring
+    bool measure_frame = false;                    // measures passes and draws of a frame, or stops measuring
+    bool browse = false;                           // lists the folder in Browser
+    std::string open;                              // path of a scene to open
     Place edit;
     PictureRequest picture = PictureRequest::none;
 };

@@ -15,7 +15,7 @@ ImVec4 color(unsigned rgb, float alpha = 1) {
             static_cast<float>(rgb & 255) / 255, alpha};
 }
 
-// Latin, Greek, Cyrillic, punctuation, arrows, mathematics: what names and comments of scenes are written in.
+// Latin, Greek, Cyrillic, punctuation, arrows and mathematics, which names and comments in scenes use.
 constexpr std::array<ImWchar, 13> glyphs{0x0020, 0x024F, 0x0370, 0x052F, 0x2010, 0x2044, 0x2190,
                                          0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
 
@@ -25,7 +25,7 @@ ImFont* load(std::span<const char* const> files, float pixels) {
         std::error_code none;
         if (!std::filesystem::is_regular_file(file, none)) continue;
         ImFontConfig config;
-        config.OversampleH = pixels < 40 ? 2 : 1;  // large letters need no help, and much memory
+        config.OversampleH = pixels < 40 ? 2 : 1;  // large letters look good without, and would take much memory
         config.OversampleV = 1;
         if (ImFont* font = io.Fonts->AddFontFromFileTTF(file, pixels, &config, glyphs.data())) return font;
     }
@@ -152,7 +152,7 @@ Fonts load_fonts(float scale, float density) {
 }
 
 void apply_style(float scale, Theme theme) {
-    // Only read through palette().
+    // It is only read, through palette().
     ImGui::GetIO().UserData = const_cast<Palette*>(&palette_of(theme));
     ImGuiStyle style;
     style.WindowPadding = {14, 12};

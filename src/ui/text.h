@@ -1,4 +1,4 @@
-// Text that is made anew for every frame: without the heap as long as it is short.
+// A buffer for text that is composed again in every frame; short text needs no heap.
 #pragma once
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ public:
     std::string_view view() const { return {buffer_.data(), buffer_.size()}; }
     const char* begin() const { return buffer_.data(); }
     const char* end() const { return buffer_.data() + buffer_.size(); }
-    // Stands until it is changed.
+    // Valid until the text is changed.
     const char* c_str() const {
         buffer_.push_back('\0');
         buffer_.resize(buffer_.size() - 1);
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    mutable fmt::basic_memory_buffer<char, 320> buffer_;  // for the 0 behind it
+    mutable fmt::basic_memory_buffer<char, 320> buffer_;  // mutable for the terminating 0 of c_str()
 };
 
 }  // namespace snell::ui

@@ -1,4 +1,4 @@
-// Light or dark.
+// The window's themes.
 #pragma once
 
 #include <cstdint>

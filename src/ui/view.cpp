@@ -24,7 +24,7 @@ constexpr std::array<Target, 4> targets{{
     {Held::texture, "Texture", "gl_TextureMatrix[0]"},
 }};
 
-// What the mouse and the numbers below change; a star where it is not as it was at first.
+// Draws the choice of what the mouse and the numbers below change; a star marks what differs from its initial state.
 void target_row(const View& view, HoldMemory& hold, Layout& layout) {
     for (const Target& target : targets) {
         HoldMemory other = hold;
@@ -49,7 +49,7 @@ struct Field {
     double Transformation::*value;
 };
 
-// Up to three fields beside each other, none narrower than its number.
+// Draws up to three fields in a row, none narrower than its number.
 void fields(const char* label, std::initializer_list<Field> row, Transformation& t, Layout& layout) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, begin = 3.2F * ImGui::GetFontSize();
     const float least = ImGui::CalcTextSize("-123.456").x + 2 * ImGui::GetStyle().FramePadding.x;

@@ -1,4 +1,4 @@
-// The transformations that the user holds, how the scene is projected, and what is behind it.
+// The view section: the transformations that the user changes, the projection, and the background.
 #pragma once
 
 #include "src/ui/state.h"
@@ -7,7 +7,8 @@ namespace snell::ui {
 
 void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout);
 
-// P: a click picks, or no longer does. Escape: nothing is picked; then a click picks nothing.
+// Handles the keys of the view: P turns picking on or off. Escape deselects the picked object or, if there is none,
+// turns picking off.
 void view_keys(View& view, HoldMemory& hold);
 
 }  // namespace snell::ui

@@ -1,7 +1,7 @@
 #include "src/ui/widgets.h"
 
-// Dear ImGui's own sliders abort the process on infinite ranges and round to the text they show; what a slider of
-// our own needs of it is declared here.
+// Dear ImGui's own sliders abort the process on infinite ranges and round values to the displayed text. Our slider
+// needs internal functions, which imgui_internal.h declares.
 #define IMGUI_DEFINE_MATH_OPERATORS
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -27,7 +27,7 @@ bool by_ratio(const SliderRange& range) {
     return range.logarithmic && range.min > 0 && range.max > range.min && std::isfinite(range.max / range.min);
 }
 
-// Computed so that neither end overflows, whatever the range.
+// The intermediate results cannot overflow, whatever the range.
 double fraction_of(double value, const SliderRange& range) {
     if (by_ratio(range)) return std::clamp(std::log(value / range.min) / std::log(range.max / range.min), 0.0, 1.0);
     const double half = range.max / 2 - range.min / 2;
@@ -45,7 +45,7 @@ double value_at(double fraction, const SliderRange& range, bool fine) {
     return tidy(std::clamp(value, range.min, range.max), range.min, range.max, fine);
 }
 
-// Where the mouse has dragged the knob to: under it, or from where it was.
+// The value that the mouse has dragged the knob to: under the pointer, or relative to where the drag began.
 double dragged_to(const ImRect& box, double value, const SliderRange& range, SliderMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
     const float grab = ImGui::GetStyle().GrabMinSize * .5F, way = std::max(1.0F, box.GetWidth() - 2 * grab);
@@ -64,7 +64,7 @@ double dragged_to(const ImRect& box, double value, const SliderRange& range, Sli
     return value_at(memory.fraction, range, io.KeyAlt);
 }
 
-// The text is edited by Dear ImGui in the place of the widget; each state that reads as a number applies.
+// Dear ImGui edits the text in place of the widget; each text that is a number is applied at once.
 bool type_value(const ImRect& box, ImGuiID id, const char* label, double& value, bool integral) {
     std::array<char, 64> text{};
     const std::string now = exact(value);
@@ -78,7 +78,7 @@ bool type_value(const ImRect& box, ImGuiID id, const char* label, double& value,
     return true;
 }
 
-// A thin track, filled up to the knob; the number stands above it, where no knob can cover it.
+// Draws a thin track, filled up to the knob. The number is above the track, where no knob can cover it.
 void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction) {
     const Palette& colors = palette();
     const bool held = ImGui::GetActiveID() == id;
@@ -203,7 +203,7 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
 }
 
 bool number(const char* id, double& value, bool integral, double initial, float width) {
-    // Dear ImGui sees only ranges and speeds that it can bear; the value is finite or shown as what it is.
+    // Dear ImGui gets only ranges and speeds that it supports.
     const double speed = integral ? .1 : std::clamp(std::abs(value) * .01, 1e-3, 1e30);
     double edited = value;
     ImGui::SetNextItemWidth(width);
@@ -238,7 +238,7 @@ bool color_row(const char* id, double* value, int components, const double* init
         std::copy_n(initial, count, value);
         return changed;
     }
-    // Only what was edited: the others keep the bits that a float lacks.
+    // Only the edited component changes: the others keep the precision that a float lacks.
     bool changed = false;
     for (std::size_t i = 0; i < count; ++i) {
         if (edited[i] == before[i] || !std::isfinite(edited[i])) continue;

@@ -1,4 +1,4 @@
-// How far two pictures are apart.
+// Differences between two pictures.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,15 @@
 
 namespace snell::content {
 
-// Over all channels of all texels, in units where 8-bit 255 is 1. `over` counts texels with a channel that
-// differs by more than the threshold. A value that is not finite in one picture only differs infinitely.
+// Statistics over all channels of all texels, in units where 8-bit 255 is 1. `over` counts texels with a channel that
+// differs by more than the threshold. A value that is finite in only one of the pictures counts as an infinite
+// difference.
 struct Difference {
     double max = 0, mean = 0, rms = 0;
     std::size_t over = 0;
 };
 
-// nullopt: the pictures differ in size or number of channels. Types and row order may differ.
+// Returns nullopt if the pictures differ in size or number of channels. Their types and row orders may differ.
 std::optional<Difference> compare(const Image& a, const Image& b, double threshold = 0);
 
 }  // namespace snell::content

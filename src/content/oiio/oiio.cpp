@@ -1,5 +1,5 @@
-// The only file of snell that includes OpenImageIO. Loading it brings some 260 shared libraries along, so it is
-// a module that is opened when a picture first needs it.
+// The only file of snell that includes OpenImageIO. Loading it loads some 260 shared libraries, so it is in a module
+// that is opened when an image first needs it.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -58,7 +58,7 @@ OIIO::ImageSpec spec_of(const SnellOiioShape& shape) {
     return spec;
 }
 
-// Colour and alpha only: depth, normals and the like of multi-channel files are left out.
+// Only colour and alpha are read: depth, normals and other channels are left out.
 SnellOiioShape shape_of(const OIIO::ImageSpec& spec, const std::string& format) {
     SnellOiioShape shape{};
     shape.width = spec.width;
@@ -77,8 +77,8 @@ SnellOiioShape shape_of(const OIIO::ImageSpec& spec, const std::string& format) 
     return shape;
 }
 
-// OpenImageIO gives WebP and one kind of TIFF with colours multiplied by alpha whatever is asked for. EXR too, but
-// there it is how the format is meant: its values stay.
+// OpenImageIO multiplies the colours of WebP and one kind of TIFF by alpha, whatever is requested. EXR's colours are
+// multiplied too, but by definition of the format, so they stay.
 bool multiplied(const OIIO::ImageInput& input) {
     const std::string format = input.format_name();
     return (format == "webp" || format == "tiff") && input.spec().get_int_attribute("oiio:UnassociatedAlpha") == 0;
@@ -115,8 +115,8 @@ int read(const char* path, const char* format, SnellOiioAllocate allocate, void*
     return message(done, "");
 }
 
-// The file. Some of the writers forget to look whether it took what they wrote, and libjpeg ends the process when it
-// did not: they hear of no failure, the caller does.
+// The output file. Some writers do not check whether a write succeeded, and libjpeg ends the process if it failed. So
+// every write reports success to them, and the error is reported to the caller.
 class OutputFile : public OIIO::Filesystem::IOProxy {
 public:
     explicit OutputFile(const char* path) : IOProxy(path, Write), file_((unlink(path), open(path, flags, 0666))) {
@@ -160,7 +160,7 @@ public:
         struct stat now {};
         return fstat(file_, &now) == 0 ? static_cast<std::size_t>(now.st_size) : 0;
     }
-    // 0, or errno of what failed.
+    // Returns 0, or the errno of the first error.
     int finish() {
         if (file_ >= 0 && ::close(file_) != 0 && error_ == 0) error_ = errno;
         file_ = -1;
@@ -173,7 +173,7 @@ private:
 };
 
 struct Picture {
-    std::unique_ptr<OutputFile> file;  // none: the format writes by name only
+    std::unique_ptr<OutputFile> file;  // null if the format can only write to a named file
     std::unique_ptr<OIIO::ImageOutput> output;
     SnellOiioShape shape{};
     int row = 0;
@@ -185,13 +185,13 @@ std::unique_ptr<Picture> begin(const char* path, const char* format, const Snell
     std::unique_ptr<OIIO::ImageOutput>& output = picture->output;
     output = OIIO::ImageOutput::create(format);
     if (!output) {
-        OIIO::geterror();  // names the temporary file: the caller knows better
+        OIIO::geterror();  // it names the temporary file, which means nothing to the user
         message(failed, std::string("no picture format is known by the extension '") + format + "'");
         return nullptr;
     }
     picture->shape = shape;
     SnellOiioShape stored = shape;
-    // The WebP writer divides by alpha what was never multiplied: better without.
+    // The WebP writer divides colours by alpha although they were not multiplied, so alpha is left out.
     if (shape.has_alpha && (!output->supports("alpha") || std::string(output->format_name()) == "webp")) {
         stored.channels = shape.channels - 1;
         stored.has_alpha = 0;
@@ -229,7 +229,7 @@ int end(std::unique_ptr<Picture> picture, bool whole, const Message& message) {
     return closed ? message(done, "") : message(failed, why);
 }
 
-// No exception may cross the C interface.
+// Exceptions must not cross the C interface.
 template <class Work>
 int guarded(const Message& message, Work work) {
     try {

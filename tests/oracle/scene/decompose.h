@@ -1,4 +1,4 @@
-// A transformation as the statements of the language can make it.
+// Decomposes a transformation into statements of the language.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 
 namespace snell {
 
-// Angle in degrees and axis of a rotation.
+// A rotation: its angle in degrees and its axis.
 struct Turn {
     double angle = 0;
     Vec3 axis{0, 0, 1};
 };
 
-// Translate, then outer rotation, scale, inner rotation (the last acts first). Linear parts that are diagonal
-// come without rotations and are exact; others within some units of rounding of the largest element.
+// The result: Translate, outer rotation, scale, inner rotation, of which the last is applied first. Diagonal matrices
+// need no rotations and are decomposed exactly; others within a few rounding errors of the largest element.
 struct Decomposed {
     Vec3 translate{0, 0, 0};
     std::optional<Turn> outer;
@@ -22,8 +22,8 @@ struct Decomposed {
     std::optional<Turn> inner;
 };
 
-// `m` is affine and finite. The singular value decomposition, by one-sided Jacobi rotations (Golub and
-// Van Loan, Matrix Computations, 8.6.3).
+// Decomposes `m`, which must be affine and finite, by singular value decomposition with one-sided Jacobi rotations
+// (Golub and Van Loan, Matrix Computations, 8.6.3).
 Decomposed decompose(const Mat4& m);
 
 }  // namespace snell

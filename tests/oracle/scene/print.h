@@ -1,4 +1,4 @@
-// The second consumer of a Scene: text that reads back to an equal one.
+// Prints a Scene as text that parses to an equal one.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace snell {
 
-// A .glib text that parses to an equal scene: same draws in the same state, programs, textures and passes.
-// Transformations come out as Translate, Rotate and Scale, equal within rounding; comments are lost.
+// Returns .glib text that parses to an equal scene: the same draws in the same state, programs, textures and passes.
+// Transformations are printed as Translate, Rotate and Scale and are equal within rounding. Comments are lost.
 std::string print_scene(const Scene& scene);
 
-// What is different between two scenes, spans and the sharing of states aside; empty when they are equal.
-// Matrices may differ by `tolerance` times their largest element.
+// Describes the differences between two scenes, other than spans and the sharing of states; empty if they are equal.
+// Elements of matrices may differ by `tolerance` times the largest element.
 std::string difference(const Scene& a, const Scene& b, double tolerance = 1e-9);
 
 }  // namespace snell
