@@ -28,7 +28,6 @@ typedef void* (*SnellOiioAllocate)(void* context, const SnellOiioShape* shape);
 
 /* Functions that return int return 0 on success. After an error, `message` (of `message_size` bytes) describes it. */
 
-
 /* Reads an image: 8-bit images as u8, all others as f32. `format` may be null. Returns 1 if nothing could be read, 2 if
    `allocate` returned null, and 3 if the file ended within the pixels, of which those before its end were read. */
 int snell_oiio_read(const char* path, const char* format, SnellOiioAllocate allocate, void* context, char* message,
