@@ -1,8 +1,8 @@
 #ifndef ROOM_GLSL
 #define ROOM_GLSL
-// What is seen in the room of ../environments, whose walls stand 5 units from its middle. The ladder LOCALITY:
-// infinite: the cube map by direction alone. A ball of radius 1 in the middle is 6.5 degrees off in the mean.
-// impostor: with a second cube map, of distances. .002 degrees after two steps; works in any convex room.
+// The colour seen in the room of ../environments, whose walls are 5 units from its middle. The ladder LOCALITY:
+// infinite: the cube map by direction alone. A ball of radius 1 in the middle has an error of 6.5 degrees on average.
+// impostor: with a second cube map, of distances. Its error is .002 degrees after two steps, in any convex room.
 // box: the walls are known to be a box. Exact, and as cheap as infinite.
 #include <snell/environment.glsl>
 
@@ -11,7 +11,7 @@ uniform samplerCube uRoom;
 #ifdef LOCALITY_impostor    // not every scene has this rung
 #if LOCALITY == LOCALITY_impostor
 #define BY_DISTANCES
-uniform samplerCube uDistances;     // in tenths of a unit, so that eight bits hold them
+uniform samplerCube uDistances;     // in tenths of a unit, to fit into eight bits
 #endif
 #endif
 

@@ -1,6 +1,6 @@
-// How scenes show numbers instead of the picture.
+// Colours by which scenes show numbers instead of the picture.
 
-// A share of light: black 0 to white 1; below 0 blue, above 1 red, which no share may be.
+// A share of light: black 0 to white 1; below 0 blue and above 1 red, both impossible for a share.
 vec3 showShare( float share )
 {
     return share < 0. ? vec3( 0., 0., 1. ) : share > 1. ? vec3( 1., .1 / share, 0. ) : vec3( share );

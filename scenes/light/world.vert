@@ -1,6 +1,6 @@
 #version 330
 
-// For objects that are turned, moved and scaled evenly. All in world space: a cube map is a picture of the world.
+// For rotations, translations and uniform scales. Everything is in world space, because the cube map is.
 uniform mat4 PVM;
 uniform mat4 M;
 uniform vec3 camWorldPos;

@@ -24,19 +24,19 @@ namespace {
 
 using namespace snell;
 
-constexpr const char* examples = R"(Examples:
-  snell scenes/refraction-room/refraction-room.glib                   open a scene in a window
-  snell render room.glib -o room.png                       draw it to a picture, without a display
-  snell render room.glib -o room.png --set uEta=1.5        … with a slider moved
-  snell render room.glib -o room.exr --size 1920x1080 --time 2.5 --samples 4
-  snell sweep room.glib --over uEta=1:2.5:16 --over uMix=0,.5,1 -o 'out/{uEta}_{uMix}.png' --sheet all.png
-  snell accuracy ball.glib -o report.html                  what each rung is off by and costs
-  snell explain room.glib                                  what it pays for, and what that costs
-  snell check room.glib                                    say all that is wrong with it
-  snell commands                                           list the commands of the language
+constexpr const char* examples = R"(Examples: (in the folder of the repository)
+  snell scenes/light/glass/glass.glib                        # open a scene in a window
+  snell render scenes/light/glass/glass.glib -o glass.png    # draw a picture, without a display
+  snell render scenes/light/glass/glass.glib -o glass.png --set uIndex=1.33 --ladder BEND=single
+  snell render scenes/light/glass/glass.glib -o glass.exr --size 1920x1080 --time 2.5 --samples 4
+  snell sweep scenes/light/glass/glass.glib --over uIndex=1:2.5:16 -o 'glass-{uIndex}.png' --sheet all.png
+  snell accuracy scenes/light/glass/glass.glib -o report.html --ladders all    # error and cost of each rung
+  snell explain scenes/light/glass/glass.glib                # what the scene costs, and why
+  snell check scenes/light/glass/glass.glib                  # report errors and warnings
+  snell commands                                             # list the commands of the language
 
 Exit status: 0 fine, 1 errors in the input, 2 wrong usage, 3 no graphics,
-4 out of time, 5 the graphics driver gave up.)";
+4 timeout, 5 the graphics driver reset itself.)";
 
 bool parse_size(const std::string& text, std::pair<int, int>& size) {
     int end = 0;

@@ -6,7 +6,7 @@ uniform samplerCube uAround;
 #if AMBIENT == AMBIENT_small_map
 uniform samplerCube uSmall;
 #elif AMBIENT == AMBIENT_constant || AMBIENT == AMBIENT_harmonics
-uniform vec3 uHarmonics[9];     // of the cube map that Irradiance names; set by snell
+uniform vec3 uHarmonics[9];     // coefficients of the cube map that Irradiance names; set by snell
 #elif AMBIENT == AMBIENT_irradiance
 uniform samplerCube uIrradiance;
 #endif

@@ -6,7 +6,7 @@ uniform mat4 PVM;
 uniform float Timer;
 
 in vec4 position;
-in vec4 aColor;     // red: which ball
+in vec4 aColor;     // red: the number of the ball
 
 out vec3 vNormal;
 flat out int vBall;

@@ -39,9 +39,9 @@ void main(void)
 #if SPREAD == SPREAD_steps
     vec3 n = 1. / max( 1. / uIndex + vec3( .05, 0., -.05 ), .01 );
 #else
-    vec3 n = max( uIndex + vec3( -uSpread, 0., uSpread ), .1 );     // blue has the largest and is bent most
+    vec3 n = max( uIndex + vec3( -uSpread, 0., uSpread ), .1 );     // blue has the largest index and is bent most
 #endif
-    // A channel that is mirrored totally gives the mirrored direction.
+    // For a totally reflected channel the function returns the mirrored direction.
     vec3 red = snellRefractSingle( I, N, 1., n.r ), green = snellRefractSingle( I, N, 1., n.g ),
          blue = snellRefractSingle( I, N, 1., n.b );
     vec3 transmitted = vec3( look( red ).r, look( green ).g, look( blue ).b );
@@ -50,7 +50,7 @@ void main(void)
 #if FRESNEL == FRESNEL_swapped
     float share = total ? 0. : pow( c, 1.55 );
     if( total )
-        transmitted = look( vec3( 0., 0., 1. ) );       // what most drivers find for no direction
+        transmitted = look( vec3( 0., 0., 1. ) );       // what most drivers return for the zero vector
 #elif FRESNEL == FRESNEL_power
     float share = total ? 1. : 1. - pow( c, 1.55 );
 #else
@@ -63,7 +63,7 @@ void main(void)
 
     vec3 color = mix( transmitted, look( reflect( I, N ) ), share );
 #if BEND == BEND_mesh
-    // In the teapot's own coordinates, which are only turned.
+    // In the teapot's own coordinates, which are rotated only.
     mat3 turn = mat3( u_model_mat );
     vec3 eye = transpose( turn ) * ( u_camera_position - u_model_mat[3].xyz );
     SnellMesh s = snellMeshBegin( eye, transpose( turn ) * I, 1., n.g, true );

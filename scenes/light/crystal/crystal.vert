@@ -5,7 +5,7 @@ layout(location = 1) in vec3 i_normal;
 
 uniform mat4 u_model_mat;         // world from the object's coordinates
 uniform mat4 u_viewProj_mat;      // clip from world
-uniform vec3 u_camera_position;   // the eye, in the world
+uniform vec3 u_camera_position;   // the eye, in world coordinates
 
 out vec3 v_fromEye;
 out vec3 v_normal;

@@ -23,7 +23,7 @@ vec2 cauchy()
     return vec2( uIndex - b / ( yellow * yellow ), b );
 }
 
-// Which way light of one index leaves, and what it shows.
+// The direction in which light of one index leaves, and the colour seen there.
 vec3 leaves( vec3 I, vec3 N, float n )
 {
 #if BEND == BEND_single
@@ -47,7 +47,7 @@ void main()
     vec3 N = normalize( vNormal );
     vec3 I = normalize( vFromEye );
     vec2 ab = cauchy();
-    vec3 n = snellCauchyRgb( ab.x, ab.y );      // blue has the largest: it is bent most
+    vec3 n = snellCauchyRgb( ab.x, ab.y );      // blue has the largest index: it is bent most
 #if COLOURS == COLOURS_steps
     n = 1. / ( 1. / uIndex + vec3( 0., .01, .02 ) );
 #elif COLOURS == COLOURS_one

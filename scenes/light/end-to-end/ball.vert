@@ -1,8 +1,8 @@
 #version 330 compatibility
-// The mesh. Methods that trace the ball have no use for it.
+// The mesh. Methods that trace the ball do not use it.
 #include "traced.glsl"
 uniform vec3 camWorldPos;
-out vec3 vPoint, vNormal, vRay;  // in the world; vRay from the eye, not of unit length
+out vec3 vPoint, vNormal, vRay;  // in world coordinates; vRay from the eye, not of unit length
 out vec3 vMirror;
 out float vLight;
 
@@ -12,7 +12,7 @@ void main() {
     vPoint = gl_Vertex.xyz;
     vNormal = normalize(gl_Normal);
     vRay = vPoint - camWorldPos;
-    // The Orange Book's: mirrored, and lit, by vertex.
+    // The Orange Book computes reflection and lighting at the vertices.
     vMirror = reflect(vRay, vNormal);
     vLight = max(dot(normalize(LIGHT - vPoint), vNormal), 0.);
     gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;

@@ -1,5 +1,5 @@
-// A ball of glass by its mesh, a method after the other. P, N and the ray I are interpolated; only those functions
-// that say so make them unit length first.
+// A ball of glass as a mesh, one method after the other. P, N and the ray I are interpolated; only functions whose
+// comment says so normalise them first.
 #include "room.glsl"
 #include <snell/refraction.glsl>
 
@@ -14,7 +14,7 @@ vec3 glassSchlick2(samplerCube room, vec3 N, vec3 I) {
     return mix(mapInfinite(room, refract(e, n, eta)), mapInfinite(room, reflect(e, n)), schlick);
 }
 
-// Dykhta, with the weights' code: ratios .8 and .05 to both sides, cosine to the power 1.55.
+// Dykhta, with the weights of the listing: ratios .8 and .8 +- .05, cosine to the power 1.55.
 vec3 glassOffsets(samplerCube room, vec3 N, vec3 I) {
     vec3 n = normalize(N), v = normalize(I);
     vec3 refracted = vec3(mapInfinite(room, refract(v, n, .85)).r, mapInfinite(room, refract(v, n, .8)).g,
@@ -23,7 +23,7 @@ vec3 glassOffsets(samplerCube room, vec3 N, vec3 I) {
     return mix(mapInfinite(room, reflect(v, n)), refracted, c);
 }
 
-// Bailey: nothing has unit length.
+// Bailey: the vectors are not normalised.
 vec3 glassMixed(samplerCube room, vec3 N, vec3 I, float eta, float mirrored) {
     vec3 reflected = mapInfinite(room, reflect(I, N));
     vec3 T = refract(I, N, eta);
@@ -31,8 +31,8 @@ vec3 glassMixed(samplerCube room, vec3 N, vec3 I, float eta, float mirrored) {
     return mix(refracted, reflected, mirrored);
 }
 
-// The same physics by steps: exact reflectance; with `exits`, the light leaves the ball on its other side; with
-// `box`, the room has a size.
+// The same physics in steps: exact reflectance; with `exits`, the light leaves the ball on its other side; with
+// `box`, the room has a finite size.
 vec3 glassExact(samplerCube room, vec3 P, vec3 N, vec3 I, bool exits, bool box) {
     vec3 n = normalize(N), d = normalize(I);
     float f = snellFresnelExact(-dot(d, n), 1., GLASS);

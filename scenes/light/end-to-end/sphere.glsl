@@ -1,4 +1,4 @@
-// The ball as a sphere, traced. Expects ORDERS (ways out besides the mirrored one) and GRID (GRID x GRID rays a pixel).
+// The ball as a sphere, traced. Expects ORDERS (exits besides the mirrored one) and GRID (GRID x GRID rays a pixel).
 #include "room.glsl"
 #include <snell/ray.glsl>
 #include <snell/refraction.glsl>
@@ -31,7 +31,7 @@ vec3 ray(vec3 eye, vec3 d) {
 
 void main() {
     vec4 nearX = dFdx(vNear), nearY = dFdy(vNear), farX = dFdx(vFar), farY = dFdy(vFar);
-    // A pixel belongs to the ball where its centre does, as for triangles: the walls are there already.
+    // A pixel belongs to the ball if its centre does, as for triangles; the walls are drawn already.
     vec3 from = vNear.xyz / vNear.w;
     float enter, leave;
     if (!snellHitSphere(from, normalize(vFar.xyz / vFar.w - from), vec3(0.), 1., enter, leave)) discard;

@@ -1,4 +1,4 @@
-// Whether the current method traces the ball, or draws its mesh. Of the two draws one stays empty.
+// True if the current method traces the ball, false if it draws the mesh. One of the two draws stays empty.
 #ifdef METHOD_sphere_map_2
 #define TRACED (METHOD >= METHOD_sphere_map_2)
 #else

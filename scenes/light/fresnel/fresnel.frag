@@ -44,10 +44,10 @@ void main()
     vec3 N = normalize( vNormal );
     vec3 I = normalize( vFromEye );
     float c = clamp( -dot( I, N ), 0., 1. );
-    float k = snellCosTransmitted2( c, uOutside, uInside );     // below 0: no light goes through
+    float k = snellCosTransmitted2( c, uOutside, uInside );     // below 0: no light is transmitted
     float share = mirroredShare( c, k );
 
-    // Where nothing goes through, the functions give the mirrored direction.
+    // If no light is transmitted, the functions return the mirrored direction.
 #if BEND == BEND_single
     vec3 bent = snellRefractSingle( I, N, uOutside, uInside );
 #else

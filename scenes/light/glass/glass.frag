@@ -24,7 +24,7 @@ void main()
     float index = uIndex;
 #if RATIO == RATIO_slider
     float eta = uIndex;
-    index = 1. / uIndex;        // what the ball is then made of
+    index = 1. / uIndex;        // the index that the ball then has
 #else
     float eta = 1. / uIndex;
 #endif
@@ -54,7 +54,7 @@ void main()
         vec3 exit = vPosition - 2. * dot( vPosition, inside ) * inside;
         through = room( exit, out1 );
 #if BEND == BEND_bounces
-        // The light that turns back inside leaves at the next exits, weaker each time.
+        // Light that is mirrored inside leaves at the next exits, weaker each time.
         SnellSphere s = snellSphereBegin( rightI, rightN, 1., index );
         vec3 sum = vec3( 0. );
         float weight = 0.;

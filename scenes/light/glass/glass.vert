@@ -2,8 +2,8 @@
 
 out vec3 vPosition, vNormal, vFromEye;
 
-// The scene does not move the ball, so its own coordinates are the world's, where the cube map is. The eye is the
-// point that perspective sends to (0,0,z,0): right even while the mouse turns the scene.
+// The scene does not move the ball, so model coordinates are world coordinates, as the cube map needs. The eye is the
+// point that the projection maps to (0,0,z,0). This holds even while the mouse turns the scene.
 void main()
 {
     vPosition = gl_Vertex.xyz;

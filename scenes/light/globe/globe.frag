@@ -16,7 +16,7 @@ void main()
     vec3 toSun = normalize( vec3( sin( radians( uSun ) ), .35, cos( radians( uSun ) ) ) );
     float lit = .06 + .94 * max( dot( normalize( vNormal ), toSun ), 0. );
 
-    // No need to normalise: a cube map asks for the direction alone.
+    // Without normalize(): a cube map ignores the length.
     vec3 color = lit * texture( uWorld, look ).rgb;
     gl_FragColor = vec4( uView == 1 ? showDirection( look ) : color, 1. );
 }

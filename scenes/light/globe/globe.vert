@@ -1,6 +1,6 @@
 #version 330 compatibility
 
-out vec3 vLook;         // asks the cube map
+out vec3 vLook;         // direction of the lookup
 out vec3 vNormal;       // in eye coordinates, for the light
 
 void main()

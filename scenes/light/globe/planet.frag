@@ -4,7 +4,7 @@
 
 in vec3 vDirection;
 
-// A world that nobody has seen, by direction from its centre: sea, land, mountains, ice and clouds of noise.
+// An invented world, by direction from its centre: sea, land, mountains, ice and clouds made of noise.
 void main()
 {
     vec3 d = normalize( vDirection );

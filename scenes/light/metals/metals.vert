@@ -6,7 +6,7 @@ uniform vec3 camWorldPos;
 
 in vec4 position;
 in vec4 normal;
-in vec4 aColor;     // red: which metal
+in vec4 aColor;     // red: the number of the metal
 
 out vec3 vPosition, vNormal, vFromEye;
 flat out int vMetal;

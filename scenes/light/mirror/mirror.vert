@@ -1,11 +1,11 @@
 #version 330 compatibility
 
 out vec3 vNormal, vEyeDir;      // the two that the ladder chooses
-out vec3 vPosition, vFromEye, vWorldNormal;     // in the world
+out vec3 vPosition, vFromEye, vWorldNormal;     // in world coordinates
 
 void main()
 {
-    // The scene does not move the ball: its own coordinates are the world's.
+    // The scene does not move the ball, so model coordinates are world coordinates.
     vPosition = gl_Vertex.xyz;
     vWorldNormal = gl_Normal;
     vec4 eye = gl_ModelViewProjectionMatrixInverse * vec4( 0., 0., 1., 0. );

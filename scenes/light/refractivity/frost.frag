@@ -2,7 +2,7 @@
 
 in vec2 vST;
 
-// Clear bands wound around, and a clear window on each side.
+// Clear bands around the ball, and a clear window on each side.
 void main()
 {
     float winding = fract( 6. * vST.s + 5. * vST.t );

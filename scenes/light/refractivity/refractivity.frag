@@ -27,7 +27,7 @@ void main(void)
     vec3 bent = inside;
     vec3 seen = room( v_position, bent );
 #else
-    vec3 bent = 2. * dot( inside, I ) * inside - I;     // the ball is round and its middle is the origin
+    vec3 bent = 2. * dot( inside, I ) * inside - I;     // holds for a ball around the origin
     vec3 seen = room( v_position - 2. * dot( v_position, inside ) * inside, bent );
 #endif
 

@@ -33,7 +33,7 @@ void main()
     vec3 split = vec3( texture( uTent, bent( I, N, n.r ) ).r, texture( uTent, bent( I, N, n.g ) ).g,
                        texture( uTent, bent( I, N, n.b ) ).b );
 #else
-    // Cauchy's a + b / w^2 through red's index and blue's.
+    // Cauchy's a + b / w^2, fitted to red's index and blue's.
     float r2 = .611 * .611, b2 = .464 * .464;
     float b = ( n.b - n.r ) / ( 1. / b2 - 1. / r2 ), a = n.r - b / r2;
     int first = snellBandFirst( WAVELENGTHS_VALUE );

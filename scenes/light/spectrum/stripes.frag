@@ -2,7 +2,7 @@
 
 in vec3 vDirection;
 
-// White stripes from pole to pole, and a ring. No colour anywhere.
+// White stripes from pole to pole, and a ring, all without colour.
 void main()
 {
     vec3 d = normalize( vDirection );

@@ -22,7 +22,7 @@ void main()
     vec3 toMirrored = reflect( I, N );      // I - 2 (I.N) N
     vec3 mirrored = texture( uSurroundings, toMirrored ).rgb;
 
-    // Polished metal keeps its colour when seen straight on and turns white toward the edge.
+    // Polished metal shows its colour at normal incidence and turns white toward the edge.
     vec3 metal = mirrored * mix( uMetal, vec3( 1. ), snellFresnelSchlick5( -dot( I, N ), 0. ) );
     float sun = max( dot( N, normalize( TO_SUN ) ), 0. );
     vec3 paint = uMetal * ( .25 + .75 * sun );

@@ -1,6 +1,6 @@
 #version 330
 
-// World space throughout: the cube map is a picture of the world.
+// Everything is in world space, because the cube map is looked up in world space.
 uniform mat4 PVM;           // clip from the teapot's own coordinates
 uniform mat4 M;             // world from the teapot's own coordinates
 uniform vec3 camWorldPos;   // the eye

@@ -26,7 +26,7 @@ void main()
 
     float facing = -dot( I, N );
 #if COSINE == COSINE_clamped
-    facing = clamp( abs( facing ), 0., 1. );    // both faces of a thin shell are alike
+    facing = clamp( abs( facing ), 0., 1. );    // both faces of a thin shell mirror the same
 #endif
 
 #if OPACITY == OPACITY_constant
@@ -34,12 +34,12 @@ void main()
 #elif OPACITY == OPACITY_by_angle
     float opacity = pow( max( 1. - facing, 0. ), uPower );
 #else
-    // Light goes to and fro between the two faces of the shell: the sum of the series.
+    // Light is mirrored back and forth between the two faces of the shell: the sum of the series.
     float once = snellFresnelExact( facing, 1., uIndex );
     float opacity = 2. * once / ( 1. + once );
 #endif
 
     vec3 mirrored = texture( uSurroundings, reflect( I, N ) ).rgb;
-    // Alpha says how much of this covers what has been drawn already.
+    // Alpha is the share by which this colour covers earlier draws.
     outColor = uView == 1 ? vec4( showShare( opacity ), 1. ) : vec4( mirrored, opacity );
 }

@@ -12,7 +12,7 @@ out vec3 vNormal;
 out vec3 vFromEye;
 out float vRing;
 
-// Does this draw take part? See the scene.
+// True if the ladders select this draw; see the scene.
 bool wanted()
 {
     if( aColor.r > .5 )
@@ -35,7 +35,7 @@ bool wanted()
 #endif
 }
 
-// All in world space, where the cube map is.
+// Everything is in world space, as the cube map needs.
 void main()
 {
     vNormal = vec3( M * normal );

@@ -1,6 +1,6 @@
-// No #version line: GLSL as it was in 2004.
+// Without a #version line, this is GLSL 1.10 of 2004.
 uniform mat4 M;             // world from the object's own coordinates
-uniform vec3 camWorldPos;   // the eye, in the world
+uniform vec3 camWorldPos;   // the eye, in world coordinates
 uniform float uLightX, uLightY, uLightZ;
 
 varying vec3 vIncident, vNormal, vReflected;

@@ -4,7 +4,7 @@
 #include "../tone.glsl"
 
 uniform samplerCube uRoom, uIrradiance;
-uniform bool uScreen;       // else for the cube map: roots of a quarter of the light, so that 8 bits hold up to 4
+uniform bool uScreen;       // otherwise for the cube map: sqrt(light / 4), so that 8 bits represent up to 4
 uniform float uExposure;
 uniform vec3 camWorldPos;
 
@@ -13,7 +13,7 @@ flat in int vThing;
 
 out vec4 outColor;
 
-// Seen from the ball for the cube map, from the eye for the screen.
+// The viewpoint is the ball for the cube map, and the eye for the screen.
 vec3 light()
 {
     vec3 N = normalize( vNormal );
@@ -27,7 +27,7 @@ vec3 light()
                            snellFresnelConductor( c, 1., METAL_ETA[0].b, METAL_K[0].b ) );
         return share * texture( uRoom, look ).rgb;
     }
-    // Polished slate: a little is mirrored, the rest is what the surface gathers.
+    // Polished slate: a little mirrored light, and the diffuse light that the surface collects.
     float veins = .5 + .5 * sin( 9. * vPosition.y + 2. * sin( 5. * vPosition.x + 3. * vPosition.z ) );
     vec3 slate = mix( vec3( .16, .20, .22 ), vec3( .34, .38, .38 ), veins );
     return mix( slate * texture( uIrradiance, N ).rgb, texture( uRoom, look ).rgb, snellFresnelExact( c, 1., 1.5 ) );

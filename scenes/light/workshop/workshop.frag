@@ -15,7 +15,7 @@ in vec3 vPosition, vNormal, vFromEye;
 
 out vec4 outColor;
 
-// The room, and before it what is near. NEARBY: as if it were infinitely far, or on the shell where things circle.
+// The room, and near objects before it. NEARBY: infinitely far, or on the shell where the objects circle.
 vec3 look( vec3 from, vec3 direction )
 {
     vec3 far = room( from, direction );
@@ -44,7 +44,7 @@ float fresnel( float c, float n )
 #endif
 }
 
-// All light of one index of refraction that reaches the eye; `left` is what still is inside.
+// All light of one index of refraction that reaches the eye; `left` is the share that remains inside.
 vec3 glass( vec3 I, vec3 N, float n, out float left )
 {
     float share = fresnel( -dot( I, N ), n );
@@ -71,7 +71,7 @@ vec3 glass( vec3 I, vec3 N, float n, out float left )
     return color;
 }
 
-// The same of all colours.
+// The same for all colours.
 vec3 glassOfColours( vec3 I, vec3 N, vec2 cauchy, out float left )
 {
     vec3 n = snellCauchyRgb( cauchy.x, cauchy.y );

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Runs the examples of README.md, docs/ and scenes/*.md, and those of --help: examples.py PROGRAM SOURCE_FOLDER
+
+An example is a line of a fenced block that begins with `snell `, or such a span of code that names a scene. It runs in
+a folder with a copy of scenes/ and an empty out/, at a small size, and must end with status 0, or N where its comment
+says "status N". A command that opens a window is replaced by `snell check`. Lines with a `$` belong to a job scheduler
+and are skipped (tests/farm runs them). A fenced block that begins with `##OpenGL GLIB` is a scene: it must have neither
+errors nor warnings.
+"""
+
+import concurrent.futures
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info"}
+FENCE = re.compile(r"^```[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)
+SPAN = re.compile(r"`(snell [^`…]*\.glib[^`…]*)`")
+
+
+def commands(text):
+    lines = [line.strip() for line in text.replace("\\\n", " ").splitlines()]
+    return [line for line in lines if line.startswith("snell ") and "$" not in line]
+
+
+def examples(root, program, folder):
+    """Pairs of a page and a command. Scenes of the pages are written into the folder, and checked."""
+    found = []
+    pages = [root / "README.md", *sorted(root.glob("docs/*.md")), *sorted(root.glob("scenes/**/*.md"))]
+    for page in pages:
+        text, name = page.read_text(), str(page.relative_to(root))
+        for block in FENCE.findall(text):
+            found += [(name, command) for command in commands(block)]
+            if block.startswith("##OpenGL GLIB"):
+                scene = f"example-{len(found)}.glib"
+                pathlib.Path(folder, scene).write_text(block)
+                found.append((name, f"snell check {scene} |& diff /dev/null -"))  # prints nothing if all is well
+        found += [(name, " ".join(command.split())) for command in SPAN.findall(FENCE.sub("", text))]
+    shown = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
+    return found + [("--help", command) for command in commands(shown.partition("Examples")[2])]
+
+
+def small(command):
+    """The same command without a window, and with less to draw and to measure."""
+    words = command.partition("#")[0].split()
+    if words[1] not in SUBCOMMANDS:
+        return "snell check " + next(word for word in words if word.endswith(".glib"))
+    less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
+            "accuracy": {"--size": "48x36", "--no-time": ""}}.get(words[1], {})
+    if {"--within", "--error", "--save-quality"} & set(words):
+        less = {"--size": "48x36", "--reps": "3", "--budget": "1"}
+    if "--frames" in words:
+        less |= {"--frames": "3"}
+    for option in less:
+        if option in words:
+            del words[words.index(option):words.index(option) + 2]
+    return " ".join(words[:2] + [word for pair in less.items() for word in pair if word] + words[2:])
+
+
+def main():
+    program, root = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    failed = 0
+    with tempfile.TemporaryDirectory(prefix="snell-examples-") as folder:
+        shutil.copytree(root / "scenes", folder + "/scenes")
+        os.mkdir(folder + "/out")
+        environment = {**os.environ, "PATH": f"{program.parent}{os.pathsep}{os.environ['PATH']}", "HOME": folder}
+
+        def run(command):
+            return subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True)
+
+        found = examples(root, program, folder)
+        unlike = list(dict.fromkeys(small(command) for _, command in found))
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            done = dict(zip(unlike, pool.map(run, unlike)))
+        for page, command in found:
+            ended = done[small(command)]
+            told = re.search(r"#.*\bstatus (\d)", command)
+            if ended.returncode != int(told[1] if told else 0):
+                failed += 1
+                print(f"{page}: {command}\n  run as: {small(command)}\n  status {ended.returncode}\n{ended.stdout}")
+    pages = len({page for page, _ in found})
+    print(f"{len(unlike)} examples of {pages} pages, {failed} failed")
+    # Without this, a change of the pages' form that hides all examples would pass.
+    return failed > 0 or pages < 5
+
+
+if __name__ == "__main__":
+    sys.exit(main())
