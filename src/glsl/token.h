@@ -23,7 +23,8 @@ struct Token {
     std::int32_t macro = -1;   // Unit::invocations
     std::int32_t edit = -1;    // Unit::edits
     std::string_view text;
-    std::string_view lead;  // what stands before it: blanks, comments, directives
+    std::string_view spelled;  // by the user, where `text` is the built-in variable that is meant; else empty
+    std::string_view lead;     // what stands before it: blanks, comments, directives
 };
 
 // Changes to a token's text; `before` and `after` go around it. Never holds a line end.
@@ -211,7 +212,8 @@ struct Unit {
     Span span(int token) const {
         const Token& t = at(token);
         const FileId file = t.file < files.size() ? files[t.file] : files.front();
-        const auto length = static_cast<std::uint32_t>(t.macro < 0 ? t.text.size() : 1);
+        const std::string_view spelled = t.spelled.empty() ? t.text : t.spelled;
+        const auto length = static_cast<std::uint32_t>(t.macro < 0 ? spelled.size() : 1);
         return {file, t.offset, t.offset + length};
     }
     std::string_view keep(std::string text) { return arena.emplace_back(std::move(text)); }
