@@ -6,8 +6,31 @@
 
 namespace snell::glsl {
 
+// Prototypes within functions move ahead of these.
+static void lift_prototypes(Unit& u) {
+    for (const Function& f : u.functions) {
+        if (!f.local) continue;
+        const auto around = std::ranges::find_if(
+            u.functions, [&](const Function& g) { return g.open >= 0 && g.open < f.first && f.first < g.close; });
+        if (around == u.functions.end()) continue;
+        Edit& e = u.edit(around->first);
+        e.before = render(u, f.first, f.parameters_end) + "; " + e.before;
+        u.erase(f.first, f.parameters_end + 1);
+    }
+}
+
+// Functions and variables had namespaces of their own.
+void separate_functions(Unit& u) {
+    for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()); ++i) {
+        const std::string_view t = u.at(i).text;
+        if (u.at(i).kind != Kind::identifier || u.at(i + 1).text != "(" || !u.shared_by_kinds.contains(t)) continue;
+        if (u.now(i) == t && (i == 0 || u.at(i - 1).text != ".")) u.replace(i, "snell_" + std::string(t));
+    }
+}
+
 // Functions called above their definition get a prototype.
 void declare_functions(Program& program, Unit& u) {
+    lift_prototypes(u);
     std::string prototypes;
     const Function* first = nullptr;
     for (const Function& f : u.functions) {

@@ -186,6 +186,9 @@ Expression Parser::primary() {
                 return constructor(type, p_ - 1);
             }
         if (is("(", 1)) return call(p_);
+    } else if (is("(", 1) && u_.function_names.contains(t.text)) {
+        u_.shared_by_kinds.insert(t.text);
+        return call(p_);
     } else if (is("(", 1) && !builtin_signatures(t.text).empty()) {
         return call(p_);
     }

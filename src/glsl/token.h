@@ -141,6 +141,7 @@ struct Function {
     int first = -1, parameters_end = -1;  // tokens: of the signature
     int name_token = -1;
     int open = -1, close = -1;  // tokens of the body's braces; -1: a prototype
+    bool local = false;         // a prototype within a function
 };
 
 // `layout(…) in;` and `layout(…) out;`
@@ -177,6 +178,8 @@ struct Unit {
     std::vector<Function> functions;
     std::unordered_set<std::string_view> function_names;
     std::vector<StageLayout> layouts;
+    std::vector<std::pair<int, int>> invariants;           // tokens of `invariant A, B;`
+    std::unordered_set<std::string_view> shared_by_kinds;  // names of a function and of a variable
 
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
     std::set<std::string_view> legacy_written;      // built-in variables that are assigned
@@ -200,6 +203,10 @@ struct Unit {
         Edit& e = edit(token);
         e.text = text;
         e.replaced = true;
+    }
+    // Leaves tokens out; what leads them stays, and with it the lines.
+    void erase(int first, int last) {
+        for (int k = first; k <= last; ++k) edit(k) = {{}, {}, {}, true};
     }
     // The text of the token as it will be written.
     std::string_view now(int token) const {
