@@ -6,17 +6,24 @@
 
 namespace snell::glsl {
 
-// Prototypes within functions move ahead of these.
+// Prototypes within a function move ahead of it. They follow it in the list.
 static void lift_prototypes(Unit& u) {
+    std::string lifted;
+    int around = -1;
+    const auto put = [&] {
+        if (around >= 0 && !lifted.empty()) u.edit(around).before.insert(0, lifted);
+        lifted.clear();
+    };
     for (const Function& f : u.functions) {
-        if (!f.local) continue;
-        const auto around = std::ranges::find_if(
-            u.functions, [&](const Function& g) { return g.open >= 0 && g.open < f.first && f.first < g.close; });
-        if (around == u.functions.end()) continue;
-        Edit& e = u.edit(around->first);
-        e.before = render(u, f.first, f.parameters_end) + "; " + e.before;
-        u.erase(f.first, f.parameters_end + 1);
+        if (f.open >= 0) {
+            put();
+            around = f.first;
+        } else if (f.local) {
+            lifted += render(u, f.first, f.parameters_end) + "; ";
+            u.erase(f.first, f.parameters_end + 1);
+        }
     }
+    put();
 }
 
 // Functions and variables had namespaces of their own.

@@ -68,17 +68,25 @@ void lift(Unit& u, const Declared& inner, int before) {
 }  // namespace
 
 void lift_structures(Unit& u) {
-    for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()); ++i) {
+    constexpr int most = 64;  // far beyond any shader; each moves what stands behind it
+    int lifted = 0;
+    for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()) && lifted < most; ++i) {
         if (u.at(i).text != "struct") continue;
         const Declared outer = declared_at(u, i);
-        if (outer.close < 0) continue;
+        if (outer.close < 0) {
+            if (u.at(outer.name >= 0 ? i + 2 : i + 1).text == "{") return;  // never closed
+            continue;
+        }
         int inner = i + 1;
         while (inner < outer.close && u.at(inner).text != "struct") ++inner;
-        if (inner == outer.close) continue;
-        const Declared found = declared_at(u, inner);
-        if (found.close < 0) continue;
+        const Declared found = inner < outer.close ? declared_at(u, inner) : Declared{};
+        if (found.close < 0) {
+            i = outer.close;
+            continue;
+        }
         const int before = start_of_declaration(u, i);
         lift(u, found, before);
+        ++lifted;
         i = before - 1;  // what was lifted may hold others
     }
 }

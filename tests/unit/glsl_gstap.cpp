@@ -129,8 +129,6 @@ TEST(GlslGstap, MacrosOfTheNamesAndOverThem) {
         translate_texts(t, {{Stage::vertex, include + main}}, options);
         EXPECT_TRUE(t.translation.ok && t.diagnostics.empty());
         EXPECT_TRUE(t.has(Stage::vertex, "snell_ModelViewMatrix * snell_Vertex"));
-        std::string log;
-        EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
     }
     Translated other;
     translate_texts(other, {{Stage::vertex, "#include \"Gstap.hpp\"\n" + main}}, options);
