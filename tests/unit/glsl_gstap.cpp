@@ -1,4 +1,5 @@
 // The names of gstap.h, which glman put ahead of every shader.
+#include <optional>
 #include <string>
 
 #include "tests/unit/glsl_translate_help.h"
