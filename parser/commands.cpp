@@ -90,7 +90,7 @@ constexpr Command table[] = {
     {"GeometryInput", "topology:gl_points/gl_lines/gl_lines_adjacency/gl_triangles/gl_triangles_adjacency?", "What geometry shaders without a layout of their own take.", handle::geometry_input, {}, false, Group::programs},
     {"GeometryOutput", "topology:gl_points/gl_line_strip/gl_triangle_strip?", "What geometry shaders without a layout of their own give.", handle::geometry_output, {}, false, Group::programs},
     {"Program", "name:name? values:uniforms", "Links the current shaders to the program that draws what follows, and gives its uniforms: a number, an array [x y z], a range <min current max> on a slider, <true> or <false>, a colour {r g b} or {r g b a}. Without arguments the built-in program draws.", handle::program, {}, false, Group::programs},
-    {"GSTAP", "", "The shaders use the names of the book Graphics Shaders: uModelViewMatrix, aVertex and so on. snell always offers them.", handle::gstap, {}, false, Group::programs},
+    {"GSTAP", "", "The shaders use the names of the book Graphics Shaders without declaring them: the uniforms uModelViewMatrix, uProjectionMatrix, uModelViewProjectionMatrix, uNormalMatrix and uModelViewMatrixInverse, and in vertex shaders the attributes aVertex, aNormal, aColor and aTexCoord0 to aTexCoord7. snell always offers them, with or without this command; a declaration in the shader wins.", handle::gstap, {}, false, Group::programs},
     {"Ladder", "name:name rungs:rest", "Declares methods from cheap to exact, the current one in angle brackets; the programs that follow are compiled for it.", handle::ladder, {}, addition, Group::programs},
 
     // ---- state

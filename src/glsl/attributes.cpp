@@ -117,7 +117,7 @@ void assign_attributes(Program& program, Unit& u) {
             g.qualifiers = {};
             g.dirty = true;
             if (g.type.dims == 0 && g.type.base >= Base::boolean && g.type.base <= Base::dreal)
-                at_main_start(u, name + " = " + zero(g.type) + ";");
+                at_main_start(u, name + " = " + zero(g.type) + ";", g.name_token);
             continue;
         }
         const Attribute a = *input.attribute;
@@ -134,7 +134,7 @@ void assign_attributes(Program& program, Unit& u) {
         declare_once(u, c.name, "in " + std::string(c.type) + " " + std::string(c.name) + ";");
         g.qualifiers = {};
         g.dirty = true;
-        at_main_start(u, name + " = " + value + ";");
+        at_main_start(u, name + " = " + value + ";", g.name_token);
     }
 }
 

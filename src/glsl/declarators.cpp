@@ -44,6 +44,7 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
             for (int k = q.first; k <= q.last; ++k)
                 if (u_.at(k).text == "const") u_.replace(k, "");
     }
+    if (global && u_.function_names.contains(g.name)) u_.shared_by_kinds.insert(g.name);
     Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
     if (symbol.constant) symbol.value = value;
     if (global && g.type.base == Base::sampler && q.storage == Storage::plain) {
@@ -162,7 +163,10 @@ void Parser::function(const Type& result, int first, int name) {
         accept(";");
     }
     close_scope();
-    declare(function_name, {result, -1, false, true, {}});
+    if (const Symbol* variable = find(function_name); variable && !variable->function)
+        u_.shared_by_kinds.insert(function_name);
+    else
+        declare(function_name, {result, -1, false, true, {}});
 }
 
 }  // namespace snell::glsl

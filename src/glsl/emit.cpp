@@ -172,8 +172,13 @@ const Function* find_main(const Unit& u) {
 
 bool user_function(const Unit& u, std::string_view name) { return u.function_names.contains(name); }
 
-bool at_main_start(Unit& u, std::string_view statement) {
-    if (!find_main(u)) return false;
+bool at_main_start(Unit& u, std::string_view statement, int declared) {
+    const Function* main = find_main(u);
+    if (!main) return false;
+    if (declared > main->open) {
+        declare_before_main(u, {}, std::string(statement) + " ");
+        return true;
+    }
     u.main_start += " ";
     u.main_start += statement;
     return true;
@@ -212,6 +217,39 @@ std::string zero(const Type& type) {
                                           : "0.0";
     return std::string(type_name(type.base, type.rows, type.cols)) + "(" +
            (type.base == Base::boolean ? "false" : "0") + (type.floating() ? ".0)" : ")");
+}
+
+namespace {
+
+// As far as `budget` variables and members go: structures of structures multiply.
+std::string zero_statements(const Unit& u, const std::string& variable, const Type& type, int& budget) {
+    if (budget-- <= 0) return {};
+    if (type.dims > 0) {
+        if (type.size < 0) return {};  // it has as many elements as constants index
+        Type element = type;
+        --element.dims;
+        element.size = 1;  // known to the driver
+        const std::string index = "snell_" + std::to_string(type.dims);
+        const std::string each = zero_statements(u, variable + "[" + index + "]", element, budget);
+        return each.empty() ? each
+                            : "for (int " + index + " = 0; " + index + " < " + variable + ".length(); ++" + index +
+                                  ") { " + each + " }";
+    }
+    if (type.base == Base::structure && type.structure >= 0) {
+        std::string all;
+        for (const Member& m : u.structs[static_cast<std::size_t>(type.structure)].members)
+            if (budget > 0) all += zero_statements(u, variable + "." + std::string(m.name), m.type, budget) + " ";
+        return all;
+    }
+    if (type.base < Base::boolean || type.base > Base::dreal) return {};
+    return variable + " = " + zero(type) + ";";
+}
+
+}  // namespace
+
+std::string set_zero(const Unit& u, const std::string& variable, const Type& type) {
+    int budget = 1000;  // OpenGL passes fewer components between stages
+    return zero_statements(u, variable, type, budget);
 }
 
 std::string converted(std::string_view text, const Type& from, const Type& to) {

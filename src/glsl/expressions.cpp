@@ -127,6 +127,8 @@ Expression Parser::expression() {
     Expression e = assignment();
     while (is(",")) {
         const int first = e.first;
+        // Before a comma, what does nothing is left out: OpenGL ES 1.00 has constants with commas.
+        if (e.constant && first >= 0 && e.last == p_ - 1) u_.erase(first, p_);
         ++p_;
         e = assignment();
         e.first = first;

@@ -6,8 +6,38 @@
 
 namespace snell::glsl {
 
+// Prototypes within a function move ahead of it. They follow it in the list.
+static void lift_prototypes(Unit& u) {
+    std::string lifted;
+    int around = -1;
+    const auto put = [&] {
+        if (around >= 0 && !lifted.empty()) u.edit(around).before.insert(0, lifted);
+        lifted.clear();
+    };
+    for (const Function& f : u.functions) {
+        if (f.open >= 0) {
+            put();
+            around = f.first;
+        } else if (f.local) {
+            lifted += render(u, f.first, f.parameters_end) + "; ";
+            u.erase(f.first, f.parameters_end + 1);
+        }
+    }
+    put();
+}
+
+// Functions and variables had namespaces of their own.
+void separate_functions(Unit& u) {
+    for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()); ++i) {
+        const std::string_view t = u.at(i).text;
+        if (u.at(i).kind != Kind::identifier || u.at(i + 1).text != "(" || !u.shared_by_kinds.contains(t)) continue;
+        if (u.now(i) == t && (i == 0 || u.at(i - 1).text != ".")) u.replace(i, "snell_" + std::string(t));
+    }
+}
+
 // Functions called above their definition get a prototype.
 void declare_functions(Program& program, Unit& u) {
+    lift_prototypes(u);
     std::string prototypes;
     const Function* first = nullptr;
     for (const Function& f : u.functions) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "src/glsl/legacy.h"
 #include "src/glsl/program.h"
 #include "src/glsl/words.h"
 
@@ -181,6 +182,29 @@ void rewrite(Unit& u, const Group& group) {
     }
 }
 
+// `invariant A, B;`, less what passes between no stages any more, what is ours, and inputs: only versions before 4.20
+// want the word on both sides.
+void write_invariants(const Target& target, Unit& u, int first, int last) {
+    const auto stays = [&](std::string_view name) {
+        if (const LegacyName* legacy = legacy_name(name)) return legacy->kind == LegacyKind::core;
+        const auto global = std::ranges::find(u.globals, name, &Global::name);
+        if (global == u.globals.end() || global->qualifiers.storage == Storage::out) return true;
+        return global->qualifiers.storage == Storage::in && !target.es && target.version < 420;
+    };
+    std::string names;
+    bool all = true;
+    for (int k = first + 1; k < last; ++k) {
+        if (u.at(k).kind != Kind::identifier) continue;
+        if (stays(u.at(k).text))
+            names += (names.empty() ? "" : ", ") + std::string(u.now(k));
+        else
+            all = false;
+    }
+    if (all) return;
+    u.erase(first, last);
+    if (!names.empty()) u.replace(first, "invariant " + names + ";");
+}
+
 }  // namespace
 
 void move_initialisers(Program& program, Unit& u) {
@@ -200,13 +224,15 @@ void move_initialisers(Program& program, Unit& u) {
             u.replace(g.init_last, ")");
         }
         if (g.dims == "[]" && g.type.size > 0) g.dims = "[" + std::to_string(g.type.size) + "]";
-        at_main_start(u, std::string(u.now(g.name_token)) + " = " + render(u, g.init_first, g.init_last) + ";");
+        at_main_start(u, std::string(u.now(g.name_token)) + " = " + render(u, g.init_first, g.init_last) + ";",
+                      g.name_token);
         g.drop_init = true;
         g.dirty = true;
     }
 }
 
 void write_declarations(Program& program, Unit& u) {
+    for (const auto& [first, last] : u.invariants) write_invariants(program.target(), u, first, last);
     for (Global& g : u.globals) adjust(program, u, g);
     for (const Group& group : u.groups) {
         if (group.last < 0) continue;

@@ -46,8 +46,9 @@ void drop_location(Global& g) {
         g.dirty = true;
 }
 
-std::string element_dims(const Unit& u, const Global& g) {
-    if (g.dims != "[]") return g.dims;
+// With a size for each vertex of the primitive where none is written.
+std::string element_dims(const Unit& u, const std::string& dims) {
+    if (dims != "[]") return dims;
     for (const StageLayout& l : u.layouts)
         for (const LayoutItem& i : l.qualifiers.layout) {
             if (i.name == "points") return "[1]";
@@ -58,22 +59,61 @@ std::string element_dims(const Unit& u, const Global& g) {
     return u.stage == Stage::geometry ? "[3]" : "[32]";
 }
 
-void read_as_zero(Program& program, Unit& u, Global& g, const Unit& from) {
+void warn_of_zero(Program& program, const Unit& u, int token, std::string_view name, const Unit& from) {
     static constexpr std::string_view stage_names[] = {"vertex", "tessellation control", "tessellation evaluation",
                                                        "geometry", "fragment"};
-    if (!g.uses.empty())
-        program.warn(u, g.name_token, "input-without-output",
-                     "'" + std::string(g.name) + "' is no output of the " +
-                         std::string(stage_names[static_cast<std::size_t>(from.stage)]) +
-                         " shader: it is read as zero");
-    if (g.type.base < Base::boolean || g.type.base > Base::dreal) return;
+    program.warn(u, token, "input-without-output",
+                 "'" + std::string(name) + "' is no output of the " +
+                     std::string(stage_names[static_cast<std::size_t>(from.stage)]) + " shader: it is read as zero");
+}
+
+void read_as_zero(Program& program, Unit& u, Global& g, const Unit& from) {
+    if (!g.uses.empty()) warn_of_zero(program, u, g.name_token, g.name, from);
+    if ((g.type.base < Base::boolean || g.type.base > Base::dreal) && g.type.structure < 0) return;
     Qualifiers plain;
     plain.first = g.qualifiers.first;
     plain.last = g.qualifiers.last;
     g.qualifiers = plain;
     g.dirty = true;
-    g.dims = element_dims(u, g);
-    if (g.type.dims == 0) at_main_start(u, std::string(u.now(g.name_token)) + " = " + zero(g.type) + ";");
+    Type sized = g.type;
+    if (g.dims == "[]") sized.size = 1;
+    g.dims = element_dims(u, g.dims);
+    at_main_start(u, set_zero(u, std::string(u.now(g.name_token)), sized), g.name_token);
+}
+
+// A block becomes a structure of that instance, or its members become variables.
+void read_as_zero(Program& program, Unit& u, Block& b, const Unit& from) {
+    warn_of_zero(program, u, b.open - 1, b.name, from);
+    b.qualifiers.storage = Storage::plain;
+    u.erase(b.first, b.open - 1);
+    for (const auto& [first, last] : b.member_tokens)
+        for (int k = first; k <= last && is_qualifier(u.at(k).text); ++k) {
+            int end = k;
+            if (u.at(k).text == "layout")
+                while (end < last && u.at(end).text != ")") ++end;
+            u.erase(k, end);
+            k = end;
+        }
+    std::string start, before, after;
+    if (b.instance.empty()) {
+        u.erase(b.open, b.open);
+        u.erase(b.close, b.last);
+    } else {
+        u.replace(b.first, "struct snell_" + std::string(b.name) + " ");
+        before = std::string(b.instance) + ".";
+    }
+    if (b.arrayed) {
+        for (int k = b.close; k < b.last; ++k)
+            if (u.at(k).text == "[" && u.at(k + 1).text == "]") {
+                const std::string size = element_dims(u, "[]");
+                u.replace(k, size.substr(0, size.size() - 1));
+            }
+        start = "for (int snell_n = 0; snell_n < " + before + "length(); ++snell_n) { ";
+        before = std::string(b.instance) + "[snell_n].";
+        after = "}";
+    }
+    for (const Member& m : b.members) start += set_zero(u, before + std::string(m.name), m.type) + " ";
+    at_main_start(u, start + after, b.last);
 }
 
 // Varyings declared with two types: the input is declared as the output is, its uses converted.
@@ -144,6 +184,12 @@ void match_interfaces(Program& program) {
         Unit* from = program.before(u);
         if (!from) continue;
         turn_around(program, *from, u);
+        for (Block& b : u.blocks) {
+            const bool given = std::ranges::any_of(
+                from->blocks, [&](const Block& o) { return o.qualifiers.storage == Storage::out && o.name == b.name; });
+            if (b.qualifiers.storage == Storage::in && !given && !b.name.starts_with("gl_"))
+                read_as_zero(program, u, b, *from);
+        }
         for (Global& g : u.globals) {
             if (g.qualifiers.storage != Storage::in || builtin(g) || g.removed) continue;
             Global* out = find_output(*from, g.name);

@@ -1,5 +1,7 @@
 #include "src/glsl/legacy.h"
 
+#include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 namespace snell::glsl {
@@ -138,7 +140,40 @@ constexpr LegacyName names[] = {
     {"gl_MaxDrawBuffers", core, "int"},
 };
 
+struct GstapName {
+    std::string_view name, meaning;
+};
+constexpr GstapName gstap[] = {
+    {"uModelViewMatrix", "gl_ModelViewMatrix"},
+    {"uProjectionMatrix", "gl_ProjectionMatrix"},
+    {"uModelViewProjectionMatrix", "gl_ModelViewProjectionMatrix"},
+    {"uNormalMatrix", "gl_NormalMatrix"},
+    {"uModelViewMatrixInverse", "gl_ModelViewMatrixInverse"},
+    {"aVertex", "gl_Vertex"},
+    {"aNormal", "gl_Normal"},
+    {"aColor", "gl_Color"},
+    {"aTexCoord0", "gl_MultiTexCoord0"},
+    {"aTexCoord1", "gl_MultiTexCoord1"},
+    {"aTexCoord2", "gl_MultiTexCoord2"},
+    {"aTexCoord3", "gl_MultiTexCoord3"},
+    {"aTexCoord4", "gl_MultiTexCoord4"},
+    {"aTexCoord5", "gl_MultiTexCoord5"},
+    {"aTexCoord6", "gl_MultiTexCoord6"},
+    {"aTexCoord7", "gl_MultiTexCoord7"},
+};
+
 }  // namespace
+
+std::string_view gstap_meaning(std::string_view name, Stage stage) {
+    if (!name.starts_with('u') && (!name.starts_with('a') || stage != Stage::vertex)) return {};
+    const auto* found = std::ranges::find(gstap, name, &GstapName::name);
+    return found == std::end(gstap) ? std::string_view() : found->meaning;
+}
+
+std::string_view gstap_name(std::string_view gl_name) {
+    const auto* found = std::ranges::find(gstap, gl_name, &GstapName::meaning);
+    return found == std::end(gstap) ? std::string_view() : found->name;
+}
 
 std::string_view legacy_struct_text(std::string_view gl_type) {
     if (!gl_type.starts_with("gl_")) return {};

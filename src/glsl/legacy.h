@@ -32,4 +32,10 @@ std::string_view legacy_struct_text(std::string_view gl_type);
 
 const LegacyName* legacy_name(std::string_view name);
 
+// glman put gstap.h ahead of every shader: uModelViewMatrix, aVertex and so on mean built-in variables where nothing
+// of that name is declared, the attributes in the vertex stage alone. Empty for other names.
+std::string_view gstap_meaning(std::string_view name, Stage stage);
+// The name of gstap.h for a built-in variable; empty where it has none.
+std::string_view gstap_name(std::string_view gl_name);
+
 }  // namespace snell::glsl

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <utility>
 
+#include "src/glsl/legacy.h"
 #include "src/glsl/log.h"
 
 namespace snell::glsl::log {
@@ -201,6 +202,8 @@ std::string user_name(std::string_view translated, std::string_view user) {
         if (has_word(user, translated)) return std::string(translated);
         std::string legacy = "gl_" + std::string(rest);
         if (has_word(user, legacy)) return legacy;
+        const std::string_view gstap = gstap_name(legacy);
+        if (!gstap.empty() && has_word(user, gstap)) return std::string(gstap);
         if (has_word(user, rest)) return std::string(rest);
         const bool built_in = !rest.empty() && std::isupper(static_cast<unsigned char>(rest[0])) != 0;
         return built_in ? legacy : std::string(rest);

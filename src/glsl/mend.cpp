@@ -216,6 +216,7 @@ void mend_for_es(Unit& u) {
 
 void mend_words(Program& program, Unit& u) {
     drop_meaningless(program, u);
+    lift_structures(u);
     mend_dashes(program, u);
     mend_foreign_types(program, u);
     const Target& target = program.target();

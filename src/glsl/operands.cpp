@@ -186,6 +186,9 @@ Expression Parser::primary() {
                 return constructor(type, p_ - 1);
             }
         if (is("(", 1)) return call(p_);
+    } else if (is("(", 1) && u_.function_names.contains(t.text)) {
+        u_.shared_by_kinds.insert(t.text);
+        return call(p_);
     } else if (is("(", 1) && !builtin_signatures(t.text).empty()) {
         return call(p_);
     }
@@ -218,10 +221,15 @@ Expression Parser::cast() {
 Expression Parser::name() {
     Expression e;
     e.first = e.last = p_;
-    const std::string_view t = text();
+    std::string_view t = text();
     ++p_;
     e.constant = false;
-    if (const Symbol* symbol = find(t); symbol && !symbol->function) {
+    const Symbol* symbol = find(t);
+    if (const std::string_view meaning = gstap_meaning(t, u_.stage); !symbol && !meaning.empty()) {
+        u_.tokens[static_cast<std::size_t>(e.first)].spelled = t;
+        u_.tokens[static_cast<std::size_t>(e.first)].text = t = meaning;
+    }
+    if (symbol && !symbol->function) {
         e.type = symbol->type;
         e.constant = symbol->constant;
         e.value = symbol->value;

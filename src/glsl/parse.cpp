@@ -95,7 +95,7 @@ bool Parser::layout(Qualifiers& q) {
     if (!accept("(")) return false;
     while (!at_end() && !is(")")) {
         LayoutItem item;
-        item.name = token().text;
+        for (const char c : text()) item.name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
         ++p_;
         if (accept("=")) {
             while (!at_end() && !is(",") && !is(")")) {
@@ -335,8 +335,11 @@ void Parser::external() {
     const bool interface = q.storage == Storage::in || q.storage == Storage::out || q.storage == Storage::uniform ||
                            q.storage == Storage::buffer;
     if (interface && token().kind == Kind::identifier && is("{", 1) && !is("struct")) return block(q, first);
-    if (p_ > first && (q.invariant || q.precise) && token().kind == Kind::identifier && (is(";", 1) || is(",", 1)))
-        return skip_to_semicolon();  // invariant gl_Position;
+    if (p_ > first && (q.invariant || q.precise) && token().kind == Kind::identifier && (is(";", 1) || is(",", 1))) {
+        skip_to_semicolon();
+        if (q.invariant) u_.invariants.emplace_back(first, p_ - 1);  // invariant gl_Position;
+        return;
+    }
     Group group;
     group.first = first;
     group.type_first = p_;
@@ -355,7 +358,10 @@ void Parser::external() {
         dimensions(base, nullptr);
         group.type_last = p_ - 1;
     }
-    if (accept(";")) return;  // struct X { … };
+    if (accept(";")) {  // struct X { … };
+        if (defines) u_.erase(first, group.type_first - 1);
+        return;
+    }
     if (token().kind == Kind::identifier && is("(", 1)) return function(base, first, p_);
     declarators(q, base, group, true);
 }

@@ -59,6 +59,7 @@ private:
     void statement();
     void compound();
     void local_declaration();
+    void local_prototype(const Type& result, int first);
     void for_statement();
 
     // expressions

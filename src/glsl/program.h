@@ -45,6 +45,8 @@ struct Program {
 // Before the parse: words that became reserved, words that mean nothing here, odd numbers.
 void mend_words(Program& program, Unit& unit);
 void rename_words(Program& program);
+// Structures declared inside structures move ahead of them.
+void lift_structures(Unit& unit);
 
 // A stage that the pipeline needs and the program lacks, as source text; empty if none is missing.
 std::string default_vertex_shader(Program& program);
@@ -56,6 +58,8 @@ bool has_plain_depth(Program& program);
 // The name stands among its tokens.
 bool mentions(const Unit& unit, std::string_view name);
 
+// Functions that a variable is named like get another name.
+void separate_functions(Unit& unit);
 // Prototypes of functions that are called above their definition.
 void declare_functions(Program& program, Unit& unit);
 // Copies of inputs and uniforms that are assigned.
@@ -93,8 +97,9 @@ std::string render(const Unit& unit, int first, int last);
 
 // Declares `in`, `out` or the like in the header unless the text does so itself.
 void declare_once(Unit& unit, std::string_view name, std::string_view declaration);
-// The unit's main has code to run before the user's; false if there is no main.
-bool at_main_start(Unit& unit, std::string_view statement);
+// The unit's main has code to run before the user's; false if there is no main. `declared`: the token where the
+// variable that it sets is declared, which may be behind main.
+bool at_main_start(Unit& unit, std::string_view statement, int declared = -1);
 // Runs a statement when main has returned.
 void at_main_end(Unit& unit, std::string_view statement);
 // Declares behind the user's text, and runs statements before anything that main does.
@@ -105,5 +110,7 @@ bool user_function(const Unit& unit, std::string_view name);
 std::string converted(std::string_view text, const Type& from, const Type& to);
 // Zero of a type that is no structure.
 std::string zero(const Type& type);
+// Statements that set a variable of any type to zero, member by member and element by element.
+std::string set_zero(const Unit& unit, const std::string& variable, const Type& type);
 
 }  // namespace snell::glsl

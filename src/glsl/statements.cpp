@@ -35,14 +35,26 @@ bool Parser::starts_declaration() const {
 }
 
 void Parser::local_declaration() {
+    const int first = p_;
     const Qualifiers q = qualifiers();
     bool defines = false;
     const std::optional<Type> type = type_specifier(defines);
     if (!type) return skip_to_semicolon();
     Type base = *type;
     dimensions(base, nullptr);
-    if (is("(", 1)) return skip_to_semicolon();  // a local prototype
+    if (is("(", 1)) return local_prototype(base, first);
     declarators(q, base, {}, false);
+}
+
+// GLSL 1.10 has them; they go before the function.
+void Parser::local_prototype(const Type& result, int first) {
+    const int name = p_++;
+    skip_balanced();
+    if (!is(";")) return skip_to_semicolon();
+    p_ = name;
+    const std::size_t known = u_.functions.size();
+    function(result, first, name);
+    if (u_.functions.size() > known) u_.functions.back().local = true;
 }
 
 void Parser::for_statement() {

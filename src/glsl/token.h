@@ -23,7 +23,8 @@ struct Token {
     std::int32_t macro = -1;   // Unit::invocations
     std::int32_t edit = -1;    // Unit::edits
     std::string_view text;
-    std::string_view lead;  // what stands before it: blanks, comments, directives
+    std::string_view spelled;  // by the user, where `text` is the built-in variable that is meant; else empty
+    std::string_view lead;     // what stands before it: blanks, comments, directives
 };
 
 // Changes to a token's text; `before` and `after` go around it. Never holds a line end.
@@ -140,6 +141,7 @@ struct Function {
     int first = -1, parameters_end = -1;  // tokens: of the signature
     int name_token = -1;
     int open = -1, close = -1;  // tokens of the body's braces; -1: a prototype
+    bool local = false;         // a prototype within a function
 };
 
 // `layout(…) in;` and `layout(…) out;`
@@ -176,6 +178,8 @@ struct Unit {
     std::vector<Function> functions;
     std::unordered_set<std::string_view> function_names;
     std::vector<StageLayout> layouts;
+    std::vector<std::pair<int, int>> invariants;           // tokens of `invariant A, B;`
+    std::unordered_set<std::string_view> shared_by_kinds;  // names of a function and of a variable
 
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
     std::set<std::string_view> legacy_written;      // built-in variables that are assigned
@@ -200,6 +204,10 @@ struct Unit {
         e.text = text;
         e.replaced = true;
     }
+    // Leaves tokens out; what leads them stays, and with it the lines.
+    void erase(int first, int last) {
+        for (int k = first; k <= last; ++k) edit(k) = {{}, {}, {}, true};
+    }
     // The text of the token as it will be written.
     std::string_view now(int token) const {
         const Token& t = tokens[static_cast<std::size_t>(token)];
@@ -211,7 +219,8 @@ struct Unit {
     Span span(int token) const {
         const Token& t = at(token);
         const FileId file = t.file < files.size() ? files[t.file] : files.front();
-        const auto length = static_cast<std::uint32_t>(t.macro < 0 ? t.text.size() : 1);
+        const std::string_view spelled = t.spelled.empty() ? t.text : t.spelled;
+        const auto length = static_cast<std::uint32_t>(t.macro < 0 ? spelled.size() : 1);
         return {file, t.offset, t.offset + length};
     }
     std::string_view keep(std::string text) { return arena.emplace_back(std::move(text)); }

@@ -109,6 +109,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
 
     const bool plain_depth = has_plain_depth(program);
     for (Unit& u : program.units) {
+        separate_functions(u);
         want_extensions(options.target, u);
         provide_helpers(options.target, u);
         if (u.stage == Stage::geometry) complete_geometry(program, u);

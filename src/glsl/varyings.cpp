@@ -279,8 +279,10 @@ void replace_attribute(Context& c, Unit& u, int i, const LegacyName& name) {
     const std::size_t size = u.header.size();
     declare_once(u, copy, std::string(name.type) + " " + copy + ";");
     if (u.header.size() > size) {
+        const std::string_view spelled = u.at(i).spelled;
         c.program.warn(u, i, "assigned-input",
-                       "'" + std::string(name.name) + "' comes from outside and can't be assigned: a copy is");
+                       "'" + std::string(spelled.empty() ? name.name : spelled) +
+                           "' comes from outside and can't be assigned: a copy is");
         at_main_start(u, copy + " = " + own + ";");
     }
     u.replace(i, copy);

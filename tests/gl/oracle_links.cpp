@@ -57,9 +57,11 @@ void link_all(const ContextRequest& request, const glsl::Target& target, const I
 
 const Impossible impossible_33 = {};
 const Impossible impossible_es32 = {
+    {"array-redeclared", "ES has no arrays without a size"},
     {"point-size-geometry", "ES has the size of points in geometry shaders only as an extension"},
 };
 const Impossible impossible_es30 = {
+    {"array-redeclared", "ES has no arrays without a size"},
     {"interface-block", "ES 3.0 has no blocks between stages"},
     {"interface-block-unnamed", "ES 3.0 has no blocks between stages"},
 };

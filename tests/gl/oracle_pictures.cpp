@@ -27,6 +27,7 @@ const std::map<std::string, Exception> exceptions = {
 
 // Programs whose picture on OpenGL ES has to be another one.
 const std::map<std::string, std::string_view> no_es_picture = {
+    {"array-redeclared", "ES has no arrays without a size"},
     {"texture-1d", "ES has no such textures: what is sampled in their place is up to the runtime"},
     {"point-size-geometry", "ES has the size of points in geometry shaders only as an extension"},
 };

@@ -112,5 +112,30 @@ TEST(GlslRobust, DeepNesting) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20) * patience);
 }
 
+// What is moved or written out member by member: each may be many, or multiply.
+TEST(GlslRobust, ManyOfWhatIsMoved) {
+    const auto start = std::chrono::steady_clock::now();
+    std::string structs, prototypes = "void main() {", members, deep, doubled = "struct S0 { float x; };";
+    for (int n = 0; n < 20000; ++n) {
+        structs += "struct A { struct B { int x; } b; };\n";
+        prototypes += "float f(float x);";
+        members += "struct { int x; } b" + std::to_string(n) + "; ";
+    }
+    for (int n = 0; n < 50; ++n) deep += "struct A" + std::to_string(n) + " { ";
+    for (int n = 0; n < 50; ++n) deep += " } b;";
+    for (int n = 1; n < 40; ++n) {
+        const std::string before = "S" + std::to_string(n - 1);
+        doubled += "struct S" + std::to_string(n) + " { " + before + " a, b; };";
+    }
+    const std::string main = "void main() { gl_FragColor = vec4(1.); }";
+    EXPECT_FALSE(fragment(structs + main).translation.stages.empty());
+    EXPECT_FALSE(fragment("struct A { " + members + "};" + main).translation.stages.empty());
+    EXPECT_FALSE(fragment(deep + main).translation.stages.empty());
+    EXPECT_FALSE(fragment(prototypes + "}").translation.stages.empty());
+    EXPECT_LT(fragment(doubled + "in S39 a; in B { S39 a; A n; };" + main).text(Stage::fragment).size(), 1U << 20U);
+    EXPECT_FALSE(fragment("struct A { A a; }; in A a;" + main).translation.stages.empty());
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10) * patience);
+}
+
 }  // namespace
 }  // namespace snell::glsl::test
