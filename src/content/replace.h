@@ -52,6 +52,12 @@ std::string write_file(const std::filesystem::path& path, std::string_view bytes
 // /dev/stdout, are written to as they are.
 std::string replace_file(const std::string& path, std::string_view bytes);
 
+// Whether replace_file() would find its place as it should be, asked before any work: "" or why not.
+std::string check_place(const std::string& path);
+
+// It is written to as it is, so nothing that was there is lost.
+bool is_stream(const std::string& path);
+
 // Its bytes as they are now; none where it can't be read.
 std::string whole_file(const std::string& path);
 
