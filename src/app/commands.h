@@ -89,7 +89,7 @@ struct ExplainOptions {
     int rounds = 31;
     std::string context;
     Access access;
-    double timeout = 20;  // seconds for reading, or for one round of frames
+    double timeout = 20;  // seconds for all of it; frames are timed for as long as there is time
 };
 int explain(const ExplainOptions& options);
 

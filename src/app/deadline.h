@@ -25,6 +25,8 @@ public:
 
     // What is done from now on has the whole time again.
     void begin(std::string what);
+    // What is done from now on has what is left of the time.
+    void now(std::string what);
     // Nothing is being done that could take too long.
     void rest();
 
