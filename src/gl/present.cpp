@@ -28,8 +28,9 @@ bool Canvas::resize(int width, int height, int samples) {
 }
 
 void Canvas::resolve() {
-    if (resolved_.framebuffer)
-        copy(drawn_.framebuffer.get(), resolved_.framebuffer.get(), drawn_.width, drawn_.height, 0, 0);
+    if (!resolved_.framebuffer) return;
+    settle();
+    copy(drawn_.framebuffer.get(), resolved_.framebuffer.get(), drawn_.width, drawn_.height, 0, 0);
 }
 
 void Canvas::show(int x, int y) const {
@@ -46,6 +47,9 @@ void clear_window(int width, int height, float red, float green, float blue) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void finish() { glFinish(); }
+void finish() {
+    settle();
+    glFinish();
+}
 
 }  // namespace snell::gl

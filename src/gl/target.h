@@ -29,6 +29,11 @@ struct TextureTarget {
 };
 TextureTarget make_texture_target(const std::vector<Attachment>& attachments, int width, int height);
 
+// Before another target is drawn to, or a picture is read. llvmpipe's threads may still be about to unlock the fence of
+// the last target when the driver frees it, which ends the process now and then: glFinish and glReadPixels look at a
+// fence without its lock, glWaitSync takes the lock, and nothing is left to unlock then. GPUs do nothing here.
+void settle();
+
 // Rows top first, RGBA bytes or floats. Resolves multisampled framebuffers.
 std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples);
 std::vector<float> read_rgba32f(GLuint framebuffer, int width, int height, int samples);
