@@ -19,6 +19,8 @@
 #include "src/app/deadline.h"
 #include "src/app/document.h"
 #include "src/app/headless.h"
+#include "src/app/outputs.h"
+#include "src/app/quality.h"
 #include "src/content/replace.h"
 
 namespace snell::app {
@@ -116,21 +118,39 @@ bool write_text(const std::string& path, const std::string& text) {
 // plot.svg, plot-2.svg …
 std::string plot_path(const std::string& svg, std::size_t index) {
     if (index == 0) return svg;
-    const std::size_t dot = svg.rfind('.');
-    return svg.substr(0, dot) + fmt::format("-{}", index + 1) + (dot == std::string::npos ? "" : svg.substr(dot));
+    const std::filesystem::path path(svg);
+    return (path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), index + 1, path.extension().string()))
+        .string();
 }
 
+// As a page names it that is written there.
+std::string link_from(const std::string& page, const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(page).parent_path();
+    std::error_code error;
+    return std::filesystem::proximate(file, folder.empty() ? "." : folder, error).generic_string();
+}
+
+// With as many plots as are known before the measurement.
+Exit look_at_outputs(const AccuracyOptions& options, std::size_t sweeps) {
+    std::vector<std::string> files{options.html, options.json, options.csv, options.markdown};
+    for (std::size_t i = 0; i < sweeps && !options.svg.empty(); ++i) files.push_back(plot_path(options.svg, i));
+    for (const std::string& scene : options.scenes)
+        if (options.save_quality) files.push_back(quality_path(scene));
+    return check_outputs(files, options.scenes);
+}
+
+// What can't be written costs no other report.
 bool write_all(const AccuracyOptions& options, const Report& report) {
     std::vector<std::string> plots;  // as the page names them
-    bool written = write_text(options.csv, csv_text(report)) && write_text(options.json, json_text(report)) &&
-                   write_text(options.html, html_text(report));
-    for (std::size_t i = 0; i < report.sweeps.size() && written && !options.svg.empty(); ++i) {
+    bool written = write_text(options.csv, csv_text(report));
+    written = write_text(options.json, json_text(report)) && written;
+    written = write_text(options.html, html_text(report)) && written;
+    for (std::size_t i = 0; i < report.sweeps.size() && !options.svg.empty(); ++i) {
         const std::string path = plot_path(options.svg, i);
-        const std::filesystem::path page = std::filesystem::path(options.markdown).parent_path();
-        plots.push_back(std::filesystem::path(path).lexically_relative(page).generic_string());
-        written = write_text(path, svg_text(report.sweeps[i]));
+        written = write_text(path, svg_text(report.sweeps[i])) && written;
+        plots.push_back(link_from(options.markdown, path));
     }
-    return written && write_text(options.markdown, markdown_text(report, plots));
+    return write_text(options.markdown, markdown_text(report, plots)) && written;
 }
 
 // A scene that was read, and what of it is to be measured.
@@ -258,6 +278,8 @@ int accuracy(const AccuracyOptions& options) {
         }
     }
     if (subjects.empty()) return exit_input;
+    if (const Exit wrong = look_at_outputs(options, std::max<std::size_t>(work.sweeps, 1)); wrong != exit_fine)
+        return wrong;
     const std::array<int, 2> window = subjects.front()->plan.scene.window_size;
     const auto [width, height] = options.size.value_or(std::pair(window[0], window[1]));
     const BenchSettings settings{width, height, options.time, options.sets};

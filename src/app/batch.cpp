@@ -14,6 +14,7 @@
 #include "src/app/rounds.h"
 #include "src/app/view_text.h"
 #include "src/content/replace.h"
+#include "src/content/whole.h"
 #include "src/runtime/uniforms.h"
 
 namespace snell::app {
@@ -40,9 +41,13 @@ void print_all(const Document& document, bool quiet) {
     for (const Message& message : document.scene().messages) fmt::print(stderr, "{}\n", utf8::printable(message.text));
 }
 
-bool exists(const std::string& file) {
+// Cut-off files, such as those of a copy that ended early, are no pictures.
+bool is_there(const std::string& file, const Limits& most) {
     std::error_code error;
-    return std::filesystem::is_regular_file(file, error);
+    if (!std::filesystem::is_regular_file(file, error)) return false;
+    const std::size_t side = std::min<std::uint64_t>(most.output_side, 1 << 20);
+    const content::ImageLimits limits{static_cast<int>(side), side * side * 4 * sizeof(float)};
+    return content::is_whole(file, content::whole_file(file), limits);
 }
 
 std::string assignment(const Axis& axis, const AxisValue& value) { return axis.name + "=" + value.written; }
@@ -107,7 +112,7 @@ void Batch::scene(std::size_t scene, const std::vector<std::size_t>& indices) {
     for (const std::size_t index : indices) {
         if (refused_) break;
         const Shot shot = shots_.shot(index);
-        if (options_.skip_existing && exists(shots_.files[index])) {
+        if (options_.skip_existing && is_there(shots_.files[index], options_.access.limits)) {
             skip(shot);
             continue;
         }

@@ -89,7 +89,7 @@ struct ExplainOptions {
     int rounds = 31;
     std::string context;
     Access access;
-    double timeout = 20;  // in seconds for reading, or for one round of frames
+    double timeout = 20;  // in seconds, for the whole command; frames are timed as long as there is time
 };
 int explain(const ExplainOptions& options);
 

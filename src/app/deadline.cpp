@@ -37,6 +37,11 @@ void Deadline::begin(std::string what) {
     if (idle) change_.notify_all();
 }
 
+void Deadline::now(std::string what) {
+    const std::lock_guard lock(mutex_);
+    what_ = std::move(what);
+}
+
 void Deadline::rest() {
     const std::lock_guard lock(mutex_);
     end_ = Clock::time_point::max();

@@ -26,6 +26,8 @@ public:
 
     // Starts the time again for the work that begins now; `what` names it in the message.
     void begin(std::string what);
+    // The work that begins now has what is left of the time; `what` names it in the message.
+    void now(std::string what);
     // Stops the time until the next begin().
     void rest();
 

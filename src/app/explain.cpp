@@ -28,8 +28,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Paid = Explanation::Paid;
 
-constexpr int fewest_rounds = 5;
-constexpr double most_time = 20e3;  // milliseconds
+constexpr double most_time = 20e3;  // milliseconds of timing frames
+constexpr double most_share = .9;   // of what is left of --timeout: the last frame may take longer than those before
 
 double cpu_milliseconds() {
     timespec now{};
@@ -52,14 +52,12 @@ std::string bytes_text(std::uint64_t bytes) {
 // Times of many frames, by what was left out.
 class Rounds {
 public:
-    Rounds(Runtime& runtime, const Frame& frame, const Surface& surface, bool software,
-           const std::function<void()>& before)
-        : runtime_(runtime), frame_(frame), surface_(surface), software_(software), before_(before) {}
+    Rounds(Runtime& runtime, const Frame& frame, const Surface& surface, bool software)
+        : runtime_(runtime), frame_(frame), surface_(surface), software_(software) {}
 
     FrameCost once(const std::vector<bool>* hidden, int frames = 1) {
         Frame frame = frame_;
         frame.hidden = hidden;
-        before_();
         gl::finish();
         const bool query = !software_ && query_.available();
         if (query) query_.begin();
@@ -87,16 +85,14 @@ private:
     Frame frame_;
     Surface surface_;
     bool software_;
-    const std::function<void()>& before_;
     gl::TimerQuery query_;
 };
 
-// Of what was measured in the same rounds.
+// Of what was measured in the same rounds; the last one may have been left early.
 FrameCost median_difference(const std::vector<FrameCost>& with, const std::vector<FrameCost>& without, bool gpu) {
     const auto median = [&](auto value) {
         std::vector<double> differences;
-        for (std::size_t i = 0; i < with.size(); ++i)
-            differences.push_back(value(with[i]) - (without.empty() ? 0 : value(without[i])));
+        for (std::size_t i = 0; i < without.size(); ++i) differences.push_back(value(with[i]) - value(without[i]));
         return accuracy::median(differences);
     };
     FrameCost cost{median([](const FrameCost& c) { return c.cpu; }), median([](const FrameCost& c) { return c.wall; }),
@@ -136,10 +132,10 @@ std::vector<Paid*> timed_parts(Explanation& explanation) {
 
 }  // namespace
 
-void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface, int rounds,
-                 const std::function<void()>& before) {
-    Rounds clock(runtime, frame, surface, report.caps.software, before);
-    clock.once(nullptr);  // compiled on first use, cube maps drawn
+void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface,
+                 const Timing& timing) {
+    const runtime::Stopwatch watch;
+    Rounds clock(runtime, frame, surface, report.caps.software);
     std::vector<Paid*> parts = timed_parts(report.explanation);
     std::vector<std::vector<bool>> hidden;
     for (const Paid* part : parts) {
@@ -149,17 +145,29 @@ void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, co
     const bool gpu = clock.calibrated();
     std::vector<FrameCost> whole;
     std::vector<std::vector<FrameCost>> without(parts.size());
-    const runtime::Stopwatch watch;
-    for (int round = 0; round < rounds && (round < fewest_rounds || watch.milliseconds() < most_time); ++round) {
-        whole.push_back(clock.once(nullptr));
-        for (std::size_t i = 0; i < parts.size(); ++i) without[i].push_back(clock.once(&hidden[i]));
+    double longest = timing.frame;
+    const auto fits = [&] { return watch.milliseconds() + longest < timing.milliseconds; };
+    const auto timed = [&](const std::vector<bool>* left_out) {
+        const double share = std::max(watch.milliseconds() / std::max(timing.milliseconds, 1.),
+                                      static_cast<double>(whole.size()) / static_cast<double>(timing.rounds));
+        if (timing.report) timing.report(static_cast<int>(whole.size()), share);
+        const FrameCost cost = clock.once(left_out);
+        longest = std::max(longest, cost.wall);
+        return cost;
+    };
+    for (int round = 0; round < timing.rounds && fits(); ++round) {
+        whole.push_back(timed(nullptr));
+        for (std::size_t i = 0; i < parts.size() && fits(); ++i) without[i].push_back(timed(&hidden[i]));
     }
+    if (whole.empty()) return;
+    report.asked = timing.rounds;
     report.rounds = static_cast<int>(whole.size());
     report.clock = gpu                    ? "timer queries of the GPU"
                    : report.caps.software ? "CPU time of the process"
                                           : "the wall's clock";
-    report.frame = median_difference(whole, {}, gpu);
-    for (std::size_t i = 0; i < parts.size(); ++i) parts[i]->frame = median_difference(whole, without[i], gpu);
+    report.frame = median_difference(whole, std::vector<FrameCost>(whole.size()), gpu);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!without[i].empty()) parts[i]->frame = median_difference(whole, without[i], gpu);
     std::vector<double> values;
     for (FrameCost& cost : whole) {
         if (!gpu) cost.gpu.reset();
@@ -172,8 +180,9 @@ std::string explain_text(const ExplainReport& report, const Sources& sources) {
     const bool timed = !report.clock.empty();
     std::string text = fmt::format("{}  {}x{}, {}", report.scene, report.width, report.height, report.caps.renderer);
     if (timed)
-        text += fmt::format("  frame {:.2f} ms (±{:.2f}), {}, {} rounds", shown(report.frame, report.caps.software),
-                            report.spread, report.clock, report.rounds);
+        text += fmt::format("  frame {:.2f} ms (±{:.2f}), {}, {} rounds{}", shown(report.frame, report.caps.software),
+                            report.spread, report.clock, report.rounds,
+                            report.rounds < report.asked ? fmt::format(" of {}: time was up", report.asked) : "");
     text += fmt::format("\ndrawn  {}\n\n{:<52}{:>10}{:>11}{:>11}\n", report.explanation.redraw, "PAYS FOR", "load ms",
                         "frame ms", "memory");
     const auto number = [](std::optional<double> ms) { return ms ? fmt::format("{:.2f}", *ms) : std::string("-"); };
@@ -239,6 +248,7 @@ Json explain_json(const ExplainReport& report, const Sources& sources) {
 }
 
 int explain(const ExplainOptions& options) {
+    const runtime::Stopwatch watch;
     Deadline deadline(options.timeout);
     deadline.begin(fmt::format("reading '{}'", options.scene));
     auto context = headless_context(options.context);
@@ -272,17 +282,32 @@ int explain(const ExplainOptions& options) {
     const Surface surface{target.framebuffer.get(), report.width, report.height};
     const View view;
     const Frame frame{.time = options.time, .view = view, .controls = document->controls};
-    const auto drawing = [&] { deadline.begin(fmt::format("drawing '{}'", options.scene)); };
-    drawing();
+    deadline.now(fmt::format("drawing '{}'", options.scene));
     runtime.draw(frame, surface);
     gl::finish();
     report.load = runtime.counters();
-    drawing();
+    const runtime::Stopwatch second;
     runtime.draw(frame, surface);
+    gl::finish();
+    const double took = second.milliseconds();
     for (const CounterName& counter : counter_names())
         report.per_frame.*counter.value = runtime.counters().*counter.value - report.load.*counter.value;
     report.explanation = runtime.explain();
-    if (!options.no_time) time_frames(report, runtime, frame, surface, options.rounds, drawing);
+    if (!options.no_time) {
+        const double left = most_share * (options.timeout * 1e3 - watch.milliseconds());
+        progress.begin();
+        time_frames(report, runtime, frame, surface,
+                    {options.rounds, options.timeout > 0 ? std::min(left, most_time) : most_time, took,
+                     [&](int round, double share) {
+                         progress.show(fmt::format("timing frames: round {} of {}", round + 1, options.rounds), share);
+                     }});
+        progress.clear();
+        if (report.clock.empty())
+            fmt::print(stderr,
+                       "snell: warning: frames are not timed: one takes {:.1f} s\n   help: take a smaller --size or a "
+                       "longer --timeout\n",
+                       took / 1e3);
+    }
     deadline.rest();
     const std::string text = options.json ? content::json_text(explain_json(report, document->sources)) + "\n"
                                           : explain_text(report, document->sources);

@@ -307,7 +307,7 @@ struct CommandLine {
         CLI::App& command = *app.add_subcommand("explain", "say what a scene pays for, why, and what it costs");
         explain_command = &command;
         add_access(command);
-        add_timeout(command, explain.timeout, "a frame, or for reading the scene");
+        add_timeout(command, explain.timeout, "all of it; expensive frames are timed in fewer rounds");
         command.footer("Times are of this machine, now; those of passes are by difference.");
         command.add_option("SCENE", explain.scene)->required();
         command.add_flag("--json", explain.json, "as JSON");

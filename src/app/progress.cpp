@@ -53,31 +53,49 @@ double share(const LoadProgress& progress) {
     return progress.of == 0 ? 1 : static_cast<double>(progress.done) / static_cast<double>(progress.of);
 }
 
-bool Patience::due(const LoadProgress& progress, Clock::time_point now) {
-    if (begins(progress)) next_ = now + before;
+bool Patience::due(Clock::time_point now) {
     if (now < next_) return false;
     next_ = now + between;
     return true;
 }
 
-std::string progress_line(const LoadProgress& progress, std::size_t columns) {
+bool Patience::due(const LoadProgress& progress, Clock::time_point now) {
+    if (begins(progress)) begin(now);
+    return due(now);
+}
+
+std::string progress_line(std::string_view words, double share, std::size_t columns) {
     constexpr std::size_t bar = 20;
-    const auto filled = static_cast<std::size_t>(std::lround(share(progress) * bar));
+    const auto filled = static_cast<std::size_t>(std::lround(std::clamp(share, 0., 1.) * bar));
     const std::string line =
-        fmt::format("snell [{}{}] {}", std::string(filled, '#'), std::string(bar - filled, '.'), words(progress));
+        fmt::format("snell [{}{}] {}", std::string(filled, '#'), std::string(bar - filled, '.'), words);
     return std::string(begin_of(line, std::max<std::size_t>(columns, 1) - 1));
 }
 
-Watcher ProgressLine::watcher() {
+std::string progress_line(const LoadProgress& progress, std::size_t columns) {
+    return progress_line(words(progress), share(progress), columns);
+}
+
+bool ProgressLine::on_terminal() {
     const char* kind = std::getenv("TERM");
-    if (!isatty(STDERR_FILENO) || (kind && std::string_view(kind) == "dumb")) return nullptr;
+    return isatty(STDERR_FILENO) && !(kind && std::string_view(kind) == "dumb");
+}
+
+Watcher ProgressLine::watcher() {
+    if (!terminal_) return nullptr;
     return [this](const LoadProgress& progress) { show(progress); };
 }
 
 void ProgressLine::show(const LoadProgress& progress) {
     if (Patience::ends(progress)) return clear();
-    if (!patience_.due(progress)) return;
-    std::string line = progress_line(progress, columns_of_terminal());
+    if (patience_.due(progress)) print(progress_line(progress, columns_of_terminal()));
+}
+
+void ProgressLine::show(std::string_view words, double share) {
+    if (terminal_ && patience_.due()) print(progress_line(words, share, columns_of_terminal()));
+}
+
+void ProgressLine::print(std::string line) {
     if (line == shown_) return;
     fmt::print(stderr, "\r\x1b[K{}", line);
     std::fflush(stderr);

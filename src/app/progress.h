@@ -1,9 +1,10 @@
-// Progress of loading, for a load that takes longer than half a second.
+// Progress of loading and measuring, if it takes longer than half a second.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "src/runtime/runtime.h"
 
@@ -20,7 +21,10 @@ public:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds before{500}, between{50};
 
-    // True if loading began at least half a second ago, and progress was not shown within the last 50 ms.
+    // Starts the time of work other than loading.
+    void begin(Clock::time_point now = Clock::now()) { next_ = now + before; }
+    // True if the work began at least half a second ago, and progress was not shown within the last 50 ms.
+    bool due(Clock::time_point now = Clock::now());
     bool due(const LoadProgress& progress, Clock::time_point now = Clock::now());
     static bool begins(const LoadProgress& progress) {
         return progress.stage == LoadProgress::Stage::programs && progress.done == 0;
@@ -33,22 +37,30 @@ private:
     Clock::time_point next_{};
 };
 
-// Shows progress in one line of a terminal, which is cleared when loading ends.
+// Shows progress in one line of a terminal, which is cleared when the work ends. Shows nothing if standard error is not
+// a terminal.
 class ProgressLine {
 public:
     // Returns a function for RuntimeOptions::progress, which is valid as long as this object is neither moved nor
     // destroyed. Null if standard error is not a terminal.
     Watcher watcher();
+    // Of what takes long and is no loading.
+    void begin() { patience_.begin(); }
+    void show(std::string_view words, double share);
+    void clear();
 
 private:
     void show(const LoadProgress& progress);
-    void clear();
+    void print(std::string line);
+    static bool on_terminal();
 
+    bool terminal_ = on_terminal();
     Patience patience_;
     std::string shown_;  // "" while nothing is shown
 };
 
-// `columns` is the maximum width of the line.
+// `share` is 0 to 1; `columns` is the maximum width of the line.
+std::string progress_line(std::string_view words, double share, std::size_t columns);
 std::string progress_line(const LoadProgress& progress, std::size_t columns);
 
 }  // namespace snell

@@ -9,6 +9,7 @@
 #include "parser/utf8.h"
 #include "src/app/batch.h"
 #include "src/app/commands.h"
+#include "src/app/outputs.h"
 #include "src/app/picture.h"
 #include "src/app/reports.h"
 #include "src/app/sheet.h"
@@ -48,12 +49,9 @@ bool folder_is_there(const std::string& file, const std::string& folder) {
     return folder_exists(folder) || complain(fmt::format("can't write '{}': there is no folder '{}'", file, folder));
 }
 
-// Said before anything is drawn: a name that can't be written should not cost a rendering. Folders that are named by
-// values are made.
+// Folders that are named by values are made.
 bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard) {
     if (!folder_is_there(options.output, fixed_folder(options.output))) return false;
-    for (const std::string& file : {options.sheet, options.json, options.stats})
-        if (!folder_is_there(file, std::filesystem::path(file).parent_path().string())) return false;
     for (std::size_t i = 0; i < shots.files.size(); ++i) {
         const std::filesystem::path folder = std::filesystem::path(shots.files[i]).parent_path();
         if (!shard.has(i) || folder_exists(folder.string())) continue;
@@ -64,15 +62,21 @@ bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard
     return true;
 }
 
+// Said before anything is drawn: a name that can't be written should not cost a rendering.
+Exit ready_outputs(const RenderOptions& options, const Shots& shots, Shard shard) {
+    const std::vector<std::string> reports{options.sheet, options.json, options.stats};
+    std::vector<std::string> all = shots.files;
+    all.insert(all.end(), reports.begin(), reports.end());
+    if (!distinct_outputs(all, shots.scenes)) return exit_usage;
+    return ready_folders(options, shots, shard) ? check_outputs(reports, {}) : exit_input;
+}
+
 bool usable(const RenderOptions& options, const Shots& shots) {
     if (!options.stats.empty() && shots.scenes.size() > 1)
         return complain("--stats tells of one scene; --json lists the pictures of many");
     for (const std::string& file : shots.files)
         if (options.transparent && !holds_alpha(file))
             return complain(fmt::format("'{}' can't be transparent: PNG and EXR can", file));
-    for (const std::string& file : shots.files)
-        if (file == options.sheet || file == options.json || file == options.stats)
-            return complain(fmt::format("'{}' would be a picture and something else", file));
     if (!options.sheet.empty() && shots.files.size() > max_tiles)
         return complain(
             fmt::format("a contact sheet takes at most {} pictures, not {}", max_tiles, shots.files.size()));
@@ -114,7 +118,7 @@ int render(const RenderOptions& options) {
     const auto shots = shots_of(options);
     if (!shots || !usable(options, *shots)) return exit_usage;
     const Shard shard = parse_shard(options.shard).value_or(Shard{});
-    if (!ready_folders(options, *shots, shard)) return exit_input;
+    if (const Exit wrong = ready_outputs(options, *shots, shard); wrong != exit_fine) return wrong;
     Batch batch(options, *shots, shard);
     const Exit status = batch.run();
     if (status == exit_graphics || status == exit_lost) return status;

@@ -37,7 +37,9 @@ std::string Replacement::check() const {
     if (!fs::exists(target_, error))
         return access(folder.c_str(), W_OK) == 0 ? "" : folder.string() + ": " + std::strerror(errno);
     if (!fs::is_regular_file(target_, error)) return target_.string() + " is not a regular file";
-    return access(target_.c_str(), W_OK) == 0 ? "" : target_.string() + ": " + std::strerror(errno);
+    for (const fs::path& written : {target_, folder})  // a file is replaced, not opened
+        if (access(written.c_str(), W_OK) != 0) return written.string() + ": " + std::strerror(errno);
+    return "";
 }
 
 std::string Replacement::take_place() {
@@ -49,8 +51,6 @@ std::string Replacement::take_place() {
     return error ? target_.string() + ": " + error.message() : "";
 }
 
-namespace {
-
 // Terminals and pipes cannot be replaced. Standard output is written to directly even if it is a file, to keep its
 // offset.
 bool is_stream(const std::string& path) {
@@ -59,6 +59,13 @@ bool is_stream(const std::string& path) {
     const bool opened = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/self/fd/", 0) == 0;
     return opened ? fs::exists(status) : fs::is_fifo(status) || fs::is_character_file(status);
 }
+
+std::string check_place(const std::string& path) {
+    if (!is_stream(path)) return Replacement(path).check();
+    return access(path.c_str(), W_OK) == 0 ? "" : path + ": " + std::strerror(errno);
+}
+
+namespace {
 
 std::string write_all(int file, std::string_view bytes) {
     while (!bytes.empty()) {

@@ -52,6 +52,12 @@ std::string write_file(const std::filesystem::path& path, std::string_view bytes
 // terminals and files in /dev, such as /dev/stdout, are written to directly.
 std::string replace_file(const std::string& path, std::string_view bytes);
 
+// Checks, before any work, whether replace_file() could write there. Returns an empty string, or why not.
+std::string check_place(const std::string& path);
+
+// True for terminals, pipes and other files that are written to directly, so that nothing in them is lost.
+bool is_stream(const std::string& path);
+
 // Returns the file's current bytes; empty if it cannot be read.
 std::string whole_file(const std::string& path);
 

@@ -55,9 +55,11 @@ void ExactTarget::begin() const {
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    settle();
 }
 
 void ExactTarget::resolve() const {
+    settle();
     if (!multisampled_.framebuffer) return;
     glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.framebuffer.get());
@@ -84,6 +86,7 @@ void ExactTarget::add(float weight) const {
     draw_covering(drawn_.get(), nothing_.get());
     glUseProgram(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    settle();
 }
 
 std::vector<float> ExactTarget::read(bool sum) const {

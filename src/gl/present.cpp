@@ -29,8 +29,9 @@ bool Canvas::resize(int width, int height, int samples) {
 }
 
 void Canvas::resolve() {
-    if (resolved_.framebuffer)
-        copy(drawn_.framebuffer.get(), resolved_.framebuffer.get(), drawn_.width, drawn_.height, 0, 0);
+    if (!resolved_.framebuffer) return;
+    settle();
+    copy(drawn_.framebuffer.get(), resolved_.framebuffer.get(), drawn_.width, drawn_.height, 0, 0);
 }
 
 void Canvas::show(int x, int y) const {
@@ -47,6 +48,9 @@ void clear_window(int width, int height, float red, float green, float blue) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void finish() { glFinish(); }
+void finish() {
+    settle();
+    glFinish();
+}
 
 }  // namespace snell::gl

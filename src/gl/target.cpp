@@ -48,12 +48,14 @@ std::vector<Component> read_rows(GLuint framebuffer, int width, int height, int 
                                  size_t row) {
     Target resolved;
     if (samples > 1) {
+        settle();
         resolved = make_color_target(width, height, pixels);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.framebuffer.get());
         glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         framebuffer = resolved.framebuffer.get();
     }
+    settle();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     std::vector<Component> rows(row * static_cast<size_t>(height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -101,6 +103,12 @@ TextureTarget make_texture_target(const std::vector<Attachment>& attachments, in
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (!complete) target.framebuffer.reset();
     return target;
+}
+
+void settle() {
+    const GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glWaitSync(drawn, 0, GL_TIMEOUT_IGNORED);
+    glDeleteSync(drawn);
 }
 
 std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples) {

@@ -30,6 +30,12 @@ struct TextureTarget {
 };
 TextureTarget make_texture_target(const std::vector<Attachment>& attachments, int width, int height);
 
+// To be called before another target is drawn to, and before pixels are read. llvmpipe's threads may still be about to
+// unlock the fence of the last target when the driver frees it, which sometimes crashes the process: glFinish and
+// glReadPixels look at a fence without its lock. glWaitSync takes the lock, so nothing is left to unlock. Has no effect
+// on GPUs.
+void settle();
+
 // Reads pixels back: RGBA, top row first, as bytes or floats. Resolves multisampled framebuffers first.
 std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples);
 std::vector<float> read_rgba32f(GLuint framebuffer, int width, int height, int samples);

@@ -1,5 +1,7 @@
 #include "src/gl/texture.h"
 
+#include "src/gl/target.h"
+
 namespace snell::gl {
 
 namespace {
@@ -156,6 +158,7 @@ void replace_cube_levels(GLuint texture, const std::vector<std::array<Texels, 6>
 std::array<std::vector<std::byte>, 6> read_cube(GLuint texture, int size) {
     std::array<std::vector<std::byte>, 6> faces;
     const Framebuffer framebuffer(make(glGenFramebuffers));
+    settle();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.get());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     for (GLenum face = 0; face < 6; ++face) {

@@ -105,6 +105,7 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     for (Index pass = 0; pass < passes.size(); ++pass) {
         if (!passes[pass].live) continue;
         if (only_window && plan.scene.passes[pass].kind != Pass::Kind::window) continue;
+        if (caps.software) gl::settle();
         switch (plan.scene.passes[pass].kind) {
             case Pass::Kind::window:
                 draw_window(pass, frame, surface, first_window);
@@ -239,6 +240,7 @@ void Runtime::Impl::draw_face(Index pass, int face, const Frame& frame) {
     const glm::dmat4 view_matrix = face_view(face, declared.center);
     PassView view{ready.width, ready.height, declared.background.value_or(plan.scene.background), &projection,
                   &view_matrix};
+    if (caps.software) gl::settle();
     glBindFramebuffer(GL_FRAMEBUFFER, targets.at(ready.textures)[static_cast<size_t>(face)].framebuffer.get());
     glViewport(0, 0, ready.width, ready.height);
     clear(view.background, {});

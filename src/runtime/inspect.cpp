@@ -11,6 +11,7 @@ void read(const std::array<int, 4>& region, GLenum format, std::vector<float>& v
     const auto& [left, bottom, width, height] = region;
     const std::size_t channels = format == GL_RGBA ? 4 : 1;
     values.resize(channels * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    gl::settle();
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(left, bottom, width, height, format, GL_FLOAT, values.data());
 }

@@ -123,6 +123,7 @@ void Picker::commit(Index draw) {
 std::vector<Index> Picker::read() {
     const auto count = static_cast<std::size_t>(region_[2]) * static_cast<std::size_t>(region_[3]);
     std::vector<std::uint8_t> bytes(4 * count);
+    gl::settle();
     glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(region_[0], region_[1], region_[2], region_[3], GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());

@@ -1,9 +1,13 @@
 // `snell explain`: its JSON has its keys, and says of a scene what is true of it.
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
+#include "src/app/explain.h"
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
+#include "tests/sanitized.h"
 
 namespace snell::test {
 namespace {
@@ -117,6 +121,57 @@ TEST_F(Explain, TextSaysTheSame) {
                               "DECLARED BUT UNUSED", "no draw samples it"})
         EXPECT_NE(outcome.output.find(words), std::string::npos) << words << "\n" << outcome.output;
     EXPECT_EQ(snell("explain " + folder.path("nothing.glib")).status, 1);
+}
+
+// All rounds would take minutes. Where the machine is so busy that there is no time for a frame, it is ended.
+TEST_F(Explain, TheWholeOfItEndsInTime) {
+    const auto start = std::chrono::steady_clock::now();
+    folder.write("scene.glib", two_of_twenty + "Sphere 1 200 200\n");
+    const Outcome outcome =
+        snell("explain " + folder.path("scene.glib") + " --json --size 32x32 --reps 10000 --timeout 1.5");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10) * patience);
+    if (outcome.status == 4) GTEST_SKIP() << "this machine is busy: " << outcome.output;
+    const json report = json::parse(outcome.output, nullptr, false);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_GE(report["rounds"], 1) << outcome.output;
+    EXPECT_LT(report["rounds"], 10000);
+}
+
+class FramesInTime : public GlTest {};
+
+TEST_F(FramesInTime, AreFewerWhereTheyAreExpensive) {
+    auto document = open("Ortho -1 1 -1 1\nQuadXY\nSphere .5\n");
+    const gl::Target target = gl::make_target(32, 32, 1);
+    const View view;
+    const Frame frame{.time = 0, .view = view, .controls = document->controls};
+    const Surface surface{target.framebuffer.get(), 32, 32};
+    document->runtime->draw(frame, surface);
+    app::ExplainReport report;
+    report.caps = caps;
+    report.explanation = document->runtime->explain();
+    const auto time = [&](const app::Timing& timing) {
+        app::time_frames(report, *document->runtime, frame, surface, timing);
+    };
+    const auto timed_parts = [&] {
+        return std::ranges::count_if(report.explanation.paid, [](const auto& paid) { return paid.frame.has_value(); });
+    };
+    time({31, 1000, 2000, nullptr});
+    EXPECT_EQ(report.clock, "") << "a frame takes longer than there is time";
+    // The first frame takes all of it.
+    int told = 0;
+    const auto slow = [&](int, double) {
+        ++told;
+        std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    };
+    time({31, 500, 0, slow});
+    EXPECT_EQ(told, 1);
+    EXPECT_EQ(report.rounds, 1);
+    EXPECT_GT(report.frame.wall, 0);
+    EXPECT_EQ(timed_parts(), 0);
+    EXPECT_NE(app::explain_text(report, document->sources).find("1 rounds of 31: time was up"), std::string::npos);
+    time({3, 20e3, 0, nullptr});
+    EXPECT_EQ(report.rounds, 3);
+    EXPECT_GT(timed_parts(), 0);
 }
 
 }  // namespace

@@ -87,6 +87,16 @@ TEST_F(ProgressLines, ASlowLoadHasABarOnATerminalThatIsGoneAfterwards) {
     EXPECT_TRUE(text.ends_with("\r\x1b[K")) << text;
 }
 
+TEST_F(ProgressLines, TimingFramesHasABarToo) {
+    const auto [text, seconds] =
+        on_terminal("explain " + folder.path("quick.glib") + " --size 16x16 --reps 10000 --timeout 1.5");
+    if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;
+    if (text.find("[timeout]") != std::string::npos) GTEST_SKIP() << "this machine is busy";
+    EXPECT_NE(text.find("] timing frames: round "), std::string::npos) << text;
+    EXPECT_LT(text.rfind("timing frames"), text.rfind("\r\x1b[K")) << "it is gone in the end";
+    EXPECT_LT(text.rfind("\r\x1b[K"), text.find("PAYS FOR")) << text;
+}
+
 TEST_F(ProgressLines, AQuickLoadHasNone) {
     const auto [text, seconds] = on_terminal(render("quick"));
     if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;

@@ -1,4 +1,10 @@
 // Many pictures by one process, as a shell asks for them.
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -133,14 +139,72 @@ TEST_F(CliSweep, WhatIsThereIsNotDrawnAgain) {
     ASSERT_EQ(sweep(command).status, 0);
     const auto whole = files("out");
     fs::remove(at("out/0.5.png"));
-    folder.write("out/1.png", "kept as it is");
+    folder.write("out/1.png", whole.at("0.png"));
     ASSERT_EQ(sweep(command + " --skip-existing").status, 0);
     EXPECT_EQ(files("out")["0.5.png"], whole.at("0.5.png"));
-    EXPECT_EQ(files("out")["1.png"], "kept as it is");
+    EXPECT_EQ(files("out")["1.png"], whole.at("0.png")) << "kept as it is";
     const auto told = json("s.json")["pictures"];
     ASSERT_EQ(told.size(), 3U);
     EXPECT_TRUE(told[0].contains("skipped"));
     EXPECT_FALSE(told[1].contains("skipped"));
+}
+
+// Of every format and cut: tests/unit/image_whole.cpp.
+TEST_F(CliSweep, WhatIsNoWholePictureIsDrawnAgain) {
+    for (const std::string name : {"out/o.png", "out/o.exr"}) {
+        const std::string command =
+            "render " + at("good.glib") + " --size 40x30 -o " + at(name) + " --json " + at("s.json");
+        ASSERT_EQ(snell(command).status, 0) << name;
+        const std::string whole = bytes_of(at(name));
+        const auto draws = [&](const std::string& bytes) {
+            folder.write(name, bytes);
+            EXPECT_EQ(snell(command + " --skip-existing").status, 0) << name;
+            EXPECT_EQ(bytes_of(at(name)).size(), whole.size()) << name;  // an EXR holds the date
+            return !json("s.json")["pictures"][0].contains("skipped");
+        };
+        EXPECT_FALSE(draws(whole)) << name;
+        for (const std::size_t cut : {std::size_t{100}, whole.size() - 1}) EXPECT_TRUE(draws(whole.substr(0, cut)));
+    }
+    fs::create_directory(at("out/folder.png"));
+    EXPECT_EQ(snell("render " + at("good.glib") + " --size 8x8 --skip-existing -o " + at("out/folder.png")).status, 1);
+}
+
+// Of a driver that crashes, say.
+TEST_F(CliSweep, APictureThatKillsTheProcessCostsNoOther) {
+    const std::string command = "sweep " + at("good.glib") + " --size 128x128 --over uMix=0:1:150 --json " +
+                                at("s.json") + " -o '" + at("out") + "/{index:03}.png'";
+    ASSERT_EQ(snell(command).status, 0);
+    const auto whole = files("out");
+    ASSERT_EQ(whole.size(), 150U);
+    std::size_t left = 0;
+    for (int attempt = 0; attempt < 5 && (left == 0 || left == whole.size()); ++attempt) {
+        fs::remove_all(at("out"));
+        fs::create_directory(at("out"));
+        const pid_t child = fork();
+        if (child == 0) {
+            const rlimit no_core{0, 0};
+            setrlimit(RLIMIT_CORE, &no_core);
+            execl("/bin/sh", "sh", "-c", ("exec " SNELL_BIN "/snell " + command + " 2>/dev/null").c_str(), nullptr);
+            _exit(127);
+        }
+        for (int i = 0; i < 20'000 && !fs::exists(at("out/020.png")); ++i) usleep(500);
+        kill(child, SIGSEGV);
+        int status = 0;
+        waitpid(child, &status, 0);
+        left = 0;
+        for (const auto& [name, bytes] : files("out")) {
+            if (!name.ends_with(".png")) continue;
+            EXPECT_EQ(bytes, whole.at(name)) << name;
+            ++left;
+        }
+    }
+    ASSERT_TRUE(left > 0 && left < whole.size()) << left;
+    ASSERT_EQ(snell(command + " --skip-existing").status, 0);
+    std::size_t skipped = 0;
+    const auto told = json("s.json");
+    for (const auto& picture : told["pictures"]) skipped += picture.contains("skipped") ? 1 : 0;
+    EXPECT_EQ(skipped, left);
+    for (const auto& [name, bytes] : whole) EXPECT_EQ(bytes_of(at("out/" + name)), bytes) << name;
 }
 
 TEST_F(CliSweep, TheSheetHasEveryPicture) {

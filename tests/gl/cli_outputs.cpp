@@ -1,0 +1,128 @@
+// Outputs are looked at before any work, and one that can't be written costs no other.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/gl/cli_run.h"
+#include "tests/gl/harness.h"
+
+namespace snell::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Outputs : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string error;
+        if (!HeadlessContext::make({}, error)) GTEST_SKIP() << "no graphics: " << error;
+        folder.write("way.frag",
+                     "uniform float uA;\nvoid main() {\n#if WAY == WAY_dark\n  gl_FragColor = vec4(uA);\n#else\n"
+                     "  gl_FragColor = vec4(.4);\n#endif\n}\n");
+        folder.write("s.glib", scene);
+        for (const char* name : {"out", "d.ext"}) fs::create_directory(folder.path(name));
+        fs::create_directory_symlink("out", folder.path("link"));
+        folder.write("out/old.json", "old");
+        fs::create_symlink("out/old.json", folder.path("alias.json"));
+    }
+    // In the folder, as somebody who stands there.
+    Outcome in_folder(const std::string& command) const {
+        return run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + command);
+    }
+    Outcome measure(const std::string& outputs) const {
+        return in_folder("accuracy s.glib --ladders WAY --knobs samples --no-time --size 8x8 " + outputs);
+    }
+    static bool says(const Outcome& outcome, const std::string& text) {
+        return outcome.output.find(text) != std::string::npos;
+    }
+    bool there(const std::string& name) const { return fs::exists(folder.path(name)); }
+
+    const std::string scene =
+        "Ladder WAY dark <light>\nOrtho -1 1 -1 1\nFragment way.frag\nProgram P uA <0. .5 1.>\nQuadXY 0 .5\n";
+    Folder folder;
+};
+
+TEST_F(Outputs, OfAccuracyAreLookedAtBeforeItMeasures) {
+    for (const std::string option : {"-o", "--svg", "--json", "--csv", "--markdown"}) {
+        const std::string other = option == "--csv" ? "--json out/other" : "--csv out/other";
+        for (const std::string place : {"none/r", "out"}) {
+            const Outcome refused = measure(other + " " + option + " " + place);
+            EXPECT_EQ(refused.status, 1) << option << ' ' << refused.output;
+            EXPECT_TRUE(says(refused, place == "out" ? "not a regular file" : "there is no folder none"))
+                << refused.output;
+            EXPECT_FALSE(says(refused, "RMSE")) << option << " was measured: " << refused.output;
+        }
+        EXPECT_FALSE(there("out/other")) << option;
+    }
+}
+
+TEST_F(Outputs, OneFileForTwoReportsIsRefused) {
+    for (const std::string& same : std::vector<std::string>{
+             "-o same --json same", "-o same --csv ./same", "-o out/same --csv link/same", "--svg same --markdown same",
+             "--json out/old.json --csv alias.json", "-o out/../same --csv same", "--svg p.svg --json p-2.svg",
+             "--json s.glib", "--csv ../" + fs::path(folder.path()).filename().string() + "/s.glib"}) {
+        const Outcome refused = measure(same);
+        EXPECT_EQ(refused.status, 2) << same << ": " << refused.output;
+        EXPECT_FALSE(says(refused, "RMSE")) << same << " was measured";
+    }
+    for (const char* name : {"same", "out/same", "p.svg", "p-2.svg"}) EXPECT_FALSE(there(name)) << name;
+    EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
+    EXPECT_EQ(bytes_of(folder.path("out/old.json")), "old");
+    EXPECT_EQ(measure("--json /dev/null --csv /dev/null").status, 0) << "nothing is lost there";
+}
+
+// The page is larger than what the disk takes, the others are smaller.
+TEST_F(Outputs, AReportThatFailsCostsNoOther) {
+    const Outcome full = run("cd '" + folder.path() +
+                             "' && ulimit -f 8 && exec " SNELL_BIN
+                             "/snell accuracy s.glib --ladders WAY --no-time --size 64x64 -o r.html "
+                             "--json r.json --csv r.csv --svg r.svg --markdown r.md");
+    EXPECT_EQ(full.status, 1) << full.output;
+    EXPECT_TRUE(says(full, "can't write 'r.html': ")) << full.output;
+    EXPECT_FALSE(there("r.html"));
+    EXPECT_TRUE(nlohmann::json::accept(bytes_of(folder.path("r.json"))));
+    for (const char* name : {"r.csv", "r.svg", "r.md"}) EXPECT_GT(bytes_of(folder.path(name)).size(), 50U) << name;
+}
+
+TEST_F(Outputs, PlotsAreNumberedBeforeTheirExtension) {
+    const std::array<std::array<const char*, 3>, 4> plots{{{"./p", "p", "p-2"},
+                                                           {"d.ext/p", "d.ext/p", "d.ext/p-2"},
+                                                           {"d.ext/q.svg", "d.ext/q.svg", "d.ext/q-2.svg"},
+                                                           {"a.b.svg", "a.b.svg", "a.b-2.svg"}}};
+    for (const auto& [option, first, second] : plots) {
+        const Outcome outcome = measure("--svg " + std::string(option));
+        EXPECT_EQ(outcome.status, 0) << option << ": " << outcome.output;
+        for (const char* name : {first, second}) EXPECT_TRUE(bytes_of(folder.path(name)).starts_with("<svg")) << name;
+    }
+}
+
+TEST_F(Outputs, PagesNameTheirPlots) {
+    for (const std::string& page : {std::string("out/page.md"), folder.path("out/page.md")}) {
+        const Outcome outcome = in_folder(
+            "accuracy s.glib --ladders WAY --reps 7 --budget 1 --size 8x8 --svg ./p.svg "
+            "--markdown " +
+            page);
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        EXPECT_NE(bytes_of(folder.path("out/page.md")).find("(../p.svg)"), std::string::npos) << page;
+    }
+}
+
+TEST_F(Outputs, OfPicturesAreLookedAtBeforeAnythingIsDrawn) {
+    const std::string sweep = "sweep s.glib --over uA=0,1 --size 8x8 -o 'out/{uA}.png' ";
+    for (const char* same : {"--json r --sheet r", "--json r --stats ./r", "--sheet out/1.png", "--sheet link/1.png",
+                             "--json s.glib", "--json out/old.json --stats alias.json"})
+        EXPECT_EQ(in_folder(sweep + same).status, 2) << same;
+    for (const std::string option : {"--json", "--sheet", "--stats"})
+        for (const char* place : {" none/r", " out"})
+            EXPECT_EQ(in_folder(sweep + option + place).status, 1) << option << place;
+    EXPECT_EQ(in_folder("render s.glib -o out/0.png --size 8x8 --json out/../out/0.png").status, 2);
+    EXPECT_FALSE(there("out/0.png")) << "something was drawn";
+    EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
+    const Outcome fine = in_folder(sweep + "--json r.json --sheet r.png --stats r.txt");
+    EXPECT_EQ(fine.status, 0) << fine.output;
+    EXPECT_TRUE(there("out/0.png") && there("r.json") && there("r.png") && there("r.txt"));
+}
+
+}  // namespace
+
+}  // namespace snell::test

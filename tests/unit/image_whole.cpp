@@ -1,0 +1,51 @@
+// Files that were cut off, filled with zeros or exchanged for something else are no pictures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "src/content/replace.h"
+#include "src/content/whole.h"
+#include "tests/scratch.h"
+
+namespace snell::content {
+namespace {
+
+class WholePictures : public testing::TestWithParam<const char*> {};
+
+TEST_P(WholePictures, EndWhereTheyEnd) {
+    const Scratch folder;
+    Image image{.width = 37, .height = 23, .channels = 3};
+    image.pixels.resize(image.bytes());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<std::byte>(i * 7 % 251);
+    const std::string path = folder.path(std::string("o.") + GetParam());
+    ASSERT_EQ(write_image(path, image), "");
+    const std::string whole = whole_file(path);
+    const auto is = [&](std::string_view bytes) { return is_whole(path, bytes, {}); };
+    EXPECT_TRUE(is(whole));
+    EXPECT_FALSE(is(""));
+    EXPECT_FALSE(is("kept as it is"));
+    std::vector<std::size_t> cuts{1, 8, 100, whole.size() / 2, whole.size() - 12, whole.size() - 2, whole.size() - 1};
+    for (std::size_t cut = 200; cut < whole.size(); cut += 97) cuts.push_back(cut);
+    for (const std::size_t cut : cuts) EXPECT_FALSE(is(whole.substr(0, cut))) << cut << " bytes of " << whole.size();
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, WholePictures, testing::Values("png", "jpg", "exr", "bmp", "tif", "tga", "hdr"));
+
+// A file system that lost power leaves zeros.
+TEST(WholePicture, HasItsChecksums) {
+    const Scratch folder;
+    Image image{.width = 37, .height = 23, .channels = 3};
+    image.pixels.resize(image.bytes(), std::byte{9});
+    const std::string whole = encode_png(image);
+    const auto is = [](const std::string& bytes) { return is_whole("o.png", bytes, {}); };
+    EXPECT_TRUE(is(whole));
+    std::string zeros = whole;
+    std::fill(zeros.begin() + static_cast<std::ptrdiff_t>(zeros.size() / 2), zeros.end() - 12, '\0');
+    EXPECT_FALSE(is(zeros));
+    EXPECT_FALSE(is(whole + "x"));
+    EXPECT_FALSE(is(whole + whole));
+    EXPECT_FALSE(is(whole.substr(0, 33) + whole.substr(whole.size() - 12))) << "without its pixels";
+}
+
+}  // namespace
+}  // namespace snell::content
