@@ -1,5 +1,6 @@
 // Declarators with their initialisers, and functions.
 #include "src/glsl/parse.h"
+#include "src/glsl/program.h"
 #include "src/glsl/words.h"
 
 namespace snell::glsl {
@@ -44,6 +45,10 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
             for (int k = q.first; k <= q.last; ++k)
                 if (u_.at(k).text == "const") u_.replace(k, "");
     }
+    // Without a value it has what another program left in a register.
+    const bool number = type.base >= Base::boolean && type.base <= Base::dreal && type.dims == 0;
+    if (!global && g.init_first < 0 && number && q.storage == Storage::plain && u_.at(g.name_token).macro < 0)
+        u_.edit(g.name_token).after += " = " + zero(type);
     Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
     if (symbol.constant) symbol.value = value;
     if (global && g.type.base == Base::sampler && q.storage == Storage::plain) {

@@ -50,6 +50,22 @@ protected:
         trap("all", all);
         for (const char* name : {"maps", "faces", "block", "values"})
             trap(name, view + "Fragment " + name + ".frag\nProgram P\nQuadXY 0 .8\n");
+        // Values that a shader never gives.
+        fragment("nothing.frag", "void main() { }\n");
+        fragment("local.frag", "void main() { vec4 c; gl_FragColor = c; }\n");
+        fragment("colors.frag", "layout(location = 0) out vec4 c;\nvoid main() { c = vec4(vST, .5, 1.); }\n");
+        fragment("show.frag", "uniform sampler2D t;\nvoid main() { gl_FragColor = vec4(texture(t, vST).rgb, 1.); }\n");
+        fragment("st.frag", "void main() { gl_FragColor = vec4(vST, .5, 1.); }\n");
+        folder.write(
+            "never.vert",
+            "#version 330 compatibility\nout vec2 vST;\nvoid main() { if (gl_Vertex.x > 0.) vST.x = .4; gl_Position = "
+            "gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+        for (const char* name : {"nothing", "local"})
+            trap(name, view + "Fragment " + name + ".frag\nProgram P\nQuadXY 0 .8\n");
+        trap("never", "Ortho -1 1 -1 1\nVertex never.vert\nFragment st.frag\nProgram P\nQuadXY 0 .8\n");
+        trap("colors", "Texture2D 7 16 16\nTexture2D 8 16 16\n" + view +
+                           "Fragment colors.frag\nProgram C\nRenderToTexture 7 8\n"
+                           "QuadXY\nRenderToTexture\nFragment show.frag\nProgram S t 8\nQuadXY\n");
         trap("lines", "Perspective 60\nLookAt 0 0 4\nWireSphere 1\nPointCloud 3 3 3\n");
         trap("undrawn", "Texture2D 7 16 16\n" + view + "Fragment maps.frag\nProgram P a 7\nQuadXY\n");
     }
