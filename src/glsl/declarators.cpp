@@ -47,7 +47,8 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     }
     // Without a value it has what another program left in a register.
     const bool number = type.base >= Base::boolean && type.base <= Base::dreal && type.dims == 0;
-    if (!global && g.init_first < 0 && number && q.storage == Storage::plain && u_.at(g.name_token).macro < 0)
+    const bool whole = g.init_first < 0 && (is(";") || is(","));  // else the driver's message is of what is wrong here
+    if (!global && whole && number && q.storage == Storage::plain && u_.at(g.name_token).macro < 0)
         u_.edit(g.name_token).after += " = " + zero(type);
     Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
     if (symbol.constant) symbol.value = value;
