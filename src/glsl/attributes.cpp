@@ -156,6 +156,26 @@ int location_of(const Qualifiers& q) {
 
 }  // namespace
 
+namespace {
+
+// Colours that the shader does not write are zero, instead of what another program has left.
+void give_colors(Unit& u, const std::vector<Global*>& outputs, int targets) {
+    for (const Global* g : outputs)
+        if (g->type.dims > 0) return;
+    if (outputs.size() == 1 && !outputs.front()->written)
+        at_main_start(u, std::string(u.now(outputs.front()->name_token)) + " = " + zero(outputs.front()->type) + ";");
+    for (int n = 0; n < targets; ++n) {
+        const bool there = std::ranges::any_of(outputs, [&](const Global* g) {
+            return std::max(location_of(g->qualifiers), 0) == n && (g->written || outputs.size() == 1);
+        });
+        const std::string name = "snell_Unwritten" + std::to_string(n);
+        if (there || !at_main_start(u, name + " = vec4(0.0);")) continue;
+        declare_once(u, name, "layout(location = " + std::to_string(n) + ") out vec4 " + name + ";");
+    }
+}
+
+}  // namespace
+
 void assign_outputs(Program& program, Unit& u) {
     const bool legacy = uses(u, "gl_FragColor") || uses(u, "gl_FragData");
     std::vector<Global*> outputs;
@@ -163,6 +183,8 @@ void assign_outputs(Program& program, Unit& u) {
         if (g.qualifiers.storage == Storage::out && !g.removed && !g.name.starts_with("gl_")) outputs.push_back(&g);
     const auto located =
         std::count_if(outputs.begin(), outputs.end(), [](const Global* g) { return location_of(g->qualifiers) >= 0; });
+    const bool known = outputs.size() < 2 || located == static_cast<std::ptrdiff_t>(outputs.size());
+    if (!legacy && known) give_colors(u, outputs, program.options.color_outputs);
     int next = legacy ? 1 : 0;
     for (Global* g : outputs) {
         if ((!g->written && outputs.size() + (legacy ? 1 : 0) > 1) || (legacy && location_of(g->qualifiers) == 0)) {

@@ -1,5 +1,6 @@
 // Declarators with their initialisers, and functions.
 #include "src/glsl/parse.h"
+#include "src/glsl/program.h"
 #include "src/glsl/words.h"
 
 namespace snell::glsl {
@@ -45,6 +46,11 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
                 if (u_.at(k).text == "const") u_.replace(k, "");
     }
     if (global && u_.function_names.contains(g.name)) u_.shared_by_kinds.insert(g.name);
+    // Without a value it has what another program left in a register.
+    const bool number = type.base >= Base::boolean && type.base <= Base::dreal && type.dims == 0;
+    const bool whole = g.init_first < 0 && (is(";") || is(","));  // else the driver's message is of what is wrong here
+    if (!global && whole && number && q.storage == Storage::plain && u_.at(g.name_token).macro < 0)
+        u_.edit(g.name_token).after += " = " + zero(type);
     Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
     if (symbol.constant) symbol.value = value;
     if (global && g.type.base == Base::sampler && q.storage == Storage::plain) {

@@ -213,4 +213,36 @@ void match_interfaces(Program& program) {
     }
 }
 
+namespace {
+
+// A statement of main itself sets it, before anything returns. What is already translated has it in snell_main.
+bool always_written(const Unit& u, const Global& g) {
+    const auto wrapped = std::ranges::find(u.functions, "snell_main", &Function::name);
+    const Function* main = wrapped == u.functions.end() ? find_main(u) : &*wrapped;
+    if (!main || u.has_conditionals) return false;
+    int depth = 0;
+    for (int i = main->open; i < main->close; ++i) {
+        const std::string_view text = u.at(i).text;
+        if (text == "{") ++depth;
+        if (text == "}") --depth;
+        if (text == "return" || text == "EmitVertex") return false;
+        const std::string_view before = i > 0 ? u.at(i - 1).text : "";
+        if (depth == 1 && (before == ";" || before == "{" || before == "}") && u.at(i + 1).text == "=" &&
+            std::ranges::find(g.uses, i) != g.uses.end())
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void give_outputs(Unit& u) {
+    if (u.stage == Stage::tess_control || u.stage == Stage::fragment) return;
+    for (const Global& g : u.globals) {
+        const bool number = g.type.base >= Base::boolean && g.type.base <= Base::dreal && g.type.dims == 0;
+        if (g.qualifiers.storage == Storage::out && !g.removed && !builtin(g) && number && !always_written(u, g))
+            at_main_start(u, std::string(u.now(g.name_token)) + " = " + zero(g.type) + ";");
+    }
+}
+
 }  // namespace snell::glsl

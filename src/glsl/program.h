@@ -70,6 +70,8 @@ void unify_uniforms(Program& program);
 void match_interfaces(Program& program);
 // Vertex inputs get the attribute that their name or location means.
 void assign_attributes(Program& program, Unit& vertex);
+// What a stage may leave without a value is zero: on some drivers it is what another program has left in a register.
+void give_outputs(Unit& unit);
 // Colour outputs of the fragment shader.
 void assign_outputs(Program& program, Unit& fragment);
 // Layouts that an old geometry shader leaves to the application.

@@ -70,6 +70,7 @@ bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, Pas
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];
     glDrawElementsInstanced(ready.mode, static_cast<GLsizei>(mesh.count), GL_UNSIGNED_INT, nullptr,
                             static_cast<GLsizei>(batch.count));
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, 0);  // a scene's own uniform blocks must not read the matrices
     count_draw(mesh.topology, mesh.count, batch.count);
     return true;
 }

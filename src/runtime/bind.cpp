@@ -19,7 +19,22 @@ int noise_dimensions(const SamplerUniform& sampler, bool named, int unit) {
     return 0;
 }
 
-constexpr std::array<std::string_view, 4> target_names{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
+// The warning that nothing of its kind is bound to the unit that a sampler reads.
+Diagnostic unbound(const Scene& scene, const Draw& draw, const Sampled& sampled) {
+    static constexpr std::array<std::string_view, 4> commands{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
+    const std::string_view command = commands[static_cast<size_t>(*sampled.sampler->target)];
+    bool other = false;
+    for (const TextureTarget kind : {TextureTarget::d1, TextureTarget::d2, TextureTarget::d3, TextureTarget::cube})
+        other = other || find_texture(scene, draw, sampled.unit, kind) != none;
+    return {Severity::warning,
+            "unbound-texture",
+            draw.span,
+            fmt::format("'{}' reads texture unit {}, but {} is bound there: it reads as black", sampled.sampler->name,
+                        sampled.unit, other ? fmt::format("no {}", command) : "nothing"),
+            fmt::format("bind one with '{} {} {}' before the draw", command, sampled.unit,
+                        command == "CubeMap" ? "FILES" : "FILE"),
+            {}};
+}
 
 }  // namespace
 
@@ -93,10 +108,15 @@ void Runtime::Impl::bind_harmonics(ReadyDraw& ready, Index pass, Diagnostics& di
     ready.harmonics = textures.harmonics(source);
 }
 
+// Every sampler is bound: what the last program has left on its unit may be another scene's.
 void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
     const Scene& scene = plan.scene;
     const Draw& draw = scene.draws[ready.draw];
     const bool clamp = scene.rasters[draw.raster].clamp;
+    const auto bind_black = [&](const SamplerUniform& sampler, int element) {
+        const gl::Black& black = textures.nothing(sampler.type);
+        ready.textures.push_back({sampler.first_unit + element, black.target, black.texture.get(), 0});
+    };
     for (const Sampled& sampled : sampled_by(draw, *ready.program)) {
         const SamplerUniform& sampler = *sampled.sampler;
         const runtime::GpuTexture* gpu = nullptr;
@@ -106,26 +126,32 @@ void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
             const Index source = scene.textures[sampled.texture].source;
             auto problem = feedback_error(scene, pass, ready.draw, sampled.texture);
             if (!problem) problem = feedback_error(scene, pass, ready.draw, source);
-            if (problem) {
+            if (!problem) {
+                if (source != none) ready.sources.push_back(source);
+                gpu = textures.realise(sampled.texture);
+                filter = scene.textures[sampled.texture].filter;
+            } else {
                 diagnostics.add(std::move(*problem));
-                continue;
             }
-            if (source != none) ready.sources.push_back(source);
-            gpu = textures.realise(sampled.texture);
-            filter = scene.textures[sampled.texture].filter;
         } else if (sampled.noise) {
             gpu = textures.noise(sampled.noise);
         } else {
-            diagnostics.warning("unbound-texture", draw.span,
-                                fmt::format("no {} stands on unit {}, which '{}' of program '{}' reads",
-                                            target_names[static_cast<size_t>(*sampler.target)], sampled.unit,
-                                            sampler.name, scene.programs[draw.program].name),
-                                "it reads as black");
+            diagnostics.add(unbound(scene, draw, sampled));
         }
         const bool cube = sampler.target == TextureTarget::cube;
         if (gpu)
             ready.textures.push_back({sampler.first_unit + sampled.element, gpu->target, gpu->texture.get(),
                                       textures.sampler(filter, clamp, cube)});
+        else
+            bind_black(sampler, sampled.element);
+    }
+    for (const SamplerUniform& sampler : ready.program->samplers) {
+        if (sampler.target || runtime::tree_part(sampler.name, sampler.type)) continue;
+        diagnostics.warning("unbound-texture", draw.span,
+                            fmt::format("'{}' is a {}, but no command binds such a texture: it reads as black",
+                                        sampler.name, sampler.type),
+                            "use a sampler1D, sampler2D, sampler3D or samplerCube");
+        for (int element = 0; element < sampler.size; ++element) bind_black(sampler, element);
     }
 }
 

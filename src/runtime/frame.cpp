@@ -330,9 +330,10 @@ void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
                        reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));
         count_draw(mesh.topology, count);
     };
-    if (mesh.parts.empty() || !program.reads(glsl::System::face_index)) {
-        elements(0, mesh.count);
-        return;
+    if (!program.reads(glsl::System::face_index)) return elements(0, mesh.count);
+    if (mesh.parts.empty()) {  // face 0, whatever the last mesh ended with
+        counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_face_index(program, 0));
+        return elements(0, mesh.count);
     }
     for (const content::MeshPart& part : mesh.parts) {
         counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_face_index(program, part.face_index));

@@ -15,8 +15,7 @@ namespace {
 std::array<bool, tree_parts> parts_read(const LinkedProgram& program) {
     std::array<bool, tree_parts> read{};
     for (const SamplerUniform& sampler : program.samplers)
-        if (const auto part = sampler.target ? std::nullopt : tree_part(sampler.name))
-            read[static_cast<std::size_t>(*part)] = true;
+        if (const auto part = tree_part(sampler.name, sampler.type)) read[static_cast<std::size_t>(*part)] = true;
     return read;
 }
 
@@ -76,7 +75,7 @@ void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* me
         make_tree(tree, mesh ? *mesh : again, read, ready.draw, loading.diagnostics);
     }
     for (const runtime::SamplerUniform& sampler : ready.program->samplers)
-        if (const auto part = sampler.target ? std::nullopt : runtime::tree_part(sampler.name))
+        if (const auto part = runtime::tree_part(sampler.name, sampler.type))
             ready.textures.push_back(
                 {sampler.first_unit, GL_TEXTURE_BUFFER, tree.parts[static_cast<std::size_t>(*part)].texture.get(), 0});
 }

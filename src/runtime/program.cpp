@@ -123,10 +123,11 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
         const bool ours = uniform.name.starts_with("snell_");
         uniform.name = active.name = scene_name(uniform.name, translation);
         if (active.type == ValueType::sampler) {
-            SamplerUniform sampler{uniform.name, sampler_target(type), uniform.location, next_unit, uniform.size, {}};
+            SamplerUniform sampler{uniform.name, type, sampler_target(type), uniform.location, next_unit,
+                                   uniform.size, {}};
             for (double unit : active.initial) sampler.initial.push_back(static_cast<int>(unit));
             next_unit += uniform.size;
-            active.system = (uniform.name == "Noise2" || uniform.name == "Noise3" || tree_part(uniform.name)) &&
+            active.system = (uniform.name == "Noise2" || uniform.name == "Noise3" || tree_part(uniform.name, type)) &&
                             !scene_sets(program, uniform.name);
             linked.samplers.push_back(std::move(sampler));
         } else if (const auto* system = find_system(names, uniform.name, type, program)) {

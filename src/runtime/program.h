@@ -43,6 +43,7 @@ struct UserUniform {
 // A sampler and the GL texture units that it was given for good; the scene's own units are only names.
 struct SamplerUniform {
     std::string name;
+    std::string_view type;                // GLSL's; static text
     std::optional<TextureTarget> target;  // none: a kind of sampler that scenes have no textures for
     GLint location = -1;
     int first_unit = 0, size = 1;

@@ -339,6 +339,12 @@ GpuTexture Textures::make_noise(int dimensions) {
     return gpu;
 }
 
+const gl::Black& Textures::nothing(std::string_view sampler) {
+    const auto [found, fresh] = black_.try_emplace(sampler);
+    if (fresh) found->second = gl::make_black(sampler);
+    return found->second;
+}
+
 GLuint Textures::sampler(const Filter& filter, bool clamp, bool cube) {
     auto& sampler = samplers_[{static_cast<int>(filter.mode), filter.anisotropy, clamp, cube}];
     if (!sampler) sampler = gl::make_sampler(sampling(filter, clamp), cube);

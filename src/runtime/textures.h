@@ -13,6 +13,7 @@
 #include "parser/diagnostic.h"
 #include "parser/scene.h"
 #include "src/content/convolve.h"
+#include "src/gl/black.h"
 #include "src/gl/caps.h"
 #include "src/gl/texture.h"
 #include "src/plan/files.h"
@@ -44,6 +45,8 @@ public:
     // Null when it can't be had (too large for this OpenGL; an error was given).
     const GpuTexture* realise(Index texture);
     const GpuTexture* noise(int dimensions);
+    // What a sampler of that GLSL type (static text) reads where nothing is bound.
+    const gl::Black& nothing(std::string_view sampler);
     GLuint sampler(const Filter& filter, bool clamp, bool cube);
     // Of the cube map `texture`, which is not computed; computed now, if nobody asked before. Stays where it is.
     const content::Harmonics* harmonics(Index texture);
@@ -103,6 +106,7 @@ private:
     std::vector<Index> same_;     // the first texture that is declared just so; empty ones are all different
     std::vector<bool> drawn_to_;  // by Scene::textures: what they show is this runtime's own
     std::map<int, std::shared_ptr<GpuTexture>> noise_;
+    std::map<std::string_view, gl::Black> black_;  // by GLSL type
     std::map<std::tuple<int, int, bool, bool>, gl::Sampler> samplers_;
     ImageCache images_;
     std::map<Index, Preloaded> preloaded_;

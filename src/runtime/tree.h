@@ -13,8 +13,8 @@ namespace snell::runtime {
 enum class TreePart { nodes, triangles, normals };
 inline constexpr std::size_t tree_parts = 3;
 
-// Which part the `uniform samplerBuffer` of this name reads; none: it is the scene's own.
-std::optional<TreePart> tree_part(std::string_view sampler);
+// Which part the sampler of this name and type reads; none: it is the scene's own.
+std::optional<TreePart> tree_part(std::string_view sampler, std::string_view type);
 
 // By TreePart; empty handles where no program has read the part yet.
 struct GpuTree {

@@ -247,7 +247,33 @@ TEST(GlslStages, FragColorIsTheColorOfEveryTarget) {
     EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
     Translated own;
     translate_texts(own, {{Stage::fragment, "#version 330\nout vec4 c; void main() { c = vec4(1.); }"}}, options);
-    EXPECT_FALSE(own.has(Stage::fragment, "location = 1"));
+    EXPECT_TRUE(own.has(Stage::fragment, "layout(location = 1) out vec4 snell_Unwritten1;"));
+    EXPECT_TRUE(own.has(Stage::fragment, "snell_Unwritten1 = vec4(0.0);"));
+    EXPECT_FALSE(own.has(Stage::fragment, "location = 0"));
+}
+
+// What has no value would have one that another program left behind.
+TEST(GlslStages, WhatIsNeverSetIsZero) {
+    Translated t;
+    translate_texts(
+        t,
+        {{Stage::vertex,
+          "out vec2 vA; out vec3 vB; out float vC; void main() { if (gl_Vertex.x > 0.) vB = vec3(1.); vC = 1.; "
+          "gl_Position = gl_Vertex; }"},
+         {Stage::fragment,
+          "in vec2 vA; in vec3 vB; in float vC; void main() { vec4 c; int n, m = 2; for (int i = 0; i < 2; ++i) "
+          "n += m; gl_FragColor = c + vec4(vA + vC, vB.xy) * float(n); }"}},
+        {});
+    EXPECT_TRUE(t.has(Stage::vertex, "vA = vec2(0.0);"));
+    EXPECT_TRUE(t.has(Stage::vertex, "vB = vec3(0.0);"));
+    EXPECT_FALSE(t.has(Stage::vertex, "vC = 0.0;")) << "it is always set";
+    EXPECT_TRUE(t.has(Stage::fragment, "vec4 c = vec4(0.0);"));
+    EXPECT_TRUE(t.has(Stage::fragment, "int n = 0, m = 2;"));
+    std::string log;
+    EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
+    Translated none;
+    translate_texts(none, {{Stage::fragment, "void main() { }"}}, {});
+    EXPECT_TRUE(none.has(Stage::fragment, "snell_Unwritten0 = vec4(0.0);"));
 }
 
 TEST(GlslStages, DroppedBindingsAreDefaults) {
