@@ -1,6 +1,7 @@
 // What is wrong with the input, where, and what would help. Libraries return these; only src/app prints.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,12 @@ struct Diagnostic {
     std::string message;  // one line, no capital, no full stop
     std::string help;     // may be empty: what to do about it
     std::vector<Note> notes;
-    bool has_span = true;  // false for what has no place in a text (no graphics, unwritable output)
+    bool has_span = true;         // false for what has no place in a text (no graphics, unwritable output)
+    std::vector<Span> also = {};  // further places in the same text with the same defect
+
+    bool is_at(std::string_view what, const Span& place) const {
+        return has_span && code == what && (span == place || std::ranges::find(also, place) != also.end());
+    }
 };
 
 class Diagnostics {
@@ -43,6 +49,10 @@ public:
     // Without a place in a text.
     Diagnostic& error(std::string_view code, std::string message, std::string help = {});
     Diagnostic& warning(std::string_view code, std::string message, std::string help = {});
+
+    // The same message about several places of one text is one diagnostic: at the first place, with the others in
+    // `also`.
+    void add_once(Diagnostic diagnostic);
 
     bool has_errors() const { return errors_ > 0; }
     std::size_t errors() const { return errors_; }
@@ -70,5 +80,9 @@ std::string render(const Diagnostics& diagnostics, const Sources& sources);
 // The candidate nearest to `word` by edit distance without regard to case, if near enough to be meant;
 // else empty.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+// Insertions, deletions, substitutions and swaps of neighbours from one word to another, without regard to case. Of
+// words that are too long to be compared: more than any word is near.
+int edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace snell

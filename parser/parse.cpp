@@ -154,8 +154,9 @@ private:
             return;
         }
         std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
-        if (!included) {
-            report_.error("include-not-found", span, "'" + std::string(name) + "' can't be read");
+        if (!included || included->name.empty()) {
+            report_.error("include-not-found", span, "'" + std::string(name) + "' can't be read",
+                          included ? suggested(included->nearest) : std::string());
             return;
         }
         const auto same =
@@ -166,6 +167,14 @@ private:
         }
         const FileId file = sources_.add(included->name, std::move(included->text));
         read(file, std::move(included->name), span);
+    }
+
+    // A scene that is being read is not what was to be included.
+    std::string suggested(std::string_view nearest) const {
+        const auto last = [](std::string_view path) { return path.substr(path.rfind('/') + 1); };
+        const bool open =
+            std::ranges::any_of(open_, [&](const OpenText& text) { return last(text.name) == last(nearest); });
+        return nearest.empty() || open ? std::string() : "did you mean '" + std::string(nearest) + "'?";
     }
 
     Sources& sources_;

@@ -14,10 +14,11 @@
 namespace snell {
 
 // Gives the text of an included scene, and the name it is known by from then on (which later includes are
-// relative to); nothing when it can't be read.
+// relative to); nothing when it can't be read, and no name when there is no such file.
 struct IncludedText {
     std::string name;
     std::string text;
+    std::string nearest = {};  // without a name: the file that was probably meant
 };
 using IncludeReader = std::function<std::optional<IncludedText>(std::string_view from, std::string_view name)>;
 
