@@ -36,7 +36,9 @@ bool plausible_number(std::string_view text);
 // True when the number was written without point and exponent.
 bool written_integral(std::string_view text);
 
-// Says what is wrong with a number that has a fault: a warning when it is usable, else an error.
-void report_number(Report& report, const Number& number, std::string_view text, Span span);
+// Says what is wrong with a number that has a fault: a warning when it is usable, else an error, and what is used
+// `instead` of a word that is no number.
+void report_number(Report& report, const Number& number, std::string_view text, Span span,
+                   std::string_view instead = {});
 
 }  // namespace snell
