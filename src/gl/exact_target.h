@@ -42,6 +42,27 @@ private:
 };
 
 // How long the GPU says that it worked between begin and end: a timer query. Only where the context has them.
+// Whether any fragment passes from begin() to end(): one that is neither discarded nor behind another. In every
+// context.
+class AnySamples {
+public:
+    AnySamples() { glGenQueries(1, &id_); }
+    ~AnySamples() { glDeleteQueries(1, &id_); }
+    AnySamples(const AnySamples&) = delete;
+    AnySamples& operator=(const AnySamples&) = delete;
+    void begin() const { glBeginQuery(GL_ANY_SAMPLES_PASSED, id_); }
+    void end() const { glEndQuery(GL_ANY_SAMPLES_PASSED); }
+    // Waits for the draws.
+    bool passed() const {
+        GLuint any = 0;
+        glGetQueryObjectuiv(id_, GL_QUERY_RESULT, &any);
+        return any != 0;
+    }
+
+private:
+    GLuint id_ = 0;
+};
+
 class TimerQuery {
 public:
     TimerQuery();

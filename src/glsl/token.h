@@ -177,6 +177,7 @@ struct Unit {
     std::unordered_set<std::string_view> function_names;
     std::vector<StageLayout> layouts;
 
+    std::vector<Misfit> misfits;
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
     std::set<std::string_view> legacy_written;      // built-in variables that are assigned
     bool alpha_known = false;                       // some write of a colour output gave it alpha 1
