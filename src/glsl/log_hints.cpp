@@ -234,8 +234,10 @@ std::string help(const Misfit& misfit) {
     if (right.empty()) return op == "~" ? "it takes whole numbers" : "it takes numbers: float(…) makes one of a bool";
     if (op == "==" || op == "!=") {
         const std::string_view vector = scalar(left) ? right : left;
-        if (scalar(left) == scalar(right)) return "both sides need the same type";
-        if (vector.starts_with("mat")) return fmt::format("both sides need the same type: {}(…)", vector);
+        const bool matrix = left.starts_with("mat") || right.starts_with("mat");
+        if (scalar(left) == scalar(right) && !matrix)
+            return "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3";
+        if (matrix) return "both sides need the same type";
         return fmt::format("compare one component, as in 'v.x', or the whole: {}(…)", vector);
     }
     if (op == "<" || op == ">" || op == "<=" || op == ">=")

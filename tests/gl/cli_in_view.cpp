@@ -13,7 +13,8 @@ class InView : public testing::Test {
 protected:
     Outcome render(const std::string& text, const std::string& arguments = {}, const std::string& to = "o.png") {
         folder.write("s.glib", text);
-        return snell("render --size 64x48 " + folder.path("s.glib") + " -o '" + folder.path(to) + "' " + arguments);
+        const std::string size = arguments.find("--size") == std::string::npos ? "--size 64x48 " : "";
+        return snell("render " + size + folder.path("s.glib") + " -o '" + folder.path(to) + "' " + arguments);
     }
     static bool warns(const Outcome& outcome) { return outcome.output.find("[nothing-in-view]") != std::string::npos; }
     // The option that the warning names is tried: the warning is gone, and the picture is another.
@@ -75,8 +76,8 @@ TEST_F(InView, ASceneWithoutDrawsHasItsOwnWord) {
 
 // Parts of a large picture are asked together.
 TEST_F(InView, APictureOfParts) {
-    EXPECT_FALSE(warns(render("LookAt 0 0 40\nTranslate 12 0 0\nBox\n", "--tile 16")));
-    EXPECT_TRUE(warns(render("Translate 0 0 5\nBox\n", "--tile 16")));
+    EXPECT_FALSE(warns(render("LookAt 0 0 40\nTranslate 12 0 0\nBox\n", "--size 200x130 --tile 64")));
+    EXPECT_TRUE(warns(render("Translate 0 0 5\nBox\n", "--size 200x130 --tile 64")));
 }
 
 }  // namespace
