@@ -33,6 +33,10 @@ int distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+int edit_distance(std::string_view a, std::string_view b) {
+    return std::max(a.size(), b.size()) > longest_word ? static_cast<int>(longest_word) : distance(a, b);
+}
+
 const char* name(Severity severity) {
     switch (severity) {
         case Severity::note:
@@ -80,6 +84,19 @@ Diagnostic& Diagnostics::error(std::string_view code, std::string message, std::
 
 Diagnostic& Diagnostics::warning(std::string_view code, std::string message, std::string help) {
     return add({Severity::warning, std::string(code), {}, std::move(message), std::move(help), {}, false});
+}
+
+void Diagnostics::add_once(Diagnostic diagnostic) {
+    const auto same = std::ranges::find_if(items_, [&](const Diagnostic& d) {
+        return d.has_span && d.span.file == diagnostic.span.file && d.code == diagnostic.code &&
+               d.message == diagnostic.message && d.help == diagnostic.help;
+    });
+    if (same == items_.end()) {
+        add(std::move(diagnostic));
+    } else if (!same->is_at(diagnostic.code, diagnostic.span)) {
+        if (diagnostic.span.begin < same->span.begin) std::swap(diagnostic.span, same->span);
+        same->also.push_back(diagnostic.span);
+    }
 }
 
 void Diagnostics::append(const Diagnostics& others) {

@@ -2,6 +2,7 @@
 // prints.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,12 @@ struct Diagnostic {
     std::string message;  // one line, without initial capital or full stop
     std::string help;     // what the user can do about it; may be empty
     std::vector<Note> notes;
-    bool has_span = true;  // false if it concerns no place in a text (no graphics, unwritable output)
+    bool has_span = true;         // false if it concerns no place in a text (no graphics, unwritable output)
+    std::vector<Span> also = {};  // further places in the same text with the same defect
+
+    bool is_at(std::string_view what, const Span& place) const {
+        return has_span && code == what && (span == place || std::ranges::find(also, place) != also.end());
+    }
 };
 
 class Diagnostics {
@@ -44,6 +50,10 @@ public:
     // For problems without a place in a text.
     Diagnostic& error(std::string_view code, std::string message, std::string help = {});
     Diagnostic& warning(std::string_view code, std::string message, std::string help = {});
+
+    // The same message about several places of one text is one diagnostic: at the first place, with the others in
+    // `also`.
+    void add_once(Diagnostic diagnostic);
 
     bool has_errors() const { return errors_ > 0; }
     std::size_t errors() const { return errors_; }
@@ -70,5 +80,9 @@ std::string render(const Diagnostics& diagnostics, const Sources& sources);
 
 // Returns the candidate nearest to `word` by edit distance, without regard to case; empty if none is similar enough.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+// Insertions, deletions, substitutions and swaps of neighbours from one word to another, without regard to case. Of
+// words that are too long to be compared: more than any word is near.
+int edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace snell

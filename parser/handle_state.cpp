@@ -137,6 +137,7 @@ void look_at(Builder& b, const Arguments& a) {
     const Vec3 up{a.number(6), a.number(7), a.number(8)};
     camera.look_at = {eye, centre, up};
     b.set_camera(camera);
+    if (a.mended()) return;  // the one mistake is said
     const Vec3 forward = scaled_to_one(minus(centre, eye));
     const Vec3 side = cross(forward, scaled_to_one(up));
     if (largest(forward) == 0) {
@@ -160,6 +161,7 @@ void translate(Builder& b, const Arguments& a) {
 void rotate(Builder& b, const Arguments& a) {
     Vec3 axis = scaled_to_one({a.number(1), a.number(2), a.number(3)});
     const double length = std::hypot(axis[0], axis[1], axis[2]);
+    if (length == 0 && a.mended()) return;  // which is said
     if (length == 0) {
         b.report().error("zero-axis", a.span(), "a rotation needs an axis that is not 0 0 0: it is ignored",
                          "usage: Rotate angle x y z");
@@ -170,6 +172,7 @@ void rotate(Builder& b, const Arguments& a) {
 }
 
 void scale(Builder& b, const Arguments& a) {
+    if (a.mended()) return;  // by 0, which would leave nothing to be seen
     const bool uniform = a.alternative() == 0;
     const double x = a.number(0), y = uniform ? x : a.number(1), z = uniform ? x : a.number(2);
     apply(b, a, {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1});

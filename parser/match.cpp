@@ -54,6 +54,7 @@ public:
         out_.alternative_ = alternative;
         out_.arguments_.clear();
         out_.numbers_.clear();
+        out_.mended_ = false;
         dry_ = false;
         at_ = 0;
         for (std::size_t i = 0; i < command_.signature.parameter_count(alternative); ++i)
@@ -97,12 +98,18 @@ private:
             do {
                 skip_separators();
                 if (at_ == tokens_.size()) break;
-                if (!take(p, nullptr)) return {true, 0, 0};
+                if (!take(p, nullptr)) {
+                    // A word where a number belongs takes its place all the same.
+                    if (p.kind != ArgumentKind::number && p.kind != ArgumentKind::integer) return {true, 0, 0};
+                    result.mismatch = true;
+                }
                 taken = true;
             } while (p.repeated);
             if (!taken && !p.optional) ++result.missing;
         }
         result.surplus = remaining();
+        // "LookAt 0 0 z" is not the LookAt that has no arguments.
+        if (command_.signature.parameter_count(alternative) == 0) result.mismatch = result.surplus > 0;
         return result;
     }
 
@@ -166,8 +173,17 @@ private:
         ++at_;
         out->span = lexer_.span(token);
         const Number number = read_number(text);
-        if (number.fault != NumberFault::none) report_number(report_, number, text, out->span);
-        if (!number.usable()) return false;
+        // A word is taken for the default, as glman's scanner did, or for 0; the numbers that follow keep their places.
+        // Units and sizes without a default can't be guessed.
+        const bool mendable =
+            number.fault == NumberFault::not_a_number && !p.repeated && (p.optional || p.kind == ArgumentKind::number);
+        if (number.fault != NumberFault::none)
+            report_number(report_, number, text, out->span, mendable ? p.default_text : std::string_view());
+        if (!number.usable()) {
+            out->number = p.default_value;
+            out_.mended_ = out_.mended_ || mendable;
+            return mendable;
+        }
         out->number = number.value;
         if (p.kind == ArgumentKind::integer) round(*out, text);
         return true;

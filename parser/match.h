@@ -36,6 +36,8 @@ public:
     bool given(std::size_t i) const { return (*this)[i].given; }
     Span span() const { return span_; }
     Span span(std::size_t i) const { return (*this)[i].span; }
+    // True if a number replaces a word that is not one, which is an error in the report.
+    bool mended() const { return mended_; }
     // The tokens of the statement, for arguments with a syntax of their own (uniforms).
     const Lexer& lexer() const { return *lexer_; }
     std::span<const Token> tokens() const { return statement_.tokens; }
@@ -48,6 +50,7 @@ private:
     std::string joined_;  // text of a `rest` argument that spans several lines
     Argument nothing_;
     std::size_t alternative_ = 0, size_ = 0;
+    bool mended_ = false;
     Span span_;
     const Lexer* lexer_ = nullptr;
     Statement statement_;

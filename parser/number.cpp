@@ -139,7 +139,7 @@ bool written_integral(std::string_view text) {
     return true;
 }
 
-void report_number(Report& report, const Number& number, std::string_view text, Span span) {
+void report_number(Report& report, const Number& number, std::string_view text, Span span, std::string_view instead) {
     const std::string quoted = "'" + std::string(text.substr(0, 60)) + "'";
     switch (number.fault) {
         case NumberFault::none:
@@ -151,7 +151,8 @@ void report_number(Report& report, const Number& number, std::string_view text, 
             report.warning("number-suffix", span, quoted + " has something after the number, which is ignored");
             break;
         case NumberFault::not_a_number:
-            report.error("not-a-number", span, quoted + " is not a number");
+            report.error("not-a-number", span, quoted + " is not a number",
+                         instead.empty() ? std::string() : "the default, " + std::string(instead) + ", is used");
             break;
         case NumberFault::hexadecimal:
             report.error("hexadecimal-number", span, quoted + " is hexadecimal", "write the number in decimal");

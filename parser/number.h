@@ -37,7 +37,9 @@ bool plausible_number(std::string_view text);
 // True if the number was written without point and exponent.
 bool written_integral(std::string_view text);
 
-// Reports the fault of a number: a warning if its value is usable, otherwise an error.
-void report_number(Report& report, const Number& number, std::string_view text, Span span);
+// Reports the fault of a number: a warning if its value is usable, otherwise an error that says what is used `instead`
+// of a word that is not a number.
+void report_number(Report& report, const Number& number, std::string_view text, Span span,
+                   std::string_view instead = {});
 
 }  // namespace snell

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parser/builder.h"
+#include "parser/elsewhere.h"
 #include "parser/match.h"
 #include "parser/uniforms.h"
 
@@ -13,6 +14,13 @@ struct OpenText {
     FileId file;
     std::string name;
     Span included_at;
+};
+
+// Lines of uniforms behind a Program that does not go on to them.
+struct LostLines {
+    Diagnostic diagnostic;
+    Span program;  // the statement; empty: others stand between
+    std::string name;
 };
 
 class SceneParser {
@@ -64,6 +72,7 @@ private:
             if (open_.size() == 1) builder_.progress(reader.lexer().position());
             read_statement(reader, statement, arguments, program);
         }
+        report_lost_lines();
         reader.report_oddities();
         open_.pop_back();
         names_are_from_here();
@@ -79,6 +88,7 @@ private:
             unknown(reader, statement, program);
             return;
         }
+        report_lost_lines();
         const bool good = match(*command, statement, reader, report_, arguments);
         if (good) command->handler(builder_, arguments);
         program = good && command->name == "Program" ? reader.span(statement) : Span{};
@@ -88,40 +98,68 @@ private:
         const Lexer& lexer = reader.lexer();
         const Span span = lexer.span(statement.command());
         const std::string word(lexer.text(statement.command()).substr(0, 60));
-        const bool valued = looks_like_uniform(statement.tokens, lexer);
         Program* const current = builder_.program();
+        const bool valued = looks_like_uniform(statement.tokens, lexer, program != Span{});
         const bool bracketed = valued && statement.tokens[1].kind == TokenKind::open;
-        std::string help;
-        if (valued && current != nullptr && (bracketed || program != Span{})) {
+        const std::string_view near = nearest(word, command_names());
+        // 'Spher 1' behind a Program is a slip for 'Sphere'; 'uScale 1' is a uniform however near 'Scale' is.
+        const bool slip = !bracketed && !near.empty() && !(word.size() > 1 && word[0] == 'u' && upper(word[1]));
+        if (valued && !slip && current != nullptr && (bracketed || program != Span{})) {
             take_uniforms(reader, statement, *current, program);
             return;
         }
-        const std::string_view near = nearest(word, command_names());
-        if (!near.empty()) help = "did you mean '" + std::string(near) + "'?";
+        const bool argument = statement.tokens.size() > 1;
+        std::string help = help_for_opengl(word, argument ? lexer.text(statement.tokens[1]) : std::string_view());
+        if (help.empty() && !near.empty()) help = "did you mean '" + std::string(near) + "'?";
+        if (help.empty() && word.find('.') != std::string::npos)
+            help = "a file name is no command: if it belongs to the statement before, end that line with '\\'";
         if (valued && bracketed && current == nullptr) help = "uniforms are given by a Program statement";
         if (statement.command().kind != TokenKind::word) help = "a statement begins with a command";
         report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
     }
 
+    static bool upper(char c) { return c >= 'A' && c <= 'Z'; }
+
+    int line_of(FileId file, std::uint32_t offset) const { return sources_.position(file, offset).line; }
+
+    // One '\\' that is missing makes every line after it a statement of its own, and is one mistake.
+    void report_lost_lines() {
+        if (!lost_) return;
+        const Span program = lost_->program;
+        Diagnostic& d = lost_->diagnostic;
+        if (program != Span{}) {
+            const int begin = line_of(program.file, program.begin), end = line_of(program.file, program.end);
+            const int last = line_of(program.file, d.also.empty() ? d.span.begin : d.also.back().begin) - 1;
+            d.help = "'Program' on line " + std::to_string(begin) + " is not continued: end " +
+                     (d.also.empty() || last <= end
+                          ? "line " + std::to_string(end)
+                          : "each line from " + std::to_string(end) + " to " + std::to_string(last)) +
+                     " with '\\'";
+            d.notes.push_back({program, "the values are taken for this program all the same"});
+        } else {
+            d.help =
+                "it reads like a uniform and is taken for program '" + lost_->name + "'; write it on the Program line";
+        }
+        Diagnostic& reported = report_.error(d.code, d.span, std::move(d.message), std::move(d.help));
+        reported.notes = std::move(d.notes);
+        reported.also = std::move(d.also);
+        lost_.reset();
+    }
+
     // A uniform on a line of its own: the Program before it lost its backslash.
     void take_uniforms(const StatementReader& reader, const Statement& statement, Program& current, Span program) {
         const Lexer& lexer = reader.lexer();
-        const std::string word(lexer.text(statement.command()).substr(0, 60));
         const Span span = lexer.span(statement.command());
-        std::string help;
-        if (program != Span{}) {
-            const int begin = sources_.position(program.file, program.begin).line;
-            const int end = sources_.position(program.file, program.end).line;
-            help = "'Program' on line " + std::to_string(begin) + " is not continued: end line " + std::to_string(end) +
-                   " with '\\'";
+        if (lost_ && lost_->program == program) {
+            lost_->diagnostic.also.push_back(span);
         } else {
-            help =
-                "it reads like a uniform and is taken for program '" + current.name + "'; write it on the Program line";
+            report_lost_lines();
+            lost_ = LostLines{{}, program, current.name};
+            lost_->diagnostic.code = "unknown-command";
+            lost_->diagnostic.span = span;
+            lost_->diagnostic.message =
+                "unknown command '" + std::string(lexer.text(statement.command()).substr(0, 60)) + "'";
         }
-        Diagnostic& d = report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
-        if (program != Span{} && program != noted_)
-            d.notes.push_back({program, "the values are taken for this program all the same"});
-        noted_ = program;
         UniformList list = read_uniforms(statement.tokens, lexer, report_, limits_, false);
         for (UniformValue& u : list.uniforms) {
             const auto same = std::find_if(current.uniforms.begin(), current.uniforms.end(),
@@ -154,8 +192,9 @@ private:
             return;
         }
         std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
-        if (!included) {
-            report_.error("include-not-found", span, "'" + std::string(name) + "' can't be read");
+        if (!included || included->name.empty()) {
+            report_.error("include-not-found", span, "'" + std::string(name) + "' can't be read",
+                          included ? suggested(included->nearest) : std::string());
             return;
         }
         const auto same =
@@ -168,6 +207,14 @@ private:
         read(file, std::move(included->name), span);
     }
 
+    // A scene that is being read is not what was to be included.
+    std::string suggested(std::string_view nearest) const {
+        const auto last = [](std::string_view path) { return path.substr(path.rfind('/') + 1); };
+        const bool open =
+            std::ranges::any_of(open_, [&](const OpenText& text) { return last(text.name) == last(nearest); });
+        return nearest.empty() || open ? std::string() : "did you mean '" + std::string(nearest) + "'?";
+    }
+
     Sources& sources_;
     const IncludeReader& reader_;
     const Limits& limits_;
@@ -175,7 +222,7 @@ private:
     Builder builder_;
     std::vector<OpenText> open_;
     std::uint64_t statements_ = 0, included_ = 0;
-    Span noted_;  // the Program of which the note about a lost backslash was given
+    std::optional<LostLines> lost_;
 };
 
 }  // namespace

@@ -13,10 +13,12 @@
 
 namespace snell {
 
-// The text of an included scene, and its name, which later includes are relative to.
+// Returns the text of an included scene, and its name, which later includes are relative to; nothing if it cannot be
+// read, and an empty name if there is no such file.
 struct IncludedText {
     std::string name;
     std::string text;
+    std::string nearest = {};  // without a name: the file that was probably meant
 };
 // Reads the scene `name` that is included by the scene `from`; returns nullopt if it cannot be read.
 using IncludeReader = std::function<std::optional<IncludedText>(std::string_view from, std::string_view name)>;

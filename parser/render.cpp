@@ -90,6 +90,25 @@ void place(std::string& out, Span span, const Sources& sources, Severity severit
     out += "\n";
 }
 
+// "also on lines 12, 14 and 88 others"; nothing where all places are on the line that is shown.
+std::string other_lines(const Diagnostic& diagnostic, const Sources& sources) {
+    constexpr std::size_t most = 6;
+    std::vector<int> lines;
+    for (const Span& span : diagnostic.also) lines.push_back(sources.position(span.file, span.begin).line);
+    std::ranges::sort(lines);
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    std::erase(lines, sources.position(diagnostic.span.file, diagnostic.span.begin).line);
+    if (lines.empty()) return {};
+    const std::size_t shown = lines.size() > most ? 2 : lines.size();
+    std::string text = lines.size() == 1 ? "also on line " : "also on lines ";
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (i > 0) text += i + 1 == lines.size() ? " and " : ", ";
+        text += std::to_string(lines[i]);
+    }
+    if (shown < lines.size()) text += " and " + std::to_string(lines.size() - shown) + " others";
+    return "   " + text + "\n";
+}
+
 }  // namespace
 
 std::string render(const Diagnostic& diagnostic, const Sources& sources) {
@@ -101,6 +120,7 @@ std::string render(const Diagnostic& diagnostic, const Sources& sources) {
         if (!diagnostic.code.empty()) out += " [" + diagnostic.code + "]";
         out += "\n";
     }
+    if (!diagnostic.also.empty()) out += other_lines(diagnostic, sources);
     if (!diagnostic.help.empty()) out += "   help: " + utf8::printable(diagnostic.help) + "\n";
     for (const Note& note : diagnostic.notes) place(out, note.span, sources, Severity::note, note.message, "");
     return out;

@@ -362,11 +362,16 @@ UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Rep
     return list;
 }
 
-bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer) {
-    if (tokens.size() < 2 || tokens[0].kind != TokenKind::word || looks_numeric(lexer.text(tokens[0]))) return false;
-    const Token& value = tokens[1];
-    if (value.kind == TokenKind::open) return true;
-    return value.kind == TokenKind::word && tokens.size() == 2 && plausible_number(lexer.text(value));
+bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer, bool several) {
+    while (tokens.size() >= 2 && tokens[0].kind == TokenKind::word && !looks_numeric(lexer.text(tokens[0]))) {
+        const Token& value = tokens[1];
+        if (value.kind == TokenKind::open) return true;
+        if (value.kind != TokenKind::word || !plausible_number(lexer.text(value))) return false;
+        if (tokens.size() == 2) return true;
+        if (!several) return false;
+        tokens = tokens.subspan(2);
+    }
+    return false;
 }
 
 }  // namespace snell

@@ -22,7 +22,8 @@ struct UniformList {
 UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Report& report, const Limits& limits,
                           bool named);
 
-// True if the tokens look like a uniform and its value rather than a command, such as `uSc <0. .5 1.>`.
-bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer);
+// True if the tokens look like a uniform and its value rather than a command, such as `uSc <0. .5 1.>`, or like
+// `several`.
+bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer, bool several);
 
 }  // namespace snell

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "parser/utf8.h"
+#include "src/app/in_view.h"
 #include "src/app/painting.h"
 #include "src/app/picture.h"
 #include "src/app/quality.h"
@@ -301,7 +302,10 @@ void Batch::draw(Open& open, const Shot& shot) {
     parse_view(options_.view, view);
     view.axes = options_.axes;
     Runtime& runtime = *open.document->runtime;
-    const Frame frame{time_of(open, shot), view, *controls};
+    Frame frame{time_of(open, shot), view, *controls};
+    bool reached = false;
+    // One picture is looked at; of a series many a frame may be empty on purpose.
+    if (shots_.per_scene() == 1) frame.reached = &reached;
     std::optional<content::Image> picture;
     std::string wrong;
     if (target_.framebuffer)
@@ -314,11 +318,15 @@ void Batch::draw(Open& open, const Shot& shot) {
     timings_.frame += records_.back().milliseconds;
     deadline_.rest();
     writer_.add(file, std::move(picture), wrong);
+    if (frame.reached && !reached && wrong.empty() && !options_.quiet)
+        say(nothing_in_view(*open.document, {frame.time, view, *controls}, size_.width, size_.height),
+            open.document->sources);
     if (!options_.count_non_finite) return;
     if (!target_.framebuffer)
         return fmt::print(stderr,
                           "snell: warning: a picture that is drawn part by part is not counted: take a smaller "
                           "--size [non-finite]\n");
+    frame.reached = nullptr;
     const auto found = count_non_finite(runtime, frame, size_.width, size_.height);
     if (!found) fmt::print(stderr, "snell: warning: this OpenGL has no pictures of floats: nothing is counted\n");
     if (found) {

@@ -36,6 +36,7 @@ Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     Json json{{"severity", name(diagnostic.severity)}, {"code", diagnostic.code}, {"message", diagnostic.message}};
     if (diagnostic.has_span) json["at"] = span_json(diagnostic.span, sources);
     if (!diagnostic.help.empty()) json["help"] = diagnostic.help;
+    for (const Span& span : diagnostic.also) json["also_at"].push_back(span_json(span, sources));
     for (const Note& note : diagnostic.notes)
         json["notes"].push_back({{"at", span_json(note.span, sources)}, {"message", note.message}});
     return json;

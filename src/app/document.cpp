@@ -17,7 +17,7 @@ namespace {
 IncludeReader include_reader(Files& files) {
     return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
         const Resolved resolved = files.resolve_beside(from, name, {"glib"});
-        if (resolved.path.empty()) return std::nullopt;
+        if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest};
         std::string error;
         auto text = files.read(resolved.path, error);
         if (!text) return std::nullopt;

@@ -13,17 +13,19 @@ bool about_unsampled(const Document& document, const Diagnostic& diagnostic) {
     // What lies outside of the folder that reading is confined to stays an error, read or not.
     if (diagnostic.code != "file-not-found") return false;
     const auto& textures = document.scene().textures;
-    for (Index i = 0; i < textures.size(); ++i)
-        if (std::ranges::find(textures[i].files, diagnostic.span, &FileName::span) != textures[i].files.end() &&
-            !document.runtime->sampled(i))
-            return true;
-    return false;
+    const auto unsampled = [&](const Span& span) {
+        for (Index i = 0; i < textures.size(); ++i)
+            if (std::ranges::find(textures[i].files, span, &FileName::span) != textures[i].files.end() &&
+                !document.runtime->sampled(i))
+                return true;
+        return false;
+    };
+    return unsampled(diagnostic.span) && std::ranges::all_of(diagnostic.also, unsampled);
 }
 
 bool known(const Diagnostics& diagnostics, const Diagnostic& diagnostic) {
-    return std::ranges::any_of(diagnostics.items(), [&](const Diagnostic& other) {
-        return other.code == diagnostic.code && other.span == diagnostic.span;
-    });
+    return std::ranges::any_of(diagnostics.items(),
+                               [&](const Diagnostic& other) { return other.is_at(diagnostic.code, diagnostic.span); });
 }
 
 }  // namespace

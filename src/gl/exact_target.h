@@ -41,6 +41,27 @@ private:
     VertexArray nothing_;
 };
 
+// Finds whether any fragment passes between begin() and end(), that is, is neither discarded nor behind another. Works
+// in every context.
+class AnySamples {
+public:
+    AnySamples() { glGenQueries(1, &id_); }
+    ~AnySamples() { glDeleteQueries(1, &id_); }
+    AnySamples(const AnySamples&) = delete;
+    AnySamples& operator=(const AnySamples&) = delete;
+    void begin() const { glBeginQuery(GL_ANY_SAMPLES_PASSED, id_); }
+    void end() const { glEndQuery(GL_ANY_SAMPLES_PASSED); }
+    // Waits for the draws.
+    bool passed() const {
+        GLuint any = 0;
+        glGetQueryObjectuiv(id_, GL_QUERY_RESULT, &any);
+        return any != 0;
+    }
+
+private:
+    GLuint id_ = 0;
+};
+
 // Measures the GPU's time between begin() and end() with a timer query, if the context has one.
 class TimerQuery {
 public:

@@ -54,7 +54,43 @@ Type arithmetic(const Type& a, const Type& b, std::string_view op) {
     return make_type(base, a.rows, a.cols);
 }
 
+bool known(const Type& type) { return type.dims == 0 && type.base >= Base::boolean && type.base <= Base::dreal; }
+
+// Whether GLSL, with what is forgiven, takes these operands; both types are known.
+bool takes(std::string_view op, const Type& a, const Type& b) {
+    const bool same_shape = a.rows == b.rows && a.cols == b.cols;
+    const int level = op == "?:" ? 7 : precedence(op);
+    if (level <= 3 || level == 8) return a.scalar() && b.scalar();
+    if (level == 7) return same_shape;
+    if (level == 10 || (level == 11 && op != "%")) {
+        if (!a.numeric() && !b.numeric()) return false;
+        if (op == "*" && (a.cols > 1 || b.cols > 1) && !a.scalar() && !b.scalar())
+            return (a.cols > 1 ? a.cols : a.rows) == b.rows;
+        return same_shape || a.scalar() || b.scalar();
+    }
+    return a.integral() && b.integral() && (same_shape || b.scalar() || (a.scalar() && level != 9));
+}
+
 }  // namespace
+
+void Parser::note_operands(const Expression& a, const Expression& b, std::string_view op) {
+    if (a.first < 0 || b.last < a.first || !known(a.type) || !known(b.type) || takes(op, a.type, b.type)) return;
+    const Span first = u_.span(a.first), last = u_.span(b.last);
+    if (first.file != last.file) return;
+    u_.misfits.push_back({{first.file, first.begin, last.end},
+                          std::string(op),
+                          type_name(a.type.base, a.type.rows, a.type.cols),
+                          type_name(b.type.base, b.type.rows, b.type.cols)});
+}
+
+void Parser::note_operand(const Expression& e, std::string_view op) {
+    if (e.first < 0 || e.last < e.first || !known(e.type)) return;
+    const bool good = op == "!" ? e.type.scalar() : op == "~" ? e.type.integral() : e.type.numeric();
+    const Span first = u_.span(e.first), last = u_.span(e.last);
+    if (good || first.file != last.file) return;
+    u_.misfits.push_back(
+        {{first.file, first.begin, last.end}, std::string(op), type_name(e.type.base, e.type.rows, e.type.cols), {}});
+}
 
 void Parser::wrap(const Expression& e, std::string_view type) {
     Edit& before = u_.edit(e.first);
@@ -153,6 +189,7 @@ Expression Parser::assignment() {
         const Expression value = assignment();
         const bool plain = op == "=";
         Type due = target.type;
+        if (!plain && op != "<<=" && op != ">>=") note_operands(target, value, op.substr(0, 1));
         if (!plain && due.floating()) due = make_type(due.base, value.type.rows);
         if (op != "<<=" && op != ">>=") convert(value, due, plain ? Due::assignment : Due::operand);
         note_write(target, &value, op);
@@ -174,6 +211,7 @@ Expression Parser::ternary() {
     Expression a = expression();
     accept(":");
     Expression b = assignment();
+    note_operands(a, b, "?:");
     if (a.type.base != b.type.base && a.type.numeric() && b.type.numeric()) {
         const Base base = std::max(a.type.base, b.type.base);
         convert(a, make_type(base, a.type.rows), Due::operand);
@@ -195,6 +233,7 @@ Expression Parser::combine(Expression a, Expression b, std::string_view op) {
     out.first = a.first;
     out.last = b.last;
     out.constant = a.constant && b.constant;
+    note_operands(a, b, op);
     const bool logical = op == "&&" || op == "||" || op == "^^";
     const bool relation = precedence(op) == 7 || precedence(op) == 8;
     if (logical) {
@@ -253,6 +292,7 @@ Expression Parser::unary() {
     ++depth_;
     Expression e = unary();
     --depth_;
+    note_operand(e, op);
     e.first = first;
     if (op == "++" || op == "--") {
         note_write(e, nullptr, op);

@@ -56,12 +56,21 @@ struct Options {
     Limits limits;  // of includes
 };
 
+// Operands that an operator does not take, as far as types are known: to explain what a driver refuses without naming
+// them. Without `right` there is only one operand.
+struct Misfit {
+    Span span;  // of the expression
+    std::string op;
+    std::string_view left, right;
+};
+
 // A stage as the driver shall compile it. `files[n]` is the text that `#line … n` numbers as source string n,
 // so the driver's "n:line" leads back to the user's file.
 struct StageOutput {
     Stage stage = Stage::vertex;
     std::string text;
     std::vector<FileId> files;
+    std::vector<Misfit> misfits = {};
 };
 
 // The value an initialised uniform has until something sets it (needed where the target takes no

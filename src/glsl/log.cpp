@@ -104,9 +104,36 @@ std::string told_of(const Entry& entry, const Context& context, std::string_view
     return fmt::format(" (program '{}')", program);
 }
 
+// What our own reading of the shader knows of the operands that the driver refused on this line.
+const Misfit* misfit_of(const Found& found, const Context& context) {
+    const std::string_view text = found.entry.text;
+    const bool operands = found.entry.kind == Kind::operands || found.entry.kind == Kind::condition ||
+                          text.find("operator") != text.npos || text.find("operand") != text.npos ||
+                          text.find("HS of ") != text.npos;
+    if (!operands || !context.stage || !found.place.known) return nullptr;
+    const Misfit* best = nullptr;
+    for (const Misfit& m : context.stage->misfits) {
+        if (m.span.file != found.place.file) continue;
+        const int first = context.sources.position(m.span.file, m.span.begin).line;
+        const int last = context.sources.position(m.span.file, m.span.end).line;
+        if (found.place.line < first || found.place.line > last) continue;
+        const bool here = m.span.begin <= found.place.span.begin && found.place.span.begin <= m.span.end;
+        if (!best || here) best = &m;
+        if (here) break;
+    }
+    return best;
+}
+
 Diagnostic explain(const Found& found, const Context& context, std::string_view program) {
     Diagnostic diagnostic;
     diagnostic.severity = found.entry.severity;
+    if (const Misfit* misfit = misfit_of(found, context)) {
+        diagnostic.code = code_of(Kind::operands);
+        diagnostic.span = misfit->span;
+        diagnostic.message = log::message(*misfit) + told_of(found.entry, context, program);
+        diagnostic.help = log::help(*misfit);
+        return diagnostic;
+    }
     diagnostic.code = code_of(found.entry.kind);
     diagnostic.span = found.place.span;
     diagnostic.message = log::message(found.entry, found.place, context) + told_of(found.entry, context, program);

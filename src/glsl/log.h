@@ -147,6 +147,9 @@ Place place(const Entry& entry, const Context& context);
 
 // The one-line message in the user's words.
 std::string message(const Entry& entry, const Place& place, const Context& context);
+// Both for operands whose types are known, whatever the driver said.
+std::string message(const Misfit& misfit);
+std::string help(const Misfit& misfit);
 // Fills help and notes of the diagnostic.
 void hint(const Entry& entry, const Place& place, const Context& context, Diagnostic& diagnostic);
 

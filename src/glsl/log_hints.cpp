@@ -222,6 +222,40 @@ void hint_read_only(std::string_view name, const Place& place, const Context& co
 
 }  // namespace
 
+std::string help(const Misfit& misfit) {
+    const std::string_view op = misfit.op, left = misfit.left, right = misfit.right;
+    const auto scalar = [](std::string_view type) {
+        return type == "float" || type == "int" || type == "uint" || type == "bool" || type == "double";
+    };
+    const bool numbers = left.find("bool") == left.npos && left.find("bvec") == left.npos;
+    if (right.empty() && op == "!")
+        return left.starts_with("bvec") ? "not(…) turns every component; any(…) and all(…) make one bool of them"
+                                        : "compare it with something, as in 'x > 0.' or 'n != 0'";
+    if (right.empty()) return op == "~" ? "it takes whole numbers" : "it takes numbers: float(…) makes one of a bool";
+    if (op == "==" || op == "!=") {
+        const std::string_view vector = scalar(left) ? right : left;
+        const bool matrix = left.starts_with("mat") || right.starts_with("mat");
+        if (scalar(left) == scalar(right) && !matrix)
+            return "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3";
+        if (matrix) return "both sides need the same type";
+        return fmt::format("compare one component, as in 'v.x', or the whole: {}(…)", vector);
+    }
+    if (op == "<" || op == ">" || op == "<=" || op == ">=")
+        return "it compares two numbers: one component, as in 'v.x', or length(v); lessThan(…) and its like compare "
+               "all";
+    if (op == "&&" || op == "||" || op == "^^") return "both sides must be true or false: compare with something";
+    if (op == "%") return numbers ? "it takes whole numbers; mod(x, y) takes floats" : "it takes whole numbers";
+    if (op == "&" || op == "|" || op == "^")
+        return fmt::format("it takes whole numbers{}",
+                           op == "^" ? "; pow(x, y) is a power" : "; '&&' and '||' join conditions");
+    if (op == "<<" || op == ">>") return "it takes whole numbers";
+    if (op == "?:") return "both must have the same type";
+    if (!numbers) return "it takes numbers: float(…) makes one of a bool";
+    if (left.starts_with("mat") || right.starts_with("mat"))
+        return "a mat3 goes with a vec3, a mat4 with a vec4: vec4(v, 1.) and v.xyz turn one into the other";
+    return "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3";
+}
+
 void hint(const Entry& entry, const Place& place, const Context& context, Diagnostic& diagnostic) {
     const std::string_view line = place.known ? context.sources.line(place.file, place.line) : std::string_view();
     const std::string name = user_name(entry.a, line);

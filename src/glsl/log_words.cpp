@@ -231,6 +231,14 @@ std::string user_words(std::string_view message, std::string_view user) {
     return result;
 }
 
+std::string message(const Misfit& misfit) {
+    if (misfit.right.empty()) return fmt::format("'{}' does not take {}", misfit.op, with_article(misfit.left));
+    if (misfit.op == "?:")
+        return fmt::format("'? :' chooses between {} and {}", with_article(misfit.left), with_article(misfit.right));
+    return fmt::format("'{}' does not take {} and {}", misfit.op, with_article(misfit.left),
+                       misfit.left == misfit.right ? "another" : with_article(misfit.right));
+}
+
 std::string message(const Entry& entry, const Place& place, const Context& context) {
     const std::string_view line = place.known ? context.sources.line(place.file, place.line) : std::string_view();
     const std::string name = user_name(entry.a, line);

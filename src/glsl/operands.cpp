@@ -105,6 +105,7 @@ Expression Parser::postfix() {
             e = Expression{};
             e.constant = false;
         } else if (is("++") || is("--")) {
+            note_operand(e, text());
             note_write(e, nullptr, text());
             ++p_;
             e.last = p_ - 1;

@@ -85,6 +85,9 @@ private:
     Expression cast();
     bool foreign_function(std::string_view name, std::vector<Expression>& given, Expression& result);
     void convert(const Expression& e, const Type& due, Due why);
+    // Remembers operands that the operator does not take.
+    void note_operands(const Expression& a, const Expression& b, std::string_view op);
+    void note_operand(const Expression& e, std::string_view op);
     void note_write(const Expression& target, const Expression* value, std::string_view op);
     void touch(const Expression& e, bool write);
 

@@ -181,6 +181,7 @@ struct Unit {
     std::vector<std::pair<int, int>> invariants;           // tokens of `invariant A, B;`
     std::unordered_set<std::string_view> shared_by_kinds;  // names of a function and of a variable
 
+    std::vector<Misfit> misfits;
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
     std::set<std::string_view> legacy_written;      // built-in variables that are assigned
     bool alpha_known = false;                       // some write of a colour output gave it alpha 1

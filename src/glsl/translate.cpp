@@ -134,7 +134,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
         move_initialisers(program, u);
         write_declarations(program, u);
         if (options.target.es) add_precision(u);
-        out.stages.push_back({u.stage, emit(program, u), u.files});
+        out.stages.push_back({u.stage, emit(program, u), u.files, std::move(u.misfits)});
     }
     const Unit* fragment = program.find(Stage::fragment);
     out.uses_alpha = !fragment || !fragment->alpha_known || fragment->alpha_unknown;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "parser/text_of.h"
 #include "src/plan/fit.h"
 
 namespace snell {
@@ -268,14 +269,17 @@ private:
         for (double& number : v) number = std::isnan(number) ? 0 : number;
         Range range{v[0], v[1], v[2]};
         if (control.type == ValueType::bool_) return {0, range.current, 1};
-        if (range.min > range.max) {
+        const bool reversed = range.min > range.max;
+        if (reversed) {
             std::swap(range.min, range.max);
             warn_range("range-reversed", written, "its minimum is above its maximum: they are exchanged");
         }
         if (range.current < range.min || range.current > range.max) {
+            if (!reversed) warn_order(written, range);
             range.min = std::min(range.min, range.current);
             range.max = std::max(range.max, range.current);
-            warn_range("range-widened", written, fmt::format("{} lies outside it: it is widened", range.current));
+            if (reversed)
+                warn_range("range-widened", written, fmt::format("{} lies outside it: it is widened", range.current));
         }
         const Range limited = limit_range(range, control.type);
         if (limited.min != range.min || limited.max != range.max) {
@@ -286,6 +290,21 @@ private:
             warn_range("range-empty", written, "its minimum is its maximum: there is nothing to slide");
         }
         return {limited.min, range.current, limited.max};
+    }
+
+    // <min max current> or <current min max>, most likely. What is written is kept: the second number is the current
+    // one.
+    void warn_order(const UniformValue& written, const Range& range) {
+        UniformValue meant = written;
+        meant.values = {range.min, range.current, range.max};
+        std::ranges::sort(meant.values);
+        diagnostics_.warning(
+            "range-order", written.span,
+            fmt::format("range of '{}': its numbers are <min current max>, and the current one, {}, is {}",
+                        written.name, range.current,
+                        range.current > range.max ? "above the maximum" : "below the minimum"),
+            fmt::format("did you mean '{}'? as it stands, the value is {}, and the range reaches to it",
+                        text_of::uniform(meant), range.current));
     }
 
     void warn_range(std::string_view code, const UniformValue& written, const std::string& what) {

@@ -11,9 +11,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 #include "parser/diagnostic.h"
+#include "parser/words.h"
 
 namespace snell {
 namespace {
@@ -74,7 +76,60 @@ bool is_absolute(std::string_view name) { return (!name.empty() && name[0] == '/
 
 std::string_view last_component(std::string_view name) { return name.substr(name.rfind('/') + 1); }
 
-// Looks names up in folders. Anything outside of `root` is treated as missing.
+std::string_view extension_of(std::string_view file) {
+    const std::size_t dot = file.rfind('.');
+    return dot == std::string_view::npos || dot == 0 ? std::string_view() : file.substr(dot + 1);
+}
+
+bool among(std::string_view word, std::span<const std::string_view> words) {
+    return std::ranges::any_of(words, [&](std::string_view other) { return same_word(word, other); });
+}
+
+// Extensions that tell what a file is.
+constexpr std::string_view telling[] = {"glib", "vert", "vs",  "tcs", "tes", "geom", "gs",  "frag", "fs",
+                                        "obj",  "shp",  "bmp", "png", "jpg", "tex",  "mtl", "hdr",  "exr"};
+
+std::string_view without_extension(std::string_view file) {
+    const std::string_view extension = extension_of(file);
+    return extension.empty() ? file : file.substr(0, file.size() - extension.size() - 1);
+}
+
+// "light" of light.vert.glsl.
+std::string_view stem_of(std::string_view file) {
+    const std::string_view stem = without_extension(file);
+    return among(extension_of(stem), telling) ? without_extension(stem) : stem;
+}
+
+// Whether a file that is there may be what an argument of these `extensions` takes. An extension that tells nothing
+// must be the one that was asked for.
+bool same_kind(std::string_view file, std::string_view asked, const std::vector<std::string_view>& extensions) {
+    const std::string_view extension = extension_of(file), inner = extension_of(without_extension(file));
+    if (extensions.empty()) return !same_word(extension, "glib");
+    if (!among(extension, extensions)) return same_word(extension, extension_of(asked)) && !among(extension, telling);
+    return !among(inner, telling) || among(inner, extensions);  // light.vert.glsl is no fragment shader
+}
+
+// The file whose name differs least, if by so little that the other was probably meant; else empty. Extensions count
+// little: what they can be was decided before.
+std::string_view nearest_file(std::string_view asked, const std::vector<std::string_view>& files) {
+    const std::string_view stem = stem_of(asked);
+    const auto alike = [&](std::string_view file) { return same_word(stem_of(file), stem); };
+    if (const auto same = std::ranges::find_if(files, alike); same != files.end()) return *same;
+    std::vector<std::string_view> stems(files.size());
+    std::ranges::transform(files, stems.begin(), stem_of);
+    const std::string_view near = nearest(stem, stems);
+    const std::size_t most = stem.size() <= 4 ? 1 : stem.size() <= 8 ? 2 : 3;
+    if (near.empty() || edit_distance(stem, near) > static_cast<int>(most)) return {};
+    const auto has_extension = [&](std::string_view extension) {
+        return std::ranges::find_if(files, [&](std::string_view file) {
+            return stem_of(file) == near && (extension.empty() || same_word(extension_of(file), extension));
+        });
+    };
+    const auto same = has_extension(extension_of(asked));
+    return same != files.end() ? *same : *has_extension({});
+}
+
+// Looks names up in folders, within bounds: what lies outside of `root` is as if it were not there.
 struct Finder {
     const std::string& root;  // a real path; empty if the search is unbounded
 
@@ -123,29 +178,40 @@ struct Finder {
         return {};
     }
 
-    // The entry of the name's folder that is most similar to its last component; "" if none is similar.
-    std::string most_similar(const std::string& base, const std::string& name) const {
+    // The file that was probably meant by a name that leads nowhere, as a scene would write it; "" when there is none.
+    std::string most_similar(const std::string& base, const std::string& name,
+                             const std::vector<std::string_view>& extensions) const {
         const std::string_view file = last_component(name);
         std::string_view where(name.data(), name.size() - file.size());
         while (!where.empty() && where.back() == '/' && where.size() > 1) where.remove_suffix(1);
-        const std::string folder =
+        std::string folder =
             where.empty() ? base : (is_absolute(where) ? std::string(where) : match_case(base, where, true));
-        if (folder.empty() && !where.empty()) return {};
+        if (folder.empty() && !where.empty()) {  // no such folder: all files may have been gathered in one
+            folder = base;
+            where = {};
+        }
+        const std::vector<std::string> entries = list(folder);
+        std::string elsewhere = in_folder_nearby(folder, entries, file);
+        if (!elsewhere.empty()) return join(where, elsewhere);
+        std::vector<std::string_view> candidates;
+        for (const std::string& entry : entries)
+            if (same_kind(entry, file, extensions)) candidates.push_back(entry);
+        while (true) {  // few are near enough to be looked at
+            const std::string_view best = nearest_file(file, candidates);
+            if (best.empty()) return {};
+            if (is_regular(join(folder, best))) return join(where, best);
+            std::erase(candidates, best);
+        }
+    }
 
-        std::vector<std::string> names;
-        for (std::string& entry : list(folder)) {
-            if (is_regular(join(folder, entry))) names.push_back(std::move(entry));
-        }
-        const std::vector<std::string_view> candidates(names.begin(), names.end());
-        std::string best(nearest(file, candidates));
-        if (best.empty()) {  // the same name with another extension is worth suggesting, however many letters differ
-            const std::string stem = lower(file.substr(0, file.rfind('.')));
-            const auto same = std::find_if(names.begin(), names.end(), [&](const std::string& entry) {
-                return !stem.empty() && lower(entry.substr(0, entry.rfind('.'))) == stem;
-            });
-            if (same != names.end()) best = *same;
-        }
-        return best.empty() ? best : join(where, best);
+    // The same name one folder down, or one up.
+    std::string in_folder_nearby(const std::string& folder, const std::vector<std::string>& entries,
+                                 std::string_view file) const {
+        constexpr std::size_t most = 1000;  // of entries that are looked into
+        for (std::size_t i = 0; i < std::min(entries.size(), most); ++i)
+            if (const std::string path = join(entries[i], file); is_regular(join(folder, path))) return path;
+        const std::string above = join("..", file);
+        return is_regular(join(folder, above)) ? above : "";
     }
 
     std::string find_case(const std::string& base, const std::string& name) const {
@@ -208,7 +274,7 @@ Resolved Files::look_for(std::string_view written, const std::vector<std::string
     struct stat status {};
     if (!root_.empty() && stat(at(name).c_str(), &status) == 0 && !finder.inside(at(name)))
         return {{}, false, {}, true};
-    return {{}, false, finder.most_similar(folder_, name), false};
+    return {{}, false, finder.most_similar(folder_, name, extensions), false};
 }
 
 Resolved Files::resolve_beside(std::string_view from, std::string_view name,

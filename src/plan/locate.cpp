@@ -13,14 +13,19 @@ namespace {
 using Extensions = std::vector<std::string_view>;
 
 bool said(const Diagnostics& diagnostics, std::string_view code, const Span& span) {
-    return std::any_of(diagnostics.items().begin(), diagnostics.items().end(),
-                       [&](const Diagnostic& d) { return d.has_span && d.code == code && d.span == span; });
+    return std::ranges::any_of(diagnostics.items(), [&](const Diagnostic& d) { return d.is_at(code, span); });
+}
+
+// Scenes name one file in many statements.
+void say(Severity severity, std::string_view code, const Span& span, std::string message, std::string help,
+         Diagnostics& diagnostics) {
+    if (said(diagnostics, code, span)) return;
+    diagnostics.add_once({severity, std::string(code), span, std::move(message), std::move(help), {}, true});
 }
 
 void report_missing(const FileName& file, const std::string& nearest, Diagnostics& diagnostics) {
-    if (said(diagnostics, "file-not-found", file.span)) return;
-    diagnostics.error("file-not-found", file.span, fmt::format("there is no file '{}'", file.name),
-                      nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest));
+    say(Severity::error, "file-not-found", file.span, fmt::format("there is no file '{}'", file.name),
+        nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest), diagnostics);
 }
 
 // Names are relative to the scene that contains them, which may be an included one.
@@ -34,10 +39,10 @@ std::string accept(const FileName& file, const Resolved& resolved, Diagnostics& 
             report_unreadable(file, "it is outside of the folder that reading is confined to", diagnostics);
         else
             report_missing(file, resolved.nearest, diagnostics);
-    } else if (resolved.inexact && !said(diagnostics, "file-inexact", file.span)) {
-        diagnostics.warning("file-inexact", file.span,
-                            fmt::format("there is no file '{}'; '{}' is used", file.name, resolved.path),
-                            "write the name as it is on disk: other systems tell capitals from small letters");
+    } else if (resolved.inexact) {
+        say(Severity::warning, "file-inexact", file.span,
+            fmt::format("there is no file '{}'; '{}' is used", file.name, resolved.path),
+            "write the name as it is on disk: other systems tell capitals from small letters", diagnostics);
     }
     return resolved.path;
 }
@@ -59,11 +64,10 @@ std::vector<TextureFile> locate_faces(const FileName& file, const Files& files, 
         }
     }
     for (const TextureFile& face : best) {
-        if (face.path.empty() && !said(diagnostics, "file-not-found", file.span)) {
-            diagnostics.error(
-                "file-not-found", file.span,
-                fmt::format("there is no file '{}', one of the six that '{}' stands for", face.name, file.name));
-        }
+        if (!face.path.empty()) continue;
+        say(Severity::error, "file-not-found", file.span,
+            fmt::format("there is no file '{}', one of the six that '{}' stands for", face.name, file.name), {},
+            diagnostics);
     }
     return best;
 }
@@ -96,8 +100,8 @@ std::string locate(const FileName& file, const Extensions& extensions, const Fil
 }
 
 void report_unreadable(const FileName& file, std::string_view reason, Diagnostics& diagnostics) {
-    if (said(diagnostics, "file-unreadable", file.span)) return;
-    diagnostics.error("file-unreadable", file.span, fmt::format("'{}' can't be read: {}", file.name, reason));
+    say(Severity::error, "file-unreadable", file.span, fmt::format("'{}' can't be read: {}", file.name, reason), {},
+        diagnostics);
 }
 
 std::vector<TextureFile> locate_texture(const Texture& texture, const Files& files, Diagnostics& diagnostics) {
@@ -110,7 +114,11 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
         return result;
     }
     for (const FileName& file : texture.files) {
-        result.push_back({file.name, locate(file, image_extensions(), files, diagnostics), file.span});
+        Resolved resolved = resolve(file, file.name, image_extensions(), files);
+        // posx.bmp is not a slip for posy.bmp, which is one of the other five.
+        const bool other = std::ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end();
+        if (other) resolved.nearest.clear();
+        result.push_back({file.name, accept(file, resolved, diagnostics), file.span});
     }
     return result;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "src/plan/identity.h"
@@ -71,22 +72,23 @@ private:
     void plan_meshes() {
         const Scene& scene = plan_.scene;
         std::unordered_map<std::string, Index> known;
+        std::set<Index> missing;
         plan_.draw_mesh.reserve(scene.draws.size());
         for (const Draw& draw : scene.draws) {
             const auto [entry, added] =
                 known.try_emplace(shape_key(scene, draw.shape, draw.wire), static_cast<Index>(plan_.meshes.size()));
-            if (added) {
-                plan_.meshes.push_back({draw.shape, draw.wire, draw.span});
-                check_mesh_file(draw.shape);
-            }
+            if (added) plan_.meshes.push_back({draw.shape, draw.wire, draw.span});
             plan_.draw_mesh.push_back(entry->second);
+            // A file that is there is looked for once; one that is missing is missed at every place.
+            if ((added || missing.contains(entry->second)) && !has_mesh_file(draw.shape)) missing.insert(entry->second);
         }
     }
 
-    void check_mesh_file(const Shape& shape) {
+    // Whether it needs none, or the one that it needs is there.
+    bool has_mesh_file(const Shape& shape) {
         const Index file = file_of(shape);
-        if (file >= plan_.scene.files.size()) return;
-        locate(plan_.scene.files[file], mesh_extensions(shape), files_, diagnostics_);
+        if (file >= plan_.scene.files.size()) return true;
+        return !locate(plan_.scene.files[file], mesh_extensions(shape), files_, diagnostics_).empty();
     }
 
     void plan_textures() {

@@ -40,6 +40,31 @@ std::optional<DepthRange> Runtime::Impl::fit(const Frame& frame) const {
     return fit_depth(boxes);
 }
 
+Runtime::Drawn Runtime::Impl::drawn(const Frame& frame) const {
+    const Scene& scene = plan.scene;
+    Drawn result;
+    Index camera = none;
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        for (const auto& item : passes[pass].items) {
+            if (!item || scene.passes[pass].kind != Pass::Kind::window) continue;
+            if (result.first == none) result.first = item->draw;
+            camera = scene.draws[item->draw].camera;
+        }
+    if (camera == none) return result;
+    result.camera = scene.cameras[camera];
+    PassView view;
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        for (const auto& item : passes[pass].items) {
+            if (!item || scene.passes[pass].kind != Pass::Kind::window) continue;
+            const Draw& draw = scene.draws[item->draw];
+            if (draw.camera != camera) continue;
+            const runtime::DrawContext& c = context(draw, frame, view);
+            const runtime::GpuMesh& mesh = *meshes[item->mesh];
+            result.boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
+        }
+    return result;
+}
+
 // The projection undone: z in front of the eye that it takes to this depth.
 double Runtime::Impl::distance(Index draw, double depth, const Frame& frame, const Surface& surface) const {
     const double aspect = static_cast<double>(surface.width) / surface.height, ndc = 2 * depth - 1;

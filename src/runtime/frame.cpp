@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/gl/exact_target.h"
 #include "src/plan/lens.h"
 #include "src/plan/objects.h"
 #include "src/runtime/impl.h"
@@ -147,7 +148,13 @@ void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& s
     if (first) clear(view.background, view.region);
     if (passes[pass].items.empty()) return;
     state.forget();
+    std::optional<gl::AnySamples> samples;
+    if (frame.reached != nullptr && !*frame.reached) samples.emplace().begin();
     draw_items(pass, frame, view);
+    if (samples) {
+        samples->end();
+        *frame.reached = samples->passed();
+    }
     ++counters.passes;
 }
 

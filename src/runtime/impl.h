@@ -191,6 +191,7 @@ struct Runtime::Impl {
     // place its vertices itself.
     std::optional<DepthRange> fitted_depth(const Frame& frame) const;
     std::optional<DepthRange> fit(const Frame& frame) const;
+    Drawn drawn(const Frame& frame) const;
     double distance(Index draw, double depth, const Frame& frame, const Surface& surface) const;
     std::vector<double> seen_by(Index pass, const Frame& frame) const;
     Vec4 behind(const Frame& frame) const;

@@ -13,7 +13,7 @@ namespace runtime {
 void say_once(const Diagnostics& said, Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : said.items())
         if (std::ranges::none_of(diagnostics.items(), [&](const Diagnostic& other) {
-                return other.code == diagnostic.code && other.span == diagnostic.span;
+                return other.is_at(diagnostic.code, diagnostic.span);
             }))
             diagnostics.add(diagnostic);
 }

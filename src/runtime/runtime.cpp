@@ -35,6 +35,7 @@ std::vector<Index> Runtime::pick(const Frame& frame, int width, int height, cons
 void Runtime::outline(const Frame& frame, const Surface& surface, Index draw, float line) {
     impl_->outline(frame, surface, draw, line);
 }
+Runtime::Drawn Runtime::drawn(const Frame& frame) const { return impl_->drawn(frame); }
 const Counters& Runtime::counters() const { return impl_->counters; }
 
 }  // namespace snell

@@ -45,6 +45,9 @@ struct Frame {
     bool standing = false;
     // Nothing blends in the window: its pixels are what the last fragments there wrote.
     bool unblended = false;
+    // Becomes true when a fragment of any draw reaches the window's picture. Null if no one wants to know: the answer
+    // waits for the draws.
+    bool* reached = nullptr;
     // Called after each draw and each pass, for who has a clock.
     const std::function<void(const Step&)>* after = nullptr;
 };
@@ -120,6 +123,14 @@ public:
     std::vector<Index> pick(const Frame& frame, int width, int height, const std::array<int, 4>& region);
     // Over what the surface shows: a line around what that draw covers, be it hidden or not.
     void outline(const Frame& frame, const Surface& surface, Index draw, float line = 2);
+    // The draws of the window that were found possible: where their meshes lie before any shader moves them, in the eye
+    // space of the camera of the last one. Those through other cameras are left out.
+    struct Drawn {
+        std::vector<DepthBox> boxes;
+        Camera camera;
+        Index first = none;  // Scene::draws; none: nothing is drawn
+    };
+    Drawn drawn(const Frame& frame) const;
     const Counters& counters() const;
     // Without times of frames: these are for who has a clock.
     Explanation explain() const;

@@ -11,6 +11,7 @@ void say_again(const Said& said, std::span<const Span> places, Diagnostics& diag
     for (Diagnostic diagnostic : said.items) {
         diagnostic.span = moved(diagnostic.span);
         for (Note& note : diagnostic.notes) note.span = moved(note.span);
+        for (Span& span : diagnostic.also) span = moved(span);
         diagnostics.add(std::move(diagnostic));
     }
 }

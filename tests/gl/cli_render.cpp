@@ -236,6 +236,18 @@ TEST_F(CommandLine, CheckSaysAllThatIsWrong) {
     EXPECT_EQ(json[2]["errors"], 1);
 }
 
+TEST_F(CommandLine, CheckListsEveryPlaceOfOneMistake) {
+    const std::string scene =
+        folder.write("places.glib", "Texture2D 5 wall.bmp\nSphere 1\nTexture2D 6 wall.bmp\nTexture2D 7 wall.bmp\n");
+    const Outcome outcome = snell("check --json --no-lint " + scene);
+    const auto json = nlohmann::json::parse(outcome.output);
+    ASSERT_EQ(json[0]["diagnostics"].size(), 1U) << outcome.output;
+    const auto& also = json[0]["diagnostics"][0]["also_at"];
+    ASSERT_EQ(also.size(), 2U);
+    EXPECT_EQ(also[0]["line"], 3);
+    EXPECT_EQ(also[1]["line"], 4);
+}
+
 TEST_F(CommandLine, EveryStageCanBeDumped) {
     for (const char* stage : {"tokens", "statements", "scene", "plan"}) {
         const Outcome outcome = snell("check --dump " + std::string(stage) + " " + at("good.glib"));

@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "glsl_log_help.h"
+#include "tests/unit/glsl_translate_help.h"
 
 namespace snell::glsl {
 namespace {
 
+using test::fragment;
 using test::Program;
+using test::Translated;
 
 TEST(MesaLog, ConditionsThatAreNumbers) {
     Program p;
@@ -25,6 +28,73 @@ TEST(MesaLog, ConditionsThatAreNumbers) {
     EXPECT_EQ(p.help(0), "compare it with something, as in 'x > 0.' or 'n != 0'");
     EXPECT_EQ(p.help(1), "'=' assigns; '==' compares");
     EXPECT_EQ(p.help(3), p.help(0));
+}
+
+// Mesa says that types do not fit, and not which: the translation knows them.
+TEST(MesaLog, RefusedOperandsAreNamed) {
+    struct Case {
+        const char *statement, *log, *message, *help;
+    };
+    for (const Case& c : {
+             Case{"if (v == 0) c = w;", "0:4(5): error: operands of `==' must have the same type",
+                  "'==' does not take a 'vec3' and an 'int'", "vec3(…)"},
+             Case{"if (v != w) c = w;", "0:4(5): error: operands of `!=' must have the same type",
+                  "'!=' does not take a 'vec3' and a 'vec4'", "same number"},
+             Case{"if (v < f) c = w;", "0:4(5): error: operands to relational operators must be scalar and numeric",
+                  "'<' does not take a 'vec3' and a 'float'", "length(v)"},
+             Case{"int k = n % 2.;", "0:4(9): error: RHS of operator % must be an integer",
+                  "'%' does not take an 'int' and a 'float'", "mod(x, y)"},
+             Case{"int k = n & f;", "0:4(9): error: RHS of `&' must be an integer",
+                  "'&' does not take an 'int' and a 'float'", "'&&'"},
+             Case{"vec3 q = v + w.xy;", "0:4(10): error: vector size mismatch for arithmetic operator",
+                  "'+' does not take a 'vec3' and a 'vec2'", "same number of components"},
+             Case{"vec3 q = m * w;", "0:4(10): error: size mismatch for matrix multiplication",
+                  "'*' does not take a 'mat3' and a 'vec4'", "a mat3 goes with a vec3"},
+             Case{"v2 += w;", "0:4(1): error: vector size mismatch for arithmetic operator",
+                  "'+' does not take a 'vec3' and a 'vec4'", "same number of components"},
+             Case{"float g = -b;", "0:4(11): error: operands to arithmetic operators must be numeric",
+                  "'-' does not take a 'bool'", "float(…)"},
+             Case{"if (!v) c = w;", "0:4(5): error: operand of `!' must be scalar boolean",
+                  "'!' does not take a 'vec3'", "compare"},
+             Case{"float g = b ? f : v;",
+                  "0:4(11): error: second and third operands of ?: operator must have matching "
+                  "types",
+                  "'? :' chooses between a 'float' and a 'vec3'", "same type"},
+         }) {
+        Translated t = fragment(
+            "#version 330\nuniform float f; uniform int n; uniform vec3 v; uniform bool b; uniform mat3 m; uniform "
+            "vec4 "
+            "w; out vec4 c;\nvoid main() { vec3 v2 = v;\n" +
+            std::string(c.statement) + "\n}\n");
+        Diagnostics said;
+        const StageOutput* stage = nullptr;
+        for (const StageOutput& s : t.translation.stages)
+            if (s.stage == Stage::fragment) stage = &s;
+        ASSERT_NE(stage, nullptr);
+        explain_log(std::string(c.log) + "\n", t.translation, stage, {}, "Demo", t.sources, said);
+        ASSERT_EQ(said.items().size(), 1U) << c.statement;
+        const Diagnostic& d = said.items()[0];
+        EXPECT_EQ(d.message, std::string(c.message) + " (fragment shader of 'Demo')");
+        EXPECT_EQ(d.code, "glsl-type");
+        EXPECT_NE(d.help.find(c.help), std::string::npos) << c.statement << ": " << d.help;
+        EXPECT_EQ(t.sources.position(d.span.file, d.span.begin).line, 4) << c.statement;
+    }
+}
+
+// What is allowed is not remembered as a misfit, or another error on its line would be explained by it.
+TEST(MesaLog, OperandsThatFitAreNoMisfits) {
+    const Translated t = fragment(
+        "#version 330\nuniform float f; uniform int n; uniform uint u; uniform vec3 v; uniform bool b; uniform mat3 "
+        "m;\n"
+        "uniform mat2x3 m23; uniform ivec3 i; out vec4 c;\nvoid main() {\n"
+        "vec3 a = m * v; a = v * m; a = v * f; a = f * v; a = v + v; a *= m; a /= 2; a = v / 2; mat3 q = m * m; q = f "
+        "* m;\n"
+        "vec3 p = m23 * vec2(1.); vec2 r = v * m23; i = i % 2; i = i << 1; i = i & 3; n & 1; u >> 1u; i % i; 1 << n;\n"
+        "b = v == a; b = m == q; b = f < 1; b = n != 0; b = b && f > 0.; b = b == true; b = !b; f + n; -v; -i; ~n; b ? "
+        "v : a;\n"
+        "c = vec4(a, 1.); }\n");
+    for (const StageOutput& s : t.translation.stages)
+        for (const Misfit& m : s.misfits) ADD_FAILURE() << m.left << " " << m.op << " " << m.right;
 }
 
 TEST(MesaLog, ReturnedValues) {

@@ -207,7 +207,7 @@ TEST(Controls, RangesAreMended) {
     const Case above = make(value_of("u", Kind::range, {0, 9, 1}), active("float"));
     EXPECT_EQ(above.control().value, Values{9});
     EXPECT_EQ(above.control().max, 9);
-    EXPECT_EQ(above.codes(), Codes{"range-widened"});
+    EXPECT_EQ(above.codes(), Codes{"range-order"});
     const Case below = make(value_of("u", Kind::range, {0, -9, 1}), active("float"));
     EXPECT_EQ(below.control().min, -9);
 
@@ -215,6 +215,29 @@ TEST(Controls, RangesAreMended) {
     EXPECT_EQ(empty.control().widget, Widget::none);
     EXPECT_EQ(empty.control().value, Values{2});
     EXPECT_EQ(empty.codes(), Codes{"range-empty"});
+}
+
+// <min max current> is the commonest slip: the order is said, and what was probably meant. The value stays as written.
+TEST(Controls, NumbersOfARangeInAnotherOrder) {
+    struct Slip {
+        Values written;
+        const char* meant;
+    };
+    for (const Slip& slip : {Slip{{0, 1, .5}, "'u <0. 0.5 1.>'"},
+                             {{-1, 5, 5}, ""},
+                             {{.5, 0, 1}, "'u <0. 0.5 1.>'"},
+                             {{0, 20, 5}, "'u <0. 5. 20.>'"},
+                             {{0, .5, 1}, ""}}) {
+        const Case made = make(value_of("u", Kind::range, slip.written), active("float"));
+        EXPECT_EQ(made.control().value, Values{slip.written[1]});
+        EXPECT_EQ(made.control().min, std::ranges::min(slip.written));
+        EXPECT_EQ(made.control().max, std::ranges::max(slip.written));
+        EXPECT_EQ(made.codes(), *slip.meant != 0 ? Codes{"range-order"} : Codes{});
+        if (*slip.meant == 0) continue;
+        EXPECT_NE(made.diagnostics.items()[0].help.find(slip.meant), std::string::npos);
+    }
+    const Case both = make(value_of("u", Kind::range, {5, 9, 1}), active("float"));
+    EXPECT_EQ(both.codes(), (Codes{"range-reversed", "range-widened"}));
 }
 
 // What a user interface can take without overflow: half of the type's range, in its own arithmetic.

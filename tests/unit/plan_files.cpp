@@ -88,6 +88,57 @@ TEST(Resolve, SuggestsTheNearestName) {
     EXPECT_TRUE(files.resolve("nofolder/entirely-different").nearest.empty());
 }
 
+// What is suggested fits the argument and is near by name: anything else sends its reader astray.
+TEST(Resolve, SuggestsFilesOfTheRightKind) {
+    const Scratch folder;
+    for (const char* name : {"room.glib", "room.vert", "room.frag", "room.obj", "glass.vert.glsl", "glass.frag.glsl",
+                             "noise.txt", "rooms.bmp", "posy.bmp", "negx.bmp", "earth_map.png"})
+        folder.write(name, "x");
+    const Files files(folder.path());
+    const std::vector<std::string_view> vert{"vert", "vs", "vert.glsl", "glsl"},
+        frag{"frag", "fs", "frag.glsl", "glsl"};
+    const std::vector<std::string_view> image{"bmp", "png"}, obj{"obj"}, geom{"geom", "gs", "glsl"}, scene{"glib"};
+    struct Case {
+        const char* asked;
+        const std::vector<std::string_view>& extensions;
+        const char* nearest;
+    };
+    for (const Case& c : std::vector<Case>{
+             {"room.geom", geom, ""},  // the scene, a vertex and a fragment shader, a mesh: all of another kind
+             {"room.glsl", vert, "room.vert"},
+             {"rooom.vert", vert, "room.vert"},
+             {"rom.frag", frag, "room.frag"},
+             {"glas.vert.glsl", vert, "glass.vert.glsl"},
+             {"glass.fs", frag, "glass.frag.glsl"},
+             {"romes.bmp", image, "rooms.bmp"},
+             {"rooms.pgn", image, "rooms.bmp"},
+             {"earth-map.jpg", image, "earth_map.png"},
+             {"noises.bmp", image, ""},
+             {"posx.bmp", image, "posy.bmp"},
+             {"negz.obj", image, "negx.bmp"},
+             {"posz.frag", frag, ""},
+             {"rooms.obj", obj, "room.obj"},
+             {"rom.glib", scene, "room.glib"},
+             {"kitchen.bmp", image, ""},
+             {"wall.bmp", image, ""},
+             {"q.bmp", image, ""},
+         })
+        EXPECT_EQ(files.resolve(c.asked, c.extensions).nearest, c.nearest) << c.asked;
+}
+
+TEST(Resolve, SuggestsTheSameNameInAFolderNearby) {
+    const Scratch folder;
+    folder.write("lab/textures/earth.bmp", "x");
+    folder.write("lab/earthy.bmp", "x");
+    folder.write("moon.bmp", "x");
+    const Files files(folder.path("lab"));
+    EXPECT_EQ(files.resolve("earth.bmp", {"bmp"}).nearest, "textures/earth.bmp");
+    EXPECT_EQ(files.resolve("moon.bmp", {"bmp"}).nearest, "../moon.bmp");
+    EXPECT_EQ(files.resolve("gone/eartth.bmp", {"bmp"}).nearest, "earthy.bmp") << "files were gathered in one folder";
+    const Files confined(folder.path("lab"), {{}, folder.path("lab")});
+    EXPECT_EQ(confined.resolve("moon.bmp", {"bmp"}).nearest, "") << "what is outside is not named";
+}
+
 // A search reads whole folders, and scenes ask for the same thousands of times.
 TEST(Resolve, WhatIsMissingIsLookedForOnce) {
     const Scratch folder;

@@ -183,6 +183,41 @@ TEST_F(Planning, MissingMeshFileIsSaidOnce) {
     EXPECT_EQ(diagnostics.errors(), 1U) << "loading does not repeat it";
 }
 
+// 36 balls without their image are one mistake.
+TEST_F(Planning, AMissingFileOfManyStatementsIsOneError) {
+    const FileId text = sources.add("s.glib", "a b\na b\na b\na b\n");
+    const auto at = [&](std::uint32_t line, bool mesh) {
+        const std::uint32_t begin = 4 * line + (mesh ? 0 : 2);
+        return Span{text, begin, begin + 1};
+    };
+    for (const std::uint32_t line : {2U, 0U, 3U}) {
+        draw(obj("cow.obj"));
+        scene.files.back().span = at(line, true);
+        texture(static_cast<int>(line), TextureTarget::d2, {"cow.bmp"});
+        scene.textures.back().files[0].span = at(line, false);
+    }
+    const Plan made = plan();
+    ASSERT_EQ(codes_of(diagnostics), (Codes{"file-not-found", "file-not-found"}));
+    for (const Diagnostic& d : diagnostics.items()) {
+        EXPECT_EQ(sources.position(text, d.span.begin).line, 1) << "at the first place";
+        EXPECT_NE(render(d, sources).find("also on lines 3 and 4\n"), std::string::npos) << render(d, sources);
+    }
+    for (Index i = 0; i < 3; ++i) {
+        load_mesh(made, made.draw_mesh[i], files, diagnostics);
+        load_texture(made.scene, i, files, diagnostics);
+    }
+    EXPECT_EQ(diagnostics.errors(), 2U) << "loading repeats none of the places";
+}
+
+// A face that is missing was not meant to be the one beside it.
+TEST_F(Planning, TheOtherFacesAreNotSuggested) {
+    for (const char* end : {"posx", "negx", "posy", "posz", "negz"}) folder.write(std::string(end) + ".bmp", "x");
+    texture(6, TextureTarget::cube, {"posx.bmp", "negx.bmp", "posy.bmp", "negy.bmp", "posz.bmp", "negz.bmp"});
+    plan();
+    ASSERT_EQ(codes_of(diagnostics), Codes{"file-not-found"});
+    EXPECT_EQ(diagnostics.items()[0].help, "");
+}
+
 TEST_F(Planning, DisplayListFindsTextureOfLaterStatements) {
     const Index first = texture(6, TextureTarget::d2, {"a"}), second = texture(6, TextureTarget::d2, {"b"});
     const Index cube = texture(6, TextureTarget::cube, {"c"});
