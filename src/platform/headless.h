@@ -7,7 +7,7 @@
 namespace snell {
 
 struct ContextRequest {
-    int version = 0;  // 33, 41, 45 …; with es 30, 32; 0: the best there is, from 4.5 down to 3.3
+    int version = 0;  // 33, 41, 45 …; with es 30, 32; 0: the best available, from 4.5 down to 3.3, then ES
     bool es = false;
     bool compatibility = false;  // tests only: the oracle of the GLSL translation
     bool debug = false;
@@ -27,6 +27,7 @@ public:
 
 private:
     HeadlessContext() = default;
+    static std::unique_ptr<HeadlessContext> make_one(const ContextRequest& request, std::string& error);
     void* display_ = nullptr;
     void* context_ = nullptr;
     std::string platform_;

@@ -101,6 +101,14 @@ TEST_F(Context33, SamplersReadTheUnitsThatTheShaderNames) {
     EXPECT_TRUE(near(draw(scene + " uImage 5\nQuadXY\n").center(), {255, 0, 0, 255}));
 }
 
+// As OpenGL ES 3.0 and 3.1: nothing widens a line there, and that is said.
+TEST_F(NarrowLines, WithoutGeometryShadersAreSaidToStayThin) {
+    caps.geometry = false;
+    const std::string line = "glBegin gl_lines\nglVertex -1 0 0\nglVertex 1 0 0\nglEnd\n";
+    EXPECT_TRUE(has(*open("Ortho -1 1 -1 1\nLineWidth 9\n" + line), "thin-lines"));
+    EXPECT_FALSE(has(*open("Ortho -1 1 -1 1\n" + line), "thin-lines"));
+}
+
 TEST_F(NarrowLines, AreNeitherCulledNorOutlined) {
     for (const char* state : {"CullFace front\n", "CullFace back\n", "Wireframe on\n"}) {
         const Picture picture = draw(std::string("Ortho -1 1 -1 1\nBackground 0 0 0\nLineWidth 9\n") + state +
