@@ -114,6 +114,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
         if (u.stage == Stage::geometry) complete_geometry(program, u);
     }
     unify_uniforms(program);
+    flatten_blocks(program);
     match_interfaces(program);
     if (Unit* vertex = program.find(Stage::vertex)) assign_attributes(program, *vertex);
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);

@@ -282,6 +282,24 @@ TEST(GlslStages, DirectionsMixedUp) {
     expect_valid(texts, {core450, core330, es300});
 }
 
+TEST(GlslStages, BlocksAreSingleVariablesInEs30) {
+    const std::string vertex =
+        "#version 330\nout Shading {\n  vec3 normal, color;\n  flat int which; float weights[2];\n} vOut;\n"
+        "void main() { vOut.normal = vOut.color = vec3(1.); vOut.which = 1; vOut.weights[0] = vOut.weights[1] = .5; "
+        "gl_Position = vec4(0.); }";
+    const std::string block = "#version 330\nin Shading { vec3 normal, color; flat int which; float weights[2]; }";
+    const std::string named =
+        " vIn;\nout vec4 c;\nvoid main() { vec3 normal = vIn.normal; "
+        "c = vec4(normal + vIn.color, vIn.weights[vIn.which]); }";
+    const std::string plain = ";\nout vec4 c;\nvoid main() { c = vec4(normal + color, weights[which]); }";
+    for (const std::string& fragment : {block + named, block + plain}) {
+        const Texts texts = {{Stage::vertex, vertex}, {Stage::fragment, fragment}};
+        expect_valid(texts, {core450, core330, es320, es300});
+        EXPECT_TRUE(translated(texts).has(Stage::vertex, "out Shading {"));
+        EXPECT_FALSE(translated(texts, es300).has(Stage::vertex, "Shading {"));
+    }
+}
+
 TEST(GlslStages, VaryingArraysOfOldGeometryComeIn) {
     expect_valid({{Stage::vertex, "varying vec3 vN; void main() { vN = gl_Normal; gl_Position = gl_Vertex; }"},
                   {Stage::geometry,
