@@ -67,6 +67,8 @@ BUGS = [
     "Fixed (`Faults.OpenGlEsServesWhereThereIsNoOpenGl`).",
     "snell, found by ANGLE, whose compiler is stricter than Mesa's: OpenGL ES 3.0 and 3.1 pass no interface blocks between "
     "shaders. They become single variables (`GlslStages.BlocksAreSingleVariablesInEs30`, `Reference.AcceptsEs30`).",
+    "snell, found by the tests on OpenGL ES 3.0: `PointSizeMode 0` did not outdo a `gl_PointSize` that the shader writes. "
+    "Fixed (`ContextEs.PointsAreAsLargeAsTheirModeSays`).",
     "softpipe (Mesa 22.3.6) refuses `EGL_CONTEXT_OPENGL_DEBUG` with `EGL_BAD_ATTRIBUTE`.",
     "zink (Mesa 22.3.6) does not start by `MESA_LOADER_DRIVER_OVERRIDE` without a display (`failed to create dri2 screen`).",
     "ANGLE's EGL also makes contexts of OpenGL 4.6, whose functions libepoxy takes from the system's libGL; `--context "

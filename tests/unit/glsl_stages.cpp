@@ -266,8 +266,8 @@ TEST(GlslStages, DroppedBindingsAreDefaults) {
 TEST(GlslStages, PointSizesOnOpenGlEs) {
     const Translated t = vertex("void main() { gl_Position = gl_Vertex; if (gl_Vertex.x > 0.) return; }", es320);
     EXPECT_TRUE(t.has(Stage::vertex, "snell_main(); gl_PointSize = snell_PointSize;"));
-    EXPECT_FALSE(vertex("void main() { gl_Position = gl_Vertex; gl_PointSize = 3.; }", es320)
-                     .has(Stage::vertex, "snell_PointSize"));
+    EXPECT_TRUE(vertex("void main() { gl_Position = gl_Vertex; gl_PointSize = 3.; }", es320)
+                    .has(Stage::vertex, "if (snell_FixedPointSize > 0.0) gl_PointSize = snell_FixedPointSize;"));
     EXPECT_FALSE(vertex("void main() { gl_Position = gl_Vertex; }").has(Stage::vertex, "PointSize"));
 }
 
