@@ -97,9 +97,11 @@ bool is_referenced(GLuint program, GLuint index) {
     constexpr std::array<GLenum, 5> properties{GL_REFERENCED_BY_VERTEX_SHADER, GL_REFERENCED_BY_FRAGMENT_SHADER,
                                                GL_REFERENCED_BY_GEOMETRY_SHADER, GL_REFERENCED_BY_TESS_CONTROL_SHADER,
                                                GL_REFERENCED_BY_TESS_EVALUATION_SHADER};
-    const bool stages = epoxy_is_desktop_gl() ? epoxy_gl_version() >= 40 : epoxy_gl_version() >= 32;
+    // Asking for a stage that the context lacks is an error. OpenGL 3.3 has geometry and no tessellation.
+    const int version = epoxy_gl_version();
+    const int asked = epoxy_is_desktop_gl() ? (version >= 40 ? 5 : 3) : (version >= 32 ? 5 : 2);
     std::array<GLint, 5> values{};
-    glGetProgramResourceiv(program, GL_UNIFORM, index, stages ? 5 : 2, properties.data(), 5, nullptr, values.data());
+    glGetProgramResourceiv(program, GL_UNIFORM, index, asked, properties.data(), asked, nullptr, values.data());
     for (GLint value : values)
         if (value) return true;
     return false;

@@ -173,6 +173,7 @@ enum class System : std::uint8_t {
     depth_range_far,
     depth_range_diff,
     point_size,
+    fixed_point_size,
     line_width,
     viewport,   // pixels
     place,      // of the part of the picture that is drawn: pixels from the left, the bottom and the top

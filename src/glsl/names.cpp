@@ -83,6 +83,7 @@ constexpr SystemName legacy_systems[] = {
     {"snell_TextureMatrixInverseTranspose", System::texture_matrix_inverse_transpose, "mat4", true},
     {"snell_NormalScale", System::normal_scale, "float", true},
     {"snell_PointSize", System::point_size, "float", true},
+    {"snell_FixedPointSize", System::fixed_point_size, "float", true},
     {"snell_LineWidth", System::line_width, "float", true},
     {"snell_Viewport", System::viewport, "vec2", true},
     {"snell_Place", System::place, "vec3", true},

@@ -66,6 +66,8 @@ void declare_functions(Program& program, Unit& unit);
 void copy_assigned(Program& program, Unit& unit);
 // Uniforms of one name agree in type and initialiser; values of initialisers are recorded.
 void unify_uniforms(Program& program);
+// Blocks that pass between shaders become single variables where the target has none.
+void flatten_blocks(Program& program);
 // Inputs of each stage meet outputs of the stage before.
 void match_interfaces(Program& program);
 // Vertex inputs get the attribute that their name or location means.

@@ -62,10 +62,14 @@ void want_extensions(const Target& target, Unit& u) {
     if (doubles && target.fp64) u.wanted_extensions.emplace_back("GL_ARB_gpu_shader_fp64");
 }
 
-// OpenGL ES has no other point size than the one that shaders write.
+// OpenGL ES has no other point size than the one that shaders write. Where the scene's size counts and not the
+// shader's, as PointSizeMode says, it is above 0.
 void give_point_size(Unit& vertex) {
-    const auto wrote = [](const Token& t) { return t.text == "gl_PointSize"; };
-    if (std::any_of(vertex.tokens.begin(), vertex.tokens.end(), wrote)) return;
+    if (mentions(vertex, "snell_PointSize") || mentions(vertex, "snell_FixedPointSize")) return;  // translated before
+    if (mentions(vertex, "gl_PointSize")) {
+        declare_once(vertex, "snell_FixedPointSize", "uniform float snell_FixedPointSize;");
+        return at_main_end(vertex, "if (snell_FixedPointSize > 0.0) gl_PointSize = snell_FixedPointSize;");
+    }
     declare_once(vertex, "snell_PointSize", "uniform float snell_PointSize;");
     at_main_end(vertex, "gl_PointSize = snell_PointSize;");
 }
@@ -115,6 +119,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
         if (u.stage == Stage::geometry) complete_geometry(program, u);
     }
     unify_uniforms(program);
+    flatten_blocks(program);
     match_interfaces(program);
     for (Unit& u : program.units) give_outputs(u);
     if (Unit* vertex = program.find(Stage::vertex)) assign_attributes(program, *vertex);

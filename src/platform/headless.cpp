@@ -32,14 +32,20 @@ std::vector<Attempt> displays() {
     return attempts;
 }
 
-// With `notify` the context reports resets by the driver; without, it would silently continue with undefined pictures.
-EGLContext make_context(EGLDisplay display, EGLConfig config, const ContextRequest& request, int version, bool notify) {
+// What a context should have if the driver offers it. Mesa's softpipe makes no debug contexts.
+struct Wishes {
+    bool notify = false;  // reports resets by the driver; otherwise it would silently continue with undefined pictures
+    bool debug = false;
+};
+
+EGLContext make_context(EGLDisplay display, EGLConfig config, const ContextRequest& request, int version,
+                        const Wishes& wishes) {
     const EGLint profile =
         request.compatibility ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT;
     std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION, version % 10};
     if (!request.es) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_PROFILE_MASK, profile});
-    if (request.debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
-    if (notify)
+    if (wishes.debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    if (wishes.notify)
         attributes.insert(attributes.end(),
                           {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
     attributes.push_back(EGL_NONE);
@@ -61,9 +67,9 @@ EGLContext best_context(EGLDisplay display, const ContextRequest& request) {
     const std::vector<int> exact{request.version};
     const bool can_notify = epoxy_egl_version(display) >= 15;
     for (int version : request.version ? exact : request.es ? embedded : desktop)
-        for (const bool notify : {true, false}) {
-            if (notify && !can_notify) continue;
-            EGLContext context = make_context(display, config, request, version, notify);
+        for (const Wishes& wishes : {Wishes{true, true}, {false, true}, {true, false}, {false, false}}) {
+            if ((wishes.notify && !can_notify) || (wishes.debug && !request.debug)) continue;
+            EGLContext context = make_context(display, config, request, version, wishes);
             if (context != EGL_NO_CONTEXT) return context;
         }
     return EGL_NO_CONTEXT;
@@ -72,6 +78,18 @@ EGLContext best_context(EGLDisplay display, const ContextRequest& request) {
 }  // namespace
 
 std::unique_ptr<HeadlessContext> HeadlessContext::make(const ContextRequest& request, std::string& error) {
+    auto made = make_one(request, error);
+    const bool any = request.version == 0 && !request.es && !request.compatibility;
+    if (made || !any) return made;
+    ContextRequest embedded = request;
+    embedded.es = true;
+    std::string second;
+    made = make_one(embedded, second);
+    if (!made && second.find("context") != std::string::npos) error += ", and no OpenGL ES 3 context either";
+    return made;
+}
+
+std::unique_ptr<HeadlessContext> HeadlessContext::make_one(const ContextRequest& request, std::string& error) {
     error = "EGL offers neither the surfaceless nor the device platform";
     for (const Attempt& attempt : displays()) {
         EGLint major = 0, minor = 0;

@@ -7,7 +7,8 @@
 namespace snell {
 
 struct ContextRequest {
-    int version = 0;  // 33, 41, 45 …; with `es` 30 or 32; 0: the highest available from 4.5 down to 3.3
+    // 33, 41, 45 …; with `es` 30 or 32; 0: the highest available from 4.5 down to 3.3, then ES.
+    int version = 0;
     bool es = false;
     bool compatibility = false;  // for tests only, as the oracle of the GLSL translation
     bool debug = false;
@@ -27,6 +28,7 @@ public:
 
 private:
     HeadlessContext() = default;
+    static std::unique_ptr<HeadlessContext> make_one(const ContextRequest& request, std::string& error);
     void* display_ = nullptr;
     void* context_ = nullptr;
     std::string platform_;

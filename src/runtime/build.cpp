@@ -290,6 +290,13 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     variant.wide = raster.line_width > static_cast<double>(caps.max_line_width) &&
                    input_of(mesh->topology) == GL_LINES && !ready.program->geometry_input &&
                    !ready.program->tessellates;
+    if (variant.wide && !caps.geometry) {
+        loading.diagnostics.warning("thin-lines", draw.span,
+                                    fmt::format("this OpenGL draws lines at most {:g} pixels wide and has no geometry "
+                                                "shaders to widen them",
+                                                caps.max_line_width));
+        variant.wide = false;
+    }
     if (variant.wide) ready.program = link(draw.program, variant, loading);
     if (!ready.program || mesh->count == 0 || !match_topology(ready, *mesh, loading.diagnostics)) return std::nullopt;
     if (raster.wireframe && caps.es)

@@ -18,6 +18,7 @@ struct DrawContext {
     double time = 0, timer_period = 10;
     double width = 1, height = 1, mouse_x = 0, mouse_y = 0;
     double point_size = 1, line_width = 1;
+    double fixed_point_size = 0;   // instead of what the shader writes; 0: the shader's
     std::array<float, 3> place{};  // of the part of the picture that is drawn: as glsl::System::place
     int face_index = 0;
     const content::Harmonics* harmonics = nullptr;  // of the cube map that the draw's last Irradiance names

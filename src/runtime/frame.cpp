@@ -86,8 +86,10 @@ DrawContext& Runtime::Impl::context(const Draw& draw, const Frame& frame, PassVi
     if (!frame.view.objects.empty())
         if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
             result.model = placed(object->second, view_matrix(scene.cameras[draw.camera]), result.model);
-    result.point_size = scene.rasters[draw.raster].point_size;
-    result.line_width = scene.rasters[draw.raster].line_width;
+    const RasterState& raster = scene.rasters[draw.raster];
+    result.point_size = raster.point_size;
+    result.fixed_point_size = raster.point_size_mode ? 0 : raster.point_size;
+    result.line_width = raster.line_width;
     return result;
 }
 

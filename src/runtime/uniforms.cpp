@@ -166,6 +166,8 @@ void append_value(Floats& out, System system, const DrawContext& c, int size) {
             return append(out, {1});
         case System::point_size:
             return append(out, {c.point_size});
+        case System::fixed_point_size:
+            return append(out, {c.fixed_point_size});
         case System::line_width:
             return append(out, {c.line_width});
         case System::harmonics:

@@ -69,11 +69,45 @@ TEST_F(Faults, WithoutADisplayThereIsNoWindow) {
 
 TEST_F(Faults, AnOpenGlThatIsTooOldIsRefused) {
     if (!graphics_) GTEST_SKIP() << "no graphics";
-    const Outcome old = snell("render --size 16x16 " + scene() + " -o " + at("o.png"),
-                              "MESA_GL_VERSION_OVERRIDE=3.0 MESA_GLSL_VERSION_OVERRIDE=130");
+    const Outcome old =
+        snell("render --size 16x16 " + scene() + " -o " + at("o.png"),
+              "MESA_GL_VERSION_OVERRIDE=3.0 MESA_GLSL_VERSION_OVERRIDE=130 MESA_GLES_VERSION_OVERRIDE=2.0");
     if (old.status == 0) GTEST_SKIP() << "this driver does not pretend to be an old one";
     EXPECT_EQ(old.status, 3) << old.output;
     EXPECT_TRUE(says(old, "no OpenGL 3.3 core context") && says(old, "help: snell needs")) << old.output;
+}
+
+// Machines of which OpenGL ES is all that there is.
+TEST_F(Faults, OpenGlEsServesWhereThereIsNoOpenGl) {
+    const std::string only = "MESA_GL_VERSION_OVERRIDE=2.1 MESA_GLES_VERSION_OVERRIDE=3.0";
+    if (snell("info --context 3.3", only).status == 0) GTEST_SKIP() << "this driver does not pretend to be an old one";
+    const Outcome info = snell("info", only);
+    if (!graphics_) GTEST_SKIP() << "no graphics";
+    EXPECT_EQ(info.status, 0) << info.output;
+    EXPECT_TRUE(says(info, "OpenGL ES 3.0")) << info.output;
+    const Outcome drawn = snell("render --size 16x16 " + scene() + " -o " + at("es.png"), only);
+    EXPECT_EQ(drawn.status, 0) << drawn.output;
+}
+
+// OpenGL 3.3 has geometry and no tessellation: what its programs use is found all the same. Mesa's own 3.3 is a 4.5.
+TEST_F(Faults, OpenGl33DrawsGeometryAsOpenGl45Does) {
+    const std::string old = "MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330";
+    if (!says(snell("info", old), "OpenGL     3.3")) GTEST_SKIP() << "this driver does not pretend to be an old one";
+    std::string scenes;
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(SNELL_ROOT "/tests/cases")) {
+        if (entry.path().extension() != ".glib") continue;
+        if (bytes_of(entry.path()).find("\nGeometry ") == std::string::npos) continue;
+        names.push_back(entry.path().stem().string());
+        scenes += entry.path().string() + " ";
+    }
+    const Outcome best = snell("render -q --size 24x24 " + scenes + "-o '" + at("best-{stem}.png'"));
+    const Outcome least = snell("render -q --size 24x24 " + scenes + "-o '" + at("least-{stem}.png'"), old);
+    EXPECT_EQ(best.status, 0) << best.output;
+    EXPECT_EQ(least.status, 0) << least.output;
+    EXPECT_GE(names.size(), 3U);
+    for (const std::string& name : names)
+        EXPECT_EQ(bytes_of(at("best-" + name + ".png")), bytes_of(at("least-" + name + ".png"))) << name;
 }
 
 TEST_F(Faults, AFeatureThatOpenGlLacksIsSaidAtItsStatement) {

@@ -78,6 +78,19 @@ TEST_F(ContextEs, TheCasesLookLikeThoseOfOpenGL) {
     }
 }
 
+// The scene's size or the shader's: OpenGL ES cannot be told which.
+TEST_F(ContextEs, PointsAreAsLargeAsTheirModeSays) {
+    folder.write("p.vert",
+                 "void main() { gl_PointSize = 5.; gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+    folder.write("p.frag", "void main() { gl_FragColor = vec4(1.); }\n");
+    const std::string scene =
+        "Ortho -1 1 -1 1\nBackground 0 0 0\nPointSize 9\nVertex p.vert\nFragment p.frag\nProgram P\n";
+    const std::string point = "glBegin gl_points\nglVertex .01 .01 0\nglEnd\n";
+    EXPECT_EQ(draw(scene + "PointSizeMode 1\n" + point).count(white), 25);
+    EXPECT_EQ(draw(scene + "PointSizeMode 0\n" + point).count(white), 81);
+    EXPECT_EQ(draw(scene + "PointSizeMode 0\n" + point + "PointSizeMode 1\n" + point).count(white), 81);
+}
+
 // OpenGL ES takes no initial values of uniforms: they are there all the same, unless the scene says otherwise.
 TEST_F(ContextEs, UniformsHaveTheirInitialValues) {
     folder.write("u.frag",
@@ -99,6 +112,14 @@ TEST_F(Context33, SamplersReadTheUnitsThatTheShaderNames) {
     const std::string scene = "Ortho -1 1 -1 1\nTexture2D 5 red.bmp\nTexture2D 6 green.bmp\nFragment b.frag\nProgram B";
     EXPECT_TRUE(near(draw(scene + "\nQuadXY\n").center(), {0, 255, 0, 255}));
     EXPECT_TRUE(near(draw(scene + " uImage 5\nQuadXY\n").center(), {255, 0, 0, 255}));
+}
+
+// As OpenGL ES 3.0 and 3.1: nothing widens a line there, and that is said.
+TEST_F(NarrowLines, WithoutGeometryShadersAreSaidToStayThin) {
+    caps.geometry = false;
+    const std::string line = "glBegin gl_lines\nglVertex -1 0 0\nglVertex 1 0 0\nglEnd\n";
+    EXPECT_TRUE(has(*open("Ortho -1 1 -1 1\nLineWidth 9\n" + line), "thin-lines"));
+    EXPECT_FALSE(has(*open("Ortho -1 1 -1 1\n" + line), "thin-lines"));
 }
 
 TEST_F(NarrowLines, AreNeitherCulledNorOutlined) {

@@ -292,8 +292,8 @@ TEST(GlslStages, DroppedBindingsAreDefaults) {
 TEST(GlslStages, PointSizesOnOpenGlEs) {
     const Translated t = vertex("void main() { gl_Position = gl_Vertex; if (gl_Vertex.x > 0.) return; }", es320);
     EXPECT_TRUE(t.has(Stage::vertex, "snell_main(); gl_PointSize = snell_PointSize;"));
-    EXPECT_FALSE(vertex("void main() { gl_Position = gl_Vertex; gl_PointSize = 3.; }", es320)
-                     .has(Stage::vertex, "snell_PointSize"));
+    EXPECT_TRUE(vertex("void main() { gl_Position = gl_Vertex; gl_PointSize = 3.; }", es320)
+                    .has(Stage::vertex, "if (snell_FixedPointSize > 0.0) gl_PointSize = snell_FixedPointSize;"));
     EXPECT_FALSE(vertex("void main() { gl_Position = gl_Vertex; }").has(Stage::vertex, "PointSize"));
 }
 
@@ -306,6 +306,24 @@ TEST(GlslStages, DirectionsMixedUp) {
          "#version 330 compatibility\nout vec3 vN; in vec3 vB; void main() { gl_FragColor = vec4(vN + vB, 1.); }"}};
     EXPECT_EQ(translated(texts).count("direction"), 2);
     expect_valid(texts, {core450, core330, es300});
+}
+
+TEST(GlslStages, BlocksAreSingleVariablesInEs30) {
+    const std::string vertex =
+        "#version 330\nout Shading {\n  vec3 normal, color;\n  flat int which; float weights[2];\n} vOut;\n"
+        "void main() { vOut.normal = vOut.color = vec3(1.); vOut.which = 1; vOut.weights[0] = vOut.weights[1] = .5; "
+        "gl_Position = vec4(0.); }";
+    const std::string block = "#version 330\nin Shading { vec3 normal, color; flat int which; float weights[2]; }";
+    const std::string named =
+        " vIn;\nout vec4 c;\nvoid main() { vec3 normal = vIn.normal; "
+        "c = vec4(normal + vIn.color, vIn.weights[vIn.which]); }";
+    const std::string plain = ";\nout vec4 c;\nvoid main() { c = vec4(normal + color, weights[which]); }";
+    for (const std::string& fragment : {block + named, block + plain}) {
+        const Texts texts = {{Stage::vertex, vertex}, {Stage::fragment, fragment}};
+        expect_valid(texts, {core450, core330, es320, es300});
+        EXPECT_TRUE(translated(texts).has(Stage::vertex, "out Shading {"));
+        EXPECT_FALSE(translated(texts, es300).has(Stage::vertex, "Shading {"));
+    }
 }
 
 TEST(GlslStages, VaryingArraysOfOldGeometryComeIn) {
