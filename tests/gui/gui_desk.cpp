@@ -14,6 +14,7 @@
 #include "tests/gui/desk.h"
 #include "tests/gui/x11.h"
 #include "tests/sanitized.h"
+#include "tests/screens.h"
 
 namespace snell::test {
 
@@ -304,8 +305,8 @@ Picture Desk::read_picture(const std::string& name) const {
 }
 
 void Desk::keep(const std::string& name) const {
-    const std::string folder = SNELL_BIN "/../screens";
-    std::filesystem::create_directories(folder);
+    const std::string folder = screens_folder();
+    if (folder.empty()) return;
     const std::string window = output_of({"xdotool", "search", "--onlyvisible", "--name", "snell"}, display_);
     ASSERT_EQ(finish(start({"import", "-window", window.substr(0, window.find('\n')), "-depth", "8",
                             folder + "/" + name + ".png"},
