@@ -267,7 +267,7 @@ TEST_F(CommandLine, CheckSaysWhatIsProbablyNotMeant) {
 
 TEST_F(CommandLine, ATrivialSceneIsQuick) {
     const std::string picture = "render " + at("good.glib") + " --size 256x256 -o " + at("o.");
-    EXPECT_LE(cost_of(picture + "png"), 6 * cost_of("info")) << "which makes a context, too, and draws nothing";
+    EXPECT_LE(cost_of(picture + "png"), 5 * cost_of("info")) << "which makes a context, too, and draws nothing";
     // Loading OpenImageIO would double the time.
     const std::string loaded = "LD_DEBUG=files";
     EXPECT_EQ(snell(picture + "png", loaded).output.find("OpenImageIO"), std::string::npos);

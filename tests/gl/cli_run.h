@@ -42,10 +42,10 @@ inline Outcome snell(const std::string& arguments, const std::string& environmen
     return run("env -u DISPLAY -u WAYLAND_DISPLAY " + environment + " " SNELL_BIN "/snell " + arguments);
 }
 
-// The least of five runs, in processor time, whatever the driver's cache holds.
+// The least of three runs, in processor time, whatever the driver's cache holds.
 inline double cost_of(const std::string& arguments) {
     double best = 1e9;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 3; ++i) {
         const double before = processor_seconds();
         snell(arguments, "MESA_SHADER_CACHE_DISABLE=true");
         best = std::min(best, processor_seconds() - before);

@@ -226,7 +226,7 @@ TEST_F(CliSweep, AHundredScenesAreQuick) {
         names += " " + at("t" + std::to_string(i) + ".glib");
     }
     const double one = cost_of("render " + at("t0.glib") + " --size 64x64 -o " + at("one.png"));
-    EXPECT_LE(cost_of("render" + names + " --size 64x64 -o '" + at("out") + "/{stem}.png'"), 25 * one);
+    EXPECT_LE(cost_of("render" + names + " --size 64x64 -o '" + at("out") + "/{stem}.png'"), 10 * one);
     EXPECT_EQ(files("out").size(), 100U);
 }
 
