@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 if [ -z "${SNELL_FRESH_NAMESPACE:-}" ]; then
   as_root=()
   [ "$(id -u)" = 0 ] || as_root=(sudo -E)
-  exec "${as_root[@]}" env SNELL_FRESH_NAMESPACE=1 unshare --mount --pid --fork --kill-child "$0" "$@"
+  exec "${as_root[@]}" env SNELL_FRESH_NAMESPACE=1 unshare --mount --pid --fork --kill-child "$PWD/tests/fresh/run.sh" "$@"
 fi
 
 clone=$PWD
