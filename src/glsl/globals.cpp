@@ -169,7 +169,10 @@ void rewrite(Unit& u, const Group& group) {
         text += qualifier_text(g.qualifiers) + type_text + " ";
         text += g.new_name.empty() ? std::string(u.now(g.name_token)) : g.new_name;
         text += g.dims;
-        if (g.init_first >= 0 && !g.drop_init) text += " = " + render(u, g.init_first, g.init_last);
+        if (g.init_first >= 0 && !g.drop_init)
+            text += " = " + render(u, g.init_first, g.init_last);
+        else if (!g.initial.empty())
+            text += " = " + g.initial;
         text += ';';
         first = false;
     }

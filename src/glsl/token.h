@@ -108,6 +108,7 @@ struct Global {
     bool read = false, written = false;
     std::string new_type;  // instead of the type's name
     std::string new_name;
+    std::string initial;        // what it begins with where the text gives it nothing
     std::vector<double> value;  // of a constant initialiser, where known
     std::vector<int> uses;      // tokens
 };

@@ -111,8 +111,13 @@ def by_hand(folder):
     yield ".\n\n"
 
 
-def git(*arguments):
-    return subprocess.run(["git", *arguments], capture_output=True, text=True, check=False).stdout.strip()
+def commit():
+    """Unknown where git is not installed, or the sources are an archive's."""
+    try:
+        return subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True,
+                              check=True).stdout.strip()
+    except (OSError, subprocess.CalledProcessError):
+        return "unknown"
 
 
 def cpu_name():
@@ -125,7 +130,7 @@ def page(folder):
     load = " ".join(f"{value:.1f}" for value in context["load_avg"])
     yield ("# What things cost\n\nMade by `./dev bench`, which also leaves all figures as JSON in build/bench-results.\n\n"
            f"- machine: {cpu_name()}, {context['num_cpus']} cores; {context['renderer']}\n"
-           f"- date: {context['date'][:10]}; commit {git('rev-parse', '--short', 'HEAD')}\n"
+           f"- date: {context['date'][:10]}; commit {commit()}\n"
            f"- load average when it began: {load}. Where others use the machine, the CPU's time tells more than the "
            "wall's.\n\nMedians. \"The least\" is what the machine needs for what can't be left out: copying the bytes in "
            "question from memory to memory, or setting all pixels once.\n\n")

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "src/content/compare.h"
+#include "tests/oracle/compare.h"
 
 namespace fs = std::filesystem;
 using namespace snell::content;

@@ -121,7 +121,7 @@ TEST_F(Hostile, DevicesPipesAndHugeFilesAreRefusedAtOnce) {
         const test::Outcome opened = test::snell("check " + at(std::string("scene/") + name));
         EXPECT_EQ(opened.status, 1) << name << '\n' << opened.output;
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(8) * patience);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30) * patience);
 }
 
 TEST_F(Hostile, IncludesEnd) {
@@ -207,7 +207,7 @@ TEST_F(Hostile, AFrameThatDoesNotEndEndsTheProcess) {
     EXPECT_EQ(ended.status, 4) << ended.output;
     EXPECT_TRUE(says(ended, "[timeout]")) << ended.output;
     EXPECT_FALSE(fs::exists(at("o.png")));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10) * patience);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30) * patience);
 }
 
 }  // namespace

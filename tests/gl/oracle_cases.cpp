@@ -1,6 +1,7 @@
 #include "tests/gl/oracle_cases.h"
 
 #include <epoxy/gl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -179,10 +180,11 @@ Translated translated(const Case& which, const glsl::Target& target) {
     return result;
 }
 
-fs::path write_texts(const std::string& name, const Texts& texts) {
+fs::path kept_texts() { return fs::temp_directory_path() / ("snell-oracle-" + std::to_string(getuid())); }
+
+fs::path write_texts(const std::string& name, const Texts& texts, const fs::path& folder) {
     std::string flat = name;
     std::replace(flat.begin(), flat.end(), '/', '-');
-    const fs::path folder = fs::temp_directory_path() / "snell-oracle";
     fs::create_directories(folder);
     for (const auto& [stage, text] : texts)
         for (const auto& [extension, of] : extensions)

@@ -47,7 +47,10 @@ struct Translated {
 };
 Translated translated(const Case& which, const glsl::Target& target);
 
-// Where a failing program's translation can be looked at; made when missing.
-std::filesystem::path write_texts(const std::string& name, const Texts& texts);
+// Where failing programs' translations are kept to be looked at: a folder of this user's.
+std::filesystem::path kept_texts();
+// The file's name without its extension.
+std::filesystem::path write_texts(const std::string& name, const Texts& texts,
+                                  const std::filesystem::path& folder = kept_texts());
 
 }  // namespace snell::oracle

@@ -32,53 +32,55 @@ const std::map<std::string, std::string_view> no_es_picture = {
     {"point-size-geometry", "ES has the size of points in geometry shaders only as an extension"},
 };
 
+// A context and what draws in it, which can only be deleted while the context is current.
+struct Place {
+    Place(const ContextRequest& request, Kind kind, std::string& error)
+        : context(HeadlessContext::make(request, error)) {
+        if (context) stand = std::make_unique<Stand>(kind);
+    }
+    ~Place() {
+        if (context) context->make_current();
+    }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+    std::unique_ptr<HeadlessContext> context;
+    std::unique_ptr<Stand> stand;  // goes before its context
+};
+
 // The contexts, made once.
 class Oracle {
 public:
-    static Oracle& get() {
-        static Oracle oracle;
-        return oracle;
-    }
-    bool ready() const { return core_ && compatibility_; }
+    bool ready() const { return core_.context && compatibility_.context; }
     const std::string& error() const { return error_; }
 
     // In the compatibility context; null where it refuses the program.
     std::optional<Picture> untouched(const Texts& texts, const Needs& needs, const glsl::Translation& translation) {
-        return drawn(*compatibility_, *compatibility_stand_, texts, needs, translation);
+        return drawn(compatibility_, texts, needs, translation);
     }
     std::optional<Picture> core(const Texts& texts, const Needs& needs, const glsl::Translation& translation) {
-        return drawn(*core_, *core_stand_, texts, needs, translation);
+        return drawn(core_, texts, needs, translation);
     }
     std::optional<Picture> es(const Texts& texts, const Needs& needs, const glsl::Translation& translation) {
-        return drawn(*es_, *es_stand_, texts, needs, translation);
+        return drawn(es_, texts, needs, translation);
     }
-    bool has_es() const { return es_ != nullptr; }
+    bool has_es() const { return es_.context != nullptr; }
     const std::string& log() const { return log_; }
 
 private:
-    Oracle() {
-        core_ = HeadlessContext::make({.version = 45}, error_);
-        if (core_) core_stand_ = std::make_unique<Stand>(Kind::core);
-        compatibility_ = HeadlessContext::make({.version = 45, .compatibility = true}, error_);
-        std::string no_es;  // the other tests can do without
-        es_ = HeadlessContext::make({.version = 32, .es = true}, no_es);
-        if (es_) es_stand_ = std::make_unique<Stand>(Kind::es);
-        if (compatibility_) compatibility_->make_current();
-        if (compatibility_) compatibility_stand_ = std::make_unique<Stand>(Kind::compatibility);
-    }
-
-    std::optional<Picture> drawn(HeadlessContext& context, Stand& stand, const Texts& texts, const Needs& needs,
+    std::optional<Picture> drawn(Place& place, const Texts& texts, const Needs& needs,
                                  const glsl::Translation& translation) {
-        context.make_current();
+        place.context->make_current();
         const Program program = build(texts);
         log_ = program.log;
         if (!program.id) return std::nullopt;
-        return stand.draw(program, needs, translation);
+        return place.stand->draw(program, needs, translation);
     }
 
-    std::string error_, log_;
-    std::unique_ptr<HeadlessContext> core_, compatibility_, es_;
-    std::unique_ptr<Stand> core_stand_, compatibility_stand_, es_stand_;
+    std::string error_, no_es_, log_;  // the other tests can do without ES
+    Place core_{{.version = 45}, Kind::core, error_};
+    Place compatibility_{{.version = 45, .compatibility = true}, Kind::compatibility, error_};
+    Place es_{{.version = 32, .es = true}, Kind::es, no_es_};
 };
 
 int allowance(const std::string& name) {
@@ -105,9 +107,8 @@ Texts with_version(Texts texts) {
 }
 
 // Draws one program every way there is and compares.
-Verdict check(const Case& c, bool must_have_reference) {
+Verdict check(Oracle& oracle, const Case& c, bool must_have_reference) {
     SCOPED_TRACE(c.name);
-    Oracle& oracle = Oracle::get();
     const Texts original = texts(c.files);
     const Needs needs = oracle::needs(original);
     const Translated translated = oracle::translated(c, {.version = 450, .es = false, .fp64 = true});
@@ -137,14 +138,21 @@ Verdict check(const Case& c, bool must_have_reference) {
 
 class Pictures : public testing::Test {
 protected:
+    static void SetUpTestSuite() { shared() = std::make_unique<Oracle>(); }
+    static void TearDownTestSuite() { shared().reset(); }
     void SetUp() override {
-        if (!Oracle::get().ready()) GTEST_SKIP() << "no compatibility context here: " << Oracle::get().error();
+        if (!oracle.ready()) GTEST_SKIP() << "no compatibility context here: " << oracle.error();
     }
+    static std::unique_ptr<Oracle>& shared() {
+        static std::unique_ptr<Oracle> oracle;
+        return oracle;
+    }
+    Oracle& oracle = *shared();
 
     void check_all(const std::vector<Case>& cases, bool must_have_reference) {
         std::map<Verdict, int> verdicts;
         for (const Case& c : cases) {
-            const Verdict verdict = check(c, must_have_reference);
+            const Verdict verdict = check(oracle, c, must_have_reference);
             ++verdicts[verdict];
             if (verdict == Verdict::refused) std::printf("%s is refused and has no modern twin\n", c.name.c_str());
         }
@@ -189,7 +197,6 @@ TEST_F(Pictures, OfTheCorpusAreTheSame) {
 
 // Initialised uniforms get their values from the translation here, and there are no implicit conversions.
 TEST_F(Pictures, OnOpenGlEsAreThoseOfTheCoreProfile) {
-    Oracle& oracle = Oracle::get();
     if (!oracle.has_es()) GTEST_SKIP() << "no OpenGL ES 3.2 here";
     for (const Case& c : cases_of_folder("tests/glsl")) {
         if (no_es_picture.contains(c.name)) continue;
@@ -205,7 +212,6 @@ TEST_F(Pictures, OnOpenGlEsAreThoseOfTheCoreProfile) {
 }
 
 TEST_F(Pictures, OfDifferentProgramsDiffer) {
-    Oracle& oracle = Oracle::get();
     const auto picture = [&](const char* name) {
         const Texts t = texts({{Stage::vertex, "tests/glsl/plain.modern.vert"},
                                {Stage::fragment, std::string("tests/glsl/") + name + ".modern.frag"}});

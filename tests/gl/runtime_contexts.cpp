@@ -165,6 +165,24 @@ TEST_F(NarrowLines, PassEveryVaryingOn) {
     EXPECT_EQ(rows, 9);
 }
 
+// Drivers warn of variables that are read before they are set, where they compile and don't take a program from a
+// cache.
+TEST_F(NarrowLines, HaveNothingThatDriversWarnOf) {
+    folder.write("w.vert",
+                 "#version 330 compatibility\nstruct Light { vec3 color; float parts[2]; };\nout Light vLight;\n"
+                 "out float vParts[3];\nflat out ivec2 vWhole;\nout vec4 vUnset;\n"
+                 "void main() { vLight = Light(vec3(0., 1., 0.), float[2](.5, 1.)); vWhole = ivec2(1);\n"
+                 "for (int i = 0; i < 3; ++i) vParts[i] = 1.;\ngl_Position = gl_Vertex; }\n");
+    folder.write("w.frag",
+                 "#version 330 compatibility\nstruct Light { vec3 color; float parts[2]; };\nin Light vLight;\n"
+                 "in float vParts[3];\nflat in ivec2 vWhole;\nin vec4 vUnset;\nvoid main() { gl_FragColor = "
+                 "vec4(vLight.color * vLight.parts[1] * vParts[2], vWhole.x) + 0. * vUnset; }\n");
+    auto document = open(
+        "Ortho -1 1 -1 1\nVertex w.vert\nFragment w.frag\nProgram W\nLineWidth 9\n"
+        "glBegin gl_lines\nglVertex -1 0 0\nglVertex 1 0 0\nglEnd\n");
+    EXPECT_TRUE(near(draw(*document, {.width = 101, .height = 101}).center(), {0, 255, 0, 255}));
+}
+
 // A line from behind the eye to in front of it: what is behind is cut away.
 TEST_F(NarrowLines, AreCutAtTheEye) {
     const Picture picture = draw(

@@ -70,7 +70,7 @@ protected:
     Picture look() const;
     // Of a file of any format.
     Picture read_picture(const std::string& name) const;
-    // What the screen shows, as screens/NAME.png in the build folder: for people, and for docs/guide.md.
+    // What the screen shows, as NAME.png in the screens_folder(): for people, and for docs/guide.md.
     void keep(const std::string& name) const;
     // In the middle of the scene's area, moved by so many pixels.
     Pixel scene_pixel(int right = 0, int down = 0) const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/gui/desk.h"
+#include "tests/screens.h"
 
 namespace snell::test {
 namespace {
@@ -25,9 +26,9 @@ protected:
 
     // For people to look at.
     void keep_screen(const std::string& name, const std::string& area) const {
-        std::filesystem::create_directories(SNELL_BIN "/../screens");
-        shell("import -display " + display_ + " -window root -crop " + area + " +repage '" SNELL_BIN "/../screens/" +
-              name + "'");
+        const std::string folder = screens_folder();
+        if (folder.empty()) return;
+        shell("import -display " + display_ + " -window root -crop " + area + " +repage '" + folder + "/" + name + "'");
     }
 };
 

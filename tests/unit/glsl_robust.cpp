@@ -1,5 +1,5 @@
 // Any bytes, and any mutation of a valid shader: no crash, no hang.
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -95,7 +95,7 @@ TEST(GlslRobust, DeepNesting) {
         for (int n = 0; n < 100000; ++n) text += close;
         return text + "; }";
     };
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     EXPECT_FALSE(fragment(nested("(", ")")).translation.stages.empty());
     EXPECT_FALSE(fragment(nested("-", "")).translation.stages.empty());
     EXPECT_FALSE(fragment(nested("f(", ")")).translation.stages.empty());
@@ -109,7 +109,7 @@ TEST(GlslRobust, DeepNesting) {
     std::string structs;
     for (int n = 0; n < 20000; ++n) structs += "struct A { struct B { ";
     EXPECT_FALSE(fragment(structs).translation.stages.empty());
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20) * patience);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20 * patience);
 }
 
 // What is moved or written out member by member: each may be many, or multiply.

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <random>
 #include <set>
@@ -214,9 +214,9 @@ TEST(MeshTree, IsBuiltQuickly) {
     ASSERT_GT(mesh.indices.size() / 3, 99000U);
     double best = 1e9;
     for (int i = 0; i < 3; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         const Tree tree = make_tree(mesh);
-        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
         EXPECT_EQ(tree.triangle_count(), mesh.indices.size() / 3);
     }
     RecordProperty("milliseconds", static_cast<int>(best * 1e3));

@@ -9,6 +9,7 @@
 #include "parser/commands.h"
 #include "tests/oracle/scene/print.h"
 #include "parser_support.h"
+#include "tests/scratch.h"
 
 namespace snell::test {
 namespace {
@@ -26,9 +27,9 @@ static_assert(Signature("").count == 1);
 
 // Whether a constant of this signature compiles. The compiler is asked: the error must come at compile time.
 bool compiles(const std::string& signature) {
-    const std::string source = testing::TempDir() + "snell_signature.cpp";
-    std::ofstream(source) << "#include \"parser/signature.h\"\nconstexpr snell::Signature s = \"" << signature
-                          << "\";\n";
+    const Scratch folder;
+    const std::string source = folder.write(
+        "signature.cpp", "#include \"parser/signature.h\"\nconstexpr snell::Signature s = \"" + signature + "\";\n");
     const std::string command = "c++ -std=c++20 -fsyntax-only -I'" SNELL_ROOT "' '" + source + "' 2>/dev/null";
     return std::system(command.c_str()) == 0;
 }

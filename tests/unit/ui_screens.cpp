@@ -9,6 +9,7 @@
 
 #include "src/runtime/inspect.h"
 #include "src/ui/loading.h"
+#include "tests/screens.h"
 #include "tests/unit/ui_paint.h"
 #include "tests/unit/ui_screen.h"
 
@@ -21,8 +22,8 @@ const std::string long_path =
     long_name + ".frag";
 
 void keep_picture(const std::string& name) {
-    const std::string folder = SNELL_BIN "/../screens";
-    std::filesystem::create_directories(folder);
+    const std::string folder = screens_folder();
+    if (folder.empty()) return;
     EXPECT_EQ(content::write_image(folder + "/" + name + ".png", paint(*ImGui::GetDrawData())), "");
 }
 
