@@ -1,6 +1,5 @@
 // Declarators with their initialisers, and functions.
 #include "src/glsl/parse.h"
-#include "src/glsl/program.h"
 #include "src/glsl/words.h"
 
 namespace snell::glsl {

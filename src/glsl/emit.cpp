@@ -210,15 +210,6 @@ void declare_before_main(Unit& u, std::string_view declarations, std::string_vie
     u.trailer.insert(0, declarations);
 }
 
-std::string zero(const Type& type) {
-    if (type.scalar())
-        return type.base == Base::boolean ? "false"
-               : type.integral()          ? (type.base == Base::uinteger ? "0u" : "0")
-                                          : "0.0";
-    return std::string(type_name(type.base, type.rows, type.cols)) + "(" +
-           (type.base == Base::boolean ? "false" : "0") + (type.floating() ? ".0)" : ")");
-}
-
 namespace {
 
 // As far as `budget` variables and members go: structures of structures multiply.

@@ -112,8 +112,6 @@ const Function* find_main(const Unit& unit);
 bool user_function(const Unit& unit, std::string_view name);
 // "vec3(x)" and the like: the value `text` of one type as another; empty if there is no way.
 std::string converted(std::string_view text, const Type& from, const Type& to);
-// Zero of a type that is no structure.
-std::string zero(const Type& type);
 // Statements that set a variable of any type to zero, member by member and element by element.
 std::string set_zero(const Unit& unit, const std::string& variable, const Type& type);
 

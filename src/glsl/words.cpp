@@ -291,4 +291,13 @@ std::string_view modern_texture_function(std::string_view name, bool& wraps) {
     return {};
 }
 
+std::string zero(const Type& type) {
+    if (type.scalar())
+        return type.base == Base::boolean ? "false"
+               : type.integral()          ? (type.base == Base::uinteger ? "0u" : "0")
+                                          : "0.0";
+    return std::string(type_name(type.base, type.rows, type.cols)) + "(" +
+           (type.base == Base::boolean ? "false" : "0") + (type.floating() ? ".0)" : ")");
+}
+
 }  // namespace snell::glsl

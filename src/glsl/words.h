@@ -33,4 +33,7 @@ std::string_view modern_texture_function(std::string_view name, bool& wraps);
 // The overloads of a built-in function, as text: "F:FF F:Ff" (see builtins.cpp); empty for others.
 std::string_view builtin_signatures(std::string_view name);
 
+// The zero of a type that is not a structure, as text.
+std::string zero(const Type& type);
+
 }  // namespace snell::glsl
