@@ -46,21 +46,35 @@ function(snell_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Four files, or as many as are said, are compiled as one, which takes a full build down by a third. Files that share names of their anonymous
-# namespaces with others are compiled alone.
+# Four files of a folder, or as many as given, are compiled as one, which takes a third off a full build. Files that
+# share names of their anonymous namespaces with others are compiled alone.
 option(SNELL_TOGETHER "Compile several files at a time: full builds are quicker, small changes slower" ON)
 function(snell_together target)
   set(batch 4 ${ARGN})
   list(GET batch -1 batch)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SNELL_TOGETHER} UNITY_BUILD_BATCH_SIZE ${batch})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SNELL_TOGETHER} UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(SORT sources)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH room)
+    string(MAKE_C_IDENTIFIER "${room}" room)
+    if(NOT room STREQUAL last)
+      set(count 0)
+    endif()
+    set(last "${room}")
+    math(EXPR group "${count} / ${batch}")
+    math(EXPR count "${count} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${room}_${group}")
+  endforeach()
 endfunction()
 function(snell_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# snell_library(NAME libraries…): every .cpp of the calling folder.
+# snell_library(NAME libraries…): every .cpp of the calling folder and its rooms.
 function(snell_library name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
+  list(FILTER sources EXCLUDE REGEX "(^|/)(main|oiio)\\.cpp$")
   add_library(${name} STATIC ${sources})
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${name} PUBLIC snell_options ${ARGN})

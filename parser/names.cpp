@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "parser/words.h"
+#include "parser/text/words.h"
 
 namespace snell {
 namespace {

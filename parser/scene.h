@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "parser/source.h"
+#include "parser/text/source.h"
 
 namespace snell {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "parser/names.h"
-#include "parser/number.h"
+#include "parser/text/number.h"
 
 namespace snell::text_of {
 namespace {

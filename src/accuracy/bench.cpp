@@ -6,7 +6,7 @@
 
 #include "src/accuracy/clock.h"
 #include "src/gl/present.h"
-#include "src/plan/controls.h"
+#include "src/plan/values/controls.h"
 
 namespace snell::accuracy {
 

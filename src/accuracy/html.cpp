@@ -6,7 +6,7 @@
 
 #include "src/accuracy/plot.h"
 #include "src/accuracy/report.h"
-#include "src/content/image.h"
+#include "src/content/image/image.h"
 
 namespace snell::accuracy {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/diagnostic.h"
+#include "parser/text/diagnostic.h"
 #include "src/accuracy/bench.h"
 
 namespace snell::accuracy {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/diagnostic.h"
 #include "parser/scene.h"
-#include "parser/source.h"
+#include "parser/text/diagnostic.h"
+#include "parser/text/source.h"
 
 namespace snell::glsl {
 

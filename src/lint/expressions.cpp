@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "src/glsl/words.h"
+#include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
 namespace snell::lint {

@@ -1,5 +1,5 @@
 // What compiles and runs, and yet is probably not meant: warnings for `snell check`. No GL; nothing here runs when
-// a scene is drawn, but for loops where llvmpipe draws (src/app/rounds.h).
+// a scene is drawn, but for loops where llvmpipe draws (src/app/open/rounds.h).
 //
 // The shaders of each program are walked as they would run, from main() through the functions it calls, with facts
 // instead of numbers: whether a vector has unit length, in which space it is, between which bounds a number lies. A
@@ -9,8 +9,8 @@
 #include <span>
 #include <string_view>
 
-#include "parser/diagnostic.h"
-#include "parser/source.h"
+#include "parser/text/diagnostic.h"
+#include "parser/text/source.h"
 #include "src/glsl/glsl.h"
 #include "src/plan/plan.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "src/glsl/words.h"
+#include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
 namespace snell::lint {

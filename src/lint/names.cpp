@@ -1,7 +1,7 @@
 // What is known of variables by their names: matrices, attributes, varyings, what the scene sets.
 #include <algorithm>
 
-#include "src/glsl/words.h"
+#include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
 namespace snell::lint {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "src/glsl/words.h"
+#include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
 namespace snell::lint {

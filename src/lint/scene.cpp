@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "src/glsl/parse.h"
-#include "src/glsl/preprocess.h"
-#include "src/glsl/words.h"
+#include "src/glsl/read/parse.h"
+#include "src/glsl/read/preprocess.h"
+#include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
 namespace snell::lint {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string_view>
 
-#include "src/glsl/token.h"
+#include "src/glsl/read/token.h"
 
 namespace snell::lint {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "src/glsl/program.h"
-#include "src/glsl/words.h"
+#include "src/glsl/read/words.h"
+#include "src/glsl/translate/program.h"
 
 namespace snell::lint {
 

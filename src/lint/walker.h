@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/glsl/token.h"
+#include "src/glsl/read/token.h"
 #include "src/lint/lint.h"
 #include "src/lint/value.h"
 

@@ -14,8 +14,8 @@
 #include <span>
 #include <system_error>
 
-#include "parser/diagnostic.h"
-#include "parser/words.h"
+#include "parser/text/diagnostic.h"
+#include "parser/text/words.h"
 
 namespace snell {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/limits.h"
+#include "parser/text/limits.h"
 
 namespace snell {
 

@@ -2,7 +2,7 @@
 
 #include <sys/stat.h>
 
-#include "src/content/noise.h"
+#include "src/content/image/noise.h"
 #include "src/plan/locate.h"
 
 namespace snell {

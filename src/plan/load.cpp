@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "src/content/convolve.h"
-#include "src/content/noise.h"
+#include "src/content/cube/convolve.h"
+#include "src/content/image/noise.h"
 #include "src/content/parallel.h"
 #include "src/plan/locate.h"
 #include "src/plan/plan.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "src/content/cubemap.h"
+#include "src/content/cube/cubemap.h"
 
 namespace snell {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/diagnostic.h"
 #include "parser/scene.h"
+#include "parser/text/diagnostic.h"
 #include "src/plan/files.h"
 
 namespace snell {

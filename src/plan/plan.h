@@ -14,15 +14,15 @@
 
 #include <glm/glm.hpp>
 
-#include "parser/diagnostic.h"
 #include "parser/scene.h"
-#include "parser/source.h"
-#include "src/content/cubemap.h"
-#include "src/content/image.h"
-#include "src/content/mesh.h"
+#include "parser/text/diagnostic.h"
+#include "parser/text/source.h"
+#include "src/content/cube/cubemap.h"
+#include "src/content/image/image.h"
+#include "src/content/mesh/mesh.h"
 #include "src/glsl/glsl.h"
 #include "src/plan/files.h"
-#include "src/plan/rungs.h"
+#include "src/plan/values/rungs.h"
 
 namespace snell {
 

@@ -5,7 +5,7 @@
 
 #include "src/plan/identity.h"
 #include "src/runtime/impl.h"
-#include "src/runtime/stopwatch.h"
+#include "src/runtime/resources/stopwatch.h"
 
 namespace snell {
 

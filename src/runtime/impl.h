@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "src/gl/target.h"
-#include "src/runtime/jobs.h"
-#include "src/runtime/mesh.h"
-#include "src/runtime/program.h"
+#include "src/runtime/resources/jobs.h"
+#include "src/runtime/resources/mesh.h"
+#include "src/runtime/resources/program.h"
+#include "src/runtime/resources/state.h"
+#include "src/runtime/resources/textures.h"
+#include "src/runtime/resources/tree.h"
+#include "src/runtime/resources/uniforms.h"
 #include "src/runtime/runtime.h"
-#include "src/runtime/state.h"
-#include "src/runtime/textures.h"
-#include "src/runtime/tree.h"
-#include "src/runtime/uniforms.h"
 
 namespace snell {
 

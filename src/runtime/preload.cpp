@@ -1,10 +1,10 @@
 // Files that the draws need are read and decoded on all cores, before any of them is uploaded.
 #include <algorithm>
 
-#include "src/content/noise.h"
+#include "src/content/image/noise.h"
 #include "src/plan/identity.h"
 #include "src/runtime/impl.h"
-#include "src/runtime/stopwatch.h"
+#include "src/runtime/resources/stopwatch.h"
 
 namespace snell {
 

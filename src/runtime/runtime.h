@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "parser/diagnostic.h"
+#include "parser/text/diagnostic.h"
 #include "src/gl/caps.h"
-#include "src/plan/controls.h"
 #include "src/plan/files.h"
 #include "src/plan/plan.h"
+#include "src/plan/values/controls.h"
 #include "src/plan/view.h"
-#include "src/runtime/counters.h"
 #include "src/runtime/explain.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell {
 

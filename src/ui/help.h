@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "src/ui/layout.h"
-#include "src/ui/style.h"
+#include "src/ui/kit/layout.h"
+#include "src/ui/kit/style.h"
 
 namespace snell::ui {
 

@@ -1,9 +1,9 @@
 // The values of the controls as text over the picture, for screen shots.
 #pragma once
 
-#include "src/ui/state.h"
-#include "src/ui/style.h"
-#include "src/ui/text.h"
+#include "src/ui/kit/style.h"
+#include "src/ui/kit/text.h"
+#include "src/ui/panels/state.h"
 
 namespace snell::ui {
 

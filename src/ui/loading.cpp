@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "src/ui/widgets.h"
+#include "src/ui/kit/widgets.h"
 
 namespace snell::ui {
 

@@ -1,7 +1,7 @@
 // Mouse input over the scene.
 #pragma once
 
-#include "src/ui/state.h"
+#include "src/ui/panels/state.h"
 
 namespace snell::ui {
 

@@ -8,19 +8,19 @@
 #include <cmath>
 
 #include "src/platform/window.h"
-#include "src/ui/clock.h"
-#include "src/ui/costs.h"
-#include "src/ui/files.h"
-#include "src/ui/frame_cost.h"
 #include "src/ui/help.h"
-#include "src/ui/keep.h"
 #include "src/ui/labels.h"
-#include "src/ui/picture_out.h"
-#include "src/ui/pixels.h"
-#include "src/ui/problems.h"
-#include "src/ui/programs.h"
+#include "src/ui/panels/clock.h"
+#include "src/ui/panels/costs.h"
+#include "src/ui/panels/files.h"
+#include "src/ui/panels/frame_cost.h"
+#include "src/ui/panels/keep.h"
+#include "src/ui/panels/picture_out.h"
+#include "src/ui/panels/pixels.h"
+#include "src/ui/panels/problems.h"
+#include "src/ui/panels/programs.h"
+#include "src/ui/panels/view.h"
 #include "src/ui/scene_mouse.h"
-#include "src/ui/view.h"
 
 namespace snell::ui {
 

@@ -2,8 +2,8 @@
 // the picture.
 #pragma once
 
-#include "src/ui/state.h"
-#include "src/ui/style.h"
+#include "src/ui/kit/style.h"
+#include "src/ui/panels/state.h"
 
 namespace snell::ui {
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "src/content/mesh.h"
-#include "src/content/obj_reader.h"
+#include "src/content/mesh/mesh.h"
+#include "src/content/mesh/obj_reader.h"
 #include "tests/bench/bounds.h"
 
 namespace snell::content {

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "parser/parse.h"
+#include "parser/read/parse.h"
 #include "tests/bench/bounds.h"
 
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "src/content/cubemap.h"
-#include "src/content/image.h"
-#include "src/content/mesh.h"
+#include "src/content/cube/cubemap.h"
+#include "src/content/image/image.h"
+#include "src/content/mesh/mesh.h"
 
 namespace snell::fuzz {
 

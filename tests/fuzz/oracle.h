@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "parser/parse.h"
+#include "parser/read/parse.h"
 #include "tests/oracle/scene/print.h"
 
 namespace snell::fuzz {

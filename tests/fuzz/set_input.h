@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/plan/controls.h"
+#include "src/plan/values/controls.h"
 
 namespace snell::fuzz {
 

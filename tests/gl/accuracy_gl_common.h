@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "src/accuracy/measure.h"
-#include "src/app/document.h"
+#include "src/app/open/document.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

@@ -3,7 +3,7 @@
 
 #include "src/accuracy/clock.h"
 #include "src/accuracy/statistics.h"
-#include "src/app/frame_costs.h"
+#include "src/app/window/measure/frame_costs.h"
 #include "src/gl/present.h"
 #include "tests/gl/harness.h"
 

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "parser/commands.h"
-#include "src/content/image.h"
+#include "parser/commands/commands.h"
+#include "src/content/image/image.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "src/content/image.h"
+#include "src/content/image/image.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <set>
 
-#include "parser/commands.h"
+#include "parser/commands/commands.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

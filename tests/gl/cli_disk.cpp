@@ -14,10 +14,10 @@
 #include <random>
 #include <thread>
 
-#include "src/app/save_values.h"
-#include "src/app/settings.h"
-#include "src/app/snapshots.h"
-#include "src/content/image.h"
+#include "src/app/desktop/settings.h"
+#include "src/app/open/save_values.h"
+#include "src/app/open/snapshots.h"
+#include "src/content/image/image.h"
 #include "src/content/replace.h"
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "src/app/explain.h"
+#include "src/app/commands/explain.h"
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
 #include "tests/sanitized.h"

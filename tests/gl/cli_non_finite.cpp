@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "src/app/snapshots.h"
+#include "src/app/open/snapshots.h"
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
 

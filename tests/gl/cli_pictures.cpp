@@ -2,8 +2,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "src/app/tiles.h"
-#include "src/content/image.h"
+#include "src/app/picture/tiles.h"
+#include "src/content/image/image.h"
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
 

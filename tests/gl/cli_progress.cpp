@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-#include "src/app/progress.h"
+#include "src/app/open/progress.h"
 #include "tests/gl/cli_run.h"
 #include "tests/scratch.h"
 

@@ -4,11 +4,11 @@
 
 #include <chrono>
 
-#include "src/app/recovery.h"
-#include "src/app/restart.h"
-#include "src/app/session.h"
-#include "src/app/snapshots.h"
-#include "src/app/view_text.h"
+#include "src/app/open/snapshots.h"
+#include "src/app/open/view_text.h"
+#include "src/app/window/session.h"
+#include "src/app/window/survive/recovery.h"
+#include "src/app/window/survive/restart.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

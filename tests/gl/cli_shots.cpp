@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <set>
 
-#include "src/app/sha256.h"
-#include "src/app/shots.h"
+#include "src/app/batch/shots.h"
+#include "src/app/picture/sha256.h"
 
 namespace snell::app {
 

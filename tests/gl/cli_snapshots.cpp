@@ -1,8 +1,8 @@
 // Values that are kept: round trips, odd names, and files that are not as we wrote them.
 #include <nlohmann/json.hpp>
 
-#include "src/app/save_values.h"
-#include "src/app/snapshots.h"
+#include "src/app/open/save_values.h"
+#include "src/app/open/snapshots.h"
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
 

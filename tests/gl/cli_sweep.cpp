@@ -10,7 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "src/content/image.h"
+#include "src/content/image/image.h"
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
 

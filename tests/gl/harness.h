@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/app/document.h"
+#include "src/app/open/document.h"
 #include "src/gl/target.h"
 #include "src/plan/view.h"
 #include "src/platform/headless.h"

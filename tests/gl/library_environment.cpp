@@ -2,11 +2,11 @@
 #include <cmath>
 #include <random>
 
+#include "tests/gl/library_common.h"
+#include "tests/hard_case.h"
 #include "tests/oracle/optics/cube.h"
 #include "tests/oracle/optics/locality.h"
 #include "tests/oracle/optics/refraction.h"
-#include "tests/gl/library_common.h"
-#include "tests/hard_case.h"
 
 namespace snell::test {
 namespace {

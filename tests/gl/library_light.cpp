@@ -5,6 +5,7 @@
 #include <random>
 #include <sstream>
 
+#include "tests/gl/library_common.h"
 #include "tests/oracle/optics/color.h"
 #include "tests/oracle/optics/cube.h"
 #include "tests/oracle/optics/dispersion.h"
@@ -12,7 +13,6 @@
 #include "tests/oracle/optics/irradiance.h"
 #include "tests/oracle/optics/refraction.h"
 #include "tests/oracle/optics/sphere.h"
-#include "tests/gl/library_common.h"
 
 namespace snell::test {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "src/content/tree.h"
-#include "tests/oracle/optics/mesh_path.h"
+#include "src/content/mesh/tree.h"
 #include "tests/gl/library_common.h"
+#include "tests/oracle/optics/mesh_path.h"
 
 namespace snell::test {
 namespace {

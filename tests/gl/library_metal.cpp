@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/gl/library_common.h"
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/glass.h"
-#include "tests/gl/library_common.h"
 
 namespace snell::test {
 namespace {

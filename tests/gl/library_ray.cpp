@@ -2,10 +2,10 @@
 #include <cmath>
 #include <random>
 
-#include "tests/oracle/optics/ray.h"
-#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/library_common.h"
 #include "tests/hard_case.h"
+#include "tests/oracle/optics/ray.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::test {
 namespace {

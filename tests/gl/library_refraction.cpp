@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/oracle/optics/refraction.h"
-#include "tests/oracle/optics/sphere.h"
 #include "tests/gl/library_common.h"
 #include "tests/hard_case.h"
+#include "tests/oracle/optics/refraction.h"
+#include "tests/oracle/optics/sphere.h"
 
 namespace snell::test {
 namespace {

@@ -1,7 +1,7 @@
 // Chains of rough mirrors, looked up by the library.
 #include <cmath>
 
-#include "src/content/convolve.h"
+#include "src/content/cube/convolve.h"
 #include "tests/gl/library_common.h"
 
 namespace snell::test {

@@ -1,9 +1,9 @@
 // Glass seen from both sides, by pictures of its back faces.
 #include <cmath>
 
+#include "tests/gl/library_common.h"
 #include "tests/oracle/optics/refraction.h"
 #include "tests/oracle/optics/two_sided.h"
-#include "tests/gl/library_common.h"
 
 namespace snell::test {
 namespace {

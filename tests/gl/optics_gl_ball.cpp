@@ -7,9 +7,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "tests/gl/optics_gl_common.h"
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/refraction.h"
-#include "tests/gl/optics_gl_common.h"
 
 namespace snell::test {
 namespace {

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "src/content/mesh.h"
+#include "src/content/mesh/mesh.h"
+#include "tests/gl/harness.h"
 #include "tests/oracle/optics/cube.h"
 #include "tests/oracle/optics/ray.h"
-#include "tests/gl/harness.h"
 
 namespace snell::test {
 

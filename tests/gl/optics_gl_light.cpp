@@ -3,10 +3,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/gl/optics_gl_common.h"
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/glass.h"
 #include "tests/oracle/optics/refraction.h"
-#include "tests/gl/optics_gl_common.h"
 
 namespace snell::test {
 namespace {

@@ -1,8 +1,8 @@
 // Which way round the walls and the faces of a cube map are.
 #include <cmath>
 
-#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/optics_gl_common.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::test {
 namespace {

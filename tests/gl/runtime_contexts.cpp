@@ -1,7 +1,7 @@
 // The same scenes in the least and in other contexts: OpenGL 3.3, OpenGL ES, and one that draws no wide lines.
 #include <filesystem>
 
-#include "parser/commands.h"
+#include "parser/commands/commands.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

@@ -1,5 +1,5 @@
 // What varies between frames, and what it costs.
-#include "src/runtime/uniforms.h"
+#include "src/runtime/resources/uniforms.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/app/non_finite.h"
+#include "src/app/picture/non_finite.h"
 #include "src/gl/program.h"
-#include "tests/oracle/optics/refraction.h"
 #include "tests/gl/harness.h"
 #include "tests/hard_case.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "src/runtime/uniforms.h"
+#include "src/runtime/resources/uniforms.h"
 #include "tests/hard_case.h"
 
 namespace snell::test {

@@ -1,5 +1,5 @@
 // Further sentences of the language, each as a picture.
-#include "src/content/image.h"
+#include "src/content/image/image.h"
 #include "tests/gl/plain.h"
 
 namespace snell::test {

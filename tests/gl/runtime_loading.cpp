@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "src/app/unsampled.h"
+#include "src/app/open/unsampled.h"
 #include "tests/gl/plain.h"
 
 namespace snell::test {

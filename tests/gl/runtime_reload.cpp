@@ -1,5 +1,5 @@
 // A scene that is read again: what did not change is taken over, and the picture is that of a fresh reading.
-#include "src/app/session.h"
+#include "src/app/window/session.h"
 #include "tests/gl/harness.h"
 
 namespace snell::test {

@@ -7,7 +7,7 @@
 #include <new>
 
 #include "src/gl/present.h"
-#include "src/ui/gui.h"
+#include "src/ui/kit/gui.h"
 #include "src/ui/shell.h"
 #include "tests/gl/harness.h"
 

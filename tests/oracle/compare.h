@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "src/content/image.h"
+#include "src/content/image/image.h"
 
 namespace snell::content {
 

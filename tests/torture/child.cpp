@@ -12,7 +12,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "parser/utf8.h"
+#include "parser/text/utf8.h"
 #include "tests/torture/tree.h"
 
 namespace snell::torture {

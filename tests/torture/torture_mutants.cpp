@@ -16,7 +16,7 @@
 #include <mutex>
 #include <thread>
 
-#include "src/content/image.h"
+#include "src/content/image/image.h"
 #include "src/platform/headless.h"
 #include "tests/scratch.h"
 #include "tests/torture/campaign.h"

@@ -15,7 +15,7 @@
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #endif
 
-#include "src/app/session.h"
+#include "src/app/window/session.h"
 #include "tests/gl/harness.h"
 #include "tests/sanitized.h"
 #include "tests/torture/campaign.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/app/editor.h"
+#include "src/app/desktop/editor.h"
 #include "tests/scratch.h"
 
 namespace snell {

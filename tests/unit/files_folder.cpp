@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "src/app/folder.h"
-#include "src/app/opener.h"
-#include "src/app/settings.h"
+#include "src/app/desktop/folder.h"
+#include "src/app/desktop/settings.h"
+#include "src/app/window/opener.h"
 #include "tests/scratch.h"
 
 namespace snell {

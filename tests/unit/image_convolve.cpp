@@ -1,5 +1,5 @@
 // Light gathered from cube maps, against sums over every texel.
-#include "src/content/convolve.h"
+#include "src/content/cube/convolve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Cube maps from six files.
 #include <set>
 
-#include "src/content/cubemap.h"
+#include "src/content/cube/cubemap.h"
 #include "tests/unit/image_help.h"
 
 namespace snell::content {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "src/content/formats.h"
+#include "src/content/image/formats.h"
 #include "tests/unit/image_help.h"
 
 namespace snell::content {

@@ -1,7 +1,7 @@
 // Hard cases of sums over pictures.
 #include <cmath>
 
-#include "src/content/convolve.h"
+#include "src/content/cube/convolve.h"
 #include "tests/hard_case.h"
 #include "tests/unit/image_help.h"
 

@@ -13,8 +13,8 @@
 #include <sstream>
 #include <string>
 
+#include "src/content/image/image.h"
 #include "tests/oracle/compare.h"
-#include "src/content/image.h"
 #include "tests/scratch.h"
 
 namespace snell::content {

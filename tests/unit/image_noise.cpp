@@ -1,5 +1,5 @@
 // Noise by its statistics, its lattice and its seams.
-#include "src/content/noise.h"
+#include "src/content/image/noise.h"
 
 #include <cmath>
 #include <numeric>

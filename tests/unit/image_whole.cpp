@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "src/content/image/whole.h"
 #include "src/content/replace.h"
-#include "src/content/whole.h"
 #include "tests/scratch.h"
 
 namespace snell::content {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/content/mesh.h"
+#include "src/content/mesh/mesh.h"
 
 namespace snell::content::check {
 

@@ -1,5 +1,5 @@
 // Hard cases of meshes, beside the plain loops of latitudes and longitudes.
-#include "src/content/teapot.h"
+#include "src/content/mesh/teapot.h"
 #include "tests/hard_case.h"
 #include "tests/unit/mesh_check.h"
 #include "tests/unit/mesh_obj_check.h"

@@ -1,5 +1,5 @@
 // The teapot, the soccer ball, and everything's wires.
-#include "src/content/teapot.h"
+#include "src/content/mesh/teapot.h"
 #include "tests/unit/mesh_check.h"
 
 namespace snell::content {

@@ -1,4 +1,4 @@
-#include "src/content/tree.h"
+#include "src/content/mesh/tree.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "src/content/mesh.h"
+#include "src/content/mesh/mesh.h"
 #include "tests/sanitized.h"
 
 namespace snell::content {

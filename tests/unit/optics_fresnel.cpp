@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "tests/hard_case.h"
 #include "tests/oracle/optics/dispersion.h"
 #include "tests/oracle/optics/refraction.h"
-#include "tests/hard_case.h"
 
 namespace snell::optics {
 namespace {

@@ -1,5 +1,5 @@
-#include "tests/oracle/optics/glass.h"
 #include "tests/hard_case.h"
+#include "tests/oracle/optics/glass.h"
 
 #include <gtest/gtest.h>
 

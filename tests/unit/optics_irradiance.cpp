@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "tests/oracle/optics/refraction.h"
 #include "tests/hard_case.h"
+#include "tests/oracle/optics/refraction.h"
 
 namespace snell::optics {
 namespace {

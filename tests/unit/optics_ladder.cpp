@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "tests/hard_case.h"
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/refraction.h"
-#include "tests/hard_case.h"
 
 namespace snell::optics {
 namespace {

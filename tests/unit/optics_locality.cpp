@@ -7,9 +7,9 @@
 #include <limits>
 #include <random>
 
+#include "tests/hard_case.h"
 #include "tests/oracle/optics/ray.h"
 #include "tests/oracle/optics/refraction.h"
-#include "tests/hard_case.h"
 
 namespace snell::optics {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "tests/oracle/optics/ray.h"
 #include "tests/hard_case.h"
+#include "tests/oracle/optics/ray.h"
 
 namespace snell::optics {
 namespace {

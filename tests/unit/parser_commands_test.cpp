@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "parser/commands.h"
-#include "tests/oracle/scene/print.h"
+#include "parser/commands/commands.h"
 #include "parser_support.h"
+#include "tests/oracle/scene/print.h"
 #include "tests/scratch.h"
 
 namespace snell::test {
@@ -28,8 +28,9 @@ static_assert(Signature("").count == 1);
 // Whether a constant of this signature compiles. The compiler is asked: the error must come at compile time.
 bool compiles(const std::string& signature) {
     const Scratch folder;
-    const std::string source = folder.write(
-        "signature.cpp", "#include \"parser/signature.h\"\nconstexpr snell::Signature s = \"" + signature + "\";\n");
+    const std::string source =
+        folder.write("signature.cpp", "#include \"parser/commands/signature.h\"\nconstexpr snell::Signature s = \"" +
+                                          signature + "\";\n");
     const std::string command = "c++ -std=c++20 -fsyntax-only -I'" SNELL_ROOT "' '" + source + "' 2>/dev/null";
     return std::system(command.c_str()) == 0;
 }

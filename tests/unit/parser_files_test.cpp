@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tests/oracle/scene/print.h"
 #include "parser_support.h"
+#include "tests/oracle/scene/print.h"
 
 namespace snell::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "parser/number.h"
+#include "parser/text/number.h"
 #include "parser/text_of.h"
 #include "tests/hard_case.h"
 #include "tests/unit/parser_support.h"

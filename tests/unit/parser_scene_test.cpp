@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "parser/commands.h"
+#include "parser/commands/commands.h"
 #include "parser_support.h"
 
 namespace snell::test {

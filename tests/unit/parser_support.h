@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/parse.h"
+#include "parser/read/parse.h"
 
 namespace snell::test {
 

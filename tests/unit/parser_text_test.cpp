@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <random>
 
-#include "parser/commands.h"
-#include "parser/number.h"
+#include "parser/commands/commands.h"
+#include "parser/text/number.h"
+#include "parser/text/utf8.h"
 #include "parser/text_of.h"
-#include "parser/utf8.h"
 #include "parser_support.h"
 #include "tests/decimal_comma.h"
 

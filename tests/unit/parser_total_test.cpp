@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <random>
 
-#include "parser/commands.h"
+#include "parser/commands/commands.h"
 #include "parser_support.h"
 #include "tests/fuzz/oracle.h"
 

@@ -1,7 +1,7 @@
 // Values from a command line, and values kept over a reload.
 #include <gtest/gtest.h>
 
-#include "src/plan/controls.h"
+#include "src/plan/values/controls.h"
 #include "tests/unit/plan_uniforms.h"
 
 namespace snell {

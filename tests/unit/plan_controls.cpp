@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "src/plan/controls.h"
+#include "src/plan/values/controls.h"
 #include "tests/unit/plan_uniforms.h"
 
 namespace snell {

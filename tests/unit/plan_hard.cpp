@@ -8,9 +8,9 @@
 #include <functional>
 #include <limits>
 
-#include "src/plan/controls.h"
-#include "src/plan/fit.h"
 #include "src/plan/plan.h"
+#include "src/plan/values/controls.h"
+#include "src/plan/values/fit.h"
 #include "src/plan/view.h"
 #include "tests/hard_case.h"
 

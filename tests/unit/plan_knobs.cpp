@@ -1,7 +1,7 @@
 // Knobs change what they say and nothing else.
 #include <gtest/gtest.h>
 
-#include "src/content/convolve.h"
+#include "src/content/cube/convolve.h"
 #include "src/plan/knobs.h"
 
 namespace snell {

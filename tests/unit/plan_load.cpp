@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "src/content/noise.h"
+#include "src/content/image/noise.h"
 #include "src/plan/plan.h"
 #include "tests/hard_case.h"
 #include "tests/scratch.h"

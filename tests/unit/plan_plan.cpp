@@ -263,8 +263,8 @@ TEST_F(Planning, DumpNamesEverything) {
     for (Index i = 0; i < 3; ++i) scene.passes[0].items.push_back({Item::Kind::draw, i});
     scene.passes[0].items.push_back({Item::Kind::clear, 0});
     const std::string text = dump_plan(plan(), sources);
-    for (const char* part : {"Glass Ball", "a.frag", "Sphere 1.5 20 10", "WireTorus 1. 0.5", "QuadXZ -5. 5. 2 3", "room.bmp",
-                             "pass 0 to window", "draw 1 mesh 1 program built-in", "clear"}) {
+    for (const char* part : {"Glass Ball", "a.frag", "Sphere 1.5 20 10", "WireTorus 1. 0.5", "QuadXZ -5. 5. 2 3",
+                             "room.bmp", "pass 0 to window", "draw 1 mesh 1 program built-in", "clear"}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
     }
 }

@@ -1,8 +1,8 @@
 // Choosing rungs by name, and keeping the choice when the text changes.
 #include <gtest/gtest.h>
 
-#include "parser/parse.h"
-#include "src/plan/rungs.h"
+#include "parser/read/parse.h"
+#include "src/plan/values/rungs.h"
 
 namespace snell {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "parser/parse.h"
+#include "parser/read/parse.h"
 #include "src/plan/plan.h"
 #include "tests/scratch.h"
 #include "tests/unit/plan_uniforms.h"

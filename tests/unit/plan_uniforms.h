@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/plan/controls.h"
+#include "src/plan/values/controls.h"
 
 namespace snell {
 

@@ -1,5 +1,5 @@
 // Values back into the text: judged by reading the new text, and by the bytes that must not change.
-#include "src/plan/write_back.h"
+#include "src/plan/values/write_back.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "parser/parse.h"
+#include "parser/read/parse.h"
 #include "tests/unit/plan_uniforms.h"
 
 namespace snell {

@@ -1,7 +1,7 @@
 // The accuracy panel and the list of costs, judged by what becomes of the input and by the colours and numbers shown.
-#include "src/ui/accuracy.h"
+#include "src/ui/panels/accuracy.h"
 
-#include "src/ui/costs.h"
+#include "src/ui/panels/costs.h"
 #include "tests/unit/ui_screen.h"
 
 namespace snell::ui {

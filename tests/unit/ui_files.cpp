@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/ui/excerpt.h"
-#include "src/ui/files.h"
+#include "src/ui/kit/excerpt.h"
 #include "src/ui/labels.h"
+#include "src/ui/panels/files.h"
 #include "tests/unit/ui_screen.h"
 
 namespace snell::ui {

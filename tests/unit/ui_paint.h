@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/content/image.h"
+#include "src/content/image/image.h"
 
 struct ImDrawData;
 

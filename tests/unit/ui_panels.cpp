@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "src/ui/input.h"
-#include "src/ui/numbers.h"
+#include "src/ui/kit/input.h"
+#include "src/ui/kit/numbers.h"
 #include "tests/unit/ui_screen.h"
 
 namespace snell::ui {

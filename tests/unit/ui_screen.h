@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/ui/gui.h"
+#include "src/ui/kit/gui.h"
 #include "src/ui/shell.h"
 
 namespace snell::ui {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "src/app/watch.h"
+#include "src/app/desktop/watch.h"
 #include "tests/scratch.h"
 
 namespace snell {

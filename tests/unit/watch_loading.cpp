@@ -5,10 +5,10 @@
 #include <atomic>
 #include <thread>
 
-#include "src/app/writer.h"
-#include "src/content/noise.h"
+#include "src/app/picture/writer.h"
+#include "src/content/image/noise.h"
 #include "src/plan/plan.h"
-#include "src/runtime/jobs.h"
+#include "src/runtime/resources/jobs.h"
 #include "tests/scratch.h"
 
 namespace snell {

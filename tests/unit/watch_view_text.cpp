@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "src/app/view_text.h"
+#include "src/app/open/view_text.h"
 
 namespace snell {
 namespace {

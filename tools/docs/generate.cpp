@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "parser/commands.h"
-#include "parser/limits.h"
+#include "parser/commands/commands.h"
 #include "parser/names.h"
+#include "parser/text/limits.h"
 #include "src/lint/lint.h"
 
 namespace snell::docs {
@@ -203,7 +203,7 @@ std::string limits() {
         "# Limits\n\nWhat a scene may ask for. Each is checked before memory is taken. What exceeds one is an error "
         "that "
         "names it, and the\nrest of the scene goes on; `--limit NAME=VALUE` of every command that reads scenes changes "
-        "it. Written by snell_docs\nfrom the table in parser/limits.cpp.\n\n| limit | default | of | highest |\n"
+        "it. Written by snell_docs\nfrom the table in parser/text/limits.cpp.\n\n| limit | default | of | highest |\n"
         "|---|---|---|---|\n";
     const Limits defaults;
     for (const LimitFacts& limit : limit_table())

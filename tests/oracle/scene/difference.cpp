@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/oracle/scene/print.h"
 #include "parser/text_of.h"
+#include "tests/oracle/scene/print.h"
 
 namespace snell {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "tests/oracle/scene/decompose.h"
 #include "parser/names.h"
 #include "parser/text_of.h"
+#include "tests/oracle/scene/decompose.h"
 
 namespace snell {
 namespace {

@@ -1,0 +1,174 @@
+// The table itself. Adding a command: one row here, one function in handlers.h.
+#include "parser/commands/commands.h"
+
+#include <array>
+
+#include "parser/commands/handlers.h"
+#include "parser/names.h"
+#include "parser/text/words.h"
+
+namespace snell {
+namespace {
+
+constexpr bool addition = true;
+using Group = CommandGroup;
+
+// clang-format off
+constexpr Command table[] = {
+    // ---- view
+    {"WindowSize", "wx:int=600 wy:int=600", "First size of the drawing area, in pixels.", handle::window_size, {}, false, Group::view},
+    {"Ortho", "xl=-3 xr=3 yb=-3 yt=3", "Orthographic projection: left, right, bottom and top of what is seen.", handle::ortho, {}, false, Group::view},
+    {"Perspective", "fov=50", "Perspective projection with a vertical field of view in degrees.", handle::perspective, "Persp", false, Group::view},
+    {"LookAt", " | ex ey=0 ez=0 lx=0 ly=0 lz=0 ux=0 uy=1 uz=0", "Places the eye: where it is, the point it looks at, and which way is up. Replaces the LookAt before it; without arguments the eye is back at the origin and looks to -Z.", handle::look_at, {}, false, Group::view},
+    {"Background", "r=.0706 g=.1059 b=.1294 a=1 | color:vec3", "Colour that the current target is cleared to. Values outside 0..1 are clamped when it is cleared.", handle::background, {}, false, Group::view},
+    {"Clear", "", "Clears colour and depth of the current target now.", handle::clear, {}, false, Group::view},
+
+    // ---- transformations
+    {"Translate", "x y=0 z=0", "Moves what follows.", handle::translate, {}, false, Group::transformations},
+    {"Rotate", "angle x=0 y=0 z=0", "Turns what follows by an angle in degrees about an axis through the origin.", handle::rotate, {}, false, Group::transformations},
+    {"Scale", "s | sx sy sz=1", "Scales what follows, by one factor or along each axis.", handle::scale, {}, false, Group::transformations},
+    {"PushMatrix", "", "Keeps the current transformation for the PopMatrix that belongs to it.", handle::push_matrix, "TransformBegin", false, Group::transformations},
+    {"PopMatrix", "", "Restores the transformation that the last open PushMatrix kept.", handle::pop_matrix, "TransformEnd", false, Group::transformations},
+
+    // ---- geometry
+    {"Sphere", "radius=1 slices:int=60 stacks:int=60", "Solid sphere about the origin, its poles on Y.", handle::sphere, {}, false, Group::geometry},
+    {"Torus", "outer=1 inner=.5 sides:int=20 rings:int=40", "Solid torus about Y. The larger radius is the ring's, the smaller the tube's.", handle::torus, {}, false, Group::geometry},
+    {"Cone", "radius=1 height=1 slices:int=60 stacks:int=1", "Solid, capped cone that stands on y = 0, its tip at +Y.", handle::cone, {}, false, Group::geometry},
+    {"Cylinder", "radius=1 height=1 slices:int=60 stacks:int=1", "Solid, capped cylinder that stands on y = 0 along +Y.", handle::cylinder, {}, false, Group::geometry},
+    {"Box", "dx=2 dy=2 dz=2", "Solid box about the origin with sides of these lengths.", handle::box, "Cube", false, Group::geometry},
+    {"Teapot", "", "The Utah teapot, its spout to +X.", handle::teapot, {}, false, Group::geometry},
+    {"DiskXY", "z=0 radius=1 slices:int=60 rings:int=1", "Disk parallel to the XY plane, facing +Z.", handle::disk_xy, {}, false, Group::geometry},
+    {"QuadXY", "z=0 size=1 nx:int=1 ny:int=1", "Square parallel to the XY plane from -size to size, split into nx by ny cells.", handle::quad_xy, {}, false, Group::geometry},
+    {"QuadXZ", "y=0 size=1 nx:int=1 nz:int=1", "Square parallel to the XZ plane from -size to size, split into nx by nz cells.", handle::quad_xz, {}, false, Group::geometry},
+    {"QuadYZ", "x=0 size=1 ny:int=1 nz:int=1", "Square parallel to the YZ plane from -size to size, split into ny by nz cells.", handle::quad_yz, {}, false, Group::geometry},
+    {"QuadBox", "n:int=10", "n squares parallel to XY from z = -1 to z = 1, with 3D texture coordinates.", handle::quad_box, {}, false, Group::geometry},
+    {"Soccerball", "radius=1", "Truncated icosahedron; its shader is told the number of each face in FaceIndex.", handle::soccerball, {}, false, Group::geometry},
+    {"PointCloud", "nx:int=10 ny:int=10 nz:int=10", "Points that fill the cube from -1 to 1 regularly.", handle::point_cloud, {}, false, Group::geometry},
+    {"JitterCloud", "nx:int=10 ny:int=10 nz:int=10", "Points that fill the cube from -1 to 1, each moved at random within its cell.", handle::jitter_cloud, {}, false, Group::geometry},
+    {"Xarrow", "n:int=100", "Arrow on the X axis from 0 to 1, of n slices.", handle::xarrow, {}, false, Group::geometry},
+    {"WireSphere", "radius=1 slices:int=60 stacks:int=60", "Edges of the Sphere.", handle::wire_sphere, {}, false, Group::geometry},
+    {"WireTorus", "outer=1 inner=.5 sides:int=20 rings:int=40", "Edges of the Torus.", handle::wire_torus, {}, false, Group::geometry},
+    {"WireCone", "radius=1 height=1 slices:int=60 stacks:int=1", "Edges of the Cone.", handle::wire_cone, {}, false, Group::geometry},
+    {"WireCylinder", "radius=1 height=1 slices:int=60 stacks:int=1", "Edges of the Cylinder.", handle::wire_cylinder, {}, false, Group::geometry},
+    {"WireBox", "dx=2 dy=2 dz=2", "Edges of the Box.", handle::wire_box, "WireCube", false, Group::geometry},
+    {"WireTeapot", "", "Edges of the Teapot.", handle::wire_teapot, {}, false, Group::geometry},
+    {"Obj", "file:path", "The faces of a Wavefront .obj file, as triangles.", handle::obj, {}, false, Group::geometry},
+    {"ObjAdj", "file:path", "The faces of a Wavefront .obj file, as triangles with adjacency for geometry shaders.", handle::obj_adj, {}, false, Group::geometry},
+    {"ObjPatch", "file:path", "The faces of a Wavefront .obj file, as patches of three vertices for tessellation shaders.", handle::obj_patch, {}, false, Group::geometry},
+    {"WireObj", "file:path", "The edges of a Wavefront .obj file.", handle::wire_obj, {}, false, Group::geometry},
+    {"Shp", "file:path", "The polylines of an ESRI shape file.", handle::shp, {}, false, Group::geometry},
+    {"LinesAdjacency", "v0:vec3 v1:vec3 v2:vec3 v3:vec3", "One line from v1 to v2 with its neighbours, for geometry shaders.", handle::lines_adjacency, {}, false, Group::geometry},
+    {"Triangles", "v0:vec3 v1:vec3 v2:vec3", "One triangle with the normal of its plane.", handle::triangles, {}, false, Group::geometry},
+    {"glBegin", "topology:name", "Begins a list of vertices: gl_patches, gl_points, gl_lines, gl_line_strip, gl_line_loop, gl_triangles, gl_triangle_strip, gl_triangle_fan, or one of these lines and triangles with _adjacency.", handle::gl_begin, {}, false, Group::geometry},
+    {"glVertex", "x y=0 z=0 w=1", "One vertex of the list, with the current colour, normal and texture coordinates.", handle::gl_vertex, {}, false, Group::geometry},
+    {"glColor", "r=1 g=1 b=1 a=1 | color:vec3", "Colour of the vertices that follow, and of the draws after the list.", handle::color, {}, false, Group::geometry},
+    {"glNormal", "x y z", "Normal of the vertices that follow.", handle::gl_normal, {}, false, Group::geometry},
+    {"glTexCoord", "s t=0 p=0", "Texture coordinates of the vertices that follow.", handle::gl_tex_coord, {}, false, Group::geometry},
+    {"glEnd", "", "Ends the list that glBegin began, and draws it.", handle::gl_end, {}, false, Group::geometry},
+    {"NumPatchVertices", "n:int=3", "How many vertices make one of the gl_patches that follow.", handle::num_patch_vertices, {}, false, Group::geometry},
+
+    // ---- textures
+    {"Texture1D", "unit:int file:path", "Puts an image of one dimension on a texture unit.", handle::texture_1d, {}, false, Group::textures},
+    {"Texture2D", "unit:int dims:int dimt:int | unit:int file:path", "Puts an image on a texture unit, or reserves an empty texture of dims by dimt to draw to.", handle::texture_2d, {}, false, Group::textures},
+    {"Texture3D", "unit:int dims:int dimt:int dimp:int | unit:int file:path", "Puts a volume on a texture unit, or reserves an empty one.", handle::texture_3d, {}, false, Group::textures},
+    {"CubeMap", "unit:int posx:path negx:path posy:path negy:path posz:path negz:path | unit:int file:path | unit:int size:int", "Puts a cube map of six images on a texture unit. In snell also: one file, which names six of a kind or is a panorama, cross or strip; or a size, to draw to.", handle::cube_map, {}, false, Group::textures},
+    {"Noise2D", "n:int=64", "Resolution of the built-in texture Noise2.", handle::noise_2d, {}, false, Group::textures},
+    {"Noise3D", "n:int=64", "Resolution of the built-in texture Noise3.", handle::noise_3d, {}, false, Group::textures},
+    {"Clamp", "", "Textures of the draws that follow end at their edges, where they else repeat.", handle::clamp, {}, false, Group::textures},
+    {"Filter", "mode:nearest/linear/mipmap/anisotropic=linear n:int=16", "How the textures named after it are filtered; n is the most anisotropy.", handle::filter, {}, addition, Group::textures},
+    {"RenderToTexture", "units:int...", "The draws that follow go to the 2D textures on these units, one for each output of the fragment shader; without arguments to the window again.", handle::render_to_texture, {}, false, Group::textures},
+    {"RenderToCube", "unit:int x=0 y=0 z=0 faces:int=6 | unit:int center:vec3 faces:int=6", "The draws that follow go to the six faces of the cube map on this unit, seen from this point. What moves in a window may be refreshed 1, 2 or 3 faces a frame.", handle::render_to_cube, {}, addition, Group::textures},
+    {"Irradiance", "unit:int from:int size:int=16", "Puts the light that matt surfaces gather from the cube map on unit `from` on a unit: a cube map of size texels a side to look up by the normal.", handle::irradiance, {}, addition, Group::textures},
+    {"Prefilter", "unit:int from:int size:int?", "Puts what rough mirrors see of the cube map on unit `from` on a unit: a chain of levels, the last for roughness 1, the first the cube map itself with size texels a side (by default its own, at most 128, or 64 where it is drawn to).", handle::prefilter, {}, addition, Group::textures},
+
+    // ---- programs
+    {"Vertex", "file:path?", "Vertex shader of the programs that follow; without argument there is none.", handle::vertex, {}, false, Group::programs},
+    {"TessControl", "file:path?", "Tessellation control shader of the programs that follow; without argument there is none.", handle::tess_control, {}, false, Group::programs},
+    {"TessEvaluation", "file:path?", "Tessellation evaluation shader of the programs that follow; without argument there is none.", handle::tess_evaluation, {}, false, Group::programs},
+    {"Geometry", "file:path?", "Geometry shader of the programs that follow; without argument there is none.", handle::geometry, {}, false, Group::programs},
+    {"Fragment", "file:path?", "Fragment shader of the programs that follow; without argument there is none.", handle::fragment, {}, false, Group::programs},
+    {"GeometryInput", "topology:gl_points/gl_lines/gl_lines_adjacency/gl_triangles/gl_triangles_adjacency?", "What geometry shaders without a layout of their own take.", handle::geometry_input, {}, false, Group::programs},
+    {"GeometryOutput", "topology:gl_points/gl_line_strip/gl_triangle_strip?", "What geometry shaders without a layout of their own give.", handle::geometry_output, {}, false, Group::programs},
+    {"Program", "name:name? values:uniforms", "Links the current shaders to the program that draws what follows, and gives its uniforms: a number, an array [x y z], a range <min current max> on a slider, <true> or <false>, a colour {r g b} or {r g b a}. Without arguments the built-in program draws.", handle::program, {}, false, Group::programs},
+    {"GSTAP", "", "The shaders use the names of the book Graphics Shaders without declaring them: the uniforms uModelViewMatrix, uProjectionMatrix, uModelViewProjectionMatrix, uNormalMatrix and uModelViewMatrixInverse, and in vertex shaders the attributes aVertex, aNormal, aColor and aTexCoord0 to aTexCoord7. snell always offers them, with or without this command; a declaration in the shader wins.", handle::gstap, {}, false, Group::programs},
+    {"Ladder", "name:name rungs:rest", "Declares methods from cheap to exact, the current one in angle brackets; the programs that follow are compiled for it.", handle::ladder, {}, addition, Group::programs},
+
+    // ---- state
+    {"Color", "r=1 g=1 b=1 a=1 | color:vec3", "The current colour: gl_Color of the draws that follow.", handle::color, {}, false, Group::state},
+    {"LineWidth", "w=1", "Width of lines, in pixels.", handle::line_width, {}, false, Group::state},
+    {"PointSize", "s=1", "Size of points, in pixels.", handle::point_size, {}, false, Group::state},
+    {"PointSizeMode", "mode:int=0", "1: the vertex shader sets the size of points in gl_PointSize. 0: PointSize does.", handle::point_size_mode, {}, false, Group::state},
+    {"Flat", "", "Colours are those of one vertex over a whole face.", handle::flat, {}, false, Group::state},
+    {"Smooth", "", "Colours run smoothly over a face.", handle::smooth, {}, false, Group::state},
+    {"Blend", "state:on/off=on | src:" SNELL_BLEND_FACTORS " dst:" SNELL_BLEND_FACTORS, "Blends what is drawn with what is there, by alpha or by these factors, or not at all. At first it is on.", handle::blend, {}, addition, Group::state},
+    {"CullFace", "face:none/back/front=back", "Which faces are left out. At first none are.", handle::cull_face, {}, addition, Group::state},
+    {"DepthTest", "state:on/off=on", "Whether what is nearer hides what is farther. At first it does.", handle::depth_test, {}, addition, Group::state},
+    {"DepthWrite", "state:on/off=on", "Whether draws leave their depth. At first they do.", handle::depth_write, {}, addition, Group::state},
+    {"Wireframe", "state:on/off=on", "Whether only the edges of triangles are drawn.", handle::wireframe, {}, addition, Group::state},
+
+    // ---- other
+    {"Timer", "secs=10", "Period of the uniform Timer, which runs from 0 to 1 again and again.", handle::timer, {}, false, Group::other},
+    {"MessageBox", "text:rest", "Shows a message.", handle::message_box, {}, false, Group::other},
+    {"Verbose", "", "Says more about what is done.", handle::verbose, {}, false, Group::other},
+    {"Include", "file:path", "Reads another scene here, as if its text stood in this place.", handle::include, {}, addition, Group::other},
+};
+// clang-format on
+
+// Setting one bit makes letters lower case, and tells other characters well enough apart.
+constexpr std::uint32_t hash(std::string_view word) {
+    std::uint32_t h = 0;
+    for (const char c : word) h = h * 31 + (static_cast<unsigned char>(c) | 32u);
+    return h ^ (h >> 9);
+}
+
+// Open addressing over names and aliases: 0 is empty, else the row plus one.
+constexpr std::size_t slots = 512;
+constexpr std::array<std::uint8_t, slots> index_by_name = [] {
+    std::array<std::uint8_t, slots> index{};
+    const auto add = [&](std::string_view name, std::size_t row) {
+        std::size_t at = hash(name) % slots;
+        while (index[at] != 0) at = (at + 1) % slots;
+        index[at] = static_cast<std::uint8_t>(row + 1);
+    };
+    for (std::size_t row = 0; row < std::size(table); ++row) {
+        add(table[row].name, row);
+        if (!table[row].alias.empty()) add(table[row].alias, row);
+    }
+    return index;
+}();
+static_assert(std::size(table) < 255);
+
+constexpr bool documented() {
+    for (const Command& c : table)
+        if (c.name.empty() || c.doc.size() < 10) return false;
+    return true;
+}
+static_assert(documented(), "every row has a name and a documentation");
+
+}  // namespace
+
+std::span<const Command> commands() { return table; }
+
+const Command* find_command(std::string_view word) {
+    constexpr std::size_t longest = 24;
+    if (word.empty() || word.size() > longest) return nullptr;
+    for (std::size_t at = hash(word) % slots; index_by_name[at] != 0; at = (at + 1) % slots) {
+        const Command& command = table[index_by_name[at] - 1];
+        if (same_word(word, command.name) || same_word(word, command.alias)) return &command;
+    }
+    return nullptr;
+}
+
+const std::vector<std::string_view>& command_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all;
+        for (const Command& c : table) {
+            all.push_back(c.name);
+            if (!c.alias.empty()) all.push_back(c.alias);
+        }
+        return all;
+    }();
+    return names;
+}
+
+}  // namespace snell

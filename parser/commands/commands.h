@@ -1,0 +1,50 @@
+// The table of commands, with one row for each. The matcher, the documentation, the editors' grammars, suggestions and
+// the fuzzer's dictionary are derived from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/commands/signature.h"
+
+namespace snell {
+
+class Builder;
+class Arguments;
+
+using Handler = void (*)(Builder&, const Arguments&);
+
+enum class CommandGroup : std::uint8_t { view, transformations, geometry, textures, programs, state, other };
+
+struct Command {
+    std::string_view name;
+    Signature signature;
+    std::string_view doc;  // one or more sentences
+    Handler handler;
+    std::string_view alias = {};
+    bool addition = false;  // not a command of glman
+    CommandGroup group = CommandGroup::other;
+
+    constexpr bool takes(ArgumentKind kind) const {
+        for (const Parameter& p : signature.parameters)
+            if (!p.name.empty() && p.kind == kind) return true;
+        return false;
+    }
+};
+
+std::span<const Command> commands();
+
+std::string_view group_name(CommandGroup group);
+
+// Finds a command by name or alias, without regard to case; returns nullptr if there is none.
+const Command* find_command(std::string_view word);
+
+// Every name and alias, for suggestions.
+const std::vector<std::string_view>& command_names();
+
+// Returns the table as JSON: names, aliases, signatures, arguments with kinds and defaults, documentation.
+std::string commands_json();
+
+}  // namespace snell

@@ -1,0 +1,165 @@
+// Ladders: methods to choose from when programs are compiled.
+#include <algorithm>
+
+#include "parser/commands/handlers.h"
+#include "parser/read/builder.h"
+#include "parser/read/match.h"
+
+namespace snell {
+namespace {
+
+bool digit(char c) { return c >= '0' && c <= '9'; }
+bool name_part(char c) { return digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool whole_number(std::string_view text) { return std::ranges::all_of(text, digit); }
+
+// As a preprocessor sees it. Two underscores in a row are reserved there.
+bool identifier(std::string_view text) {
+    return !text.empty() && std::ranges::all_of(text, name_part) && !digit(text.front());
+}
+
+// Words that shaders can't do without, or that GLSL keeps for itself.
+bool reserved(std::string_view name) {
+    constexpr std::string_view words[] = {"attribute", "bool",    "break",   "case",          "centroid",  "const",
+                                          "continue",  "default", "defined", "discard",       "do",        "double",
+                                          "else",      "false",   "flat",    "float",         "for",       "highp",
+                                          "if",        "in",      "inout",   "int",           "invariant", "layout",
+                                          "lowp",      "main",    "mediump", "noperspective", "out",       "patch",
+                                          "precision", "return",  "sample",  "smooth",        "struct",    "subroutine",
+                                          "switch",    "true",    "uint",    "uniform",       "varying",   "void",
+                                          "while"};
+    constexpr std::string_view types[] = {"vec", "ivec", "uvec", "bvec", "dvec", "mat", "dmat"};
+    const auto is_type = [&](std::string_view type) {
+        return name.size() > type.size() && name.starts_with(type) && digit(name[type.size()]);
+    };
+    return std::ranges::find(words, name) != std::end(words) || std::ranges::any_of(types, is_type) ||
+           name.starts_with("sampler") || name.starts_with("gl_") || name.starts_with("GL_") ||
+           name.starts_with("snell_") || name.find("__") != std::string_view::npos;
+}
+
+std::string quoted(std::string_view text) { return "'" + std::string(text.substr(0, 60)) + "'"; }
+
+bool usable_name(std::string_view name, Span span, Report& report) {
+    if (!identifier(name)) {
+        report.error("ladder-name", span, quoted(name) + " can't be a macro in a shader",
+                     "a ladder's name has letters, digits and underscores, and no digit at its beginning");
+        return false;
+    }
+    if (!reserved(name) && name.back() != '_') return true;
+    report.error("ladder-name", span, quoted(name) + " is a word that GLSL keeps for itself", "choose another name");
+    return false;
+}
+
+// Reads the rungs of one statement.
+class Rungs {
+public:
+    Rungs(Ladder& ladder, const Arguments& arguments, Report& report)
+        : ladder_(ladder), lexer_(arguments.lexer()), report_(report) {
+        bool open = false;
+        for (const Token& token : arguments.tokens().subspan(2)) {
+            if (token.kind == TokenKind::open) open = true;
+            if (token.kind == TokenKind::close) open = false;
+            if (token.kind != TokenKind::word && token.kind != TokenKind::text) continue;
+            const std::size_t place = add(token);
+            if (open && place < ladder_.rungs.size()) mark(place);
+        }
+        if (marked_ < ladder_.rungs.size()) ladder_.current = marked_;
+    }
+
+private:
+    // Its place; a place that there is not when it can't be used.
+    std::size_t add(const Token& token) {
+        const std::string_view rung = lexer_.text(token);
+        const Span span = lexer_.span(token);
+        const bool good =
+            std::ranges::all_of(rung, name_part) && !rung.starts_with('_') && rung.find("__") == std::string_view::npos;
+        if (!good) {
+            report_.error("ladder-rung", span, quoted(rung) + " can't be part of a macro's name",
+                          "a rung is a word of letters, digits and underscores, or a whole number");
+            return ladder_.rungs.size();
+        }
+        const auto same = std::ranges::find(ladder_.rungs, rung);
+        if (same != ladder_.rungs.end()) {
+            const auto place = static_cast<std::size_t>(same - ladder_.rungs.begin());
+            report_
+                .error("repeated-rung", span, "ladder '" + ladder_.name + "' has the rung " + quoted(rung) + " twice")
+                .notes.push_back({ladder_.rung_spans[place], "first given here"});
+            return place;
+        }
+        ladder_.rungs.emplace_back(rung);
+        ladder_.rung_spans.push_back(span);
+        return ladder_.rungs.size() - 1;
+    }
+
+    void mark(std::size_t place) {
+        if (marked_ < ladder_.rungs.size() && marked_ != place) {
+            report_
+                .error("two-current-rungs", ladder_.rung_spans[place],
+                       "two rungs of ladder '" + ladder_.name + "' are marked as the current one: the first is")
+                .notes.push_back({ladder_.rung_spans[marked_], "first marked here"});
+            return;
+        }
+        marked_ = place;
+    }
+
+    Ladder& ladder_;
+    const Lexer& lexer_;
+    Report& report_;
+    std::size_t marked_ = static_cast<std::size_t>(-1);
+};
+
+// The macros of a ladder.
+std::vector<std::string> macros(const Ladder& ladder) {
+    std::vector<std::string> names{ladder.name};
+    for (const std::string& rung : ladder.rungs) names.push_back(ladder.name + "_" + rung);
+    if (ladder.numeric()) names.push_back(ladder.name + "_VALUE");
+    return names;
+}
+
+// `Ladder A B_C` and `Ladder A_B C` would both define A_B_C.
+bool macros_differ(const Ladder& ladder, const std::vector<Ladder>& others, Report& report) {
+    const std::vector<std::string> mine = macros(ladder);
+    for (const Ladder& other : others) {
+        if (other.name == ladder.name) continue;
+        for (const std::string& name : macros(other)) {
+            if (std::ranges::find(mine, name) == mine.end()) continue;
+            report
+                .error("ladder-clash", ladder.name_span,
+                       "this ladder and '" + other.name + "' both define " + snell::quoted(name), "choose another name")
+                .notes.push_back({other.name_span, "the other ladder"});
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+bool Ladder::numeric() const { return std::ranges::all_of(rungs, whole_number); }
+
+void handle::ladder(Builder& b, const Arguments& a) {
+    Ladder ladder;
+    ladder.name = a.text(0);
+    ladder.span = a.span();
+    ladder.name_span = a.span(0);
+    if (!usable_name(ladder.name, ladder.name_span, b.report())) return;
+    Rungs(ladder, a, b.report());
+    if (ladder.rungs.empty()) {
+        b.report().error("ladder-without-rungs", a.span(), "ladder '" + ladder.name + "' has no rung to choose",
+                         "usage: Ladder NAME rung rung ...");
+        return;
+    }
+    std::vector<Ladder>& ladders = b.scene().ladders;
+    if (!macros_differ(ladder, ladders, b.report())) return;
+    const auto same = std::ranges::find(ladders, ladder.name, &Ladder::name);
+    if (same == ladders.end()) {
+        ladders.push_back(std::move(ladder));
+        return;
+    }
+    b.report()
+        .warning("repeated-ladder", ladder.name_span,
+                 "ladder '" + ladder.name + "' is given twice: the last one holds, for every program")
+        .notes.push_back({same->name_span, "first given here"});
+    *same = std::move(ladder);
+}
+
+}  // namespace snell

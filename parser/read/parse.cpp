@@ -1,0 +1,236 @@
+#include "parser/read/parse.h"
+
+#include <algorithm>
+
+#include "parser/commands/elsewhere.h"
+#include "parser/read/builder.h"
+#include "parser/read/match.h"
+#include "parser/read/uniforms.h"
+
+namespace snell {
+namespace {
+
+struct OpenText {
+    FileId file;
+    std::string name;
+    Span included_at;
+};
+
+// Lines of uniforms behind a Program that does not go on to them.
+struct LostLines {
+    Diagnostic diagnostic;
+    Span program;  // the statement; empty: others stand between
+    std::string name;
+};
+
+class SceneParser {
+public:
+    SceneParser(Sources& sources, const IncludeReader& reader, const Limits& limits, std::size_t text_bytes,
+                Scene& scene)
+        : sources_(sources),
+          reader_(reader),
+          limits_(limits),
+          report_(limits.diagnostics),
+          builder_(scene, report_, limits, text_bytes) {
+        builder_.include = [this](std::string_view name, Span span) { include(name, span); };
+    }
+
+    Diagnostics run(FileId file) {
+        read(file, std::string(sources_.name(file)), {});
+        builder_.finish();
+        return report_.take();
+    }
+
+private:
+    void read(FileId file, std::string name, Span included_at) {
+        const std::string_view text = sources_.text(file);
+        if (text.size() > limits_.text_bytes) {
+            report_.error("text-too-large", {file, 0, 0},
+                          "the text has " + std::to_string(text.size()) + " bytes, and at most " +
+                              std::to_string(limits_.text_bytes) + " are read",
+                          limit_help(limits_, &Limits::text_bytes));
+            return;
+        }
+        if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+            report_.error("utf-16", {file, 0, 2}, "the text is UTF-16", "save it as UTF-8");
+            return;
+        }
+        open_.push_back({file, std::move(name), included_at});
+        names_are_from_here();
+        StatementReader reader(text, file, report_);
+        Statement statement;
+        Arguments arguments;
+        Span program;  // the Program that the statement before belongs to
+        while (reader.next(statement)) {
+            if (++statements_ > limits_.statements) {
+                if (statements_ == limits_.statements + 1)
+                    report_.error("too-many-statements", reader.span(statement),
+                                  "only the first " + std::to_string(limits_.statements) + " statements are read",
+                                  limit_help(limits_, &Limits::statements));
+                break;
+            }
+            if (open_.size() == 1) builder_.progress(reader.lexer().position());
+            read_statement(reader, statement, arguments, program);
+        }
+        report_lost_lines();
+        reader.report_oddities();
+        open_.pop_back();
+        names_are_from_here();
+    }
+
+    void names_are_from_here() { builder_.from = open_.size() > 1 ? open_.back().name : std::string(); }
+
+    void read_statement(const StatementReader& reader, const Statement& statement, Arguments& arguments,
+                        Span& program) {
+        const Token& word = statement.command();
+        const Command* command = word.kind == TokenKind::word ? find_command(reader.lexer().text(word)) : nullptr;
+        if (command == nullptr) {
+            unknown(reader, statement, program);
+            return;
+        }
+        report_lost_lines();
+        const bool good = match(*command, statement, reader, report_, arguments);
+        if (good) command->handler(builder_, arguments);
+        program = good && command->name == "Program" ? reader.span(statement) : Span{};
+    }
+
+    void unknown(const StatementReader& reader, const Statement& statement, Span program) {
+        const Lexer& lexer = reader.lexer();
+        const Span span = lexer.span(statement.command());
+        const std::string word(lexer.text(statement.command()).substr(0, 60));
+        Program* const current = builder_.program();
+        const bool valued = looks_like_uniform(statement.tokens, lexer, program != Span{});
+        const bool bracketed = valued && statement.tokens[1].kind == TokenKind::open;
+        const std::string_view near = nearest(word, command_names());
+        // 'Spher 1' behind a Program is a slip for 'Sphere'; 'uScale 1' is a uniform however near 'Scale' is.
+        const bool slip = !bracketed && !near.empty() && !(word.size() > 1 && word[0] == 'u' && upper(word[1]));
+        if (valued && !slip && current != nullptr && (bracketed || program != Span{})) {
+            take_uniforms(reader, statement, *current, program);
+            return;
+        }
+        const bool argument = statement.tokens.size() > 1;
+        std::string help = help_for_opengl(word, argument ? lexer.text(statement.tokens[1]) : std::string_view());
+        if (help.empty() && !near.empty()) help = "did you mean '" + std::string(near) + "'?";
+        if (help.empty() && word.find('.') != std::string::npos)
+            help = "a file name is no command: if it belongs to the statement before, end that line with '\\'";
+        if (valued && bracketed && current == nullptr) help = "uniforms are given by a Program statement";
+        if (statement.command().kind != TokenKind::word) help = "a statement begins with a command";
+        report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
+    }
+
+    static bool upper(char c) { return c >= 'A' && c <= 'Z'; }
+
+    int line_of(FileId file, std::uint32_t offset) const { return sources_.position(file, offset).line; }
+
+    // One '\\' that is missing makes every line after it a statement of its own, and is one mistake.
+    void report_lost_lines() {
+        if (!lost_) return;
+        const Span program = lost_->program;
+        Diagnostic& d = lost_->diagnostic;
+        if (program != Span{}) {
+            const int begin = line_of(program.file, program.begin), end = line_of(program.file, program.end);
+            const int last = line_of(program.file, d.also.empty() ? d.span.begin : d.also.back().begin) - 1;
+            d.help = "'Program' on line " + std::to_string(begin) + " is not continued: end " +
+                     (d.also.empty() || last <= end
+                          ? "line " + std::to_string(end)
+                          : "each line from " + std::to_string(end) + " to " + std::to_string(last)) +
+                     " with '\\'";
+            d.notes.push_back({program, "the values are taken for this program all the same"});
+        } else {
+            d.help =
+                "it reads like a uniform and is taken for program '" + lost_->name + "'; write it on the Program line";
+        }
+        Diagnostic& reported = report_.error(d.code, d.span, std::move(d.message), std::move(d.help));
+        reported.notes = std::move(d.notes);
+        reported.also = std::move(d.also);
+        lost_.reset();
+    }
+
+    // A uniform on a line of its own: the Program before it lost its backslash.
+    void take_uniforms(const StatementReader& reader, const Statement& statement, Program& current, Span program) {
+        const Lexer& lexer = reader.lexer();
+        const Span span = lexer.span(statement.command());
+        if (lost_ && lost_->program == program) {
+            lost_->diagnostic.also.push_back(span);
+        } else {
+            report_lost_lines();
+            lost_ = LostLines{{}, program, current.name};
+            lost_->diagnostic.code = "unknown-command";
+            lost_->diagnostic.span = span;
+            lost_->diagnostic.message =
+                "unknown command '" + std::string(lexer.text(statement.command()).substr(0, 60)) + "'";
+        }
+        UniformList list = read_uniforms(statement.tokens, lexer, report_, limits_, false);
+        for (UniformValue& u : list.uniforms) {
+            const auto same = std::find_if(current.uniforms.begin(), current.uniforms.end(),
+                                           [&](const UniformValue& other) { return other.name == u.name; });
+            if (same == current.uniforms.end()) {
+                if (current.uniforms.size() < limits_.uniforms) current.uniforms.push_back(std::move(u));
+            } else {
+                *same = std::move(u);
+            }
+        }
+    }
+
+    void include(std::string_view name, Span span) {
+        if (!reader_) {
+            report_.error("include-unavailable", span, "other files can't be read here");
+            return;
+        }
+        if (open_.size() > limits_.include_depth) {
+            report_.error("include-too-deep", span,
+                          "files include each other more than " + std::to_string(limits_.include_depth) + " deep",
+                          limit_help(limits_, &Limits::include_depth));
+            return;
+        }
+        // Files that include others twice each would be read 2^depth times.
+        if (++included_ > limits_.includes) {
+            if (included_ == limits_.includes + 1)
+                report_.error("too-many-includes", span,
+                              "only the first " + std::to_string(limits_.includes) + " files are included",
+                              limit_help(limits_, &Limits::includes));
+            return;
+        }
+        std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
+        if (!included || included->name.empty()) {
+            report_.error("include-not-found", span, "'" + std::string(name) + "' can't be read",
+                          included ? suggested(included->nearest) : std::string());
+            return;
+        }
+        const auto same =
+            std::find_if(open_.begin(), open_.end(), [&](const OpenText& text) { return text.name == included->name; });
+        if (same != open_.end()) {
+            report_.error("include-cycle", span, "'" + included->name + "' includes itself");
+            return;
+        }
+        const FileId file = sources_.add(included->name, std::move(included->text));
+        read(file, std::move(included->name), span);
+    }
+
+    // A scene that is being read is not what was to be included.
+    std::string suggested(std::string_view nearest) const {
+        const auto last = [](std::string_view path) { return path.substr(path.rfind('/') + 1); };
+        const bool open =
+            std::ranges::any_of(open_, [&](const OpenText& text) { return last(text.name) == last(nearest); });
+        return nearest.empty() || open ? std::string() : "did you mean '" + std::string(nearest) + "'?";
+    }
+
+    Sources& sources_;
+    const IncludeReader& reader_;
+    const Limits& limits_;
+    Report report_;
+    Builder builder_;
+    std::vector<OpenText> open_;
+    std::uint64_t statements_ = 0, included_ = 0;
+    std::optional<LostLines> lost_;
+};
+
+}  // namespace
+
+Parsed parse(FileId file, Sources& sources, const IncludeReader& include, const Limits& limits) {
+    Parsed parsed;
+    parsed.diagnostics = SceneParser(sources, include, limits, sources.text(file).size(), parsed.scene).run(file);
+    return parsed;
+}
+
+}  // namespace snell

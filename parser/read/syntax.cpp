@@ -1,0 +1,91 @@
+#include "parser/read/syntax.h"
+
+#include "parser/commands/commands.h"
+#include "parser/text/number.h"
+#include "parser/text/utf8.h"
+
+namespace snell {
+namespace {
+
+bool truth(std::string_view word) { return word == "true" || word == "false"; }
+
+}  // namespace
+
+bool StatementReader::next(Statement& statement) {
+    tokens_.clear();
+    lexer_.begin_statement();
+    Line line;
+    while (tokens_.empty()) {
+        if (line.at_end) return false;
+        line = lexer_.read_line(tokens_);
+    }
+    const Command* command = nullptr;
+    bool looked_up = false;
+    while (!line.at_end) {
+        bool continued = line.continued;
+        if (!continued && line.comment_continued) {
+            if (!looked_up) command = find_command(lexer_.text(tokens_.front()));
+            looked_up = true;
+            // A backslash at the end of a comment means what it says only where lists of uniforms are continued.
+            continued = command != nullptr && command->name == "Program";
+        }
+        if (!continued) break;
+        const std::size_t first = tokens_.size();
+        const std::size_t start = lexer_.position();
+        const Line next = lexer_.read_line(tokens_);
+        if (tokens_.size() == first) {
+            // A comment is skipped and the statement goes on; a blank line ends it.
+            if (!next.continued && !next.comment) break;
+            const bool at_end = next.at_end;
+            line = {at_end, true, false, false};
+            continue;
+        }
+        if (swallows_command(first)) {
+            if (line.continued) {
+                const std::string name(lexer_.text(tokens_[first]));
+                report_.warning("swallowed-command", lexer_.span(tokens_[first]),
+                                "the line before ends with '\\', which makes '" + name + "' a part of its statement",
+                                "it is read as a statement of its own; remove the '\\' before it");
+            }
+            tokens_.resize(first);
+            lexer_.rewind(start);
+            break;
+        }
+        line = next;
+    }
+    statement.tokens = tokens_;
+    return true;
+}
+
+// Whether the line of tokens_[first], which continues a statement, is a command all the same. A uniform may be
+// named like a command: what follows the name decides.
+bool StatementReader::swallows_command(std::size_t first) const {
+    const Token& token = tokens_[first];
+    const std::string_view word = lexer_.text(token);
+    const Command* found = token.kind == TokenKind::word ? find_command(word) : nullptr;
+    if (found == nullptr) return false;
+    const std::size_t count = tokens_.size() - first;
+    if (count == 1) return true;
+    const Token& value = tokens_[first + 1];
+    const char bracket = lexer_.text()[value.begin];
+    if (value.kind == TokenKind::open) return bracket == '[' && found->takes(ArgumentKind::vec3);
+    // Commands may be written in any case, but hardly anyone does: 'scale 2.' in a list of uniforms is one.
+    const bool as_in_table = word == found->name || word == found->alias;
+    const bool lone_value = count == 2 && (plausible_number(lexer_.text(value)) || truth(lexer_.text(value)));
+    return as_in_table || !lone_value;
+}
+
+void StatementReader::report_oddities() {
+    for (const OddCharacter& odd : lexer_.odd_characters()) {
+        const bool quote = odd.code >= 0x201C && odd.code <= 0x201E;
+        std::string message = odd.code == 0xA0 ? "no-break space " : "character ";
+        message += utf8::code_point(odd.code);
+        message += quote ? " is read as '\"'" : " is read as a blank";
+        if (odd.count > 1) message += " (" + std::to_string(odd.count) + " times in this text)";
+        report_.warning(quote ? "odd-quote" : "odd-blank", odd.first, std::move(message));
+    }
+    for (const Span span : lexer_.stray_backslashes())
+        report_.warning("stray-backslash", span, "a '\\' in the middle of a line continues nothing");
+}
+
+}  // namespace snell

@@ -1,0 +1,45 @@
+// Parses the numbers of scenes. Independent of the locale.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "parser/text/report.h"
+
+namespace snell {
+
+enum class NumberFault : std::uint8_t {
+    none,
+    second_point,  // "0.1." is read as 0.1
+    suffix,        // "1.f", "60x" are read as 1 and 60
+    not_a_number,
+    hexadecimal,
+    d_exponent,
+    odd_minus,
+    not_finite,
+    too_large,  // beyond the range of float, which is the type that reaches the GPU
+};
+
+struct Number {
+    double value = 0;
+    NumberFault fault = NumberFault::none;
+    bool usable() const { return fault <= NumberFault::suffix; }
+};
+
+// Parses a whole word as a number; `fault` says what is wrong with it.
+Number read_number(std::string_view text);
+
+// True if the text begins like a number, whether valid or not.
+bool looks_numeric(std::string_view text);
+// True if the text can only be meant as a number, unlike "3D" or "1.bmp".
+bool plausible_number(std::string_view text);
+
+// True if the number was written without point and exponent.
+bool written_integral(std::string_view text);
+
+// Reports the fault of a number: a warning if its value is usable, otherwise an error that says what is used `instead`
+// of a word that is not a number.
+void report_number(Report& report, const Number& number, std::string_view text, Span span,
+                   std::string_view instead = {});
+
+}  // namespace snell

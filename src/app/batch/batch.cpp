@@ -1,0 +1,349 @@
+#include "src/app/batch/batch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "parser/text/utf8.h"
+#include "src/app/open/in_view.h"
+#include "src/app/open/quality.h"
+#include "src/app/open/rounds.h"
+#include "src/app/open/view_text.h"
+#include "src/app/picture/painting.h"
+#include "src/app/picture/picture.h"
+#include "src/content/image/whole.h"
+#include "src/content/replace.h"
+#include "src/runtime/resources/uniforms.h"
+
+namespace snell::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point from) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
+}
+
+void print_all(const Document& document, bool quiet) {
+    const bool verbose = !quiet && document.runtime && document.scene().verbose;
+    if (verbose) fmt::print(stderr, "{}", verbose_report(document));
+    Diagnostics shown;
+    for (const Diagnostic& diagnostic : document.diagnostics.items()) {
+        const bool wanted = diagnostic.severity == Severity::note ? verbose : !quiet;
+        if (diagnostic.severity == Severity::error || wanted) shown.add(diagnostic);
+    }
+    const std::string text = snell::render(shown, document.sources);
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    if (!document.runtime) return;
+    for (const Message& message : document.scene().messages) fmt::print(stderr, "{}\n", utf8::printable(message.text));
+}
+
+// Cut-off files, such as those of a copy that ended early, are no pictures.
+bool is_there(const std::string& file, const Limits& most) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return false;
+    const std::size_t side = std::min<std::uint64_t>(most.output_side, 1 << 20);
+    const content::ImageLimits limits{static_cast<int>(side), side * side * 4 * sizeof(float)};
+    return content::is_whole(file, content::whole_file(file), limits);
+}
+
+std::string assignment(const Axis& axis, const AxisValue& value) { return axis.name + "=" + value.written; }
+
+}  // namespace
+
+Batch::Batch(const RenderOptions& options, const Shots& shots, Shard shard)
+    : options_(options),
+      shots_(shots),
+      shard_(shard),
+      deadline_(options.timeout, nullptr, [this] { leave_no_parts(); }),
+      loss_(options.lose_after),
+      writer_({!options.json.empty(), !options.sheet.empty()}) {}
+
+Exit Batch::run() {
+    for (std::size_t i = 0; i < shots_.scenes.size() && !refused_; ++i) {
+        std::vector<std::size_t> indices;
+        for (std::size_t k = i * shots_.per_scene(); k < (i + 1) * shots_.per_scene(); ++k)
+            if (shard_.has(k)) indices.push_back(k);
+        if (!indices.empty()) scene(i, indices);
+    }
+    written_ = &writer_.finish();
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+        timings_.write += written()[i].milliseconds;
+        if (written()[i].error.empty()) continue;
+        fmt::print(stderr, "snell: error: can't write '{}': {}\n",
+                   utf8::printable(shots_.files[records_[i].shot.index]), utf8::printable(written()[i].error));
+        fail();
+    }
+    if (non_finite_ && non_finite_->nan + non_finite_->infinite > 0)
+        fmt::print(stderr,
+                   "snell: warning: {} pixels are NaN and {} are infinite before they are clamped [non-finite]\n",
+                   non_finite_->nan, non_finite_->infinite);
+    return status_;
+}
+
+// Of pictures that are being written when time is up.
+void Batch::leave_no_parts() const {
+    for (const std::string& file : shots_.files) const content::Replacement ended(file);
+}
+
+bool Batch::ready_context() {
+    if (context_) return true;
+    const auto start = Clock::now();
+    deadline_.begin("starting OpenGL");
+    context_ = headless_context(options_.context);
+    if (!context_) {
+        refused_ = true;
+        fail(exit_graphics);
+        return false;
+    }
+    caps_ = gl::query_caps();
+    timings_.context = milliseconds_since(start);
+    return true;
+}
+
+void Batch::scene(std::size_t scene, const std::vector<std::size_t>& indices) {
+    said_.clear();
+    // A scene of which all pictures are there is not even read.
+    Open opened;
+    bool tried = false, usable = false;
+    for (const std::size_t index : indices) {
+        if (refused_) break;
+        const Shot shot = shots_.shot(index);
+        if (options_.skip_existing && is_there(shots_.files[index], options_.access.limits)) {
+            skip(shot);
+            continue;
+        }
+        if (!tried) {
+            tried = true;
+            usable = ready_context() && open(opened, shots_.scenes[scene]) && check_values(opened) &&
+                     ready_target(*opened.document);
+            if (!usable) fail();
+        }
+        if (usable) draw(opened, shot);
+    }
+    if (opened.document && opened.document->runtime) last_ = std::move(opened.document);
+}
+
+void Batch::skip(const Shot& shot) {
+    records_.push_back({shot, true});
+    writer_.add(shots_.files[shot.index], std::nullopt);
+}
+
+bool Batch::open(Open& open, const std::string& path) {
+    const auto start = Clock::now();
+    Diagnostics unknown;
+    const auto choose = [&](const Scene& scene, Rungs& rungs) {
+        if (!options_.quality.empty()) choose_quality(path, options_.quality, scene, rungs, unknown);
+        for (const std::string& ladder : options_.ladders) choose_rung(rungs, scene, ladder, unknown);
+    };
+    deadline_.begin(fmt::format("reading '{}'", path));
+    // What the scene before has too, such as snell's own programs, need not be made again.
+    const RuntimeOptions how{.previous = last_ ? &*last_->runtime : nullptr, .progress = progress_.watcher()};
+    const auto planned = [&](const Plan& plan, Document& document) {
+        if (may_go_round(plan, document, caps_)) open.looping = plan;
+    };
+    open.document = open_document(path, caps_, choose, planned, how, access_to(path, options_.access, options_.grade));
+    print_all(*open.document, options_.quiet);
+    say(unknown, open.document->sources);
+    timings_.load += milliseconds_since(start);
+    if (open.document->diagnostics.has_errors()) fail();
+    if (!open.document->runtime || unknown.has_errors()) return false;
+    open.rungs = open.document->runtime->rungs();
+    find_roles(open);
+    return true;
+}
+
+void Batch::find_roles(Open& open) const {
+    const std::vector<Ladder>& ladders = open.document->scene().ladders;
+    for (const Axis& axis : shots_.axes)
+        open.roles.push_back(axis.frames                                                             ? Role::frame
+                             : axis.name == "time"                                                   ? Role::time
+                             : std::ranges::find(ladders, axis.name, &Ladder::name) != ladders.end() ? Role::ladder
+                                                                                                     : Role::uniform);
+}
+
+// Before the first picture, so that a wrong value does not cost the ones before it.
+bool Batch::check_values(Open& open) {
+    Document& document = *open.document;
+    Controls controls = document.controls;
+    Rungs rungs = open.rungs;
+    Diagnostics problems;
+    for (const std::string& set : options_.sets) set_control(controls, document.scene(), set, problems);
+    Reach reach(controls);
+    for (std::size_t i = 0; i < shots_.axes.size(); ++i)
+        for (const AxisValue& value : shots_.axes[i].values) {
+            const std::string text = assignment(shots_.axes[i], value);
+            bool good = true;
+            if (open.roles[i] == Role::time && !value.number)
+                problems.error("bad-value", fmt::format("'time' is given '{}', which is no number", value.written));
+            if (open.roles[i] == Role::ladder) good = choose_rung(rungs, document.scene(), text, problems);
+            if (open.roles[i] == Role::uniform) good = set_control(controls, document.scene(), text, problems);
+            if (!good) break;
+            if (open.looping) reach.add(controls);
+        }
+    if (open.looping) {
+        reach.narrow(*open.looping);
+        const Diagnostics found = too_many_rounds(*open.looping, document);
+        document.diagnostics.append(found);
+        problems.append(found);
+    }
+    say(problems, document.sources);
+    return !problems.has_errors();
+}
+
+// The picture is that of a process that opens the scene with these rungs. Where a program fails, the runtime keeps
+// what was before: then the scene is read again.
+bool Batch::take_rungs(Open& open, const Shot& shot) {
+    Rungs rungs = open.rungs;
+    Diagnostics problems;
+    for (std::size_t i = 0; i < shots_.axes.size(); ++i)
+        if (open.roles[i] == Role::ladder)
+            choose_rung(rungs, open.document->scene(), assignment(shots_.axes[i], shots_.value(shot, i)), problems);
+    if (rungs == open.document->runtime->rungs()) return true;
+    if (!open.document->diagnostics.has_errors()) {
+        open.document->controls.rungs = rungs;
+        follow_rungs(*open.document);
+        const Diagnostics& found = open.document->runtime->ladder_problems();
+        if (!found.has_errors()) {
+            say(found, open.document->sources);
+            return true;
+        }
+    }
+    const std::string& path = shots_.scenes[shot.scene];
+    const auto choose = [&](const Scene& scene, Rungs& chosen) {
+        if (scene.ladders.size() == rungs.size()) chosen = rungs;
+    };
+    open.document = open_document(path, caps_, choose, nullptr, {}, access_to(path, options_.access, options_.grade));
+    say(open.document->diagnostics, open.document->sources);
+    if (open.document->diagnostics.has_errors()) fail();
+    return open.document->runtime.has_value();
+}
+
+std::optional<Controls> Batch::controls_of(const Open& open, const Shot& shot) {
+    const Document& document = *open.document;
+    Controls controls = document.controls;
+    Diagnostics problems;
+    for (const std::string& set : options_.sets) set_control(controls, document.scene(), set, problems);
+    for (std::size_t i = 0; i < shots_.axes.size(); ++i)
+        if (open.roles[i] == Role::uniform)
+            set_control(controls, document.scene(), assignment(shots_.axes[i], shots_.value(shot, i)), problems);
+    say(problems, document.sources);
+    if (problems.has_errors()) return std::nullopt;
+    return controls;
+}
+
+double Batch::time_of(const Open& open, const Shot& shot) const {
+    double time = options_.time;
+    for (std::size_t i = 0; i < shots_.axes.size(); ++i) {
+        const AxisValue& value = shots_.value(shot, i);
+        if (open.roles[i] == Role::frame) time = options_.time + runtime::frame_time(shot.at[i], options_.fps);
+        if (open.roles[i] == Role::time) time = value.number.value_or(0);
+    }
+    return time;
+}
+
+PictureSize Batch::size_of(const Document& document) const {
+    const auto [width, height] =
+        options_.size.value_or(std::pair(document.scene().window_size[0], document.scene().window_size[1]));
+    return {width, height, options_.samples, holds_floats(options_.output)};
+}
+
+// The one before serves again if it can.
+bool Batch::ready_target(const Document& document) {
+    const PictureSize size = size_of(document);
+    if (target_.framebuffer && size == size_) return true;
+    size_ = size;
+    tiling_ = tile(size, options_.access.limits, caps_, options_.tile);
+    target_ = {};
+    if (!tiling_.error.empty()) {
+        fmt::print(stderr, "snell: error: {}\n", tiling_.error);
+        return false;
+    }
+    if (!tiling_.whole(size)) return true;
+    target_ =
+        gl::make_target(size.width, size.height, size.samples, size.floats ? gl::Pixels::rgba32f : gl::Pixels::rgba8);
+    if (target_.framebuffer) return true;
+    fmt::print(stderr, "snell: error: this OpenGL gives no picture of {}x{} with {} samples\n", size.width, size.height,
+               size.samples);
+    fail(exit_graphics);
+    return false;
+}
+
+// Each part has the whole time. "" or why there is no picture.
+std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::string& file) {
+    Painting painting(file, size_, tiling_, options_.transparent);
+    if (painting.without_graphics()) fail(exit_graphics);
+    while (painting.step(runtime, frame)) deadline_.begin(fmt::format("drawing '{}'", file));
+    return painting.error();
+}
+
+// What comes after a loss has no context to be drawn in.
+bool Batch::keeps_context(const std::string& file) {
+    if (!loss_.lost()) return true;
+    refused_ = true;
+    fmt::print(stderr, "snell: error: '{}' is not drawn: {} [context-lost]\n   help: {}\n", utf8::printable(file),
+               loss_message, loss_help);
+    fail(exit_lost);
+    return false;
+}
+
+void Batch::draw(Open& open, const Shot& shot) {
+    const std::string& file = shots_.files[shot.index];
+    deadline_.begin(fmt::format("drawing '{}'", file));
+    if (!open.document->runtime || !take_rungs(open, shot)) return;
+    const auto controls = controls_of(open, shot);
+    if (!controls) return fail();
+    const auto start = Clock::now();
+    View view;
+    parse_view(options_.view, view);
+    view.axes = options_.axes;
+    Runtime& runtime = *open.document->runtime;
+    Frame frame{time_of(open, shot), view, *controls};
+    bool reached = false;
+    // One picture is looked at; of a series many a frame may be empty on purpose.
+    if (shots_.per_scene() == 1) frame.reached = &reached;
+    std::optional<content::Image> picture;
+    std::string wrong;
+    if (target_.framebuffer)
+        picture = draw_picture(runtime, frame, target_, {.width = size_.width, .height = size_.height},
+                               {size_.floats, options_.transparent});
+    else
+        wrong = draw_parts(runtime, frame, file);
+    if (!keeps_context(file)) return;
+    records_.push_back({shot, false, frame.time, milliseconds_since(start)});
+    timings_.frame += records_.back().milliseconds;
+    deadline_.rest();
+    writer_.add(file, std::move(picture), wrong);
+    if (frame.reached && !reached && wrong.empty() && !options_.quiet)
+        say(nothing_in_view(*open.document, {frame.time, view, *controls}, size_.width, size_.height),
+            open.document->sources);
+    if (!options_.count_non_finite) return;
+    if (!target_.framebuffer)
+        return fmt::print(stderr,
+                          "snell: warning: a picture that is drawn part by part is not counted: take a smaller "
+                          "--size [non-finite]\n");
+    frame.reached = nullptr;
+    const auto found = count_non_finite(runtime, frame, size_.width, size_.height);
+    if (!found) fmt::print(stderr, "snell: warning: this OpenGL has no pictures of floats: nothing is counted\n");
+    if (found) {
+        non_finite_ = non_finite_.value_or(NonFinite{});
+        non_finite_->nan += found->nan;
+        non_finite_->infinite += found->infinite;
+    }
+}
+
+// Each once for a scene, however many pictures show it.
+void Batch::say(const Diagnostics& diagnostics, const Sources& sources) {
+    for (const Diagnostic& diagnostic : diagnostics.items()) {
+        if (diagnostic.severity == Severity::note || (options_.quiet && diagnostic.severity != Severity::error))
+            continue;
+        const std::string text = snell::render(diagnostic, sources);
+        if (said_.insert(text).second) std::fwrite(text.data(), 1, text.size(), stderr);
+    }
+}
+
+}  // namespace snell::app

@@ -1,0 +1,105 @@
+// Draws the pictures of one command one after the other in one context. For render.cpp and its reports.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "src/app/batch/render.h"
+#include "src/app/batch/shots.h"
+#include "src/app/open/deadline.h"
+#include "src/app/open/document.h"
+#include "src/app/open/headless.h"
+#include "src/app/open/loss.h"
+#include "src/app/open/progress.h"
+#include "src/app/picture/non_finite.h"
+#include "src/app/picture/tiles.h"
+#include "src/app/picture/writer.h"
+#include "src/gl/target.h"
+
+namespace snell::app {
+
+struct Timings {
+    double context = 0, load = 0, frame = 0, write = 0;  // in milliseconds
+};
+
+struct Record {
+    Shot shot;
+    bool skipped = false;  // the file existed already
+    double time = 0;
+    double milliseconds = 0;  // for drawing and reading back
+};
+
+class Batch {
+public:
+    Batch(const RenderOptions& options, const Shots& shots, Shard shard);
+
+    // Draws all pictures and returns the exit status of the process. Records are those of the pictures that were
+    // attempted.
+    Exit run();
+
+    const std::vector<Record>& records() const { return records_; }
+    // In the order of records(); valid once run() has returned.
+    const std::vector<Written>& written() const { return *written_; }
+    // Empty until there is a context.
+    const gl::Caps& caps() const { return caps_; }
+    // True for a single scene that could be read: stats() then has its timings and counters.
+    bool has_stats() const { return last_ != nullptr; }
+    nlohmann::ordered_json stats() const;
+
+private:
+    // The meaning of an axis in a scene.
+    enum class Role { frame, time, ladder, uniform };
+    struct Open {
+        std::unique_ptr<Document> document;
+        std::vector<Role> roles;      // in the order of Shots::axes
+        Rungs rungs;                  // the rungs of ladders that no axis sets
+        std::optional<Plan> looping;  // set if the scene's loops must be checked
+    };
+
+    void leave_no_parts() const;
+    bool ready_context();
+    void scene(std::size_t scene, const std::vector<std::size_t>& indices);
+    bool open(Open& open, const std::string& path);
+    void find_roles(Open& open) const;
+    bool check_values(Open& open);
+    bool take_rungs(Open& open, const Shot& shot);
+    std::optional<Controls> controls_of(const Open& open, const Shot& shot);
+    double time_of(const Open& open, const Shot& shot) const;
+    bool ready_target(const Document& document);
+    PictureSize size_of(const Document& document) const;
+    std::string draw_parts(Runtime& runtime, const Frame& frame, const std::string& file);
+    void draw(Open& open, const Shot& shot);
+    bool keeps_context(const std::string& file);
+    void skip(const Shot& shot);
+    void say(const Diagnostics& diagnostics, const Sources& sources);
+    void fail(Exit status = exit_input) { status_ = std::max(status_, status); }
+
+    const RenderOptions& options_;
+    const Shots& shots_;
+    Shard shard_;
+    Deadline deadline_;
+    std::unique_ptr<HeadlessContext> context_;
+    bool refused_ = false;  // no context could be made
+    LossWatch loss_;
+    gl::Caps caps_;
+    gl::Target target_;  // empty if pictures are drawn in parts
+    PictureSize size_;
+    Tiling tiling_;
+    Timings timings_;
+    std::optional<NonFinite> non_finite_;
+    ProgressLine progress_;
+    std::unique_ptr<Document> last_;  // the document whose counters stats() returns
+    std::vector<Record> records_;
+    std::set<std::string> said_;  // messages about the current scene that were printed
+    Exit status_ = exit_fine;
+    Writer writer_;
+    const std::vector<Written>* written_ = nullptr;
+};
+
+}  // namespace snell::app

@@ -1,0 +1,134 @@
+#include "src/app/batch/shots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <unordered_map>
+
+#include "src/app/batch/pattern.h"
+
+namespace snell::app {
+
+namespace {
+
+std::optional<std::size_t> whole(std::string_view text) {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+// Whether two pictures would be one file.
+bool distinct(const Shots& shots, std::string& error) {
+    std::unordered_map<std::string, std::size_t> taken;
+    for (std::size_t i = 0; i < shots.files.size(); ++i) {
+        const auto [other, is_new] =
+            taken.emplace(std::filesystem::path(shots.files[i]).lexically_normal().string(), i);
+        if (is_new) continue;
+        const Shot first = shots.shot(other->second), second = shots.shot(i);
+        if (first.scene != second.scene && first.at == second.at) {
+            error = fmt::format("the pictures of '{}' and '{}' would both be '{}'", shots.scenes[first.scene],
+                                shots.scenes[second.scene], shots.files[i]);
+            return false;
+        }
+        std::string what;
+        for (std::size_t axis = 0; axis < shots.axes.size() && what.empty(); ++axis)
+            if (first.at[axis] != second.at[axis]) what = shots.axes[axis].name;
+        error = fmt::format("pictures {} and {} would both be '{}': {{{}}} or {{index}} in the name tells them apart",
+                            first.index, second.index, shots.files[i], what);
+        return false;
+    }
+    return true;
+}
+
+// Frames need no placeholder.
+std::string numbered(const std::string& pattern) {
+    const std::filesystem::path path(pattern);
+    return (path.parent_path() / (path.stem().string() + "-{frame:04}" + path.extension().string())).string();
+}
+
+bool count_fits(const Shots& shots, std::string& error) {
+    std::size_t count = shots.scenes.size();
+    for (const Axis& axis : shots.axes) {
+        if (count == 0 || axis.values.size() <= max_pictures / count) {
+            count *= axis.values.size();
+            continue;
+        }
+        error = fmt::format("these are more than {} pictures, which is the most for one command", max_pictures);
+        return false;
+    }
+    return true;
+}
+
+bool names_differ(const std::vector<Axis>& axes, std::string& error) {
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (axes[i].name == axes[j].name) {
+                error = fmt::format("'{}' varies twice", axes[i].name);
+                return false;
+            }
+    return true;
+}
+
+}  // namespace
+
+std::optional<Shard> parse_shard(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    const auto index = whole(text.substr(0, slash)), count = whole(text.substr(slash + 1));
+    if (!index || !count || *index >= *count) return std::nullopt;
+    return Shard{*index, *count};
+}
+
+std::size_t Shots::per_scene() const {
+    std::size_t count = 1;
+    for (const Axis& axis : axes) count *= axis.values.size();
+    return count;
+}
+
+Shot Shots::shot(std::size_t index) const {
+    Shot shot{index, index / per_scene(), std::vector<std::size_t>(axes.size())};
+    std::size_t rest = index % per_scene();
+    for (std::size_t axis = axes.size(); axis-- > 0;) {
+        shot.at[axis] = rest % axes[axis].values.size();
+        rest /= axes[axis].values.size();
+    }
+    return shot;
+}
+
+std::string Shots::label(const Shot& shot) const {
+    std::string text = scenes.size() > 1 ? std::filesystem::path(scenes[shot.scene]).stem().string() : "";
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", axes[axis].name, value(shot, axis).shown());
+    return text;
+}
+
+std::optional<Shots> plan_shots(std::vector<std::string> scenes, std::vector<Axis> axes, const std::string& pattern,
+                                std::string& error) {
+    Shots shots{std::move(scenes), std::move(axes), {}};
+    if (!names_differ(shots.axes, error) || !count_fits(shots, error)) return std::nullopt;
+    const bool frames =
+        std::ranges::any_of(shots.axes, [](const Axis& axis) { return axis.frames && axis.values.size() > 1; });
+    const bool told = pattern.find("{frame") != std::string::npos || pattern.find("{index") != std::string::npos;
+    std::vector<std::string> names{"stem", "index"};
+    for (const Axis& axis : shots.axes) names.push_back(axis.name);
+    const auto parsed = Pattern::parse(frames && !told ? numbered(pattern) : pattern, names, error);
+    if (!parsed) return std::nullopt;
+    const std::size_t count = shots.scenes.size() * shots.per_scene();
+    shots.files.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Shot shot = shots.shot(i);
+        const std::string stem = std::filesystem::path(shots.scenes[shot.scene]).stem().string();
+        std::vector<AxisValue> values{{stem, std::nullopt}, {std::to_string(i), static_cast<double>(i)}};
+        for (std::size_t axis = 0; axis < shots.axes.size(); ++axis) values.push_back(shots.value(shot, axis));
+        auto file = parsed->expand(values, error);
+        if (!file) return std::nullopt;
+        shots.files.push_back(std::move(*file));
+    }
+    if (!distinct(shots, error)) return std::nullopt;
+    return shots;
+}
+
+}  // namespace snell::app

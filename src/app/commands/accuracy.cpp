@@ -1,0 +1,357 @@
+// `snell accuracy`: what each rung is off by and what it costs, here and now.
+#include <fmt/format.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include "src/accuracy/report.h"
+#include "src/app/commands/advice.h"
+#include "src/app/commands/options.h"
+#include "src/app/commands/subcommands.h"
+#include "src/app/open/deadline.h"
+#include "src/app/open/document.h"
+#include "src/app/open/exit_status.h"
+#include "src/app/open/headless.h"
+#include "src/app/open/quality.h"
+#include "src/app/picture/outputs.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+namespace {
+
+using namespace snell::accuracy;
+
+std::atomic<bool> interrupted = false;
+
+// The first Ctrl-C ends the measurement, a second one the program.
+void on_interrupt(int) {
+    interrupted = true;
+    std::signal(SIGINT, SIG_DFL);
+}
+
+std::string cpu_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name")) {
+            const std::size_t colon = line.find(':');
+            return colon == std::string::npos ? line : line.substr(std::min(colon + 2, line.size()));
+        }
+    return "unknown processor";
+}
+
+double load() {
+    double loads[1]{};
+    return getloadavg(loads, 1) == 1 ? loads[0] : 0;
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text;
+}
+
+Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps, const BenchSettings& settings) {
+    Circumstances where;
+    where.scene = fmt::format("{}", fmt::join(options.scenes, ", "));
+    where.tool = std::string("snell ") + SNELL_VERSION;
+    where.date = today();
+    where.cpu = cpu_name();
+    utsname system{};
+    if (uname(&system) == 0) where.os = fmt::format("{} {}", system.sysname, system.release);
+    where.cores = static_cast<int>(std::thread::hardware_concurrency());
+    where.load_before = load();
+    where.renderer = caps.renderer;
+    where.vendor = caps.vendor;
+    where.gl = caps.version;
+    where.width = settings.width;
+    where.height = settings.height;
+    where.rounds = options.rounds;
+    where.time = options.time;
+    where.from = options.from;
+    where.sets = options.sets;
+    return where;
+}
+
+// Named ladders only, named knobs only, or everything that the scene has.
+std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, Diagnostics& diagnostics) {
+    if (options.from == "lattice") return lattice_sweep(plan.scene, plan.rungs, options.ladders, diagnostics);
+    const From from = options.from == "scene" ? From::scene : From::reference;
+    std::vector<Sweep> sweeps;
+    if (asks_for_advice(options) && options.ladders.empty() && options.knobs.empty()) return sweeps;
+    const bool all = options.ladders == std::vector<std::string>{"all"};
+    if (!options.ladders.empty() || options.knobs.empty())
+        sweeps = ladder_sweeps(plan.scene, plan.rungs, all ? std::vector<std::string>{} : options.ladders, from,
+                               diagnostics);
+    std::vector<std::string> knobs = options.knobs;
+    if (knobs.empty() && options.ladders.empty()) knobs.assign(knob_names.begin(), knob_names.end());
+    for (Sweep& sweep : knob_sweeps(plan.scene, plan.rungs, knobs, from, diagnostics))
+        sweeps.push_back(std::move(sweep));
+    return sweeps;
+}
+
+void show_progress(const Progress& progress, std::size_t sweep, std::size_t sweeps, double later) {
+    if (!isatty(STDERR_FILENO)) return;
+    fmt::print(stderr, "\r\033[K{}/{} {}: {} {:.0f} %, about {:.0f} s left", sweep + 1, sweeps, progress.sweep,
+               progress.doing, 100 * std::min(progress.done, 1.0), progress.seconds_left + later);
+    std::fflush(stderr);
+}
+
+bool write_text(const std::string& path, const std::string& text) {
+    if (path.empty()) return true;
+    const std::string wrong = content::replace_file(path, text);
+    if (wrong.empty()) return true;
+    fmt::print(stderr, "snell: error: can't write '{}': {}\n", path, wrong);
+    return false;
+}
+
+// plot.svg, plot-2.svg …
+std::string plot_path(const std::string& svg, std::size_t index) {
+    if (index == 0) return svg;
+    const std::filesystem::path path(svg);
+    return (path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), index + 1, path.extension().string()))
+        .string();
+}
+
+// As a page names it that is written there.
+std::string link_from(const std::string& page, const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(page).parent_path();
+    std::error_code error;
+    return std::filesystem::proximate(file, folder.empty() ? "." : folder, error).generic_string();
+}
+
+// With as many plots as are known before the measurement.
+Exit look_at_outputs(const AccuracyOptions& options, std::size_t sweeps) {
+    std::vector<std::string> files{options.html, options.json, options.csv, options.markdown};
+    for (std::size_t i = 0; i < sweeps && !options.svg.empty(); ++i) files.push_back(plot_path(options.svg, i));
+    for (const std::string& scene : options.scenes)
+        if (options.save_quality) files.push_back(quality_path(scene));
+    return check_outputs(files, options.scenes);
+}
+
+// What can't be written costs no other report.
+bool write_all(const AccuracyOptions& options, const Report& report) {
+    std::vector<std::string> plots;  // as the page names them
+    bool written = write_text(options.csv, csv_text(report));
+    written = write_text(options.json, json_text(report)) && written;
+    written = write_text(options.html, html_text(report)) && written;
+    for (std::size_t i = 0; i < report.sweeps.size() && !options.svg.empty(); ++i) {
+        const std::string path = plot_path(options.svg, i);
+        written = write_text(path, svg_text(report.sweeps[i])) && written;
+        plots.push_back(link_from(options.markdown, path));
+    }
+    return write_text(options.markdown, markdown_text(report, plots)) && written;
+}
+
+// A scene that was read, and what of it is to be measured.
+struct Subject {
+    std::string path;
+    std::unique_ptr<Files> files;
+    Sources sources;
+    Plan plan;
+    std::vector<Sweep> sweeps;
+};
+
+// Null, with its reasons printed, where there is nothing to measure.
+std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool& errors) {
+    auto subject = std::make_unique<Subject>();
+    subject->path = path;
+    subject->files = std::make_unique<Files>(scene_folder(path), options.access);
+    Diagnostics diagnostics;
+    if (auto parsed = parse_document(path, *subject->files, subject->sources, diagnostics)) {
+        subject->plan = make_plan(std::move(parsed->scene), *subject->files, subject->sources, diagnostics);
+        for (const std::string& choice : options.choices)
+            choose_rung(subject->plan.rungs, subject->plan.scene, choice, diagnostics);
+        subject->sweeps = sweeps_for(options, subject->plan, diagnostics);
+    }
+    fmt::print(stderr, "{}", snell::render(diagnostics, subject->sources));
+    errors = errors || diagnostics.has_errors();
+    const bool readable = !subject->plan.rungs.empty() || !diagnostics.has_errors();
+    if (!subject->sweeps.empty() || (asks_for_advice(options) && readable)) return subject;
+    if (!diagnostics.has_errors())
+        fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n", path);
+    errors = true;
+    return nullptr;
+}
+
+// What there is to do: sweeps, advice counting as one; and their rungs, to share the budget by.
+struct Work {
+    static constexpr std::size_t advice_rungs = 16;  // about as many combinations as it tries
+    std::size_t sweeps = 0, rungs = 0;
+};
+
+// Measures one sweep after another, and prints each when it is done. The budget is shared by those to come.
+class Measurement {
+public:
+    Measurement(const AccuracyOptions& options, Work all, Deadline& deadline)
+        : options_(options), all_(all), deadline_(deadline) {}
+
+    void measure_all(Bench& bench, const Subject& subject, Report& report) {
+        for (const Sweep& sweep : subject.sweeps) {
+            if (interrupted) return;
+            SweepResult result = measure(bench, sweep, next(sweep.rungs.size()));
+            result.scene = subject.path;
+            if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+            fmt::print("{}", table_text(result));
+            std::fflush(stdout);
+            report.sweeps.push_back(std::move(result));
+            finish(sweep.rungs.size());
+        }
+    }
+
+    bool advise(Bench& bench, const Subject& subject, Report& report) {
+        const bool told =
+            give_advice(options_, subject.path, bench, subject.plan.rungs, next(Work::advice_rungs), report);
+        finish(Work::advice_rungs);
+        return told;
+    }
+
+private:
+    MeasureOptions next(std::size_t rungs) const {
+        const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        const double left = std::max(options_.budget - spent, 0.0);
+        const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
+        MeasureOptions measuring;
+        measuring.rounds = options_.rounds;
+        measuring.seconds = std::max(share, .1);
+        measuring.times = !options_.no_time;
+        measuring.stop = [this] {
+            deadline_.begin("drawing a rung");
+            return interrupted.load();
+        };
+        measuring.report = [this, later = left - share](const Progress& progress) {
+            deadline_.begin(fmt::format("'{}', {}", progress.sweep, progress.doing));
+            show_progress(progress, done_.sweeps, all_.sweeps, later);
+        };
+        return measuring;
+    }
+
+    void finish(std::size_t rungs) {
+        ++done_.sweeps;
+        done_.rungs += rungs;
+    }
+
+    const AccuracyOptions& options_;
+    Work all_, done_;
+    Deadline& deadline_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+bool note_problems(const Bench& bench, const Sources& sources, Report& report) {
+    Diagnostics wrong;
+    for (const Diagnostic& problem : bench.problems().items()) {
+        report.problems.push_back(problem.message);
+        if (problem.severity == Severity::error) wrong.add(problem);
+    }
+    fmt::print(stderr, "{}", snell::render(wrong, sources));
+    return wrong.has_errors();
+}
+
+Exit accuracy(const AccuracyOptions& options) {
+    Deadline deadline(options.timeout);
+    deadline.begin("starting OpenGL");
+    auto context = headless_context(options.context);
+    if (!context) return exit_graphics;
+    const gl::Caps caps = gl::query_caps();
+    bool errors = false;
+    std::vector<std::unique_ptr<Subject>> subjects;
+    Work work;
+    for (const std::string& path : options.scenes) {
+        deadline.begin(fmt::format("reading '{}'", path));
+        if (auto subject = read_subject(path, options, errors)) {
+            work.sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
+            for (const Sweep& sweep : subject->sweeps) work.rungs += sweep.rungs.size();
+            if (asks_for_advice(options)) work.rungs += Work::advice_rungs;
+            subjects.push_back(std::move(subject));
+        }
+    }
+    if (subjects.empty()) return exit_input;
+    if (const Exit wrong = look_at_outputs(options, std::max<std::size_t>(work.sweeps, 1)); wrong != exit_fine)
+        return wrong;
+    const std::array<int, 2> window = subjects.front()->plan.scene.window_size;
+    const auto [width, height] = options.size.value_or(std::pair(window[0], window[1]));
+    const BenchSettings settings{width, height, options.time, options.sets};
+    Report report{circumstances(options, caps, settings), {}, {}};
+    interrupted = false;
+    const auto before = std::signal(SIGINT, on_interrupt);
+    Measurement run(options, work, deadline);
+    for (const auto& subject : subjects) {
+        deadline.begin(fmt::format("compiling '{}'", subject->path));
+        Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
+        run.measure_all(bench, *subject, report);
+        if (asks_for_advice(options) && !interrupted) errors = !run.advise(bench, *subject, report) || errors;
+        report.where.query_over_wall = bench.query_over_wall();
+        errors = note_problems(bench, subject->sources, report) || errors;
+    }
+    std::signal(SIGINT, before);
+    deadline.rest();
+    report.where.load_after = load();
+    fmt::print("\n{}", header_text(report));
+    if (!write_all(options, report)) return exit_input;
+    return errors ? exit_input : exit_fine;
+}
+
+std::string check_milliseconds(const std::string& text) {
+    return parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
+}
+
+}  // namespace
+
+Run add_accuracy(CLI::App& command) {
+    auto options = std::make_shared<AccuracyOptions>();
+    add_access(command, options->access);
+    add_timeout(command, options->timeout, "one step of the measurement, or for reading a scene");
+    command.footer(
+        "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
+        "ends the program at once.");
+    command.add_option("SCENE", options->scenes, "one report of all of them")->required();
+    command.add_option("--ladders", options->ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
+        ->delimiter(',');
+    command.add_option("--knobs", options->knobs, "samples,tessellation,filter,cube-size,cube-precision")
+        ->delimiter(',');
+    command
+        .add_option("--from", options->from,
+                    "the rungs of the other ladders: reference, scene; or lattice: all combinations")
+        ->check(CLI::IsMember({"reference", "scene", "lattice"}));
+    add_size(command, options->size, "WIDTHxHEIGHT (default: the scene's)");
+    command.add_option("--reps", options->rounds, "rounds, in each of which every rung is timed once")
+        ->check(CLI::Range(3, 10000));
+    command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
+        ->check(CLI::Range(1.0, 1e6));
+    CLI::Option* untimed = command.add_flag("--no-time", options->no_time, "errors only");
+    command
+        .add_option_function<std::string>(
+            "--within", [options](const std::string& text) { options->within = parse_milliseconds(text); },
+            "find the most accurate combination that takes no longer, such as 16ms")
+        ->check(check_milliseconds)
+        ->excludes(untimed);
+    command.add_option("--error", options->error, "find the cheapest combination with no more RMSE")
+        ->check(CLI::NonNegativeNumber)
+        ->excludes(untimed);
+    command.add_flag("--save-quality", options->save_quality, "find presets for --quality, stored next to the scene")
+        ->excludes(untimed);
+    add_time(command, options->time);
+    add_repeated(command, "--set", options->sets, "uniform=value or Program.uniform=value; may be repeated");
+    add_repeated(command, "--ladder", options->choices, "ladder=rung of the scene; may be repeated");
+    command.add_option("-o,--output", options->html, "write the report, one HTML file");
+    command.add_option("--svg", options->svg, "write the plots for a paper: FILE.svg, FILE-2.svg …");
+    command.add_option("--json", options->json, "write the numbers as JSON");
+    command.add_option("--markdown", options->markdown, "write the numbers as a page, with the plots of --svg");
+    command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung");
+    add_context(command, options->context);
+    return [options] { return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage; };
+}
+
+}  // namespace snell::app

@@ -1,0 +1,104 @@
+#include "src/app/commands/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
+#include "src/accuracy/quality.h"
+#include "src/app/open/quality.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+namespace {
+
+using namespace snell::accuracy;
+
+std::string wish_text(const Wish& wish) {
+    std::string text;
+    if (wish.error) text = fmt::format("RMSE at most {:.3g}", *wish.error);
+    if (wish.milliseconds) text += fmt::format("{}at most {:.3g} ms", text.empty() ? "" : " and ", *wish.milliseconds);
+    return text.empty() ? "whatever it is off by" : text;
+}
+
+std::string found_text(const Advice& advice, const SweepResult& sweep) {
+    const RungResult& rung = sweep.rungs[advice.rung];
+    const std::string now = sweep.rungs[sweep.sweep.current].name;
+    std::string text =
+        fmt::format("  RMSE {:.3g}, {:.3g} ms [{:.3g}, {:.3g}] of {}, {} times what '{}' takes\n", rung.own.rmse,
+                    rung.milliseconds, rung.low, rung.high, name(sweep.clock), ratio_text(rung.ratio), now);
+    const char* what = advice.everything ? "every combination" : "every combination that differs in one ladder";
+    text += advice.settled ? fmt::format("  {} was measured, none is better\n", what)
+                           : std::string("  time was up: others may be better; more --budget tells\n");
+    if (!sweep.few_rounds && sweep.control.noisy)
+        text += fmt::format("  the machine is too noisy to be sure of costs: '{}' took {} times what it took itself\n",
+                            now, ratio_text(sweep.control.ratio));
+    return text;
+}
+
+std::string advice_text(const std::string& path, const Scene& scene, const Advice& advice, const SweepResult& sweep) {
+    const std::vector<std::string> rungs = choices(scene, sweep.sweep.rungs[advice.rung].variant.rungs);
+    const char* kind = !advice.wish.milliseconds ? "the cheapest" : "the most exact";
+    std::string text = advice.met ? fmt::format("\n{}: {} is {}\n", wish_text(advice.wish), kind, fmt::join(rungs, " "))
+                                  : fmt::format("\n{}: nothing that was measured is; the nearest is {}\n",
+                                                wish_text(advice.wish), fmt::join(rungs, " "));
+    text += found_text(advice, sweep) + "  snell render " + path + " -o picture.png";
+    for (const std::string& choice : rungs) text += " --ladder " + choice;
+    return text + "\n";
+}
+
+bool save_presets(const std::string& path, const Scene& scene, const Counsel& counsel, const Circumstances& where) {
+    const std::vector<Preset> presets = presets_of(scene, counsel);
+    const std::string file = quality_path(path);
+    if (const std::string wrong = content::replace_file(file, quality_json(where, presets)); !wrong.empty()) {
+        fmt::print(stderr, "snell: error: can't write '{}': {}\n", file, wrong);
+        return false;
+    }
+    fmt::print("\npresets for --quality, in {}\n", file);
+    for (const Preset& preset : presets)
+        fmt::print("  {:<8}  {}: RMSE {:.2g}, {} times\n", preset.name, fmt::join(preset.choices, " "), preset.rmse,
+                   ratio_text(preset.ratio));
+    return true;
+}
+
+}  // namespace
+
+bool asks_for_advice(const AccuracyOptions& options) { return options.within || options.error || options.save_quality; }
+
+std::optional<double> parse_milliseconds(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    const std::string unit = end;
+    if (end == text.c_str() || !std::isfinite(value) || value <= 0) return std::nullopt;
+    if (unit.empty() || unit == "ms") return value;
+    return unit == "s" ? std::optional(1e3 * value) : std::nullopt;
+}
+
+bool give_advice(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
+                 const MeasureOptions& measuring, Report& report) {
+    if (bench.scene().ladders.empty()) {
+        fmt::print(stderr, "snell: error: '{}' has no ladders: there is nothing to choose\n", path);
+        return false;
+    }
+    std::vector<Wish> wishes;
+    if (options.save_quality) std::ranges::copy(quality_wishes(), std::back_inserter(wishes));
+    if (options.within || options.error) wishes.push_back({options.within, options.error});
+    Counsel counsel = advise(bench, now, wishes, measuring);
+    for (SweepResult& sweep : counsel.sweeps) {
+        sweep.scene = path;
+        fmt::print("{}", table_text(sweep));
+    }
+    if (options.within || options.error) {
+        const Advice& advice = counsel.advice.back();
+        fmt::print("{}", advice_text(path, bench.scene(), advice, counsel.sweeps[advice.sweep]));
+        counsel.advice.pop_back();
+    }
+    const bool saved = !options.save_quality || save_presets(path, bench.scene(), counsel, report.where);
+    for (SweepResult& sweep : counsel.sweeps) report.sweeps.push_back(std::move(sweep));
+    return saved;
+}
+
+}  // namespace snell::app

@@ -1,0 +1,42 @@
+// The part of `snell accuracy` that recommends a combination of rungs: --within, --error, --save-quality.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "src/accuracy/report.h"
+#include "src/plan/files.h"
+
+namespace snell::app {
+
+struct AccuracyOptions {
+    std::vector<std::string> scenes;
+    std::string html, svg, json, csv, markdown;
+    std::vector<std::string> ladders, knobs;  // if both are empty: all
+    std::string from = "reference";           // or "scene", "lattice"
+    std::vector<std::string> sets, choices;   // uniform=value, ladder=rung
+    std::optional<std::pair<int, int>> size;
+    int rounds = 31;
+    double budget = 120;  // in seconds, for all sweeps together
+    double time = 0;
+    bool no_time = false;                 // measures errors only
+    std::optional<double> within, error;  // limits of a wanted combination: milliseconds, RMSE
+    bool save_quality = false;            // writes presets to a file next to the scene
+    std::string context;
+    Access access;
+    double timeout = 120;  // in seconds for reading a scene, or for the few frames of one step
+};
+
+// True if the options ask for a combination, rather than for the value of each rung.
+bool asks_for_advice(const AccuracyOptions& options);
+
+// Parses a duration above 0, such as "16ms", "16" or "0.016s"; returns milliseconds.
+std::optional<double> parse_milliseconds(const std::string& text);
+
+// Measures, prints the combinations found as values and as a command line, writes the presets if requested, and adds
+// the measurements to the report. If there is no result, or a file cannot be written, it prints the reason and returns
+// false. asks_for_advice must be true.
+bool give_advice(const AccuracyOptions& options, const std::string& path, accuracy::Bench& bench, const Rungs& now,
+                 const accuracy::MeasureOptions& measuring, accuracy::Report& report);
+
+}  // namespace snell::app

@@ -1,0 +1,47 @@
+// Formats what a scene pays for, for `snell explain`, as text and JSON. Values in, text out.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "parser/text/diagnostic.h"
+#include "parser/text/source.h"
+#include "src/gl/caps.h"
+#include "src/runtime/explain.h"
+#include "src/runtime/runtime.h"
+
+namespace snell::app {
+
+struct ExplainReport {
+    std::string scene, clock;  // such as "CPU time of the process"; empty if frames were not timed
+    gl::Caps caps;
+    int width = 0, height = 0;
+    int rounds = 0, asked = 0;  // that were drawn, and that were asked for
+    FrameCost frame;
+    double spread = 0;  // median absolute deviation of the frame's time by the chosen clock, in milliseconds
+    Explanation explanation;
+    Counters load, per_frame;  // for loading, and for one further frame
+    Diagnostics lints;
+};
+
+std::string explain_text(const ExplainReport& report, const Sources& sources);
+// Has "schema" 1 and the keys that docs/architecture.md lists.
+nlohmann::ordered_json explain_json(const ExplainReport& report, const Sources& sources);
+
+// How long frames are timed.
+struct Timing {
+    int rounds = 31;
+    double milliseconds = 20e3;                           // for all rounds; expensive frames get fewer rounds
+    double frame = 0;                                     // milliseconds that a frame takes, if known
+    std::function<void(int round, double share)> report;  // called before each frame; share: 0 to 1
+};
+
+// Times every pass, and the draws of every program, by difference: whole frames and frames without these draws are
+// timed in interleaved rounds. Cube passes that are not drawn again have no time, nor have parts for which the time was
+// up. `clock` stays empty if there is no time for a frame. Precondition: the frame was drawn before.
+void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface,
+                 const Timing& timing);
+
+}  // namespace snell::app

@@ -1,0 +1,121 @@
+#include "src/app/commands/options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "src/app/open/headless.h"
+
+namespace snell::app {
+
+namespace {
+
+bool parse_size(const std::string& text, std::pair<int, int>& size) {
+    int end = 0;
+    return std::sscanf(text.c_str(), "%5dx%5d%n", &size.first, &size.second, &end) == 2 &&
+           static_cast<size_t>(end) == text.size() && size.first > 0 && size.second > 0;
+}
+
+std::string check_size(const std::string& text) {
+    std::pair<int, int> size;
+    return parse_size(text, size) ? "" : "'" + text + "' is not WIDTHxHEIGHT, such as 800x600";
+}
+
+std::string check_limit(const std::string& text) {
+    Limits limits;
+    std::string error;
+    return set_limit(limits, text, error) ? "" : error;
+}
+
+}  // namespace
+
+// CLI11 reads "nan" and "inf" too.
+std::string check_finite(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
+}
+
+std::string check_positive(const std::string& text) {
+    const std::string error = check_finite(text);
+    return !error.empty() || std::strtod(text.c_str(), nullptr) > 0 ? error : "'" + text + "' is not more than 0";
+}
+
+std::string check_context(const std::string& text) {
+    ContextRequest request;
+    return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
+}
+
+CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                          const std::string& text) {
+    return command.add_option(name, values, text)
+        ->expected(1)
+        ->allow_extra_args(false)  // otherwise an option before the scene's name takes that, too
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+CLI::Option* add_size(CLI::App& command, Size& size, const std::string& text) {
+    return command
+        .add_option_function<std::string>(
+            "--size", [&size](const std::string& value) { parse_size(value, size.emplace()); }, text)
+        ->check(check_size);
+}
+
+void add_access(CLI::App& command, Access& access) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--limit",
+            [&access](const std::vector<std::string>& values) {
+                std::string checked;
+                for (const std::string& value : values) set_limit(access.limits, value, checked);
+            },
+            "NAME=VALUE of docs/limits.md; may be repeated")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(check_limit);
+    command
+        .add_option_function<std::string>(
+            "--confine", [&access](const std::string& folder) { access.confine = folder; },
+            "read nothing outside of this folder")
+        ->check(CLI::ExistingDirectory);
+}
+
+void add_grade(CLI::App& command, bool& grade) {
+    command.add_flag("--grade", grade, "for scenes of strangers: read nothing outside of each scene's folder");
+}
+
+void add_timeout(CLI::App& command, double& seconds, const std::string& what) {
+    command.add_option("--timeout", seconds, "seconds for " + what + "; 0: no end")
+        ->check(check_finite)
+        ->check(CLI::Range(0., 1e6));
+}
+
+void add_values(CLI::App& command, std::vector<std::string>& sets, std::vector<std::string>& ladders) {
+    add_repeated(command, "--set", sets, "uniform=value or Program.uniform=value; may be repeated");
+    add_repeated(command, "--ladder", ladders, "ladder=rung; may be repeated");
+}
+
+void add_quality(CLI::App& command, std::string& quality) {
+    command.add_option("--quality", quality, "rungs as `snell accuracy --save-quality` found them")
+        ->check(CLI::IsMember({"fast", "balanced", "exact"}));
+}
+
+void add_context(CLI::App& command, std::string& context) {
+    command.add_option("--context", context, "ask for an OpenGL version: 3.3, 4.5, es3.2")->check(check_context);
+}
+
+void add_time(CLI::App& command, double& seconds) {
+    command.add_option("--time", seconds, "seconds since the scene began")->check(check_finite);
+}
+
+bool size_fits(const Size& size, const Limits& most) {
+    if (!size || static_cast<std::uint64_t>(std::max(size->first, size->second)) <= most.output_side) return true;
+    fmt::print(stderr, "snell: error: {}x{} is too large\n   help: {}\n", size->first, size->second,
+               limit_help(most, &Limits::output_side));
+    return false;
+}
+
+}  // namespace snell::app

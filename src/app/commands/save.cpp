@@ -1,0 +1,89 @@
+// "snell save": values into a scene's text.
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "parser/text/utf8.h"
+#include "src/app/commands/options.h"
+#include "src/app/commands/subcommands.h"
+#include "src/app/open/deadline.h"
+#include "src/app/open/exit_status.h"
+#include "src/app/open/headless.h"
+#include "src/app/open/save_values.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+namespace {
+
+struct SaveOptions {
+    std::string scene, output;  // an empty output stands for the scene's own file
+    std::vector<std::string> sets, ladders;
+    std::string context;
+    Access access;
+    double timeout = 20;  // in seconds, for reading
+};
+
+Exit complain(const std::string& what) {
+    fmt::print(stderr, "snell: error: {}\n", utf8::printable(what));
+    return exit_input;
+}
+
+// The scene's new text into another file.
+Exit write_copy(const Document& document, const Saved& saved, const std::string& output) {
+    std::string text(document.sources.text(0));
+    for (const SavedFile& file : saved.files) {
+        if (file.path != document.path)
+            return complain(fmt::format("a value stands in {}, which {} would still include", file.path, output));
+        text = file.after;
+    }
+    const std::string error = content::replace_file(output, text);
+    return error.empty() ? exit_fine : complain(error);
+}
+
+Exit save(const SaveOptions& options) {
+    Deadline deadline(options.timeout);
+    deadline.begin(fmt::format("reading '{}'", options.scene));
+    const auto context = headless_context(options.context);
+    if (!context) return exit_graphics;
+    Diagnostics problems;
+    const auto choose = [&](const Scene& scene, Rungs& rungs) {
+        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, problems);
+    };
+    const auto document = open_document(options.scene, gl::query_caps(), choose, nullptr, {}, options.access);
+    if (!document->runtime) {
+        fmt::print(stderr, "{}", snell::render(document->diagnostics, document->sources));
+        return exit_input;
+    }
+    for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, problems);
+    // A value may be missing because of an error in the scene.
+    Diagnostics said;
+    for (const Diagnostic& diagnostic : document->diagnostics.items())
+        if (diagnostic.severity == Severity::error) said.add(diagnostic);
+    said.append(problems);
+    fmt::print(stderr, "{}", snell::render(said, document->sources));
+    if (problems.has_errors()) return exit_input;
+
+    const Saved saved = saved_values(*document);
+    if (!saved.error.empty()) return complain(saved.error);
+    for (const Unwritten& value : saved.unwritten) complain(fmt::format("{}: {}", value.name, value.reason));
+    if (!saved.unwritten.empty()) return exit_input;
+    if (!options.output.empty()) return write_copy(*document, saved, options.output);
+    const std::string error = write_saved(saved.files);
+    return error.empty() ? exit_fine : complain(error);
+}
+
+}  // namespace
+
+Run add_save(CLI::App& command) {
+    auto options = std::make_shared<SaveOptions>();
+    command.add_option("SCENE", options->scene)->required();
+    add_access(command, options->access);
+    add_timeout(command, options->timeout, "reading the scene");
+    add_values(command, options->sets, options->ladders);
+    command.add_option("-o,--output", options->output, "write another file than the scene itself");
+    add_context(command, options->context);
+    return [options] { return save(*options); };
+}
+
+}  // namespace snell::app

@@ -1,0 +1,26 @@
+// The subcommands of the program: each adds its options to a CLI11 command, and returns what to run once they are read.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace snell::app {
+
+using Run = std::function<int()>;  // returns the exit status
+
+Run add_window(CLI::App& command);  // without a subcommand
+Run add_render(CLI::App& command);
+Run add_sweep(CLI::App& command);
+Run add_check(CLI::App& command);
+Run add_explain(CLI::App& command);
+Run add_accuracy(CLI::App& command);
+Run add_save(CLI::App& command);
+Run add_commands(CLI::App& command);
+Run add_info(CLI::App& command);
+
+extern const char* const examples;  // of the command line, for --help
+
+}  // namespace snell::app

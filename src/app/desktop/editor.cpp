@@ -1,0 +1,189 @@
+#include "src/app/desktop/editor.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "parser/text/utf8.h"
+
+extern char** environ;
+
+namespace snell {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> split(std::string_view text) {
+    std::vector<std::string> words;
+    for (std::size_t begin = 0; (begin = text.find_first_not_of(" \t", begin)) != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(" \t", begin), text.size());
+        words.emplace_back(text.substr(begin, end - begin));
+        begin = end;
+    }
+    return words;
+}
+
+// How a program is told the line.
+struct Known {
+    std::string_view name;
+    std::array<std::string_view, 3> arguments;  // with {file}, {line} and {column}; without {file} it comes last
+    bool terminal = false;
+};
+
+constexpr std::string_view plus = "+{line}", colon = "{file}:{line}:{column}";
+constexpr std::array known{
+    Known{"vi", {plus}, true},
+    Known{"vim", {plus}, true},
+    Known{"nvim", {plus}, true},
+    Known{"view", {plus}, true},
+    Known{"nano", {"+{line},{column}"}, true},
+    Known{"pico", {plus}, true},
+    Known{"micro", {"+{line}:{column}"}, true},
+    Known{"joe", {plus}, true},
+    Known{"jed", {plus}, true},
+    Known{"mg", {plus}, true},
+    Known{"ne", {plus}, true},
+    Known{"kak", {"+{line}:{column}"}, true},
+    Known{"hx", {colon}, true},
+    Known{"helix", {colon}, true},
+    Known{"gvim", {plus}},
+    Known{"emacs", {"+{line}:{column}"}},
+    Known{"emacsclient", {"+{line}:{column}"}},
+    Known{"gedit", {plus}},
+    Known{"pluma", {plus}},
+    Known{"xed", {plus}},
+    Known{"nedit", {plus}},
+    Known{"geany", {"+{line}"}},
+    Known{"mousepad", {"--line", "{line}"}},
+    Known{"kate", {"--line", "{line}"}},
+    Known{"kwrite", {"--line", "{line}"}},
+    Known{"code", {"--goto", colon}},
+    Known{"code-insiders", {"--goto", colon}},
+    Known{"codium", {"--goto", colon}},
+    Known{"vscodium", {"--goto", colon}},
+    Known{"cursor", {"--goto", colon}},
+    Known{"subl", {colon}},
+    Known{"sublime_text", {colon}},
+    Known{"zed", {colon}},
+    Known{"zeditor", {colon}},
+    Known{"idea", {"--line", "{line}"}},
+    Known{"clion", {"--line", "{line}"}},
+};
+
+void replace(std::string& text, std::string_view what, const std::string& by) {
+    if (const std::size_t at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
+}
+
+bool runnable(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::string_view folders = path ? path : "/usr/local/bin:/usr/bin:/bin";
+    while (!folders.empty()) {
+        const std::string_view folder = folders.substr(0, folders.find(':'));
+        folders.remove_prefix(std::min(folder.size() + 1, folders.size()));
+        if (access(std::string(folder).append("/").append(program).c_str(), X_OK) == 0) return true;
+    }
+    return false;
+}
+
+// In a session of its own: Ctrl-C in snell's terminal does not end it. 0, or why there is none.
+int start(const std::vector<std::string>& words, pid_t& process) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t how;
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&how);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    sigset_t none, pipes;
+    sigemptyset(&none);
+    sigemptyset(&pipes);
+    sigaddset(&pipes, SIGPIPE);
+    posix_spawnattr_setsigmask(&how, &none);
+    posix_spawnattr_setsigdefault(&how, &pipes);
+    short flags = POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF;
+#ifdef POSIX_SPAWN_SETSID
+    flags = static_cast<short>(flags | POSIX_SPAWN_SETSID);
+#endif
+    posix_spawnattr_setflags(&how, flags);
+    const int wrong = posix_spawnp(&process, arguments[0], &files, &how, arguments.data(), environ);
+    posix_spawnattr_destroy(&how);
+    posix_spawn_file_actions_destroy(&files);
+    return wrong;
+}
+
+}  // namespace
+
+std::string editor_of_environment() {
+    for (const char* name : {"VISUAL", "EDITOR"})
+        if (const char* value = std::getenv(name); value && !split(value).empty()) return value;
+    return "xdg-open";
+}
+
+EditorCommand editor_command(std::string_view editor, const std::string& file, int line, int column) {
+    EditorCommand command{split(editor)};
+    if (command.words.empty()) return command;
+    const std::string program = fs::path(command.words[0]).filename().string();
+    const auto found = std::ranges::find(known, program, &Known::name);
+    bool named = false;
+    if (found != known.end()) {
+        command.terminal = found->terminal;
+        for (const std::string_view argument : found->arguments) {
+            if (argument.empty()) break;
+            std::string word(argument);
+            replace(word, "{line}", std::to_string(line));
+            replace(word, "{column}", std::to_string(column));
+            named |= word.find("{file}") != std::string::npos;
+            replace(word, "{file}", file);
+            command.words.push_back(std::move(word));
+        }
+    }
+    if (program == "emacs" || program == "emacsclient")
+        command.terminal = std::ranges::any_of(
+            command.words, [](const std::string& word) { return word == "-nw" || word == "-t" || word == "-tty"; });
+    if (!named) command.words.push_back(file);
+    return command;
+}
+
+std::string Editor::open(const std::string& file, int line, int column) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return "there is no file " + utf8::printable(file);
+    const fs::path whole = fs::absolute(file, error);  // begins with '/'
+    EditorCommand command = editor_command(name_, error ? file : whole.lexically_normal().string(), line, column);
+    if (command.words.empty()) return "no editor is named";
+    const std::string name = utf8::printable(command.words[0]);
+    if (command.terminal) {
+        const std::string terminal = runnable("x-terminal-emulator") ? "x-terminal-emulator" : "xterm";
+        if (!runnable(terminal)) return name + " needs a terminal, and x-terminal-emulator and xterm are not there";
+        command.words.insert(command.words.begin(), {terminal, "-e"});
+    }
+    pid_t process = 0;
+    if (const int wrong = start(command.words, process); wrong != 0)
+        return fmt::format("can't start {}: {} (set VISUAL to an editor)", name, std::strerror(wrong));
+    running_.push_back({process, name});
+    return fmt::format("{} opens {}", name, utf8::printable(fs::path(file).filename().string()));
+}
+
+std::string Editor::look() {
+    std::string said;
+    std::erase_if(running_, [&](const Running& editor) {
+        int status = 0;
+        const pid_t ended = waitpid(editor.process, &status, WNOHANG);
+        if (ended == editor.process && WIFEXITED(status) && WEXITSTATUS(status) != 0)
+            said = fmt::format("{} ended with status {}", editor.name, WEXITSTATUS(status));
+        return ended != 0;
+    });
+    return said;
+}
+
+}  // namespace snell

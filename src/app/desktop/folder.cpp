@@ -1,0 +1,106 @@
+#include "src/app/desktop/folder.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+
+#include "parser/text/utf8.h"
+#include "src/ui/panels/costs.h"
+
+namespace snell {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most = 5000;  // entries; a folder may hold millions
+
+unsigned char lower(char c) { return static_cast<unsigned char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_scene(std::string_view name) {
+    constexpr std::string_view extension = ".glib";
+    return name.size() > extension.size() &&
+           std::equal(extension.begin(), extension.end(), name.end() - extension.size(),
+                      [](char a, char b) { return a == static_cast<char>(lower(b)); });
+}
+
+std::string home() {
+    const char* folder = std::getenv("HOME");
+    return folder && *folder == '/' ? folder : "/";
+}
+
+std::string date_of(std::time_t time) {
+    std::tm local{};
+    if (!localtime_r(&time, &local)) return {};
+    return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday,
+                       local.tm_hour, local.tm_min);
+}
+
+// The digits at `at`, without zeros before them; moves behind them.
+std::string_view number(std::string_view text, std::size_t& at) {
+    while (at + 1 < text.size() && text[at] == '0' && is_digit(text[at + 1])) ++at;
+    const std::size_t begin = at;
+    while (at < text.size() && is_digit(text[at])) ++at;
+    return text.substr(begin, at - begin);
+}
+
+}  // namespace
+
+bool before(std::string_view a, std::string_view b) {
+    std::size_t i = 0, j = 0;
+    while (i < a.size() && j < b.size()) {
+        if (is_digit(a[i]) && is_digit(b[j])) {
+            const std::string_view x = number(a, i), y = number(b, j);
+            if (x.size() != y.size()) return x.size() < y.size();
+            if (x != y) return x < y;
+            continue;
+        }
+        if (lower(a[i]) != lower(b[j])) return lower(a[i]) < lower(b[j]);
+        ++i;
+        ++j;
+    }
+    if (i < a.size() || j < b.size()) return j < b.size();
+    return a < b;  // they differ in case alone
+}
+
+std::string without_tilde(const std::string& path) {
+    return path == "~" || path.starts_with("~/") ? home() + path.substr(1) : path;
+}
+
+ui::Listing list_folder(const std::string& folder, bool all) {
+    ui::Listing listing;
+    listing.home = home();
+    std::error_code error;
+    const fs::path wanted = without_tilde(folder.empty() ? "." : folder);
+    const fs::path real = fs::canonical(wanted, error);
+    listing.folder = error ? fs::absolute(wanted, error).lexically_normal().string() : real.string();
+    fs::directory_iterator entry(listing.folder, fs::directory_options::none, error);
+    if (error) {
+        listing.error = utf8::printable(listing.folder) + ": " + error.message();
+        return listing;
+    }
+    for (; entry != fs::directory_iterator() && listing.entries.size() < most; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with('.')) continue;
+        struct stat status {};
+        if (stat(entry->path().c_str(), &status) != 0) continue;
+        const bool is_folder = S_ISDIR(status.st_mode);
+        if (!is_folder && (!S_ISREG(status.st_mode) || (!all && !is_scene(name)))) continue;
+        listing.entries.push_back(
+            {utf8::printable(name), entry->path().string(), is_folder,
+             is_folder ? std::string() : ui::bytes_text(static_cast<std::uint64_t>(status.st_size)),
+             date_of(status.st_mtime)});
+        if (error) break;
+    }
+    std::ranges::sort(listing.entries, [](const ui::Entry& a, const ui::Entry& b) {
+        return a.folder != b.folder ? a.folder : before(a.name, b.name);
+    });
+    return listing;
+}
+
+}  // namespace snell

@@ -1,0 +1,21 @@
+// Lists a folder for the file browser.
+#pragma once
+
+#include <string>
+
+#include "src/ui/panels/browser.h"
+
+namespace snell {
+
+// Lists folders, then scenes (with `all`, every regular file), each sorted by name without regard to case and with
+// numbers by value. Hidden entries are left out. `folder` may begin with ~. If the folder cannot be read, the listing
+// has an error and the absolute path.
+ui::Listing list_folder(const std::string& folder, bool all);
+
+// Replaces a leading "~" or "~/" by the home folder.
+std::string without_tilde(const std::string& path);
+
+// The order in which names are sorted for the user: "room2" before "Room10".
+bool before(std::string_view a, std::string_view b);
+
+}  // namespace snell

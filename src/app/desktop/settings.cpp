@@ -1,0 +1,117 @@
+#include "src/app/desktop/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "src/content/json.h"
+#include "src/content/replace.h"
+
+namespace snell {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double number(const Json& json, const char* name, double otherwise, double least, double most) {
+    const auto found = json.find(name);
+    if (found == json.end() || !found->is_number()) return otherwise;
+    const double value = found->get<double>();
+    return std::isfinite(value) && value >= least && value <= most ? value : otherwise;
+}
+
+bool flag(const Json& json, const char* name, bool otherwise) {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_boolean() ? found->get<bool>() : otherwise;
+}
+
+std::vector<std::string> texts(const Json& json, const char* name, std::size_t most) {
+    std::vector<std::string> found;
+    const auto list = json.find(name);
+    if (list == json.end() || !list->is_array()) return found;
+    for (const Json& text : *list)
+        if (text.is_string() && found.size() < most) found.push_back(text.get<std::string>());
+    return found;
+}
+
+}  // namespace
+
+std::string settings_file() {
+    const char* state = std::getenv("XDG_STATE_HOME");
+    if (state && *state == '/') return std::string(state) + "/snell/window.json";
+    const char* home = std::getenv("HOME");
+    return home && *home == '/' ? std::string(home) + "/.local/state/snell/window.json" : std::string();
+}
+
+Settings read_settings(const std::string& file) {
+    Settings settings;
+    std::ifstream in(file, std::ios::binary);
+    if (file.empty() || !in) return settings;
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const Json json = content::parse_json(text);
+    if (!json.is_object()) return settings;
+    settings.dark = flag(json, "dark", settings.dark);
+    settings.panel = flag(json, "panel", settings.panel);
+    settings.zoom = number(json, "zoom", settings.zoom, .5, 3);
+    settings.panel_width = number(json, "panel_width", settings.panel_width, 4, 200);
+    settings.width = static_cast<int>(number(json, "width", 0, 200, 16384));
+    settings.height = static_cast<int>(number(json, "height", 0, 150, 16384));
+    settings.open = texts(json, "open", 100);
+    settings.recent = texts(json, "recent", most_recent);
+    return settings;
+}
+
+std::string write_settings(const std::string& file, const Settings& settings) {
+    if (file.empty()) return {};
+    std::error_code error;
+    std::filesystem::create_directories(std::filesystem::path(file).parent_path(), error);
+    std::vector<std::string> recent = settings.recent;
+    for (const std::string& scene : read_settings(file).recent)
+        if (std::ranges::find(recent, scene) == recent.end() && recent.size() < most_recent) recent.push_back(scene);
+    const Json json{{"dark", settings.dark},     {"zoom", settings.zoom},
+                    {"panel", settings.panel},   {"panel_width", settings.panel_width},
+                    {"open", settings.open},     {"width", settings.width},
+                    {"height", settings.height}, {"recent", recent}};
+    return content::replace_file(file, content::json_text(json) + "\n");
+}
+
+void remember(std::vector<std::string>& recent, const std::string& scene) {
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(scene, error);
+    const std::string path = error ? scene : whole.lexically_normal().string();
+    std::erase(recent, path);
+    recent.insert(recent.begin(), path);
+    if (recent.size() > most_recent) recent.resize(most_recent);
+}
+
+void restore(const Settings& settings, ui::Memory& memory) {
+    memory.theme = settings.dark ? ui::Theme::dark : ui::Theme::light;
+    memory.zoom = static_cast<float>(settings.zoom);
+    memory.panel = settings.panel;
+    memory.panel_width = static_cast<float>(settings.panel_width);
+    memory.open = ui::Titles(settings.open.begin(), settings.open.end());
+}
+
+void gather(const ui::Memory& memory, Settings& settings) {
+    settings.dark = memory.theme == ui::Theme::dark;
+    settings.zoom = std::round(memory.zoom * 1000) / 1000;
+    settings.panel = memory.panel;
+    settings.panel_width = std::round(memory.panel_width * 100) / 100;
+    settings.open.assign(memory.open.begin(), memory.open.end());
+}
+
+void carry_looks(const ui::Memory& before, ui::Memory& memory) {
+    memory.theme = before.theme;
+    memory.zoom = before.zoom;
+    memory.panel = before.panel;
+    memory.panel_width = before.panel_width;
+    memory.open = before.open;
+    memory.labels = before.labels;
+    memory.scene = before.scene;
+}
+
+}  // namespace snell

@@ -1,0 +1,57 @@
+#include "src/app/open/command_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "src/app/open/view_text.h"
+
+namespace snell {
+
+namespace {
+
+// Shortest where no other program has the name.
+std::string option_name(const Document& document, const Control& control) {
+    const auto same = std::ranges::count(document.controls.items, control.name, &Control::name);
+    return same == 1 ? control.name
+                     : fmt::format("{}.{}", document.scene().programs[control.program].name, control.name);
+}
+
+}  // namespace
+
+std::string shell_word(std::string_view word) {
+    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@%";
+    if (!word.empty() && word.find_first_not_of(plain) == word.npos) return std::string(word);
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string render_command(const Document& document, const Picture& picture) {
+    const Scene& scene = document.scene();
+    const std::string stem = std::filesystem::path(document.path).stem().string();
+    const auto file = [](const std::string& name) { return name.starts_with('-') ? "./" + name : name; };
+    std::string line = fmt::format("snell render {} -o {} --size {}x{}", shell_word(file(document.path)),
+                                   shell_word(file(picture.file.empty() ? stem + ".png" : picture.file)), picture.width,
+                                   picture.height);
+    if (picture.samples > 1) line += fmt::format(" --samples {}", picture.samples);
+    if (picture.transparent) line += " --transparent";
+    if (picture.frames > 0) line += fmt::format(" --frames {} --fps {}", picture.frames, picture.rate);
+    if (picture.view.axes) line += " --axes";
+    if (picture.time != 0) line += fmt::format(" --time {}", picture.time);
+    if (const std::string view = view_text(picture.view); !view.empty()) line += " --view " + shell_word(view);
+    for (const Control& control : document.controls.items)
+        if (control.active && control.value != control.initial)
+            line += " --set " +
+                    shell_word(fmt::format("{}={}", option_name(document, control), fmt::join(control.value, ",")));
+    for (std::size_t i = 0; i < scene.ladders.size() && i < document.controls.rungs.size(); ++i) {
+        const Ladder& ladder = scene.ladders[i];
+        const std::size_t rung = document.controls.rungs[i];
+        if (rung != ladder.current && rung < ladder.rungs.size())
+            line += " --ladder " + shell_word(ladder.name + "=" + ladder.rungs[rung]);
+    }
+    return line;
+}
+
+}  // namespace snell

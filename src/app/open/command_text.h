@@ -1,0 +1,29 @@
+// The window's state as a command line.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "src/app/open/document.h"
+#include "src/plan/view.h"
+
+namespace snell {
+
+struct Picture {
+    int width = 0, height = 0, samples = 1;
+    double time = 0;
+    View view;
+    std::string file = {};  // as for `snell render -o`; empty: named after the scene
+    bool transparent = false;
+    int frames = 0;  // at `rate` per second; 0: one picture
+    double rate = 25;
+};
+
+// Returns a line for a POSIX shell that draws the same picture: the values and rungs that differ from the scene's, and
+// view, time and size. The syntax cannot distinguish programs of the same name: the value of the last one is used.
+std::string render_command(const Document& document, const Picture& picture);
+
+// Quotes a word if a shell would interpret it.
+std::string shell_word(std::string_view word);
+
+}  // namespace snell

@@ -1,0 +1,114 @@
+#include "src/app/open/document.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "parser/read/parse.h"
+#include "parser/text/utf8.h"
+#include "src/app/open/unsampled.h"
+#include "src/gl/debug.h"
+#include "src/plan/plan.h"
+
+namespace snell {
+
+namespace {
+
+IncludeReader include_reader(Files& files) {
+    return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
+        const Resolved resolved = files.resolve_beside(from, name, {"glib"});
+        if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest};
+        std::string error;
+        auto text = files.read(resolved.path, error);
+        if (!text) return std::nullopt;
+        return IncludedText{resolved.path, std::move(*text)};
+    };
+}
+
+// What OpenGL could not do: a texture or a mesh may be missing.
+void report_gl_errors(Diagnostics& diagnostics) {
+    for (const std::string& error : gl::take_errors())
+        if (error == "GL_OUT_OF_MEMORY")
+            diagnostics.error(
+                "out-of-graphics-memory", "OpenGL has no memory for all that the scene loads",
+                "smaller textures and fewer vertices take less; --limit texture-bytes=N refuses large ones");
+        else
+            diagnostics.warning("opengl-error", "loading made an error of OpenGL: " + error);
+}
+
+}  // namespace
+
+std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
+                                             Diagnostics& diagnostics) {
+    std::string error;
+    auto text = files.read(path, error);
+    if (!text) {
+        diagnostics.error("scene-unreadable", "can't read '" + path + "': " + error);
+        return std::nullopt;
+    }
+    const FileId file = sources.add(path, std::move(*text));
+    Parsed parsed = parse(file, sources, include_reader(files), files.limits());
+    diagnostics.append(parsed.diagnostics);
+    return ParsedDocument{file, std::move(parsed.scene)};
+}
+
+Access access_to(const std::string& path, Access access, bool grade) {
+    if (grade && !access.confine) access.confine = scene_folder(path);
+    return access;
+}
+
+std::string scene_folder(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
+
+std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps, const RungChooser& choose,
+                                        const PlanReader& planned, const RuntimeOptions& options,
+                                        const Access& access) {
+    auto document = std::make_unique<Document>();
+    document->diagnostics = Diagnostics(access.limits);
+    document->path = path;
+    document->files = std::make_unique<Files>(scene_folder(path), access);
+    auto parsed = parse_document(path, *document->files, document->sources, document->diagnostics);
+    if (!parsed) return document;
+    Plan plan = make_plan(std::move(parsed->scene), *document->files, document->sources, document->diagnostics);
+    if (choose) choose(plan.scene, plan.rungs);
+    if (planned) planned(plan, *document);
+    document->runtime.emplace(std::move(plan), *document->files, document->sources, caps, document->diagnostics,
+                              options);
+    report_gl_errors(document->diagnostics);
+    document->controls =
+        make_controls(document->runtime->scene(), document->runtime->active_uniforms(), document->diagnostics);
+    document->controls.rungs = document->runtime->rungs();
+    excuse_unsampled(*document);
+    document->diagnostics.sort();
+    return document;
+}
+
+bool follow_rungs(Document& document) {
+    Runtime& runtime = *document.runtime;
+    if (!runtime.choose(document.controls.rungs)) return false;
+    Diagnostics known;  // what is to be said of the scene's values was said when it was read
+    Controls controls = make_controls(runtime.scene(), runtime.active_uniforms(), known);
+    carry_over(document.controls, runtime.scene(), controls, runtime.scene());
+    document.controls = std::move(controls);
+    return true;
+}
+
+std::string verbose_report(const Document& document) {
+    std::string report;
+    if (!document.runtime) return report;
+    for (const std::string& path : document.files->read_paths())
+        report += fmt::format("read {}\n", utf8::printable(path));
+    const Scene& scene = document.scene();
+    for (size_t i = 0; i < scene.programs.size(); ++i) {
+        report += fmt::format("program '{}':", scene.programs[i].name);
+        for (const ActiveUniform& uniform : document.runtime->active_uniforms()[i])
+            report += fmt::format(" {} {}{}", uniform.glsl_type, uniform.name, uniform.system ? " (set by snell)" : "");
+        report += '\n';
+    }
+    const Counters& c = document.runtime->counters();
+    report += fmt::format(
+        "{} draws in {} passes, {} programs, {} images decoded, {} textures, about {} bytes of GPU memory\n",
+        scene.draws.size(), scene.passes.size(), c.programs_compiled, c.images_decoded, c.textures, c.gpu_bytes);
+    return report;
+}
+
+}  // namespace snell

@@ -1,0 +1,38 @@
+#include "src/app/open/headless.h"
+
+#include <cstdio>
+
+#include "src/gl/debug.h"
+
+namespace snell::app {
+
+bool parse_context(const std::string& text, ContextRequest& request) {
+    std::string version = text;
+    request.es = version.starts_with("es");
+    if (request.es) version.erase(0, 2);
+    if (version.empty()) return true;
+    if (version.size() != 3 || version[1] != '.' || version[0] < '1' || version[0] > '9' || version[2] < '0' ||
+        version[2] > '9')
+        return false;
+    request.version = (version[0] - '0') * 10 + (version[2] - '0');
+    return true;
+}
+
+std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
+    ContextRequest request;
+    parse_context(text, request);
+#ifndef NDEBUG
+    request.debug = true;
+#endif
+    std::string error;
+    auto context = HeadlessContext::make(request, error);
+    const bool old = error.find("context") != std::string::npos;
+    if (!context)
+        std::fprintf(stderr, "snell: error: no graphics: %s\n   help: %s\n", error.c_str(),
+                     old ? "snell needs OpenGL 3.3 or OpenGL ES 3.0, or the version that --context asks for"
+                         : "install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)");
+    if (context && request.debug) gl::print_messages();
+    return context;
+}
+
+}  // namespace snell::app

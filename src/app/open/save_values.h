@@ -1,0 +1,37 @@
+// Saves the current values to the files of a scene.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/app/open/document.h"
+#include "src/plan/values/write_back.h"
+
+namespace snell {
+
+// The new text of a file, and the text that it replaces.
+struct SavedFile {
+    std::string path, before, after;
+};
+
+struct Saved {
+    std::vector<SavedFile> files;
+    std::vector<Unwritten> unwritten;
+    std::size_t values = 0;  // the number of values and rungs that are written
+    std::string error;       // why nothing can be written; `files` is then empty
+};
+
+// The number of uniforms and ladders that differ from the scene.
+std::size_t changed_values(const Document& document);
+
+// Computes what saving the document's controls would write; writes nothing. The result has an error if a file changed
+// since the document was read, or if the new texts would not read back correctly.
+Saved saved_values(const Document& document);
+
+// Writes all files or none; each must still have the text `before`. Returns "" or the error.
+std::string write_saved(const std::vector<SavedFile>& files);
+// Restores the previous texts if the files are still as saved. Returns "" or the error.
+std::string undo_saved(const std::vector<SavedFile>& files);
+
+}  // namespace snell

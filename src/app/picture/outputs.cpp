@@ -1,0 +1,68 @@
+#include "src/app/picture/outputs.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <unordered_map>
+
+#include "parser/text/utf8.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// One name for each file: links are followed as replace_file() follows them. Many pictures share a folder.
+class Places {
+public:
+    std::string of(const std::string& file) {
+        std::error_code error;
+        const fs::path path(file);
+        if (fs::is_symlink(path, error)) return fs::weakly_canonical(fs::absolute(path, error), error).string();
+        const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+        const auto [found, is_new] = folders_.try_emplace(folder);
+        if (is_new) found->second = fs::weakly_canonical(fs::absolute(folder, error), error);
+        return (found->second / path.filename()).lexically_normal().string();
+    }
+
+private:
+    std::unordered_map<std::string, fs::path> folders_;
+};
+
+}  // namespace
+
+bool distinct_outputs(std::span<const std::string> outputs, std::span<const std::string> read) {
+    Places places;
+    std::unordered_map<std::string, const std::string*> taken;
+    for (const std::string& file : read) taken.emplace(places.of(file), nullptr);
+    bool distinct = true;
+    for (const std::string& file : outputs) {
+        if (file.empty() || content::is_stream(file)) continue;
+        const auto [other, is_new] = taken.emplace(places.of(file), &file);
+        if (is_new) continue;
+        distinct = false;
+        const std::string what = !other->second           ? "is read, and would be overwritten"
+                                 : *other->second == file ? "would be two outputs"
+                                                          : fmt::format("and '{}' would be one file", *other->second);
+        fmt::print(stderr, "snell: error: '{}' {}\n   help: give each output a name of its own\n",
+                   utf8::printable(file), utf8::printable(what));
+    }
+    return distinct;
+}
+
+Exit check_outputs(std::span<const std::string> outputs, std::span<const std::string> read) {
+    if (!distinct_outputs(outputs, read)) return exit_usage;
+    Exit status = exit_fine;
+    for (const std::string& file : outputs) {
+        const std::string wrong = file.empty() ? "" : content::check_place(file);
+        if (wrong.empty()) continue;
+        fmt::print(stderr, "snell: error: can't write '{}': {}\n", utf8::printable(file), utf8::printable(wrong));
+        status = exit_input;
+    }
+    return status;
+}
+
+}  // namespace snell::app

@@ -1,0 +1,102 @@
+#include "src/app/picture/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+namespace snell::app {
+
+namespace {
+
+template <class Channel>
+content::Image picture_of(const std::vector<Channel>& pixels, int width, int channels) {
+    content::Image image;
+    image.width = width;
+    image.channels = channels;
+    image.type = sizeof(Channel) == 1 ? content::PixelType::u8 : content::PixelType::f32;
+    image.height = static_cast<int>(pixels.size() / static_cast<std::size_t>(width * channels));
+    image.pixels.resize(pixels.size() * sizeof(Channel));
+    std::memcpy(image.pixels.data(), pixels.data(), image.pixels.size());
+    return image;
+}
+
+template <class Channel>
+std::vector<Channel> without_alpha(const std::vector<Channel>& rgba) {
+    std::vector<Channel> rgb;
+    rgb.reserve(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+    return rgb;
+}
+
+// How much of the background does not show, of three channels over black and over white.
+template <class Number>
+double covered(const Number* black, const Number* white, double one) {
+    double shows = 0;
+    for (int c = 0; c < 3; ++c) shows += (static_cast<double>(white[c]) - static_cast<double>(black[c])) / (3 * one);
+    return std::isfinite(shows) ? std::clamp(1 - shows, 0., 1.) : 1;
+}
+
+void take_background(std::vector<float>& black, const std::vector<float>& white) {
+    for (std::size_t i = 0; i + 3 < black.size(); i += 4)
+        black[i + 3] = static_cast<float>(covered(&black[i], &white[i], 1));
+}
+
+void take_background(std::vector<std::byte>& black, const std::vector<std::byte>& white) {
+    const auto* over_black = reinterpret_cast<const unsigned char*>(black.data());
+    const auto* over_white = reinterpret_cast<const unsigned char*>(white.data());
+    for (std::size_t i = 0; i + 3 < black.size(); i += 4) {
+        const double alpha = covered(over_black + i, over_white + i, 255);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double own = alpha > 0 ? std::min(255., over_black[i + c] / alpha) : 0;
+            black[i + c] = static_cast<std::byte>(std::lround(own));
+        }
+        black[i + 3] = static_cast<std::byte>(std::lround(alpha * 255));
+    }
+}
+
+template <class Read>
+content::Image drawn(Runtime& runtime, Frame frame, const Surface& surface, bool transparent, int width, Read read) {
+    if (transparent) frame.background = Vec4{0, 0, 0, 1};
+    runtime.draw(frame, surface);
+    auto pixels = read();
+    if (!transparent) return picture_of(without_alpha(pixels), width, 3);
+    frame.background = Vec4{1, 1, 1, 1};
+    frame.standing = true;
+    runtime.draw(frame, surface);
+    take_background(pixels, read());
+    return picture_of(pixels, width, 4);
+}
+
+std::string extension_of(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
+    return extension;
+}
+
+}  // namespace
+
+bool holds_floats(const std::string& path) {
+    const std::string extension = extension_of(path);
+    return extension == ".exr" || extension == ".hdr" || extension == ".pfm";
+}
+
+bool holds_alpha(const std::string& path) {
+    const std::string extension = extension_of(path);
+    return extension == ".png" || extension == ".exr";
+}
+
+content::Image draw_picture(Runtime& runtime, Frame frame, const gl::Target& target, Surface surface,
+                            const PictureKind& kind) {
+    surface.framebuffer = target.framebuffer.get();
+    const int width = surface.part ? surface.part->width : surface.width;
+    const int height = surface.part ? surface.part->height : surface.height;
+    if (kind.floats)
+        return drawn(runtime, frame, surface, kind.transparent, width,
+                     [&] { return gl::read_rgba32f(surface.framebuffer, width, height, target.samples); });
+    return drawn(runtime, frame, surface, kind.transparent, width,
+                 [&] { return gl::read_rgba8(surface.framebuffer, width, height, target.samples); });
+}
+
+}  // namespace snell::app

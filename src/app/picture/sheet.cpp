@@ -1,0 +1,99 @@
+#include "src/app/picture/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/ui/kit/lettering.h"
+
+namespace snell::app {
+
+namespace {
+
+constexpr int largest = 160, gap = 4;
+constexpr std::uint8_t paper = 32;
+
+content::Image blank(int width, int height, std::uint8_t gray) {
+    content::Image image;
+    image.width = width;
+    image.height = height;
+    image.channels = 3;
+    image.pixels.assign(image.bytes(), std::byte{gray});
+    return image;
+}
+
+// Text is as wide as the tile that it belongs to: a word that has no room begins another line.
+std::vector<std::string> lines_of(const ui::Lettering& letters, const std::string& label, int width) {
+    std::vector<std::string> lines(1);
+    for (std::size_t begin = 0; begin < label.size();) {
+        const std::size_t end = std::min(label.find(' ', begin), label.size());
+        const std::string word = label.substr(begin, end - begin);
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (lines.back().empty() || letters.width(longer) <= width)
+            lines.back() = longer;
+        else
+            lines.push_back(word);
+        begin = end + 1;
+    }
+    return lines;
+}
+
+void place(content::Image& sheet, const content::Image& tile, int x, int y) {
+    for (int row = 0; row < tile.height; ++row)
+        std::copy_n(tile.pixels.begin() + static_cast<std::ptrdiff_t>(tile.row_bytes()) * row, tile.row_bytes(),
+                    sheet.pixels.begin() + (static_cast<std::ptrdiff_t>(y + row) * sheet.width + x) * 3);
+}
+
+}  // namespace
+
+content::Image thumbnail(const content::Image& picture) {
+    const double scale = std::min(1., static_cast<double>(largest) / std::max(picture.width, picture.height));
+    content::Image result = blank(std::max(1, static_cast<int>(std::lround(picture.width * scale))),
+                                  std::max(1, static_cast<int>(std::lround(picture.height * scale))), 0);
+    const auto edge = [](int i, int size, int of) { return static_cast<std::size_t>(std::int64_t{i} * of / size); };
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    std::size_t out = 0;
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x)
+            for (std::size_t channel = 0; channel < 3; ++channel, ++out) {
+                const std::size_t from = channels < 3 ? 0 : channel;  // grey
+                double sum = 0, count = 0;
+                for (auto v = edge(y, result.height, picture.height); v < edge(y + 1, result.height, picture.height);
+                     ++v)
+                    for (auto u = edge(x, result.width, picture.width); u < edge(x + 1, result.width, picture.width);
+                         ++u, ++count)
+                        sum += static_cast<double>(content::value_at(
+                            picture, (v * static_cast<std::size_t>(picture.width) + u) * channels + from));
+                result.pixels[out] = static_cast<std::byte>(std::lround(sum > 0 ? std::min(sum / count, 1.) * 255 : 0));
+            }
+    return result;
+}
+
+content::Image contact_sheet(const std::vector<Tile>& tiles, std::size_t columns, bool labels) {
+    const ui::Lettering letters;
+    int width = 1, height = 1;
+    for (const Tile& tile : tiles) {
+        width = std::max(width, tile.picture.width);
+        height = std::max(height, tile.picture.height);
+    }
+    width = labels ? std::max(width, 96) : width;
+    std::size_t lines = 0;
+    for (const Tile& tile : tiles) lines = std::max(lines, labels ? lines_of(letters, tile.label, width).size() : 0);
+    const int step_x = width + gap, step_y = height + gap + static_cast<int>(lines) * letters.line_height();
+    columns = std::clamp<std::size_t>(columns, 1, std::max<std::size_t>(tiles.size(), 1));
+    const auto rows = static_cast<int>((tiles.size() + columns - 1) / columns);
+    content::Image sheet = blank(static_cast<int>(columns) * step_x + gap, std::max(rows, 1) * step_y + gap, paper);
+    const std::span<std::uint8_t> rgb(reinterpret_cast<std::uint8_t*>(sheet.pixels.data()), sheet.pixels.size());
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const int x = gap + static_cast<int>(i % columns) * step_x, y = gap + static_cast<int>(i / columns) * step_y;
+        place(sheet, tiles[i].picture, x + (width - tiles[i].picture.width) / 2, y);
+        if (!labels) continue;
+        int line = y + height + 1;
+        for (const std::string& text : lines_of(letters, tiles[i].label, width)) {
+            letters.draw(text, rgb, sheet.width, x, line, x + width);
+            line += letters.line_height();
+        }
+    }
+    return sheet;
+}
+
+}  // namespace snell::app

@@ -1,0 +1,78 @@
+#include "src/app/window/measure/accuracy_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace snell {
+
+namespace {
+
+using Show = ui::AccuracyMemory::Show;
+
+std::byte byte_of(float value) {
+    return static_cast<std::byte>(std::lround(255 * (value >= 0 ? std::min(value, 1.0F) : 0.0F)));
+}
+
+// As the screen shows it.
+std::vector<std::byte> bytes_of(const accuracy::Picture& picture) {
+    std::vector<std::byte> bytes(picture.rgba.size());
+    std::ranges::transform(picture.rgba, bytes.begin(), byte_of);
+    return bytes;
+}
+
+std::vector<std::byte> heat_of(const std::vector<float>& differences) {
+    std::vector<std::byte> bytes;
+    bytes.reserve(differences.size() * 4);
+    for (const float difference : differences) {
+        const double power = difference > 0 ? std::log10(difference) : difference == 0 ? ui::coldest : NAN;
+        const ui::Heat color = ui::heat((power - ui::coldest) / (ui::hottest - ui::coldest));
+        bytes.insert(bytes.end(), {byte_of(color.red), byte_of(color.green), byte_of(color.blue), std::byte{255}});
+    }
+    return bytes;
+}
+
+}  // namespace
+
+void AccuracyView::follow(Document& shown, bool stale, const Stand& stand, const ui::AccuracyMemory& memory) {
+    if (!memory.open || shown.scene().ladders.empty() || stand.width <= 0) {
+        refinement_.reset();
+        still_ = {};
+        uploaded_ = 0;
+        return;
+    }
+    if (!refinement_) refinement_ = std::make_unique<Refinement>(path_, caps_);
+    refinement_->follow(shown, stale, stand);
+    if (memory.show == Show::picture) return;
+    while (!refinement_->reference() && refinement_->busy() && refinement_->comparable()) refinement_->step();
+}
+
+void AccuracyView::measure(const ui::AccuracyMemory& memory) {
+    if (refinement_) refinement_->measure(memory.ladder);
+}
+
+const ui::AccuracyFacts* AccuracyView::facts(const ui::AccuracyMemory& memory) {
+    if (!refinement_) return nullptr;
+    facts_ = refinement_->facts(memory.ladder);
+    return &facts_;
+}
+
+std::uint64_t AccuracyView::revision(const ui::AccuracyMemory& memory) const {
+    if (!refinement_ || memory.show == Show::picture) return 0;
+    return 4 * refinement_->revision() + static_cast<std::uint64_t>(memory.show);
+}
+
+void AccuracyView::show(int y, const ui::AccuracyMemory& memory) {
+    const accuracy::Picture* reference = refinement_ ? refinement_->reference() : nullptr;
+    if (!reference || memory.show == Show::picture) return;
+    if (uploaded_ != revision(memory)) {
+        uploaded_ = revision(memory);
+        still_.set(reference->width, reference->height,
+                   memory.show == Show::split ? bytes_of(*reference) : heat_of(refinement_->differences()));
+    }
+    const double left = memory.show == Show::split ? memory.divider * reference->width : 0;
+    still_.show(0, y, static_cast<int>(std::lround(left)));
+}
+
+}  // namespace snell

@@ -1,0 +1,75 @@
+// Times the window's pictures while the frame cost panel is open and, on request, the passes and draws of one picture.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "src/app/open/document.h"
+#include "src/app/window/measure/refine.h"
+#include "src/gl/marks.h"
+#include "src/ui/panels/frame_cost.h"
+
+namespace snell {
+
+class FrameCosts {
+public:
+    explicit FrameCosts(const gl::Caps& caps);
+    ~FrameCosts();
+    FrameCosts(FrameCosts&&) noexcept;
+    FrameCosts& operator=(FrameCosts&&) noexcept;
+
+    // Starts or stops timing. Stopping discards all results; no work is done until it starts again.
+    void open(bool wanted);
+    // Call it before drawing a picture of the document with this revision. Returns the function for Frame::after.
+    const std::function<void(const Step&)>* begin(std::uint64_t revision);
+    // Call it after the picture was drawn and the GPU has finished.
+    void end();
+
+    // Starts or stops measuring passes and draws, in additional frames.
+    void measure();
+    bool busy() const { return apart_ != nullptr; }
+    // Draws one of the additional frames. Returns true if there is something new to show.
+    bool step(Document& document, const Stand& stand, int samples);
+    // Adds the results of measure(): times of passes, and of programs as the sum of their draws.
+    void fill(Explanation& explanation) const;
+
+    // Null while the panel is closed. Valid until the next call.
+    const ui::FrameCostFacts* facts(const Document* document);
+
+private:
+    static constexpr std::size_t most_frames = 240;  // number of frames in the plot
+    static constexpr int rounds = 11;  // number of additional frames for each measurement; the first warms up
+
+    using Key = std::pair<Index, Index>;  // pass and draw; `none` as the draw: the whole pass
+    using Times = std::map<Key, std::vector<double>>;
+    struct Apart;
+
+    bool by_gpu();
+    std::string_view clock();
+    void read_marks(double wall);
+    std::vector<ui::CostRow> rows_of(const Times& times, const Document& document) const;
+
+    gl::Caps caps_;
+    bool open_ = false, running_ = false;
+    double cpu_ = 0, wall_ = 0;           // at the beginning of the picture
+    std::vector<float> frames_, sorted_;  // in milliseconds; frames_ is in order of time
+    gl::Marks marks_;
+    std::vector<Index> marked_;  // the passes in the order of the marks; `none` for the time before them
+    std::function<void(const Step&)> listener_;
+    Times live_;   // of the last pictures, by the GPU's clock
+    int odd_ = 0;  // number of pictures for which the GPU's clock measured more time than passed
+    bool distrusted_ = false;
+    std::uint64_t revision_ = 0;
+    std::unique_ptr<Apart> apart_;
+    Times known_;                          // results of measure()
+    std::map<Key, std::size_t> together_;  // how many draws one call executed
+    std::vector<ui::CostRow> live_rows_, apart_rows_;
+    ui::FrameCostFacts facts_;
+};
+
+}  // namespace snell

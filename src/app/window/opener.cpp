@@ -1,0 +1,96 @@
+#include "src/app/window/opener.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "parser/text/utf8.h"
+#include "src/app/desktop/folder.h"
+
+namespace snell {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_folder(const std::string& path) {
+    std::error_code error;
+    return fs::is_directory(path, error);
+}
+
+// From the scene's folder, for what is not too far from it.
+std::string short_name(const std::string& path, const fs::path& folder) {
+    const fs::path relative = fs::path(path).lexically_normal().lexically_relative(folder.lexically_normal());
+    const bool near = !relative.empty() && !relative.string().starts_with("../../../");
+    return utf8::printable(near ? relative.string() : path);
+}
+
+}  // namespace
+
+void Opener::tell(ui::Facts& facts, const std::string& scene, const std::vector<std::string>& in_use) {
+    if (rows_at_ != facts.revision || rows_of_ != scene) {
+        const fs::path parent = fs::path(scene).parent_path();
+        const fs::path folder = parent.empty() ? fs::path(".") : parent;
+        rows_.clear();
+        for (const std::string& path : in_use) rows_.push_back({short_name(path, folder), path});
+        rows_at_ = facts.revision;
+        rows_of_ = scene;
+    }
+    facts.files = rows_;
+    facts.editor = editor_.name();
+    facts.recent = settings_.recent;
+    facts.listing = &listing_;
+}
+
+std::optional<std::string> Opener::scene_at(const std::string& path, ui::Memory& memory) {
+    const std::string whole = without_tilde(path);
+    if (!is_folder(whole)) return whole;
+    ui::Requests requests;
+    ui::open_browser(whole, memory, requests);
+    listing_ = list_folder(whole, memory.browser.all);
+    return std::nullopt;
+}
+
+std::optional<std::string> Opener::serve(const ui::Requests& requests, const std::string& scene, ui::Memory& memory) {
+    if (requests.browse) {
+        const std::string& wanted = memory.browser.folder;
+        listing_ = list_folder(wanted.empty() ? fs::path(scene).parent_path().string() : wanted, memory.browser.all);
+    }
+    if (!requests.edit.file.empty())
+        memory.notice = editor_.open(requests.edit.file, requests.edit.line, requests.edit.column);
+    return requests.open.empty() ? std::nullopt : scene_at(requests.open, memory);
+}
+
+std::optional<std::string> Opener::serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory) {
+    for (const std::string& path : paths)
+        if (is_folder(path) || fs::path(path).extension() == ".glib") return scene_at(path, memory);
+    if (!paths.empty()) memory.notice = "no .glib scene: " + utf8::printable(fs::path(paths[0]).filename().string());
+    return std::nullopt;
+}
+
+void Opener::opened(const std::string& scene) {
+    remember(settings_.recent, scene);
+    write();
+}
+
+void Opener::resized(int width, int height) {
+    settings_.width = width;
+    settings_.height = height;
+}
+
+void Opener::write() {
+    if (settings_ == kept_) return;
+    // Where it can't be written nothing is lost but comfort.
+    write_settings(file_, settings_);
+    kept_ = settings_;
+}
+
+bool Opener::look(ui::Memory& memory) {
+    gather(memory, settings_);
+    write();
+    std::string said = editor_.look();
+    if (said.empty()) return false;
+    memory.notice = std::move(said);
+    return true;
+}
+
+}  // namespace snell

@@ -1,0 +1,48 @@
+// Executes the user's requests about files: opens other scenes, lists folders, starts editors.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/app/desktop/editor.h"
+#include "src/app/desktop/settings.h"
+#include "src/ui/panels/state.h"
+
+namespace snell {
+
+class Opener {
+public:
+    // `file` is the path of the settings.
+    explicit Opener(std::string file) : file_(std::move(file)), kept_(read_settings(file_)), settings_(kept_) {}
+
+    const Settings& settings() const { return settings_; }
+    // `in_use` and `revision` are those of the session; the rows are made again when the revision changes.
+    void tell(ui::Facts& facts, const std::string& scene, const std::vector<std::string>& in_use);
+    // Returns the path of a scene to open, if there is one. Sets `notice` to the outcome of the other requests.
+    std::optional<std::string> serve(const ui::Requests& requests, const std::string& scene, ui::Memory& memory);
+    // Handles files that were dropped on the window: opens the first scene among them, or lists a folder.
+    std::optional<std::string> serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory);
+    // Call it regularly: it checks for ended editors and writes settings that changed, including the recent scenes.
+    // Returns true if it changed `memory.notice`.
+    bool look(ui::Memory& memory);
+    // Records the scene as the most recent one.
+    void opened(const std::string& scene);
+    // The size is in the window's coordinates at zoom 1 and 96 dots per inch.
+    void resized(int width, int height);
+    // Writes the settings if they changed.
+    void write();
+
+private:
+    std::optional<std::string> scene_at(const std::string& path, ui::Memory& memory);
+
+    std::string file_;
+    Settings kept_, settings_;
+    Editor editor_;
+    ui::Listing listing_;
+    std::vector<ui::FileRow> rows_;
+    std::string rows_of_;                        // the scene that rows_ belong to
+    std::uint64_t rows_at_ = ~std::uint64_t{0};  // the revision that rows_ belong to
+};
+
+}  // namespace snell

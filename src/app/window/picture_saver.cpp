@@ -1,0 +1,153 @@
+#include "src/app/window/picture_saver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "parser/text/utf8.h"
+#include "src/app/batch/shots.h"
+#include "src/runtime/resources/uniforms.h"
+
+namespace snell {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A larger part would keep the window from answering for long.
+constexpr int largest_part = 2048;
+
+Picture wanted(const Picture& shown, const ui::PictureMemory& picture) {
+    Picture result = shown;
+    result.width = static_cast<int>(picture.width);
+    result.height = static_cast<int>(picture.height);
+    result.samples = static_cast<int>(picture.samples);
+    result.file = picture.file.data();
+    result.transparent = picture.transparent;
+    result.frames = picture.sequence ? ui::picture_count(picture) : 0;
+    result.rate = picture.rate;
+    if (picture.sequence) result.time = picture.from;
+    // Where the mouse is on the picture.
+    result.view.mouse_x *= picture.width / std::max(1, shown.width);
+    result.view.mouse_y *= picture.height / std::max(1, shown.height);
+    return result;
+}
+
+// As `snell render -o` names them.
+std::vector<std::string> files_of(const std::string& scene, const Picture& picture, std::string& error) {
+    std::vector<app::Axis> axes;
+    if (picture.frames > 0) axes.push_back(app::frames_axis(static_cast<std::size_t>(picture.frames)));
+    const auto shots = app::plan_shots({scene}, std::move(axes), picture.file, error);
+    return shots ? shots->files : std::vector<std::string>{};
+}
+
+}  // namespace
+
+// Beside the scene, as large as it is shown.
+void PictureSaver::fill(const Document& document, const Picture& shown, ui::PictureMemory& picture) {
+    picture.error.clear();
+    picture.there.clear();
+    if (filled_for_ == document.path) return;
+    filled_for_ = document.path;
+    std::error_code error;
+    fs::path path = fs::absolute(document.path, error).replace_extension("png");
+    std::string text;
+    for (const char c : path.string()) text += c == '{' || c == '}' ? std::string(2, c) : std::string(1, c);
+    const std::size_t length = text.copy(picture.file.data(), picture.file.size() - 1);
+    picture.file[length] = '\0';
+    picture.width = shown.width;
+    picture.height = shown.height;
+}
+
+void PictureSaver::serve(const ui::Requests& requests, const Document& document, const Picture& shown, Window& window,
+                         ui::Memory& memory) {
+    ui::PictureMemory& picture = memory.picture;
+    switch (requests.picture) {
+        case ui::PictureRequest::none:
+            return;
+        case ui::PictureRequest::open:
+            fill(document, shown, picture);
+            picture.open = true;
+            return;
+        case ui::PictureRequest::command: {
+            const std::string command = render_command(document, wanted(shown, picture));
+            window.set_clipboard(command);
+            memory.notice = "copied: " + command;
+            return;
+        }
+        case ui::PictureRequest::stop:
+            return end(memory, "stopped");
+        case ui::PictureRequest::save:
+        case ui::PictureRequest::replace:
+            picture.error =
+                utf8::printable(begin(document, shown, picture, requests.picture == ui::PictureRequest::replace));
+            return;
+    }
+}
+
+// "" or why nothing begins.
+std::string PictureSaver::begin(const Document& document, const Picture& shown, ui::PictureMemory& picture,
+                                bool replace) {
+    const Picture asked = wanted(shown, picture);
+    std::string error;
+    auto work = std::make_unique<Work>();
+    work->files = files_of(document.path, asked, error);
+    if (!error.empty()) return error;
+    std::error_code none;
+    const auto there =
+        std::ranges::find_if(work->files, [&](const std::string& file) { return fs::exists(file, none); });
+    picture.there = replace || there == work->files.end() ? "" : picture.file.data();
+    if (!picture.there.empty()) return {};
+    if (asked.transparent && !app::holds_alpha(work->files.front()))
+        return "this format can't be transparent: PNG and EXR can";
+    work->document = &document;
+    work->revision = revision_;
+    work->from = asked.time;
+    work->rate = asked.rate;
+    work->view = asked.view;
+    work->controls = document.controls;
+    work->size = {asked.width, asked.height, asked.samples, app::holds_floats(work->files.front())};
+    work->tiling = app::tile(work->size, limits_, caps_, largest_part);
+    work->transparent = asked.transparent;
+    if (!work->tiling.error.empty()) return work->tiling.error;
+    work_ = std::move(work);
+    picture.progress = 0;
+    return {};
+}
+
+void PictureSaver::end(ui::Memory& memory, const std::string& error) {
+    if (!work_) return;
+    const Work& work = *work_;
+    memory.picture.progress.reset();
+    memory.picture.error = utf8::printable(error);
+    if (error.empty()) {
+        const std::string last = utf8::printable(fs::path(work.files.back()).filename().string());
+        memory.notice = work.files.size() == 1
+                            ? fmt::format("saved {}, {}x{}", last, work.size.width, work.size.height)
+                            : fmt::format("saved {} pictures, the last is {}", work.files.size(), last);
+        memory.picture.open = false;
+    }
+    work_.reset();
+}
+
+void PictureSaver::step(Document* document, std::uint64_t revision, ui::Memory& memory) {
+    revision_ = revision;
+    if (!work_) return;
+    Work& work = *work_;
+    if (document != work.document || revision != work.revision) return end(memory, "the scene is another now");
+    if (!work.painting)
+        work.painting =
+            std::make_unique<app::Painting>(work.files[work.done], work.size, work.tiling, work.transparent);
+    const Frame frame{work.from + runtime::frame_time(work.done, work.rate), work.view, work.controls};
+    if (!work.painting->step(*document->runtime, frame)) {
+        if (!work.painting->error().empty()) return end(memory, work.painting->error());
+        work.painting.reset();
+        ++work.done;
+    }
+    const double part = work.painting ? work.painting->progress() : 0;
+    memory.picture.progress = (static_cast<double>(work.done) + part) / static_cast<double>(work.files.size());
+    if (work.done == work.files.size()) end(memory, {});
+}
+
+}  // namespace snell

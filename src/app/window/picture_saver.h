@@ -1,0 +1,58 @@
+// Saves pictures of the window's scene part by part, while the window stays responsive.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/app/open/command_text.h"
+#include "src/app/open/document.h"
+#include "src/app/picture/painting.h"
+#include "src/platform/window.h"
+#include "src/ui/panels/state.h"
+
+namespace snell {
+
+class PictureSaver {
+public:
+    // The GL context of `caps` must be current during the object's whole life.
+    PictureSaver(gl::Caps caps, Limits limits) : caps_(std::move(caps)), limits_(limits) {}
+
+    // Executes requests of the picture window; `shown` is what the window shows now.
+    void serve(const ui::Requests& requests, const Document& document, const Picture& shown, Window& window,
+               ui::Memory& memory);
+    bool busy() const { return work_ != nullptr; }
+    // Draws the next part; call it while busy() is true. Gives up if `document` was read again: `revision` is its
+    // current revision.
+    void step(Document* document, std::uint64_t revision, ui::Memory& memory);
+
+private:
+    // A copy of everything the pictures depend on, so that changes in the window do not affect them.
+    struct Work {
+        const Document* document = nullptr;
+        std::uint64_t revision = 0;
+        std::vector<std::string> files;
+        std::size_t done = 0;
+        double from = 0, rate = 25;
+        View view;
+        Controls controls;
+        app::PictureSize size;
+        app::Tiling tiling;
+        bool transparent = false;
+        std::unique_ptr<app::Painting> painting;
+    };
+
+    void fill(const Document& document, const Picture& shown, ui::PictureMemory& picture);
+    std::string begin(const Document& document, const Picture& shown, ui::PictureMemory& picture, bool replace);
+    void end(ui::Memory& memory, const std::string& error);
+
+    gl::Caps caps_;
+    Limits limits_;
+    std::unique_ptr<Work> work_;
+    std::string filled_for_;  // the scene that the dialog's fields were filled for
+    std::uint64_t revision_ = 0;
+};
+
+}  // namespace snell

@@ -1,0 +1,202 @@
+#include "src/app/window/session.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "src/app/open/rounds.h"
+#include "src/app/open/snapshots.h"
+
+namespace snell {
+
+namespace {
+
+bool same_error(const Diagnostic& a, const Diagnostic& b) { return a.code == b.code && a.message == b.message; }
+
+// Whether `now` breaks nothing that `before` had whole. A scene that always had an unknown command still follows
+// the edits of its shaders.
+bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
+    return std::all_of(now.items().begin(), now.items().end(), [&](const Diagnostic& error) {
+        return error.severity != Severity::error ||
+               std::any_of(before.items().begin(), before.items().end(), [&](const Diagnostic& old) {
+                   return old.severity == Severity::error && same_error(old, error);
+               });
+    });
+}
+
+ui::Problem problem_of(const Diagnostic& diagnostic, const Sources& sources) {
+    ui::Problem problem{diagnostic.severity, render(diagnostic, sources), {}};
+    const Span span = diagnostic.span;
+    if (!diagnostic.has_span || span.file >= sources.size()) return problem;
+    const Position at = sources.position(span.file, span.begin);
+    std::error_code error;
+    const std::string name(sources.name(span.file));
+    // What is built in has a name and no file.
+    if (std::filesystem::is_regular_file(name, error)) problem.place = {name, at.line, at.column};
+    return problem;
+}
+
+std::string folder_of(const std::string& file) {
+    const std::string folder = std::filesystem::path(file).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+}  // namespace
+
+Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs first, Watcher progress,
+                 const Recovery* recovery)
+    : path_(std::move(path)),
+      caps_(std::move(caps)),
+      access_(std::move(access)),
+      first_(std::move(first)),
+      progress_(std::move(progress)) {
+    if (recovery)
+        recover(*recovery);
+    else
+        reload();
+}
+
+std::unique_ptr<Document> Session::read(const std::string& path, const Document* previous, const FirstRungs& first) {
+    Diagnostics refused;
+    const auto choose = [&](const Scene& scene, Rungs& rungs) {
+        if (previous && path == path_)
+            carry_over(previous->controls.rungs, previous->scene(), rungs, scene);
+        else if (!by_hand_.empty() && path == path_)
+            restore_rungs(by_hand_, scene, rungs);
+        else if (first)
+            first(scene, rungs, refused);
+    };
+    RuntimeOptions options;
+    options.previous = previous ? &*previous->runtime : nullptr;
+    options.progress = progress_;
+    const auto planned = [this](const Plan& plan, Document& document) {
+        read_plan_ = plan;
+        if (may_go_round(plan, document, caps_)) document.diagnostics.append(too_many_rounds(plan, document));
+    };
+    std::unique_ptr<Document> read = open_document(path, caps_, choose, planned, options, access_);
+    broken_ = read->diagnostics.has_errors();
+    read->diagnostics.append(refused);
+    return read;
+}
+
+void Session::reload() {
+    ++revision_;
+    take(read(path_, shown_.get(), first_));
+}
+
+std::string Session::open(std::string path) {
+    std::unique_ptr<Document> fresh = read(path, shown_.get(), nullptr);
+    if (!fresh->runtime) {
+        const auto& problems = fresh->diagnostics.items();
+        return problems.empty() ? "can't read " + path : problems.front().message;
+    }
+    ++revision_;
+    path_ = std::move(path);
+    first_ = nullptr;
+    // What both scenes have is taken over by now; values are not.
+    shown_.reset();
+    kept_ = nullptr;
+    by_hand_.clear();
+    take(std::move(fresh));
+    return {};
+}
+
+void Session::take(std::unique_ptr<Document> read) {
+    problems_.clear();
+    for (const Diagnostic& diagnostic : read->diagnostics.items())
+        problems_.push_back(problem_of(diagnostic, read->sources));
+    errors_ = file_errors_ = read->diagnostics.errors();
+    file_problems_ = problems_.size();
+    watch(*read);
+    const bool shows = shown_ != nullptr;
+    stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
+    if (stale_ || !read->runtime) return;
+    // A program that is broken now has no place for its values: until nothing is, what lacks them gets them.
+    if (!by_hand_.empty()) restore_changed(by_hand_, *read);
+    if (!read->diagnostics.has_errors()) by_hand_.clear();
+    if (shows) carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
+    keep_shown();
+    shown_ = std::move(read);
+    plan_ = std::move(read_plan_);
+    drawn_well_ = false;
+    if (shown_->scene().verbose) std::fputs(verbose_report(*shown_).c_str(), stderr);
+}
+
+// What is about to be replaced.
+void Session::keep_shown() {
+    if (!shown_ || !drawn_well_) return;
+    drawn_well_ = false;
+    shown_->runtime.reset();
+    plan_.rungs = shown_->controls.rungs;
+    kept_ =
+        std::make_shared<const Kept>(Kept{std::move(plan_), std::move(shown_->sources), std::move(shown_->controls)});
+}
+
+std::shared_ptr<const Kept> Session::salvage() {
+    keep_shown();
+    shown_.reset();
+    return kept_;
+}
+
+void Session::recover(const Recovery& recovery) {
+    ++revision_;
+    problems_ = {{Severity::error, recovery.problem, {}}};
+    errors_ = file_errors_ = file_problems_ = 1;
+    files_ = recovery.files;
+    watch_.set_paths(recovery.files);
+    by_hand_ = recovery.values;
+    if (!recovery.kept) return;
+    const Kept& kept = *recovery.kept;
+    auto document = std::make_unique<Document>();
+    document->path = path_;
+    document->files = std::make_unique<Files>(scene_folder(path_), access_);
+    document->sources = kept.sources;
+    RuntimeOptions options;
+    options.progress = progress_;
+    document->runtime.emplace(kept.plan, *document->files, document->sources, caps_, document->diagnostics, options);
+    document->controls = make_controls(document->scene(), document->runtime->active_uniforms(), document->diagnostics);
+    document->controls.rungs = document->runtime->rungs();
+    carry_over(kept.controls, kept.plan.scene, document->controls, document->scene());
+    shown_ = std::move(document);
+    plan_ = kept.plan;
+    stale_ = true;
+}
+
+bool Session::follow_rungs() {
+    if (!shown_ || !snell::follow_rungs(*shown_)) return false;
+    ++revision_;
+    const Diagnostics& found = shown_->runtime->ladder_problems();
+    problems_.resize(file_problems_);
+    for (const Diagnostic& diagnostic : found.items()) problems_.push_back(problem_of(diagnostic, shown_->sources));
+    errors_ = file_errors_ + found.errors();
+    return true;
+}
+
+void Session::watch(const Document& read) {
+    std::vector<std::string> paths = read.files->read_paths();
+    // What is shown may use files that a broken edit no longer names: repairing it must be seen all the same.
+    if (shown_) {
+        const std::vector<std::string> more = shown_->files->read_paths();
+        paths.insert(paths.end(), more.begin(), more.end());
+    }
+    paths.insert(paths.begin(), path_);
+    files_.clear();
+    for (const std::string& path : paths)
+        if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
+    // A file that was missing may appear: that changes its folder.
+    if (broken_) {
+        std::vector<std::string> folders;
+        std::transform(paths.begin(), paths.end(), std::back_inserter(folders), folder_of);
+        paths.insert(paths.end(), folders.begin(), folders.end());
+    }
+    watch_.set_paths(std::move(paths));
+}
+
+std::string Session::problems_text() const {
+    std::string text;
+    for (const ui::Problem& problem : problems_) text += problem.text;
+    return text;
+}
+
+}  // namespace snell

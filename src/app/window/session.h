@@ -1,0 +1,88 @@
+// A scene that is being edited. It is read again whenever one of its files is saved, and once it was shown, there is
+// always a picture.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/app/desktop/watch.h"
+#include "src/app/open/document.h"
+#include "src/app/window/survive/recovery.h"
+#include "src/ui/panels/state.h"
+
+namespace snell {
+
+// Changes the rungs that a scene begins with; problems are shown together with the scene's.
+using FirstRungs = std::function<void(const Scene& scene, Rungs& rungs, Diagnostics& diagnostics)>;
+
+class Session {
+public:
+    // The GL context of `caps` must be current during the object's whole life. `progress` is called while the scene
+    // loads. With `recovery` the session begins with that state instead of the file.
+    Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr, Watcher progress = nullptr,
+            const Recovery* recovery = nullptr);
+
+    // Tells that the shown document was drawn without problems, with its current values.
+    void drawn_well() { drawn_well_ = true; }
+    // Returns the last state that was drawn without problems, for use after the loss of the context. The session then
+    // shows nothing any more.
+    std::shared_ptr<const Kept> salvage();
+    // The recovery's values, until they have been restored.
+    const std::string& by_hand() const { return by_hand_; }
+
+    // Reads the files again. If the new version has errors that the shown one does not have, its problems are shown
+    // over the last good picture. Values of controls carry over.
+    void reload();
+    // Shows another scene as it is in its file. Returns "", or why the current scene stays.
+    std::string open(std::string path);
+    // True if a file in use was saved, so that the scene must be reloaded.
+    bool saved() { return watch_.changed(); }
+
+    // Compiles the programs for other rungs if the controls ask for them. Returns true if the problems may have
+    // changed.
+    bool follow_rungs();
+
+    // The shown document; null until the scene's file could be read.
+    Document* document() { return shown_.get(); }
+    // The problems of the files as they are now.
+    const std::vector<ui::Problem>& problems() const { return problems_; }
+    std::size_t errors() const { return errors_; }
+    bool stale() const { return stale_; }
+    std::uint64_t revision() const { return revision_; }  // number of readings and of choices of rungs so far
+    std::string problems_text() const;
+    // Every file in use, with the scene first. After a broken edit, both the files that it reads and those of the shown
+    // picture.
+    const std::vector<std::string>& files() const { return files_; }
+    const std::string& path() const { return path_; }
+
+private:
+    std::unique_ptr<Document> read(const std::string& path, const Document* previous, const FirstRungs& first);
+    void take(std::unique_ptr<Document> read);
+    void recover(const Recovery& recovery);
+    void keep_shown();
+    void watch(const Document& read);
+
+    std::string path_;
+    gl::Caps caps_;
+    Access access_;
+    FirstRungs first_;
+    Watcher progress_;
+    std::unique_ptr<Document> shown_;
+    Plan plan_, read_plan_;  // of shown_; of the last reading
+    bool drawn_well_ = false;
+    std::string by_hand_;
+    std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems
+    std::vector<ui::Problem> problems_;  // those of the files, then those of rungs that were chosen since
+    std::size_t file_problems_ = 0, file_errors_ = 0;
+    std::size_t errors_ = 0;
+    bool stale_ = false;
+    bool broken_ = false;  // the last reading has errors of its own, not only from the command line
+    std::uint64_t revision_ = 0;
+    std::vector<std::string> files_;
+    Watch watch_;
+};
+
+}  // namespace snell

@@ -1,0 +1,75 @@
+#include "src/app/window/survive/keeper.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+namespace snell {
+
+namespace {
+
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string short_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+std::string restore(int number, Document& document) {
+    const Restored restored = restore_snapshot(number, document);
+    if (!restored.error.empty()) return restored.error;
+    const std::string lost =
+        restored.lost == 0 ? "" : fmt::format("; {} left out: not in this scene", counted(restored.lost, "value"));
+    return fmt::format("snapshot {}{}", number, lost);
+}
+
+}  // namespace
+
+void Keeper::tell(ui::Facts& facts, const Document* document) {
+    if (looked_ != facts.revision) snapshots_ = snapshots_there(scene_);
+    looked_ = facts.revision;
+    facts.undoable = !saved_.empty();
+    facts.changed = document && document->runtime && changed_values(*document) > 0;
+    facts.snapshots = snapshots_;
+}
+
+void Keeper::serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
+                   std::string& notice) {
+    if (requests.save) notice = save(document);
+    if (requests.undo_save) notice = undo();
+    if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
+    if (requests.store_snapshot > 0) notice = store(requests.store_snapshot, document);
+    if (requests.copy_command) {
+        const std::string command = render_command(document, picture);
+        window.set_clipboard(command);
+        notice = "copied: " + command;
+    }
+}
+
+std::string Keeper::save(const Document& document) {
+    Saved saved = saved_values(document);
+    if (saved.error.empty()) saved.error = write_saved(saved.files);
+    if (!saved.error.empty()) return "not saved: " + saved.error;
+    std::string notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
+    for (const SavedFile& file : saved.files) notice += " " + short_name(file.path);
+    for (const Unwritten& value : saved.unwritten) notice += fmt::format("\nnot {}: {}", value.name, value.reason);
+    if (!saved.files.empty()) saved_.push_back(std::move(saved.files));
+    return notice;
+}
+
+std::string Keeper::undo() {
+    if (saved_.empty()) return {};
+    const std::string error = undo_saved(saved_.back());
+    if (!error.empty()) return "not undone: " + error;
+    const std::string name = short_name(saved_.back().front().path);
+    saved_.pop_back();
+    return name + " is as it was before";
+}
+
+std::string Keeper::store(int number, const Document& document) {
+    const std::string error = store_snapshot(number, document);
+    snapshots_ = snapshots_there(scene_);
+    return error.empty() ? fmt::format("snapshot {} is in {}", number, short_name(snapshots_file(scene_))) : error;
+}
+
+}  // namespace snell

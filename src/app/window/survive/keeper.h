@@ -1,0 +1,40 @@
+// Executes the requests to keep values: it saves them to the scene, stores and restores snapshots, and copies the
+// command that draws the picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "src/app/open/command_text.h"
+#include "src/app/open/document.h"
+#include "src/app/open/save_values.h"
+#include "src/app/open/snapshots.h"
+#include "src/platform/window.h"
+#include "src/ui/panels/state.h"
+
+namespace snell {
+
+class Keeper {
+public:
+    explicit Keeper(std::string scene) : scene_(std::move(scene)) {}
+
+    // Fills in what the panels show: whether values changed, whether saving can be undone, and the snapshots.
+    void tell(ui::Facts& facts, const Document* document);
+    // Executes the requests and sets `notice` to their outcome.
+    void serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
+               std::string& notice);
+
+private:
+    std::string save(const Document& document);
+    std::string undo();
+    std::string store(int number, const Document& document);
+
+    std::string scene_;
+    std::vector<std::vector<SavedFile>> saved_;  // the latest is last
+    std::array<bool, ui::snapshot_count + 1> snapshots_{};
+    std::uint64_t looked_ = 0;  // the revision at which the snapshots were last looked for
+};
+
+}  // namespace snell

@@ -1,0 +1,133 @@
+#include "src/app/window/window_state.h"
+
+#include <nlohmann/json.hpp>
+
+#include "src/app/open/view_text.h"
+#include "src/content/replace.h"
+#include "src/gl/debug.h"
+#include "src/runtime/inspect.h"
+
+namespace snell {
+
+namespace {
+
+using nlohmann::json;
+
+json rect_of(const ui::Rect& rect) { return json::array({rect.x, rect.y, rect.width, rect.height}); }
+
+json controls_of(const Document& document) {
+    json controls = json::object();
+    for (const Control& control : document.controls.items)
+        controls[document.scene().programs[control.program].name + "." + control.name] = control.value;
+    return controls;
+}
+
+json view_of(const View& view, const ui::HoldMemory& hold) {
+    const Transformation& t = view.scene;
+    return {{"rotate_x", t.rotate_x},
+            {"rotate_y", t.rotate_y},
+            {"scale", t.scale},
+            {"x", t.x},
+            {"y", t.y},
+            {"z", t.z},
+            {"axes", view.axes},
+            {"text", view_text(view)},
+            {"picking", hold.picking},
+            {"object", hold.object == none ? json() : json(hold.object)}};
+}
+
+json rungs_of(const Document& document) {
+    json rungs = json::object();
+    const std::vector<Ladder>& ladders = document.scene().ladders;
+    for (std::size_t i = 0; i < ladders.size() && i < document.controls.rungs.size(); ++i)
+        rungs[ladders[i].name] = ladders[i].rungs[document.controls.rungs[i]];
+    return rungs;
+}
+
+json accuracy_of(const ui::AccuracyMemory& memory, const ui::AccuracyFacts& facts) {
+    json points = json::array();
+    for (const ui::AccuracyPoint& point : facts.points)
+        points.push_back({{"name", point.name},
+                          {"milliseconds", point.milliseconds},
+                          {"error", point.error},
+                          {"standing", ui::standing_text(point)},
+                          {"chosen", point.chosen}});
+    return {{"note", facts.note},         {"samples", facts.samples},
+            {"wanted", facts.wanted},     {"milliseconds", facts.milliseconds},
+            {"error", facts.error},       {"measuring", facts.measured.has_value()},
+            {"remark", facts.remark},     {"divider", memory.divider},
+            {"points", std::move(points)}};
+}
+
+// Numbers as text: JSON has neither NaN nor infinity.
+json pixels_of(const ui::PixelFacts& facts) {
+    json pixels = json::object();
+    if (facts.flags)
+        for (const Flag flag : {Flag::nan, Flag::infinite, Flag::negative, Flag::above_one})
+            pixels["flags"][std::string(name(flag))] = (*facts.flags)[flag];
+    if (!facts.inspection) return pixels;
+    const Inspection& found = *facts.inspection;
+    pixels["at"] = {found.x, found.y};
+    for (const float value : found.pixel()) pixels["rgba"].push_back(ui::value_text(value).view());
+    if (found.depth) pixels["depth"] = *found.depth;
+    if (found.distance) pixels["distance"] = *found.distance;
+    pixels["statement"] = facts.statement;
+    pixels["place"] = facts.place;
+    return pixels;
+}
+
+json frame_cost_of(const ui::FrameCostFacts& facts) {
+    const auto rows = [](std::span<const ui::CostRow> costs) {
+        json list = json::array();
+        for (const ui::CostRow& cost : costs)
+            list.push_back({{"name", cost.name}, {"milliseconds", cost.milliseconds}, {"draw", cost.draw}});
+        return list;
+    };
+    return {{"clock", facts.clock},
+            {"pictures", facts.frames.size()},
+            {"median", facts.median},
+            {"high", facts.high},
+            {"passes", rows(facts.passes)},
+            {"apart", rows(facts.apart)},
+            {"measuring", facts.measuring.has_value()}};
+}
+
+}  // namespace
+
+void write_window_state(const std::string& file, const WindowCounters& counters, Session& session, const View& view,
+                        const ui::Layout& layout, const ui::Memory& memory, const ui::Facts& measured, PixelSize size) {
+    json state{{"frames", counters.frames},
+               {"presents", counters.presents},
+               {"time", counters.time},
+               {"frame_ms", counters.frame_ms},
+               {"revision", session.revision()},
+               {"errors", session.errors()},
+               {"problems", session.problems_text()},
+               {"stale", session.stale()},
+               {"view", view_of(view, memory.hold)},
+               {"notice", memory.notice},
+               {"file", session.path()},
+               {"files", session.files()},
+               {"dark", memory.theme == ui::Theme::dark},
+               {"zoom", memory.zoom},
+               {"scene", rect_of(memory.scene)},
+               {"size", {size.width, size.height}},
+               {"gl_errors", gl::take_errors()}};
+    if (const Document* document = session.document()) {
+        const Counters& drawn = document->runtime->counters();
+        state["controls"] = controls_of(*document);
+        state["rungs"] = rungs_of(*document);
+        for (const CounterName& counter : counter_names())
+            state["counters"][std::string(counter.name)] = drawn.*counter.value;
+    }
+    if (measured.accuracy) state["accuracy"] = accuracy_of(memory.accuracy, *measured.accuracy);
+    if (measured.pixels) state["pixels"] = pixels_of(*measured.pixels);
+    if (measured.frame_cost) state["frame_cost"] = frame_cost_of(*measured.frame_cost);
+    json widgets = json::object();
+    for (const ui::Placed& placed : layout.items())
+        if (placed.visible) widgets[placed.name] = rect_of(placed.rect);
+    state["widgets"] = std::move(widgets);
+    content::replace_file(file, state.dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace snell

@@ -1,0 +1,163 @@
+#include "src/content/image/image.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "src/content/image/formats.h"
+
+namespace snell::content {
+namespace {
+
+std::size_t channel_bytes(PixelType type) {
+    switch (type) {
+        case PixelType::u8:
+            return 1;
+        case PixelType::f16:
+            return 2;
+        case PixelType::f32:
+            return 4;
+    }
+    return 0;
+}
+
+// The value 1 in a channel of this type.
+std::array<std::byte, 4> one(PixelType type) {
+    std::array<std::byte, 4> bytes{std::byte{255}};
+    const std::uint16_t half = 0x3c00;
+    const float full = 1;
+    if (type == PixelType::f16) std::memcpy(bytes.data(), &half, 2);
+    if (type == PixelType::f32) std::memcpy(bytes.data(), &full, 4);
+    return bytes;
+}
+
+ImageResult not_a_picture(std::string_view format) {
+    if (format == "git-lfs") {
+        return image_failed("image-unreadable", "the file is a pointer of Git LFS, not the picture itself",
+                            "fetch the pictures with 'git lfs pull'");
+    }
+    std::string name(format);
+    for (char& c : name) c = static_cast<char>(c - 'a' + 'A');
+    return image_failed("image-unreadable", "the file holds " + name + ", not a picture",
+                        format == "html" ? "download the picture itself, not the page that shows it"
+                                         : "save the picture as PNG, JPEG, BMP, HDR or EXR");
+}
+
+ImageResult decode_as(std::string_view format, std::string_view named, std::string_view bytes,
+                      const ImageLimits& limits) {
+    if (format == "bmp") return decode_bmp(bytes, limits);
+    if (format == "png") return decode_png(bytes, limits);
+    if (format == "tex") return decode_tex(bytes, limits);
+    for (const std::string_view other : {"html", "svg", "pdf", "zip", "git-lfs"}) {
+        if (format == other) return not_a_picture(format);
+    }
+    // Some of OpenImageIO's readers allocate memory for the whole image before its size can be queried.
+    if (const auto header = format.empty() ? std::nullopt : read_header(bytes, bytes.size())) {
+        if (auto issue = check_size(format, header->width, header->height, header->depth, 1, limits))
+            return {{}, {*issue}};
+    }
+    return decode_other(bytes, format.empty() ? named : format, limits);
+}
+
+}  // namespace
+
+std::size_t Image::pixel_bytes() const { return static_cast<std::size_t>(channels) * channel_bytes(type); }
+
+ImageResult image_failed(std::string code, std::string message, std::string help) {
+    return {{}, {{true, std::move(code), std::move(message), std::move(help)}}};
+}
+
+std::optional<ImageIssue> check_size(std::string_view format, std::int64_t width, std::int64_t height,
+                                     std::int64_t depth, std::size_t pixel_bytes, const ImageLimits& limits) {
+    const auto too_large = [&](const std::string& limit, std::string help) {
+        const std::string size =
+            std::to_string(width) + " x " + std::to_string(height) + (depth > 1 ? " x " + std::to_string(depth) : "");
+        return ImageIssue{true, "image-too-large",
+                          std::string(format) + " picture: " + size + " texels are more than " + limit,
+                          "make it smaller; " + std::move(help)};
+    };
+    if (std::max({width, height, depth}) > limits.side) {
+        return too_large("the limit of " + std::to_string(limits.side) + " along one side",
+                         limit_help(static_cast<std::uint64_t>(limits.side), &Limits::texture_side));
+    }
+    if (width <= 0 || height <= 0 || depth <= 0) {
+        return ImageIssue{true, "image-unreadable", std::string(format) + " picture: it has no texels",
+                          "save it again"};
+    }
+    // Each factor is below 2^31, so the product of two fits; that of three is computed in floating point.
+    const double bytes =
+        static_cast<double>(width * height) * static_cast<double>(depth) * static_cast<double>(pixel_bytes);
+    if (bytes > static_cast<double>(limits.bytes)) {
+        return too_large("the limit of " + std::to_string(limits.bytes >> 20) + " MiB",
+                         limit_help(limits.bytes, &Limits::texture_bytes));
+    }
+    return std::nullopt;
+}
+
+ImageResult decode_image(const std::string& path, std::string_view bytes, const ImageLimits& limits) {
+    if (bytes.empty()) return image_failed("image-unreadable", "the file is empty", "copy the file again");
+    const std::string extension = extension_of(path);
+    const std::string_view named = format_of_extension(extension);
+    std::string_view format = sniff(bytes);
+    // Raw textures have no signature: a file whose size matches its first numbers exactly is treated as one under any
+    // name.
+    if (format.empty() && (named == "tex" || (named != "targa" && tex_header(bytes, bytes.size())))) format = "tex";
+    if (format.empty() && (named == "bmp" || named == "png")) format = named;  // their decoders report what is wrong
+    const bool misnamed = !format.empty() && !named.empty() && format != named;
+    ImageResult result = decode_as(format, named, bytes, limits);
+    if (misnamed && result.image) {
+        result.issues.push_back({false, "image-misnamed",
+                                 "the file is named ." + extension + " but holds a picture in " + std::string(format) +
+                                     " format; it is read as that",
+                                 "rename it"});
+    }
+    return result;
+}
+
+Image checkerboard(int size) {
+    Image image;
+    image.width = image.height = std::max(size, 1);
+    image.pixels.resize(image.bytes(), std::byte{0});
+    const int square = std::max(image.width / 8, 1);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            std::byte* const pixel =
+                image.pixels.data() +
+                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+            if ((x / square + y / square) % 2 == 0) pixel[0] = pixel[2] = std::byte{255};
+            pixel[3] = std::byte{255};
+        }
+    }
+    return image;
+}
+
+Image flipped(const Image& image) {
+    Image result = image;
+    const std::size_t row = image.row_bytes(), rows = static_cast<std::size_t>(image.height);
+    for (std::size_t z = 0; z < static_cast<std::size_t>(image.depth); ++z) {
+        for (std::size_t y = 0; y < rows; ++y) {
+            std::memcpy(result.pixels.data() + (z * rows + rows - 1 - y) * row,
+                        image.pixels.data() + (z * rows + y) * row, row);
+        }
+    }
+    result.bottom_first = !image.bottom_first;
+    return result;
+}
+
+Image to_rgba(const Image& image) {
+    if (image.channels == 4) return image;
+    Image result = image;
+    result.channels = 4;
+    result.pixels.resize(result.bytes());
+    const std::size_t size = channel_bytes(image.type), from = image.pixel_bytes(), to = result.pixel_bytes();
+    const bool grey = image.channels <= 2, alpha = image.channels == 2;
+    const auto opaque = one(image.type);
+    const std::byte* in = image.pixels.data();
+    std::byte* out = result.pixels.data();
+    for (const std::byte* const end = in + image.pixels.size(); in != end; in += from, out += to) {
+        for (std::size_t c = 0; c < 3; ++c) std::memcpy(out + c * size, in + (grey ? 0 : c * size), size);
+        std::memcpy(out + 3 * size, alpha ? in + size : opaque.data(), size);
+    }
+    return result;
+}
+
+}  // namespace snell::content

@@ -1,0 +1,86 @@
+// Images on the CPU. No GL; OpenImageIO is used only through module.h.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/text/limits.h"
+
+namespace snell::content {
+
+enum class PixelType : std::uint8_t { u8, f16, f32 };
+
+// Tightly packed pixels. Row 0 is the *top* row of the image (for volumes, slice 0 is first). Raw .tex files are in
+// texture order instead, with row 0 at t = 0, and have `bottom_first` set.
+struct Image {
+    int width = 0, height = 1, depth = 1;
+    int channels = 4;  // 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
+    PixelType type = PixelType::u8;
+    bool bottom_first = false;
+    std::vector<std::byte> pixels;
+
+    std::size_t pixel_bytes() const;
+    std::size_t row_bytes() const { return pixel_bytes() * static_cast<std::size_t>(width); }
+    std::size_t bytes() const {
+        return row_bytes() * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
+    }
+};
+
+struct ImageLimits {
+    int side = static_cast<int>(Limits{}.texture_side);
+    std::size_t bytes = Limits{}.texture_bytes;
+};
+
+struct ImageIssue {
+    bool error = false;
+    std::string code;     // "image-unreadable", "image-truncated", "image-too-large", "image-non-finite" …
+    std::string message;  // names the format and what is wrong
+    std::string help;     // what the user can do
+};
+
+struct ImageResult {
+    std::optional<Image> image;  // nullopt if an issue is an error
+    std::vector<ImageIssue> issues;
+};
+
+// Decodes an image file, whose format is recognised by its content, otherwise by its extension. `bytes` is the whole
+// file; `path` is used only for its extension, and nothing is opened. Non-finite values are replaced and reported.
+// Float and 16-bit images become f16, 8-bit ones u8.
+ImageResult decode_image(const std::string& path, std::string_view bytes, const ImageLimits& limits = {});
+
+// The properties that the first bytes of an image file state.
+struct ImageHeader {
+    std::string format;  // "bmp", "tex", "png", "jpeg", "hdr", "exr", …
+    int width = 0, height = 0, depth = 1;
+};
+// Reads the header without decoding pixels. Returns nullopt if the format is unknown without OpenImageIO.
+std::optional<ImageHeader> read_header(std::string_view first_bytes, std::size_t file_size);
+
+// The placeholder for an image that cannot be read: magenta and black checks.
+Image checkerboard(int size = 64);
+
+Image flipped(const Image& image);   // reverses the order of the rows
+Image to_bytes(const Image& image);  // converts to u8, clamped to 0..1 and rounded; NaN becomes 0
+Image to_half(const Image& image);   // converts to f16
+Image to_rgba(const Image& image);   // converts to 4 channels: grey is copied to red, green and blue, alpha is 1
+// Returns one channel as a number; u8 is scaled to 0..1. `index` counts channels from the start of the pixels.
+float value_at(const Image& image, std::size_t index);
+float half_to_float(std::uint16_t half);
+std::uint16_t float_to_half(float value);  // rounds to nearest even; overflow becomes infinity
+
+// Writes a file in the format of its extension: .png through libpng, everything else through the OpenImageIO module.
+// The file appears whole or not at all (a temporary file next to it is renamed). Returns an empty string, or what went
+// wrong. Both row orders are accepted; the file has the top row first. f32 images are written unchanged to float
+// formats, and clamped and rounded for 8-bit ones.
+std::string write_image(const std::string& path, const Image& image);
+// Returns the bytes of a PNG file, as write_image writes it; empty if the image has no pixels.
+std::string encode_png(const Image& image);
+// True if write_image needs no module for this path's extension, which holds only for PNG.
+bool writes_without_module(std::string_view path);
+
+}  // namespace snell::content

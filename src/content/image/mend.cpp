@@ -1,0 +1,109 @@
+// Replaces non-finite values of floating-point images, because filtering would spread a single NaN over the whole mip
+// chain.
+#include <cmath>
+#include <cstring>
+
+#include "src/content/image/formats.h"
+
+namespace snell::content {
+namespace {
+
+constexpr float half_max = 65504.0f;
+
+// Accesses width · height · depth · channels values in place.
+class Grid {
+public:
+    Grid(const Image& shape, std::vector<float>& values) : shape_(shape), values_(values) {}
+
+    // The mean of the finite values among the eight neighbours in the same slice and channel; NaN if none is finite.
+    float neighbours(std::size_t i) const {
+        const auto channels = static_cast<std::size_t>(shape_.channels);
+        const auto width = static_cast<std::int64_t>(shape_.width), height = static_cast<std::int64_t>(shape_.height);
+        const auto texel = static_cast<std::int64_t>(i / channels);
+        const std::int64_t x = texel % width, y = texel / width % height, slice = texel / width / height;
+        double sum = 0;
+        int count = 0;
+        for (std::int64_t v = std::max<std::int64_t>(y - 1, 0); v <= std::min(y + 1, height - 1); ++v) {
+            for (std::int64_t u = std::max<std::int64_t>(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
+                const float value =
+                    values_[static_cast<std::size_t>((slice * height + v) * width + u) * channels + i % channels];
+                if (!std::isfinite(value)) continue;
+                sum += static_cast<double>(value);
+                ++count;
+            }
+        }
+        return count > 0 ? static_cast<float>(sum / count) : std::nanf("");
+    }
+
+private:
+    const Image& shape_;
+    std::vector<float>& values_;
+};
+
+// Fills each hole from its edge inwards, one ring per round, so that the result does not depend on the order in which
+// texels are visited. An image without any finite value becomes 0. Returns the number of values that were replaced.
+std::size_t mend(const Image& shape, std::vector<float>& values) {
+    std::vector<std::size_t> holes;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) holes.push_back(i);
+    }
+    const std::size_t count = holes.size();
+    const Grid grid(shape, values);
+    while (!holes.empty()) {
+        std::vector<std::pair<std::size_t, float>> found;
+        std::vector<std::size_t> left;
+        for (const std::size_t i : holes) {
+            const float value = grid.neighbours(i);
+            if (std::isnan(value)) {
+                left.push_back(i);
+            } else {
+                found.emplace_back(i, value);
+            }
+        }
+        if (found.empty()) {
+            for (const std::size_t i : left) values[i] = 0;
+            break;
+        }
+        for (const auto& [i, value] : found) values[i] = value;
+        holes = std::move(left);
+    }
+    return count;
+}
+
+std::string plural(std::size_t count, const char* what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+ImageResult half_image(Image shape, std::vector<float> values) {
+    ImageResult result;
+    if (const std::size_t count = mend(shape, values); count > 0) {
+        result.issues.push_back({false, "image-non-finite",
+                                 plural(count, "value") + " of the picture " + (count == 1 ? "is" : "are") +
+                                     " infinite or not a number; replaced by the mean of the neighbours",
+                                 "save the picture with finite values"});
+    }
+    shape.type = PixelType::f16;
+    shape.pixels.resize(shape.bytes());
+    std::size_t clamped = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        float value = values[i];
+        if (std::abs(value) > half_max) {
+            value = std::copysign(half_max, value);
+            ++clamped;
+        }
+        const std::uint16_t half = float_to_half(value);
+        std::memcpy(shape.pixels.data() + 2 * i, &half, 2);
+    }
+    if (clamped > 0) {
+        result.issues.push_back({false, "image-clamped",
+                                 plural(clamped, "value") + " of the picture " + (clamped == 1 ? "lies" : "lie") +
+                                     " beyond 65504, the largest that textures here hold; clamped",
+                                 "scale the picture down"});
+    }
+    result.image = std::move(shape);
+    return result;
+}
+
+}  // namespace snell::content

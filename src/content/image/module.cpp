@@ -1,0 +1,224 @@
+#include "src/content/image/module.h"
+
+#include <dlfcn.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "src/content/image/formats.h"
+
+namespace snell::content {
+namespace {
+
+constexpr const char* module_name = "snell_oiio.so";
+constexpr std::size_t message_size = 1024;
+
+template <class Function>
+bool find(void* module, const char* name, Function& function) {
+    function = reinterpret_cast<Function>(dlsym(module, name));
+    return function != nullptr;
+}
+
+OiioModule open_module() {
+    OiioModule result;
+    std::error_code error;
+    const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto beside = executable.parent_path() / module_name;
+    const auto installed = executable.parent_path().parent_path() / "lib" / "snell" / module_name;
+    const auto& path = std::filesystem::exists(beside, error) ? beside : installed;
+    if (!std::filesystem::exists(path, error)) {
+        result.error = "the OpenImageIO module is neither at " + beside.string() + " nor at " + installed.string();
+        return result;
+    }
+    void* const module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!module) {
+        result.error = std::string("the OpenImageIO module can't be loaded: ") + dlerror();
+        return result;
+    }
+    decltype(&snell_oiio_api_version) version = nullptr;
+    const bool fits = find(module, "snell_oiio_api_version", version) && version() == snell_oiio_version &&
+                      find(module, "snell_oiio_read", result.read) && find(module, "snell_oiio_begin", result.begin) &&
+                      find(module, "snell_oiio_rows", result.rows) && find(module, "snell_oiio_end", result.end);
+    if (!fits) result.error = path.string() + " is from another version of snell";
+    return result;
+}
+
+// Collects the result of one reading; the module requests memory through a C function.
+struct Reading {
+    const ImageLimits& limits;
+    SnellOiioShape shape{};
+    std::optional<ImageIssue> refused;
+    std::vector<std::byte> bytes;
+    std::vector<float> floats;
+
+    // Whether anything other than zero was read before the file ended.
+    bool any() const {
+        return std::any_of(bytes.begin(), bytes.end(), [](std::byte b) { return b != std::byte{0}; }) ||
+               std::any_of(floats.begin(), floats.end(), [](float f) { return f != 0; });
+    }
+};
+
+void* allocate(void* context, const SnellOiioShape* shape) noexcept try {
+    auto& reading = *static_cast<Reading*>(context);
+    reading.shape = *shape;
+    const auto channels = static_cast<std::size_t>(shape->channels);
+    const std::size_t pixel_bytes = channels * (shape->type == snell_oiio_u8 ? 1 : 2);
+    reading.refused = check_size(shape->format, shape->width, shape->height, shape->depth, pixel_bytes, reading.limits);
+    if (reading.refused) return nullptr;
+    const std::size_t values = channels * static_cast<std::size_t>(shape->width) *
+                               static_cast<std::size_t>(shape->height) * static_cast<std::size_t>(shape->depth);
+    if (shape->type == snell_oiio_u8) {
+        reading.bytes.resize(values);
+        return reading.bytes.data();
+    }
+    reading.floats.resize(values);
+    return reading.floats.data();
+} catch (...) {
+    return nullptr;
+}
+
+// A file in memory with a path, for libraries that open files by name.
+class MemoryFile {
+public:
+    explicit MemoryFile(std::string_view bytes) : fd_(memfd_create("picture", MFD_CLOEXEC)) {
+        while (fd_ >= 0 && !bytes.empty()) {
+            const ssize_t count = write(fd_, bytes.data(), bytes.size());
+            if (count <= 0 && errno != EINTR) return;
+            bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        }
+        if (fd_ >= 0) path_ = "/proc/self/fd/" + std::to_string(fd_);
+    }
+    ~MemoryFile() {
+        if (fd_ >= 0) close(fd_);
+    }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    const std::string& path() const { return path_; }  // empty if there was no memory
+    // Removes the meaningless path from a library's message.
+    std::string unnamed(std::string message) const {
+        for (std::size_t at = 0; (at = message.find(path_, at)) != std::string::npos;)
+            message.replace(at, path_.size(), "the file");
+        return message;
+    }
+
+private:
+    int fd_;
+    std::string path_;
+};
+
+// Adds a third channel: two channels that are not grey and alpha are the first two of three.
+template <class Value>
+std::vector<Value> third_channel(const std::vector<Value>& pairs) {
+    std::vector<Value> triples(pairs.size() / 2 * 3);
+    for (std::size_t i = 0; i < pairs.size() / 2; ++i) {
+        triples[3 * i] = pairs[2 * i];
+        triples[3 * i + 1] = pairs[2 * i + 1];
+    }
+    return triples;
+}
+
+// Rotates and mirrors the image by EXIF's orientation (2..8).
+Image oriented(const Image& image, int orientation) {
+    if (orientation < 2 || orientation > 8 || image.depth != 1) return image;
+    const bool transposed = orientation >= 5;
+    const bool from_right = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+    const bool from_bottom = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    Image result = image;
+    if (transposed) std::swap(result.width, result.height);
+    const std::size_t size = image.pixel_bytes();
+    for (int y = 0; y < result.height; ++y) {
+        for (int x = 0; x < result.width; ++x) {
+            int u = transposed ? y : x, v = transposed ? x : y;
+            if (from_right) u = image.width - 1 - u;
+            if (from_bottom) v = image.height - 1 - v;
+            const std::size_t to =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) + static_cast<std::size_t>(x);
+            const std::size_t from =
+                static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(u);
+            std::memcpy(result.pixels.data() + to * size, image.pixels.data() + from * size, size);
+        }
+    }
+    return result;
+}
+
+ImageResult finish(Reading& reading) {
+    Image image;
+    image.width = reading.shape.width;
+    image.height = reading.shape.height;
+    image.depth = reading.shape.depth;
+    image.channels = reading.shape.channels;
+    if (image.channels == 2 && !reading.shape.has_alpha) {
+        image.channels = 3;
+        reading.bytes = third_channel(reading.bytes);
+        reading.floats = third_channel(reading.floats);
+    }
+    ImageResult result;
+    if (reading.shape.type == snell_oiio_u8) {
+        image.pixels.assign(reinterpret_cast<const std::byte*>(reading.bytes.data()),
+                            reinterpret_cast<const std::byte*>(reading.bytes.data() + reading.bytes.size()));
+        result.image = std::move(image);
+    } else {
+        result = half_image(std::move(image), std::move(reading.floats));
+    }
+    if (result.image) result.image = oriented(*result.image, reading.shape.orientation);
+    return result;
+}
+
+}  // namespace
+
+SnellOiioShape module_shape(const Image& image) {
+    SnellOiioShape shape{};
+    shape.width = image.width;
+    shape.height = image.height;
+    shape.depth = image.depth;
+    shape.channels = image.channels;
+    shape.has_alpha = image.channels % 2 == 0;
+    switch (image.type) {
+        case PixelType::u8:
+            shape.type = snell_oiio_u8;
+            break;
+        case PixelType::f16:
+            shape.type = snell_oiio_f16;
+            break;
+        case PixelType::f32:
+            shape.type = snell_oiio_f32;
+            break;
+    }
+    return shape;
+}
+
+const OiioModule& oiio_module() {
+    static const OiioModule module = open_module();
+    return module;
+}
+
+ImageResult decode_other(std::string_view bytes, std::string_view format, const ImageLimits& limits) {
+    const OiioModule& module = oiio_module();
+    if (!module.error.empty()) {
+        return image_failed("image-module-missing", module.error,
+                            "install snell whole; without the module BMP, PNG and raw .tex pictures can be read");
+    }
+    const MemoryFile file(bytes);
+    if (file.path().empty()) return image_failed("image-unreadable", "there is not enough memory to read the picture");
+    Reading reading{limits, {}, {}, {}, {}};
+    std::array<char, message_size> message{};
+    const int status = module.read(file.path().c_str(), std::string(format).c_str(), allocate, &reading, message.data(),
+                                   message.size());
+    if (reading.refused) return {{}, {*reading.refused}};
+    const std::string kind = format.empty() ? "picture of unknown format" : std::string(format) + " picture";
+    std::string what = kind + ": " + (message[0] ? file.unnamed(message.data()) : "not enough memory");
+    if (status == 0) return finish(reading);
+    if (status == 3 && reading.any()) {
+        ImageResult result = finish(reading);
+        result.issues.push_back({false, "image-truncated", what + "; the rest is empty", "copy the file again"});
+        return result;
+    }
+    return image_failed("image-unreadable", what, "save it as PNG, JPEG, BMP, HDR or EXR");
+}
+
+}  // namespace snell::content

@@ -1,0 +1,74 @@
+// OpenGL ES before 3.2 passes no blocks between shaders: their members become variables of their own.
+#include <algorithm>
+
+#include "src/glsl/translate/program.h"
+
+namespace snell::glsl {
+
+namespace {
+
+bool passes_between(const Unit& u, const Block& b) {
+    const Storage storage = b.qualifiers.storage;
+    return (storage == Storage::out && u.stage == Stage::vertex) ||
+           (storage == Storage::in && u.stage == Stage::fragment);
+}
+
+// Of a member in both stages. A block without an instance lends its members' names to the whole text, so they stay.
+std::string variable(const Program& program, std::string_view block, std::string_view member) {
+    for (const Unit& u : program.units)
+        for (const Block& b : u.blocks)
+            if (b.name == block && b.instance.empty() && passes_between(u, b)) return std::string(member);
+    return "snell_" + std::string(block) + "_" + std::string(member);
+}
+
+void blank(Unit& u, int first, int last) {
+    for (int i = first; i <= last; ++i) u.replace(i, "");
+}
+
+// `first` … `last`: one declaration of members, with its semicolon. Interpolation stands before the storage.
+void declare(const Program& program, Unit& u, const Block& b, int first, int last) {
+    std::string interpolation(b.qualifiers.interpolation), auxiliary(b.qualifiers.auxiliary);
+    int type = first;
+    for (; type < last; ++type) {
+        const std::string_view t = u.at(type).text;
+        if (t == "flat" || t == "smooth")
+            interpolation = t;
+        else if (t == "centroid")
+            auxiliary = t;
+        else if (t != "in" && t != "out")
+            break;
+    }
+    blank(u, first, type - 1);
+    for (std::string* word : {&interpolation, &auxiliary})
+        if (!word->empty()) *word += ' ';
+    u.edit(type).before += interpolation + auxiliary + (b.qualifiers.storage == Storage::in ? "in " : "out ");
+    for (int i = type + 1; i < last; ++i) {
+        const std::string_view next = u.at(i + 1).text;
+        const bool name = std::ranges::find(b.members, u.at(i).text, &Member::name) != b.members.end();
+        if (name && (next == "," || next == ";" || next == "[")) u.replace(i, variable(program, b.name, u.at(i).text));
+    }
+}
+
+void flatten(const Program& program, Unit& u, const Block& b) {
+    blank(u, b.first, b.open);
+    for (const auto& [first, last] : b.member_tokens) declare(program, u, b, first, last);
+    blank(u, b.close, b.last);
+    if (b.instance.empty()) return;
+    for (int i = b.last + 1; i + 2 < static_cast<int>(u.tokens.size()); ++i) {
+        if (u.at(i).text != b.instance || u.at(i - 1).text == "." || u.at(i + 1).text != ".") continue;
+        u.replace(i, variable(program, b.name, u.at(i + 2).text));
+        blank(u, i + 1, i + 2);
+    }
+}
+
+}  // namespace
+
+void flatten_blocks(Program& program) {
+    const Target& target = program.target();
+    if (!target.es || target.version >= 320) return;
+    for (Unit& u : program.units)
+        for (const Block& b : u.blocks)
+            if (passes_between(u, b) && !b.arrayed) flatten(program, u, b);
+}
+
+}  // namespace snell::glsl

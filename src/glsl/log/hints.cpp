@@ -1,0 +1,314 @@
+// What would help: hints for the mistakes that students make most.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "src/glsl/log/log.h"
+
+namespace snell::glsl::log {
+namespace {
+
+bool equal_but_case(std::string_view a, std::string_view b) {
+    const auto same = [](char x, char y) {
+        return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+    };
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
+}
+
+// Components of a float vector type or of float: 1 to 4; 0 for others.
+int components(std::string_view type) {
+    if (type == "float") return 1;
+    if (type.size() == 4 && type.starts_with("vec") && type[3] >= '2' && type[3] <= '4') return type[3] - '0';
+    return 0;
+}
+
+std::string conversion_help(std::string_view from, std::string_view to) {
+    const int have = components(from), want = components(to);
+    if (have > want && want >= 1) {
+        constexpr std::string_view swizzle = "xyzw";
+        return fmt::format("take {} of its components: write '.{}' after the {}", want,
+                           swizzle.substr(0, static_cast<std::size_t>(want)), from);
+    }
+    if (have == 1 && want > 1) return fmt::format("make a vector of it: {}(…)", to);
+    if (have > 1 && want == have + 1) return fmt::format("give the missing component: {}(…, 1.)", to);
+    if (have > 1 && want > have) return fmt::format("give the missing components: {}(…, 0., 1.)", to);
+    if ((to == "int" || to == "uint" || to == "float" || to == "bool") &&
+        (from == "int" || from == "uint" || from == "float" || from == "bool" || from == "double"))
+        return fmt::format("convert it: {}(…)", to);
+    return {};
+}
+
+Span span_of(FileId file, const Declared& d) { return {file, d.begin, d.end}; }
+
+// The declaration whose name is nearest to `name`: equal but for capitals first, then uniforms that nothing uses.
+const Declared* nearest_declared(std::string_view name, const std::vector<Declared>& all) {
+    std::vector<std::string_view> names, unused;
+    for (const Declared& d : all) {
+        if (d.name == name) continue;
+        if (equal_but_case(d.name, name)) return &d;
+        names.push_back(d.name);
+        if (d.qualifier == "uniform" && d.uses == 0) unused.push_back(d.name);
+    }
+    std::string_view best = nearest(name, unused);
+    if (best.empty()) best = nearest(name, names);
+    if (best.empty()) return nullptr;
+    return &*std::find_if(all.begin(), all.end(), [&](const Declared& d) { return d.name == best; });
+}
+
+const StageOutput* stage_of(const Translation& translation, std::optional<Stage> stage) {
+    for (const StageOutput& s : translation.stages)
+        if (stage && s.stage == *stage) return &s;
+    return nullptr;
+}
+
+// `name` as an output of another stage: the input was forgotten here.
+bool hint_other_stage(std::string_view name, const Context& context, Diagnostic& diagnostic) {
+    for (const StageOutput& other : context.translation.stages) {
+        if (&other == context.stage || (context.stage && other.stage == context.stage->stage)) continue;
+        for (const FileId file : other.files)
+            for (const Declared& d : context.texts.declared(file)) {
+                if (d.name != name || d.qualifier.empty() || d.qualifier == "const") continue;
+                const bool passed = d.qualifier == "out" || d.qualifier == "varying";
+                const std::string_view here = passed && d.qualifier == "out" ? "in" : d.qualifier;
+                diagnostic.help = fmt::format("declare it in this shader too: {} {} {};", here, d.type, name);
+                diagnostic.notes.push_back(
+                    {span_of(file, d), fmt::format("the {} shader declares it here", stage_word(other.stage))});
+                return true;
+            }
+    }
+    return false;
+}
+
+void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
+    if (!place.known) return;
+    const std::vector<Declared>& all = context.texts.declared(place.file);
+    for (const Declared& d : all) {
+        if (d.name != name) continue;
+        const bool later = d.begin > place.span.begin;
+        if (!later && d.function) {
+            diagnostic.help = fmt::format("a function is called with its arguments: {}(…)", name);
+            diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
+            return;
+        }
+        diagnostic.help =
+            later ? "declare it before its first use" : "a name holds only inside the { } where it is declared";
+        diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
+        return;
+    }
+    if (const Declared* d = nearest_declared(name, all)) {
+        const bool unused = d->qualifier == "uniform" && d->uses == 0;
+        diagnostic.help = fmt::format("did you mean '{}'?", d->name);
+        diagnostic.notes.push_back(
+            {span_of(place.file, *d), unused ? "this uniform is declared but never used" : "declared here"});
+        return;
+    }
+    if (hint_other_stage(name, context, diagnostic)) return;
+    if (const std::string_view built_in = nearest(name, builtin_names()); !built_in.empty() && built_in != name)
+        diagnostic.help = fmt::format("did you mean '{}'?", built_in);
+}
+
+int count_arguments(std::string_view list) {
+    return list.empty() ? 0 : 1 + static_cast<int>(std::count(list.begin(), list.end(), ','));
+}
+
+void hint_returns(const Entry& entry, Diagnostic& diagnostic) {
+    diagnostic.help = conversion_help(entry.a, entry.b);
+    if (entry.a.empty() && !entry.b.empty())
+        diagnostic.help = fmt::format("the function says that it returns '{}'", entry.b);
+    if (entry.b == "void") diagnostic.help = "a function that returns a value names its type in place of 'void'";
+}
+
+void hint_call(const Entry& entry, std::string_view name, const Place& place, const Context& context,
+               Diagnostic& diagnostic) {
+    const std::string_view parameters = builtin_parameters(name);
+    if (!parameters.empty()) {
+        const int wants = count_arguments(parameters);
+        const std::string_view noun = wants == 1 ? "argument" : "arguments";
+        diagnostic.help = fmt::format("{}({}) takes {} {}", name, parameters, wants, noun);
+        if (!entry.b.empty() && count_arguments(entry.b) == wants)
+            diagnostic.help = fmt::format("{}({}) wants arguments of matching sizes", name, parameters);
+        return;
+    }
+    if (!place.known) return;
+    bool known = false;
+    for (const Declared& d : context.texts.declared(place.file)) {
+        if (d.name != name || !d.function) continue;
+        diagnostic.notes.push_back({span_of(place.file, d), "this one is declared here"});
+        known = true;
+    }
+    if (!known) hint_undeclared(name, place, context, diagnostic);
+    if (diagnostic.help.starts_with("a name holds"))
+        diagnostic.help = fmt::format("'{}' is a variable, not a function", name);
+}
+
+void hint_no_main(const Entry& entry, const Context& context, Diagnostic& diagnostic) {
+    const StageOutput* stage = context.stage ? context.stage : stage_of(context.translation, entry.stage);
+    if (!stage || stage->files.empty()) return;
+    diagnostic.help = "every shader starts at 'void main()'";
+    for (const FileId file : stage->files)
+        for (const Declared& d : context.texts.declared(file)) {
+            if (!d.function || nearest("main", {d.name}).empty()) continue;
+            diagnostic.span = span_of(file, d);
+            diagnostic.help = fmt::format("did you mean 'main' instead of '{}'?", d.name);
+            return;
+        }
+    diagnostic.span = context.sources.line_span(stage->files.front(), 1);
+}
+
+// The output that an input was meant for: nearly the same name in an earlier stage.
+void hint_not_written(const Entry& entry, const Context& context, Diagnostic& diagnostic) {
+    for (const StageOutput& s : context.translation.stages) {
+        if (entry.stage && s.stage >= *entry.stage) continue;
+        for (const FileId file : s.files) {
+            const std::string_view text = context.sources.text(file);
+            std::vector<Declared> outputs;
+            for (const Declared& d : context.texts.declared(file))
+                if (d.qualifier == "out" || d.qualifier == "varying") outputs.push_back(d);
+            const Declared* d = nearest_declared(user_name(entry.a, text), outputs);
+            if (!d) continue;
+            diagnostic.help = fmt::format("the {} shader calls it '{}': the names must agree, capitals included",
+                                          stage_word(s.stage), d->name);
+            diagnostic.notes.push_back({span_of(file, *d), "the output is declared here"});
+            return;
+        }
+    }
+}
+
+// Where else the same variable is declared.
+void hint_types_differ(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
+    for (const StageOutput& s : context.translation.stages)
+        for (const FileId file : s.files)
+            for (const Declared& d : context.texts.declared(file)) {
+                if (d.name != name || d.qualifier.empty() || span_of(file, d) == place.span) continue;
+                diagnostic.notes.push_back(
+                    {span_of(file, d), fmt::format("the {} shader says '{}' here", stage_word(s.stage), d.type)});
+            }
+    diagnostic.help = "declare it with the same type in every shader of the program";
+}
+
+// `if (x = 1.)` and `if (x)`.
+void hint_condition(const Place& place, const Context& context, Diagnostic& diagnostic) {
+    diagnostic.help = "compare it with something, as in 'x > 0.' or 'n != 0'";
+    if (!place.known) return;
+    const std::string_view line = context.sources.line(place.file, place.line);
+    const std::size_t open = line.find("if");
+    const std::size_t assigned = open == std::string_view::npos ? open : line.find('=', open);
+    if (assigned == std::string_view::npos || assigned + 1 >= line.size() || line.find(')', open) < assigned) return;
+    const bool comparison =
+        line[assigned + 1] == '=' || std::string_view("<>!=").find(line[assigned - 1]) != std::string_view::npos;
+    if (!comparison) diagnostic.help = "'=' assigns; '==' compares";
+}
+
+void hint_redeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
+    if (!place.known) return;
+    for (const Declared& d : context.texts.declared(place.file))
+        if (d.name == name && d.begin < place.span.begin) {
+            diagnostic.notes.push_back({span_of(place.file, d), "first declared here"});
+            return;
+        }
+}
+
+void hint_read_only(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
+    if (!place.known || name.empty()) return;
+    for (const Declared& d : context.texts.declared(place.file)) {
+        if (d.name != name || d.qualifier.empty()) continue;
+        diagnostic.help =
+            fmt::format("'{}' is declared as '{}': copy it to a variable of its own first", name, d.qualifier);
+        diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
+        return;
+    }
+}
+
+}  // namespace
+
+std::string help(const Misfit& misfit) {
+    const std::string_view op = misfit.op, left = misfit.left, right = misfit.right;
+    const auto scalar = [](std::string_view type) {
+        return type == "float" || type == "int" || type == "uint" || type == "bool" || type == "double";
+    };
+    const bool numbers = left.find("bool") == left.npos && left.find("bvec") == left.npos;
+    if (right.empty() && op == "!")
+        return left.starts_with("bvec") ? "not(…) turns every component; any(…) and all(…) make one bool of them"
+                                        : "compare it with something, as in 'x > 0.' or 'n != 0'";
+    if (right.empty()) return op == "~" ? "it takes whole numbers" : "it takes numbers: float(…) makes one of a bool";
+    if (op == "==" || op == "!=") {
+        const std::string_view vector = scalar(left) ? right : left;
+        const bool matrix = left.starts_with("mat") || right.starts_with("mat");
+        if (scalar(left) == scalar(right) && !matrix)
+            return "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3";
+        if (matrix) return "both sides need the same type";
+        return fmt::format("compare one component, as in 'v.x', or the whole: {}(…)", vector);
+    }
+    if (op == "<" || op == ">" || op == "<=" || op == ">=")
+        return "it compares two numbers: one component, as in 'v.x', or length(v); lessThan(…) and its like compare "
+               "all";
+    if (op == "&&" || op == "||" || op == "^^") return "both sides must be true or false: compare with something";
+    if (op == "%") return numbers ? "it takes whole numbers; mod(x, y) takes floats" : "it takes whole numbers";
+    if (op == "&" || op == "|" || op == "^")
+        return fmt::format("it takes whole numbers{}",
+                           op == "^" ? "; pow(x, y) is a power" : "; '&&' and '||' join conditions");
+    if (op == "<<" || op == ">>") return "it takes whole numbers";
+    if (op == "?:") return "both must have the same type";
+    if (!numbers) return "it takes numbers: float(…) makes one of a bool";
+    if (left.starts_with("mat") || right.starts_with("mat"))
+        return "a mat3 goes with a vec3, a mat4 with a vec4: vec4(v, 1.) and v.xyz turn one into the other";
+    return "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3";
+}
+
+void hint(const Entry& entry, const Place& place, const Context& context, Diagnostic& diagnostic) {
+    const std::string_view line = place.known ? context.sources.line(place.file, place.line) : std::string_view();
+    const std::string name = user_name(entry.a, line);
+    switch (entry.kind) {
+        case Kind::undeclared:
+            return hint_undeclared(name, place, context, diagnostic);
+        case Kind::no_function:
+        case Kind::no_overload:
+            return hint_call(entry, name, place, context, diagnostic);
+        case Kind::returns:
+            return hint_returns(entry, diagnostic);
+        case Kind::convert:
+            diagnostic.help = conversion_help(entry.a, entry.b);
+            return;
+        case Kind::operands:
+            diagnostic.help = "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3";
+            return;
+        case Kind::condition:
+            return hint_condition(place, context, diagnostic);
+        case Kind::redeclared:
+            return hint_redeclared(name, place, context, diagnostic);
+        case Kind::read_only:
+            return hint_read_only(name, place, context, diagnostic);
+        case Kind::syntax:
+            return hint_syntax(place, context, diagnostic);
+        case Kind::end_of_file:
+            return hint_end_of_file(place, context, diagnostic);
+        case Kind::needs_version:
+            diagnostic.help = "write '#version 330 compatibility' as the first line";
+            return;
+        case Kind::no_main:
+            return hint_no_main(entry, context, diagnostic);
+        case Kind::not_written:
+            return hint_not_written(entry, context, diagnostic);
+        case Kind::types_differ:
+            return hint_types_differ(name, place, context, diagnostic);
+        case Kind::constructor_few:
+        case Kind::constructor_many:
+            diagnostic.help = "count the components: a vec4 takes four floats, or a vec3 and a float";
+            return;
+        case Kind::no_return:
+            diagnostic.help = "end it with 'return …;'";
+            return;
+        case Kind::few_arguments:
+        case Kind::many_arguments:
+        case Kind::swizzle:
+        case Kind::not_constant:
+        case Kind::if_unfinished:
+        case Kind::no_body:
+        case Kind::other:
+        case Kind::noise:
+            return;
+    }
+}
+
+}  // namespace snell::glsl::log

@@ -1,0 +1,199 @@
+// Drivers' logs as diagnostics at the user's own lines.
+#include "src/glsl/log/log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace snell::glsl {
+namespace {
+
+using log::Context;
+using log::Entry;
+using log::Kind;
+using log::Place;
+
+// Independent mistakes shown for one shader; a student mends a few and tries again.
+constexpr std::size_t most_errors = 6;
+
+std::string_view code_of(Kind kind) {
+    switch (kind) {
+        case Kind::undeclared:
+            return "glsl-undeclared";
+        case Kind::no_function:
+        case Kind::no_overload:
+        case Kind::few_arguments:
+        case Kind::many_arguments:
+            return "glsl-call";
+        case Kind::convert:
+        case Kind::returns:
+        case Kind::operands:
+        case Kind::condition:
+        case Kind::constructor_few:
+        case Kind::constructor_many:
+        case Kind::swizzle:
+            return "glsl-type";
+        case Kind::redeclared:
+            return "glsl-redeclared";
+        case Kind::read_only:
+            return "glsl-read-only";
+        case Kind::not_constant:
+            return "glsl-not-constant";
+        case Kind::syntax:
+        case Kind::end_of_file:
+        case Kind::if_unfinished:
+            return "glsl-syntax";
+        case Kind::no_return:
+            return "glsl-no-return";
+        case Kind::needs_version:
+            return "glsl-version";
+        case Kind::no_main:
+            return "glsl-no-main";
+        case Kind::no_body:
+            return "glsl-no-body";
+        case Kind::not_written:
+        case Kind::types_differ:
+            return "glsl-interface";
+        case Kind::other:
+        case Kind::noise:
+            break;
+    }
+    return "glsl-driver";
+}
+
+struct Found {
+    Entry entry;
+    Place place;
+};
+
+bool is_syntax(Kind kind) { return kind == Kind::syntax || kind == Kind::end_of_file || kind == Kind::if_unfinished; }
+
+bool same_line(const Found& x, const Found& y) {
+    return x.place.known && y.place.known && x.place.file == y.place.file && x.place.line == y.place.line;
+}
+
+bool about_names(const Found& found) {
+    return found.entry.kind == Kind::undeclared || found.entry.kind == Kind::no_function;
+}
+
+// What drivers say of an expression in which another error stands.
+bool is_consequence(const Found& found) { return !about_names(found) && found.entry.kind != Kind::redeclared; }
+
+// Whether `later` would vanish if `cause` were mended.
+bool follows(const Found& later, const Found& cause) {
+    if (later.entry.stage != cause.entry.stage) return false;
+    if (is_syntax(cause.entry.kind) && later.entry.string >= 0) return true;
+    if (about_names(later)) return later.entry.kind == cause.entry.kind && later.entry.a == cause.entry.a;
+    if (same_line(later, cause)) return is_consequence(later);
+    return later.entry.text == cause.entry.text && later.entry.string < 0;
+}
+
+// A variable declared on a line with an error: what is wrong with it later may come from there.
+std::set<std::string_view> doubtful_names(const Found& cause, log::Texts& texts) {
+    std::set<std::string_view> names;
+    if (!cause.place.known) return names;
+    for (const log::Declared& d : texts.declared(cause.place.file))
+        if (d.line == cause.place.line) names.insert(d.name);
+    return names;
+}
+
+std::string told_of(const Entry& entry, const Context& context, std::string_view program) {
+    const auto stage = context.stage ? std::optional(context.stage->stage) : entry.stage;
+    if (stage) return fmt::format(" ({} shader of '{}')", log::stage_word(*stage), program);
+    return fmt::format(" (program '{}')", program);
+}
+
+// What our own reading of the shader knows of the operands that the driver refused on this line.
+const Misfit* misfit_of(const Found& found, const Context& context) {
+    const std::string_view text = found.entry.text;
+    const bool operands = found.entry.kind == Kind::operands || found.entry.kind == Kind::condition ||
+                          text.find("operator") != text.npos || text.find("operand") != text.npos ||
+                          text.find("HS of ") != text.npos;
+    if (!operands || !context.stage || !found.place.known) return nullptr;
+    const Misfit* best = nullptr;
+    for (const Misfit& m : context.stage->misfits) {
+        if (m.span.file != found.place.file) continue;
+        const int first = context.sources.position(m.span.file, m.span.begin).line;
+        const int last = context.sources.position(m.span.file, m.span.end).line;
+        if (found.place.line < first || found.place.line > last) continue;
+        const bool here = m.span.begin <= found.place.span.begin && found.place.span.begin <= m.span.end;
+        if (!best || here) best = &m;
+        if (here) break;
+    }
+    return best;
+}
+
+Diagnostic explain(const Found& found, const Context& context, std::string_view program) {
+    Diagnostic diagnostic;
+    diagnostic.severity = found.entry.severity;
+    if (const Misfit* misfit = misfit_of(found, context)) {
+        diagnostic.code = code_of(Kind::operands);
+        diagnostic.span = misfit->span;
+        diagnostic.message = log::message(*misfit) + told_of(found.entry, context, program);
+        diagnostic.help = log::help(*misfit);
+        return diagnostic;
+    }
+    diagnostic.code = code_of(found.entry.kind);
+    diagnostic.span = found.place.span;
+    diagnostic.message = log::message(found.entry, found.place, context) + told_of(found.entry, context, program);
+    log::hint(found.entry, found.place, context, diagnostic);
+    return diagnostic;
+}
+
+struct Group {
+    Found cause;
+    std::set<std::string_view> doubtful;
+    std::vector<Found> rest;
+};
+
+std::vector<Group> folded(const std::vector<Found>& all, log::Texts& texts) {
+    std::vector<Group> groups;
+    for (const Found& found : all) {
+        const auto caused_by = [&](const Group& group) {
+            if (follows(found, group.cause)) return true;
+            const auto beside = [&](const Found& other) { return is_consequence(found) && same_line(found, other); };
+            if (std::any_of(group.rest.begin(), group.rest.end(), beside)) return true;
+            return found.entry.kind == Kind::undeclared && !found.entry.a.empty() &&
+                   group.doubtful.contains(found.entry.a);
+        };
+        const auto group = std::find_if(groups.begin(), groups.end(), caused_by);
+        if (group == groups.end()) {
+            groups.push_back({found, doubtful_names(found, texts), {}});
+        } else {
+            group->rest.push_back(found);
+        }
+    }
+    return groups;
+}
+
+}  // namespace
+
+void explain_log(std::string_view log, const Translation& translation, const StageOutput* stage, Span where,
+                 std::string_view program, const Sources& sources, Diagnostics& diagnostics) {
+    log::Texts texts(sources);
+    const Context context{translation, stage, where, sources, texts};
+    std::vector<Found> errors, warnings;
+    for (Entry& entry : log::read(log)) {
+        auto& list = entry.severity == Severity::error ? errors : warnings;
+        if (stage) entry.stage = stage->stage;
+        const Place place = log::place(entry, context);
+        list.push_back({std::move(entry), place});
+    }
+    const std::vector<Group> groups = folded(errors, texts);
+    for (std::size_t i = 0; i < groups.size() && i < most_errors; ++i) {
+        Diagnostic diagnostic = explain(groups[i].cause, context, program);
+        if (!groups[i].rest.empty())
+            diagnostic.notes.push_back(
+                {groups[i].rest.front().place.span,
+                 fmt::format("and {} more that may come from the same mistake", groups[i].rest.size())});
+        if (i + 1 == most_errors && groups.size() > most_errors)
+            diagnostic.notes.push_back(
+                {groups[i + 1].cause.place.span, fmt::format("and {} more errors", groups.size() - most_errors)});
+        diagnostics.add(std::move(diagnostic));
+    }
+    if (!errors.empty()) return;  // warnings about a shader that does not compile only distract
+    for (const Found& found : warnings) diagnostics.add(explain(found, context, program));
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,150 @@
+// From the place that a driver names in the translated text to the user's own.
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+#include "src/glsl/log/log.h"
+
+namespace snell::glsl::log {
+namespace {
+
+// The physical lines of the translation that #line numbers as `line` of source string `string`.
+std::vector<std::string_view> translated_lines(std::string_view text, int string, int line) {
+    std::vector<std::string_view> found;
+    int at_string = 0, at_line = 1;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view row = text.substr(begin, end - begin);
+        begin = end + 1;
+        if (row.starts_with("#line ")) {
+            char* rest = nullptr;
+            const std::string numbers(row.substr(6));
+            at_line = static_cast<int>(std::strtol(numbers.c_str(), &rest, 10));
+            char* after = rest;
+            const long number = std::strtol(rest, &after, 10);
+            if (after != rest) at_string = static_cast<int>(number);
+            continue;
+        }
+        if (at_string == string && at_line == line) found.push_back(row);
+        ++at_line;
+    }
+    return found;
+}
+
+// The column (1-based) at which Mesa's preprocessor leaves a byte of a line: runs of blanks become one.
+int squeezed_column(std::string_view line, std::size_t offset) {
+    int column = 1;
+    for (std::size_t i = 0; i < offset && i < line.size(); ++i) {
+        const bool blank = line[i] == ' ' || line[i] == '\t';
+        const bool more = i + 1 < line.size() && (line[i + 1] == ' ' || line[i + 1] == '\t');
+        if (!blank || !more) ++column;
+    }
+    return column;
+}
+
+struct Aim {
+    std::string word;         // in the user's words
+    std::size_t ordinal = 0;  // how many equal words stand before it on the line
+};
+
+int driver_column(const Entry& entry, std::string_view row, const Word& word) {
+    return entry.driver == Driver::mesa ? squeezed_column(row, word.begin) : static_cast<int>(word.begin) + 1;
+}
+
+// The word of one translated line that the entry means: the one it quotes, nearest to its column, or else the
+// one at its column.
+std::optional<Aim> aim(const Entry& entry, std::string_view row, std::string_view quoted, std::string_view user) {
+    const std::vector<Word> all = words(row);
+    std::optional<std::size_t> best;
+    int best_distance = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!quoted.empty() && user_name(text_of(row, all[i]), user) != quoted) continue;
+        const int distance = entry.column > 0 ? std::abs(driver_column(entry, row, all[i]) - entry.column) : 0;
+        if (best && distance >= best_distance) continue;
+        best = i;
+        best_distance = distance;
+    }
+    if (!best || (quoted.empty() && best_distance > 0)) return std::nullopt;
+    Aim result{.word = user_name(text_of(row, all[*best]), user), .ordinal = 0};
+    for (std::size_t i = 0; i < *best; ++i)
+        if (user_name(text_of(row, all[i]), user) == result.word) ++result.ordinal;
+    return result;
+}
+
+void place_on_line(const Entry& entry, const Context& context, Place& found) {
+    const std::string_view text = context.sources.text(found.file);
+    const std::string_view line = context.sources.line(found.file, found.line);
+    found.span = context.sources.line_span(found.file, found.line);
+    found.known = true;
+    const std::span<const Word> on_line = context.texts.on_line(found.file, found.line);
+    if (on_line.empty()) return;
+
+    const std::string quoted = user_name(entry.a, line);
+    const auto quoted_here = [&](const Word& w) { return text_of(text, w) == quoted; };
+    const bool use_quoted = !quoted.empty() && std::any_of(on_line.begin(), on_line.end(), quoted_here);
+    Aim target{.word = use_quoted ? quoted : std::string(), .ordinal = 0};
+    for (const std::string_view row : translated_lines(context.stage->text, entry.string, entry.line)) {
+        const auto better = aim(entry, row, target.word, line);
+        if (!better) continue;
+        target = *better;
+        break;
+    }
+    if (target.word.empty()) return;
+    std::size_t seen = 0;
+    for (const Word& w : on_line) {
+        if (text_of(text, w) != target.word || seen > target.ordinal) continue;
+        found.span = {found.file, w.begin, w.end};
+        ++seen;
+    }
+}
+
+bool fits_link(const Entry& entry, const Declared& d, Stage stage) {
+    if (entry.stage && *entry.stage != stage && entry.kind != Kind::types_differ) return false;
+    if (entry.kind == Kind::not_written) return d.qualifier == "in" || d.qualifier == "varying";
+    return true;
+}
+
+// A link log names things, not places: look for the declaration.
+Place place_of_name(const Entry& entry, const Context& context) {
+    Place found{.file = context.where.file, .span = context.where};
+    const auto& stages = context.translation.stages;
+    for (auto it = stages.rbegin(); it != stages.rend(); ++it) {
+        for (const FileId file : it->files) {
+            const std::string_view text = context.sources.text(file);
+            const std::string name = user_name(entry.a, text);
+            for (const Declared& d : context.texts.declared(file)) {
+                if (name.empty() || d.name != name || !fits_link(entry, d, it->stage)) continue;
+                found.file = file;
+                found.span = {file, d.begin, d.end};
+                found.line = d.line;
+                found.known = true;
+                return found;
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+Place place(const Entry& entry, const Context& context) {
+    if (!context.stage || entry.string < 0 || entry.line < 1) return place_of_name(entry, context);
+    Place found{.file = context.where.file, .span = context.where};
+    if (static_cast<std::size_t>(entry.string) >= context.stage->files.size()) return found;
+    const FileId file = context.stage->files[static_cast<std::size_t>(entry.string)];
+    const std::vector<Word>& all = context.texts.words(file);
+    found.file = file;
+    found.line = entry.line;
+    // Where the text ends there is often no word: go back to the last.
+    if (entry.kind == Kind::end_of_file || all.empty() || entry.line > all.back().line) {
+        const Word last = all.empty() ? Word{} : all.back();
+        found.span = {file, last.begin, last.end};
+        found.line = last.line;
+        found.known = true;
+        return found;
+    }
+    place_on_line(entry, context, found);
+    return found;
+}
+
+}  // namespace snell::glsl::log

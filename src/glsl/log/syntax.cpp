@@ -1,0 +1,184 @@
+// What is wrong near a word that the grammar does not expect: semicolons, brackets, types that are none.
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "src/glsl/log/log.h"
+
+namespace snell::glsl::log {
+namespace {
+
+// Names of types that other languages have.
+std::string_view foreign_type(std::string_view name) {
+    for (const std::string_view base : {"float", "half", "fixed"})
+        if (name.starts_with(base) && name.size() == base.size() + 1) switch (name.back()) {
+                case '2':
+                    return "vec2";
+                case '3':
+                    return "vec3";
+                case '4':
+                    return "vec4";
+            }
+    if (name == "half" || name == "fixed" || name == "real") return "float";
+    if (name == "float3x3") return "mat3";
+    if (name == "float4x4") return "mat4";
+    return {};
+}
+
+// `vex3 a`: two names in a row, of which the first is no type.
+bool hint_unknown_type(std::string_view type, const Span& span, Diagnostic& diagnostic) {
+    std::string_view meant = foreign_type(type);
+    if (meant.empty()) {
+        meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
+                               "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",
+                               "bvec4",       "mat2",  "mat3",    "mat4",    "sampler1D", "sampler2D", "sampler3D",
+                               "samplerCube", "const", "uniform", "varying", "attribute", "return"});
+    }
+    if (meant.empty() || meant == type) return false;
+    diagnostic.message.replace(0, diagnostic.message.find(" ("), fmt::format("'{}' is not a type", type));
+    diagnostic.help = fmt::format("did you mean '{}'?", meant);
+    diagnostic.span = span;
+    return true;
+}
+
+bool ends_operand(std::string_view word) {
+    const char c = word.empty() ? ' ' : word.back();
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || c == '.';
+}
+
+bool foreign_character(std::string_view word) {
+    return !word.empty() && (static_cast<unsigned char>(word[0]) >= 0x80 || word == "$" || word == "@" || word == "`");
+}
+
+// The user's text around the unexpected word `at`.
+struct Around {
+    std::string_view text;
+    std::span<const Word> all;
+    std::size_t at = 0;
+    int parens = 0;     // open ones in the statement so far
+    int depth = 0;      // open braces so far
+    bool loop = false;  // within the parentheses of a for
+
+    std::string_view word(std::size_t i) const { return i < all.size() ? text_of(text, all[i]) : std::string_view(); }
+    std::string_view before() const { return at > 0 ? word(at - 1) : std::string_view(); }
+    Span span(FileId file, std::size_t i) const { return {file, all[i].begin, all[i].end}; }
+};
+
+Around around(std::string_view text, const std::vector<Word>& all, std::uint32_t offset) {
+    Around a;
+    a.text = text;
+    a.all = all;
+    while (a.at < a.all.size() && a.all[a.at].begin < offset) {
+        const std::string_view w = a.word(a.at);
+        if (!a.all[a.at].directive) a.depth += w == "{" ? 1 : w == "}" ? -1 : 0;
+        ++a.at;
+    }
+    for (std::size_t i = a.at; i-- > 0;) {
+        const std::string_view w = a.word(i);
+        if (a.all[i].directive || w == ";" || w == "{" || w == "}") break;
+        a.parens += w == "(" ? 1 : w == ")" ? -1 : 0;
+        if (w == "for" && a.parens > 0) a.loop = true;
+    }
+    return a;
+}
+
+// `#define PI 3.14;` breaks the lines that use PI.
+bool hint_macro(const Around& a, const Place& place, Diagnostic& diagnostic) {
+    for (std::size_t i = 0; i + 1 < a.all.size(); ++i) {
+        if (!a.all[i].directive || a.word(i) != "define") continue;
+        std::size_t last = i;
+        while (last + 1 < a.all.size() && a.all[last + 1].directive && a.all[last + 1].line == a.all[i].line) ++last;
+        if (a.word(last) != ";") continue;
+        for (const Word& w : a.all) {
+            if (w.line != place.line || w.directive || text_of(a.text, w) != a.word(i + 1)) continue;
+            diagnostic.span = {place.file, w.begin, w.end};
+            diagnostic.help = fmt::format("the macro '{}' ends with a ';': remove it there", a.word(i + 1));
+            diagnostic.notes.push_back({a.span(place.file, last), "this ';' comes along wherever the macro is used"});
+            return true;
+        }
+    }
+    return false;
+}
+
+bool hint_semicolon(const Around& a, const Place& place, Diagnostic& diagnostic) {
+    if (a.at == 0 || a.parens != 0 || a.word(a.at) == "{" || !ends_operand(a.before())) return false;
+    const Word& before = a.all[a.at - 1];
+    if (before.directive) return false;
+    const bool new_line = before.line < a.all[a.at].line;
+    if (!new_line && a.word(a.at) != "}") return false;
+    diagnostic.help = new_line ? fmt::format("line {} seems to lack a ';' at its end", before.line)
+                               : std::string("a ';' is missing before the '}'");
+    diagnostic.notes.push_back({{place.file, before.end - 1, before.end}, "a ';' is missing after this"});
+    return true;
+}
+
+bool hint_brackets(const Around& a, Diagnostic& diagnostic) {
+    const std::string_view here = a.word(a.at);
+    if (a.loop && here != ";" && here != "{") {
+        diagnostic.help = "the three parts of a 'for' are separated by ';'";
+    } else if ((here == ";" || here == "{") && a.parens > 0) {
+        diagnostic.help = fmt::format("a ')' is missing before the '{}'", here);
+    } else if (a.parens < 0 || (here == ")" && a.parens == 0)) {
+        diagnostic.help = "there are more ')' than '('";
+    } else if (here == "{" && a.before() == ")" && a.depth > 0) {
+        diagnostic.help = "a function can't stand inside another one: is a '}' missing above?";
+    } else if (here == "{" && a.depth == 0 && ends_operand(a.before()) && a.before() != ")") {
+        diagnostic.help = fmt::format("a function needs parentheses: {}()", a.before());
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool hint_character(Span span, std::string_view text, Diagnostic& diagnostic) {
+    if (!foreign_character(text.substr(span.begin, 1))) return false;
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+    while (span.end < text.size() && continues(text[span.end])) ++span.end;
+    diagnostic.span = span;
+    diagnostic.message.replace(0, diagnostic.message.find(" ("), "a character that GLSL does not know");
+    diagnostic.help = "was it pasted from elsewhere? type it anew";
+    return true;
+}
+
+}  // namespace
+
+void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic) {
+    if (!place.known) return;
+    const std::string_view text = context.sources.text(place.file);
+    const Around a = around(text, context.texts.words(place.file), place.span.begin);
+    if (a.at < a.all.size()) {
+        if (hint_character(a.span(place.file, a.at), text, diagnostic)) return;
+        if (hint_macro(a, place, diagnostic) || hint_semicolon(a, place, diagnostic)) return;
+        const bool two_names =
+            a.at > 0 && a.all[a.at - 1].name && a.all[a.at].name && a.all[a.at - 1].line == a.all[a.at].line;
+        if (two_names && hint_unknown_type(a.before(), a.span(place.file, a.at - 1), diagnostic)) return;
+        if (hint_brackets(a, diagnostic)) return;
+    }
+    const std::size_t brace = unclosed_brace(text);
+    if (brace != std::string_view::npos && brace < place.span.begin) {
+        const auto offset = static_cast<std::uint32_t>(brace);
+        diagnostic.notes.push_back({{place.file, offset, offset + 1}, "this '{' is never closed"});
+    } else if (a.word(a.at) == "}" && a.depth <= 0) {
+        diagnostic.help = "there are more '}' than '{'";
+    }
+}
+
+void hint_end_of_file(const Place& place, const Context& context, Diagnostic& diagnostic) {
+    if (!place.known) return;
+    const std::string_view text = context.sources.text(place.file);
+    const std::size_t brace = unclosed_brace(text);
+    if (brace == std::string_view::npos) {
+        // Some compilers stop reading at a character that they don't know.
+        for (const Word& w : context.texts.words(place.file))
+            if (hint_character({place.file, w.begin, w.end}, text, diagnostic)) return;
+        diagnostic.help = "the last statement lacks its end: a ';', a ')' or a body in { }";
+        return;
+    }
+    const auto offset = static_cast<std::uint32_t>(brace);
+    diagnostic.notes.push_back({diagnostic.span, "the text ends here"});
+    diagnostic.span = {place.file, offset, offset + 1};
+    diagnostic.message.replace(0, diagnostic.message.find(" ("), "this '{' is never closed");
+    diagnostic.help = "close it with '}'";
+}
+
+}  // namespace snell::glsl::log

@@ -1,0 +1,286 @@
+// Calls of functions: which overload is meant, and what its arguments must become.
+#include <algorithm>
+
+#include "src/glsl/read/parse.h"
+#include "src/glsl/read/words.h"
+
+namespace snell::glsl {
+
+namespace {
+
+// What one character of a signature asks for, given the size of the generic parameters (0: not known yet).
+std::optional<Type> parameter_type(char code, int size) {
+    switch (code) {
+        case 'F':
+            return make_type(Base::real, size);
+        case 'I':
+            return make_type(Base::integer, size);
+        case 'U':
+            return make_type(Base::uinteger, size);
+        case 'B':
+            return make_type(Base::boolean, size);
+        case 'f':
+            return make_type(Base::real);
+        case 'i':
+            return make_type(Base::integer);
+        case 'u':
+            return make_type(Base::uinteger);
+        case 'b':
+            return make_type(Base::boolean);
+        case '2':
+            return make_type(Base::real, 2);
+        case '3':
+            return make_type(Base::real, 3);
+        case '4':
+            return make_type(Base::real, 4);
+        default:
+            return std::nullopt;
+    }
+}
+
+bool generic(char code) { return code == 'F' || code == 'I' || code == 'U' || code == 'B'; }
+
+// How well a value of type `have` serves where `want` is due: 0 not at all, 1 by conversion, 2 exactly.
+int fit(const Type& have, const Type& want) {
+    if (have.base == Base::unknown) return 1;
+    if (have.dims || have.cols > 1 || have.rows != want.rows) return 0;
+    if (have.base == want.base || (have.base == Base::dreal && want.base == Base::real)) return 2;
+    if (want.base == Base::real && have.integral()) return 1;
+    return want.base == Base::uinteger && have.base == Base::integer ? 1 : 0;
+}
+
+struct Overload {
+    char result;
+    std::string_view parameters;
+    std::size_t least = 0;  // parameters that must be given
+};
+
+Overload read_overload(std::string_view text, std::string& storage) {
+    Overload o{text[0], {}, 0};
+    storage.assign(text.substr(2));
+    const std::size_t optional = storage.find('[');
+    o.least = optional == std::string::npos ? storage.size() : optional;
+    if (optional != std::string::npos) storage.erase(optional, 1);
+    o.parameters = storage;
+    return o;
+}
+
+int generic_size(const Overload& o, const std::vector<Expression>& given) {
+    for (std::size_t n = 0; n < given.size(); ++n)
+        if (generic(o.parameters[n]) && given[n].type.base != Base::unknown) return given[n].type.rows;
+    return 1;
+}
+
+int match(const Overload& o, const std::vector<Expression>& given) {
+    if (given.size() < o.least || given.size() > o.parameters.size()) return 0;
+    const int size = generic_size(o, given);
+    int worst = 2;
+    for (std::size_t n = 0; n < given.size(); ++n)
+        if (const auto want = parameter_type(o.parameters[n], size)) worst = std::min(worst, fit(given[n].type, *want));
+    return worst;
+}
+
+bool ends_with_any(std::string_view text, std::initializer_list<std::string_view> ends) {
+    return std::any_of(ends.begin(), ends.end(), [&](std::string_view e) { return text.ends_with(e); });
+}
+
+Type texel(std::string_view sampler) {
+    if (sampler.ends_with("Shadow")) return make_type(Base::real);
+    const Base base = sampler.starts_with("i") && !sampler.starts_with("image") ? Base::integer
+                      : sampler.starts_with("u")                                ? Base::uinteger
+                                                                                : Base::real;
+    return make_type(base, 4);
+}
+
+Type texture_size(std::string_view sampler) {
+    if (sampler.ends_with("Shadow")) sampler.remove_suffix(6);
+    if (ends_with_any(sampler, {"1D", "Buffer"})) return make_type(Base::integer);
+    if (ends_with_any(sampler, {"3D", "2DArray", "CubeArray", "2DMSArray"})) return make_type(Base::integer, 3);
+    return make_type(Base::integer, 2);
+}
+
+// Results that depend on more than the invocation's constants.
+bool impure(std::string_view name) {
+    return name.starts_with("te") || name.starts_with("noise") || name.starts_with("dF") ||
+           name.starts_with("fwidth") || name.starts_with("image") || name.starts_with("interpolate") ||
+           name == "ftransform" || name.starts_with("atomic");
+}
+
+}  // namespace
+
+Expression Parser::call(int name_token) {
+    Expression e;
+    e.first = name_token;
+    const std::string_view name = text();
+    ++p_;
+    std::vector<Expression> given = arguments();
+    e.last = p_ - 1;
+    if (call_user(e, name, given) || foreign_function(name, given, e)) return e;
+    bool wraps = false;
+    std::string_view modern = modern_texture_function(name, wraps);
+    if (wraps) {
+        Edit& before = u_.edit(e.first);
+        before.before = "vec4(" + before.before;
+        u_.edit(e.last).after += ")";
+    }
+    if (modern.empty() && builtin_signatures(name).empty()) u_.unknown_calls.try_emplace(name, name_token);
+    call_builtin(e, modern.empty() ? name : modern, given);
+    if (const auto later = foreseen_.find(name); later != foreseen_.end() && builtin_signatures(name).empty()) {
+        e.type = later->second;
+        e.constant = false;
+    }
+    // OpenGL ES has no textures of one dimension: the runtime makes them one texel high.
+    if (target_.es && given.size() > 1 && given.front().type.name == "sampler1D" && given[1].first >= 0) {
+        Edit& before = u_.edit(given[1].first);
+        before.before = "vec2(" + before.before;
+        u_.edit(given[1].last).after += ", 0.5)";
+    }
+    if (wraps) e.type = make_type(Base::real, 4);
+    return e;
+}
+
+// Functions of Cg and HLSL, which some compilers let pass.
+bool Parser::foreign_function(std::string_view name, std::vector<Expression>& given, Expression& result) {
+    struct Foreign {
+        std::string_view name, ours;
+    };
+    constexpr Foreign table[] = {{"saturate", "clamp"},
+                                 {"lerp", "mix"},
+                                 {"frac", "fract"},
+                                 {"rsqrt", "inversesqrt"},
+                                 {"ddx", "dFdx"},
+                                 {"ddy", "dFdy"},
+                                 {"fmod", "mod"},
+                                 {"atan2", "atan"},
+                                 {"tex1D", "texture"},
+                                 {"tex2D", "texture"},
+                                 {"tex3D", "texture"},
+                                 {"texCUBE", "texture"},
+                                 {"mul", ""}};
+    const auto* found =
+        std::find_if(std::begin(table), std::end(table), [&](const Foreign& f) { return f.name == name; });
+    if (found == std::end(table) || given.empty() || given.back().last < 0) return false;
+    if (u_.at(result.last).text != ")") return false;
+    if (name == "mul") {
+        if (given.size() != 2 || u_.at(given[0].last + 1).text != ",") return false;
+        u_.replace(result.first, "(");
+        u_.replace(given[0].last + 1, ") * (");
+        u_.replace(result.last, "))");
+        const int first = result.first, last = result.last;
+        result = combine(given[0], given[1], "*");
+        result.first = first;
+        result.last = last;
+    } else {
+        u_.replace(result.first, found->ours);
+        if (name == "saturate") u_.replace(result.last, ", 0.0, 1.0)");
+        if (name == "saturate")
+            result.type = given[0].type;
+        else
+            call_builtin(result, found->ours, given);
+    }
+    diagnostics_.warning("foreign-function", u_.span(result.first),
+                         "'" + std::string(name) + "' is no function of GLSL: read as " +
+                             (name == "mul" ? "a product" : std::string(found->ours)));
+    return true;
+}
+
+bool Parser::call_user(Expression& result, std::string_view name, std::vector<Expression>& given) {
+    if (!u_.function_names.contains(name)) return false;
+    const Function* best = nullptr;
+    int best_fit = -1;
+    bool any = false;
+    for (const Function& f : u_.functions) {
+        if (f.name != name) continue;
+        any = true;
+        if (f.parameters.size() != given.size()) continue;
+        int worst = 2, sum = 0;
+        for (std::size_t n = 0; n < given.size(); ++n) {
+            const Type& want = f.parameters[n].type;
+            const Type& have = given[n].type;
+            const int one = have.same(want) ? 2 : want.base == Base::unknown || want.dims ? 1 : fit(have, want);
+            worst = std::min(worst, one);
+            sum += one;
+        }
+        if (worst == 0) continue;
+        if (sum > best_fit) {
+            best_fit = sum;
+            best = &f;
+        }
+    }
+    if (!any || (!best && !builtin_signatures(name).empty())) return false;
+    result.constant = false;
+    if (best && target_.es && !builtin_signatures(name).empty())
+        u_.replace(result.first, "snell_user_" + std::string(name));
+    if (!best) {
+        // No overload fits: if only one has that many parameters, it is meant.
+        int candidates = 0;
+        for (const Function& f : u_.functions)
+            if (f.name == name && f.parameters.size() == given.size()) {
+                best = &f;
+                candidates += f.open >= 0 ? 1 : 0;
+            }
+        if (!best) return true;
+        if (candidates > 1) {
+            result.type = best->result;
+            return true;
+        }
+    }
+    result.type = best->result;
+    for (std::size_t n = 0; n < given.size(); ++n) {
+        const Parameter& parameter = best->parameters[n];
+        if (parameter.storage != Storage::in)
+            note_write(given[n], nullptr, "out");
+        else
+            convert(given[n], parameter.type, Due::argument);
+    }
+    return true;
+}
+
+void Parser::call_builtin(Expression& result, std::string_view name, std::vector<Expression>& given) {
+    std::string_view signatures = builtin_signatures(name);
+    result.constant = !signatures.empty() && !impure(name);
+    for (const Expression& a : given) result.constant = result.constant && a.constant;
+    if (name == "modf" || name == "frexp") {
+        if (given.size() > 1) note_write(given[1], nullptr, "out");
+    }
+    std::string best_text, text;
+    Overload best{'X', {}, 0};
+    int best_fit = 0;
+    while (!signatures.empty()) {
+        const std::size_t end = std::min(signatures.find(' '), signatures.size());
+        const Overload o = read_overload(signatures.substr(0, end), text);
+        const int one = match(o, given);
+        if (one > best_fit) {
+            best_fit = one;
+            best_text = text;
+            best = o;
+            best.parameters = best_text;
+        }
+        signatures.remove_prefix(std::min(end + 1, signatures.size()));
+    }
+    if (best_fit == 0) return;
+    const int size = generic_size(best, given);
+    for (std::size_t n = 0; n < given.size(); ++n) {
+        const char code = best.parameters[n];
+        if (code == 'C' && given[n].type.integral())
+            convert(given[n], make_type(Base::real, given[n].type.rows), Due::argument);
+        else if (const auto want = parameter_type(code, size))
+            convert(given[n], *want, Due::argument);
+    }
+    const std::string_view sampler = given.empty() ? std::string_view() : given.front().type.name;
+    if (const auto type = parameter_type(best.result, size)) {
+        result.type = *type;
+        const bool dvec =
+            std::any_of(given.begin(), given.end(), [](const Expression& e) { return e.type.base == Base::dreal; });
+        if (dvec && type->base == Base::real) result.type = make_type(Base::dreal, type->rows);
+    } else if (best.result == 'T' && !given.empty() && given.front().type.base == Base::sampler) {
+        result.type = texel(sampler);
+    } else if (best.result == 'Z' && !given.empty() && given.front().type.base == Base::sampler) {
+        result.type = texture_size(sampler);
+    } else if (!given.empty() && given.front().type.cols > 1 && name != "outerProduct") {
+        const Type& m = given.front().type;
+        result.type = name == "transpose" ? make_type(m.base, m.cols, m.rows) : m;
+    }
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,177 @@
+// Declarators with their initialisers, and functions.
+#include "src/glsl/read/parse.h"
+#include "src/glsl/read/words.h"
+
+namespace snell::glsl {
+
+void Parser::declarators(const Qualifiers& q, Type type, Group group, bool global) {
+    const auto index = static_cast<int>(u_.groups.size());
+    if (global) u_.groups.push_back(std::move(group));
+    while (token().kind == Kind::identifier) {
+        declarator(q, type, index, global);
+        if (!accept(",")) break;
+    }
+    if (!is(";")) {
+        if (!global) return skip_to_semicolon();
+        u_.groups.back().last = -1;  // not understood: left as it is
+        return skip_declaration();
+    }
+    ++p_;
+    if (global) u_.groups[static_cast<std::size_t>(index)].last = p_ - 1;
+}
+
+void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) {
+    Global g;
+    g.name = text();
+    g.name_token = p_;
+    g.qualifiers = q;
+    g.group = group;
+    ++p_;
+    dimensions(type, &g.dims);
+    g.type = type;
+    std::vector<double> value;
+    // A varying array in a geometry shader, without a direction: one element for each vertex that comes in.
+    if (global && q.varying && u_.stage == Stage::geometry && g.type.dims == 1 && q.direction == 0)
+        g.qualifiers.storage = Storage::in;
+    if (accept("=")) {
+        g.init_first = p_;
+        const Expression e = initialiser(type);
+        g.init_last = p_ - 1;
+        g.init_constant = e.constant;
+        if (e.constant) value = e.value;
+        if (type.size < 0 && type.dims == 1) g.type.size = e.type.size;
+        if (!global && q.storage == Storage::constant && !e.constant && (target_.es || target_.version < 420))
+            for (int k = q.first; k <= q.last; ++k)
+                if (u_.at(k).text == "const") u_.replace(k, "");
+    }
+    if (global && u_.function_names.contains(g.name)) u_.shared_by_kinds.insert(g.name);
+    // Without a value it has what another program left in a register.
+    const bool number = type.base >= Base::boolean && type.base <= Base::dreal && type.dims == 0;
+    const bool whole = g.init_first < 0 && (is(";") || is(","));  // else the driver's message is of what is wrong here
+    if (!global && whole && number && q.storage == Storage::plain && u_.at(g.name_token).macro < 0)
+        u_.edit(g.name_token).after += " = " + zero(type);
+    Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
+    if (symbol.constant) symbol.value = value;
+    if (global && g.type.base == Base::sampler && q.storage == Storage::plain) {
+        diagnostics_.warning("sampler-not-uniform", u_.span(g.name_token), "a sampler is a uniform: taken as one");
+        g.qualifiers.storage = Storage::uniform;
+        g.dirty = true;
+    }
+    if (global) {
+        symbol.global = static_cast<int>(u_.globals.size());
+        g.value = std::move(value);
+        u_.groups[static_cast<std::size_t>(group)].globals.push_back(symbol.global);
+        u_.globals.push_back(std::move(g));
+    }
+    // NOLINTNEXTLINE(bugprone-use-after-move): moved from only where it is global
+    declare(global ? u_.globals.back().name : g.name, std::move(symbol));
+}
+
+// An initialiser: an expression, or a list in braces.
+Expression Parser::initialiser(const Type& due) {
+    if (!is("{")) {
+        Expression e = assignment();
+        convert(e, due, Due::initialiser);
+        return e;
+    }
+    const int open = p_;
+    ++p_;
+    Type element = due;
+    if (element.dims > 0)
+        --element.dims;
+    else if (element.cols > 1)
+        element.cols = 1;
+    else
+        element.rows = 1;
+    if (due.dims == 0) element = make_type(due.base, element.rows, element.cols);
+    Expression list;
+    list.first = open;
+    list.type = due;
+    int count = 0;
+    bool known = true;
+    if (++depth_ > 200) {
+        p_ = open;
+        skip_balanced();
+        --depth_;
+        return list;
+    }
+    while (!at_end() && !is("}")) {
+        const int before = p_;
+        const Expression e = initialiser(element);
+        list.constant = list.constant && e.constant;
+        known = known && !e.value.empty();
+        list.value.insert(list.value.end(), e.value.begin(), e.value.end());
+        ++count;
+        if (!accept(",")) break;
+        if (p_ == before) ++p_;
+    }
+    --depth_;
+    const int close = p_;
+    if (!accept("}")) {
+        p_ = open;
+        skip_balanced();
+        return list;
+    }
+    if (!known) list.value.clear();
+    list.last = close;
+    if (due.dims > 0) list.type.size = count;
+    if ((target_.es || target_.version < 420) && due.structure < 0 && !due.name.empty() && element.dims == 0) {
+        u_.replace(open, std::string(due.name) + (due.dims > 0 ? "[" + std::to_string(count) + "]" : "") + "(");
+        u_.replace(close, ")");
+        if (u_.at(close - 1).text == ",") u_.replace(close - 1, "");
+    }
+    return list;
+}
+
+void Parser::function(const Type& result, int first, int name) {
+    Function f;
+    f.name = text();
+    f.result = result;
+    f.name_token = name;
+    f.first = first;
+    // OpenGL ES lets nobody redefine a built-in function.
+    if (target_.es && !builtin_signatures(f.name).empty()) u_.replace(name, "snell_user_" + std::string(f.name));
+    p_ = name + 2;
+    open_scope();
+    while (!at_end() && !is(")")) {
+        const int before = p_;
+        const Qualifiers q = qualifiers();
+        bool defines = false;
+        const std::optional<Type> type = type_specifier(defines);
+        if (!type) break;
+        Parameter parameter{*type, q.storage == Storage::out || q.storage == Storage::inout ? q.storage : Storage::in};
+        dimensions(parameter.type, nullptr);
+        if (token().kind == Kind::identifier) {
+            const std::string_view parameter_name = text();
+            ++p_;
+            dimensions(parameter.type, nullptr);
+            declare(parameter_name, {parameter.type, -1, false, false, {}});
+        }
+        if (parameter.type.base != Base::none) f.parameters.push_back(parameter);
+        if (!accept(",") || p_ == before) break;
+    }
+    if (!accept(")")) {
+        close_scope();
+        return skip_declaration();
+    }
+    f.parameters_end = p_ - 1;
+    const auto index = u_.functions.size();
+    const std::string_view function_name = f.name;
+    u_.functions.push_back(std::move(f));
+    u_.function_names.insert(function_name);
+    if (is("{")) {
+        u_.functions[index].open = p_;
+        result_ = result;
+        compound();
+        u_.functions[index].close = p_ - 1;
+    } else {
+        accept(";");
+    }
+    close_scope();
+    if (const Symbol* variable = find(function_name); variable && !variable->function)
+        u_.shared_by_kinds.insert(function_name);
+    else
+        declare(function_name, {result, -1, false, true, {}});
+}
+
+}  // namespace snell::glsl

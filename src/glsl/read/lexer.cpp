@@ -1,0 +1,210 @@
+#include "src/glsl/read/lexer.h"
+
+#include <array>
+
+namespace snell::glsl {
+
+bool identifier_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool identifier_part(char c) { return identifier_start(c) || (c >= '0' && c <= '9'); }
+bool blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+namespace {
+
+bool digit(char c) { return c >= '0' && c <= '9'; }
+
+// Bytes of an exotic blank in UTF-8 that starts here: no-break space, the spaces of U+2000…, U+3000,
+// zero-width characters and the byte-order mark.
+std::size_t exotic_blank(std::string_view s) {
+    auto byte = [&](std::size_t i) { return i < s.size() ? static_cast<unsigned char>(s[i]) : 0u; };
+    if (byte(0) == 0xC2 && (byte(1) == 0xA0 || byte(1) == 0x85)) return 2;
+    if (byte(0) == 0xE2 && byte(1) == 0x80 &&
+        (byte(2) <= 0x8F || byte(2) == 0xA8 || byte(2) == 0xA9 || byte(2) == 0xAF))
+        return byte(2) >= 0x80 ? 3 : 0;
+    if (byte(0) == 0xE2 && byte(1) == 0x81 && (byte(2) == 0x9F || byte(2) == 0xA0)) return 3;
+    if (byte(0) == 0xE3 && byte(1) == 0x80 && byte(2) == 0x80) return 3;
+    if (byte(0) == 0xEF && byte(1) == 0xBB && byte(2) == 0xBF) return 3;
+    return 0;
+}
+
+// A no-break space of Latin-1, which UTF-8 would not have on its own.
+bool latin1_blank(std::string_view text, std::size_t i) {
+    if (static_cast<unsigned char>(text[i]) != 0xA0) return false;
+    return i == 0 || static_cast<unsigned char>(text[i - 1]) < 0x80;
+}
+
+void join_continuation(std::string& s, std::size_t backslash) {
+    std::size_t end = backslash + 1;
+    while (end < s.size() && blank(s[end])) ++end;
+    if (end == backslash + 1 || end >= s.size() || (s[end] != '\n' && s[end] != '\r')) return;
+    s[backslash] = ' ';
+    s[end - 1] = '\\';
+}
+
+}  // namespace
+
+Cleaned clean(std::string_view text) {
+    Cleaned out{std::string(text), false, 0};
+    std::string& s = out.text;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const auto c = static_cast<unsigned char>(s[i]);
+        if (c == '\\') {
+            join_continuation(s, i);
+            continue;
+        }
+        if (c >= 0x20 && c < 0x7F) continue;
+        if (c == '\n' || c == '\t' || (c == '\r' && i + 1 < s.size() && s[i + 1] == '\n')) continue;
+        if (c == '\r') {  // a line end of old Macintosh editors
+            s[i] = '\n';
+            continue;
+        }
+        std::size_t width = c < 0x20 || c == 0x7F ? 1 : exotic_blank(std::string_view(s).substr(i));
+        if (width == 0 && latin1_blank(text, i)) width = 1;
+        if (width == 0) continue;
+        const bool byte_order_mark = i == 0 && width == 3;
+        if (c >= 0x80 && !byte_order_mark && !out.odd_blanks) {
+            out.odd_blanks = true;
+            out.first_odd = static_cast<std::uint32_t>(i);
+        }
+        for (std::size_t k = 0; k < width; ++k) s[i + k] = ' ';
+        i += width - 1;
+    }
+    return out;
+}
+
+std::size_t skip_trivia(std::string_view text, std::size_t i, bool& line_start) {
+    while (i < text.size()) {
+        const char c = text[i];
+        if (c == '\n') {
+            line_start = true;
+            ++i;
+        } else if (blank(c) || c == '\r') {
+            ++i;
+        } else if (c == '\\' && i + 1 < text.size() && (text[i + 1] == '\n' || text[i + 1] == '\r')) {
+            i += text[i + 1] == '\r' && i + 2 < text.size() && text[i + 2] == '\n' ? 3 : 2;
+        } else if (c == '/' && i + 1 < text.size() && text[i + 1] == '/') {
+            while (i < text.size() && text[i] != '\n') i += text[i] == '\\' && i + 1 < text.size() ? 2 : 1;
+        } else if (c == '/' && i + 1 < text.size() && text[i + 1] == '*') {
+            const std::size_t close = text.find("*/", i + 2);
+            i = close == std::string_view::npos ? text.size() : close + 2;
+        } else {
+            break;
+        }
+    }
+    return i < text.size() ? i : text.size();
+}
+
+namespace {
+
+Lexeme number(std::string_view text, std::size_t from) {
+    std::size_t i = from;
+    bool real = false;
+    auto at = [&](std::size_t k) { return k < text.size() ? text[k] : '\0'; };
+    if (at(i) == '0' && (at(i + 1) == 'x' || at(i + 1) == 'X')) {
+        i += 2;
+        while (identifier_part(at(i))) ++i;
+        return {Kind::integer, text.substr(from, i - from)};
+    }
+    while (digit(at(i))) ++i;
+    if (at(i) == '.') {
+        real = true;
+        ++i;
+        while (digit(at(i))) ++i;
+    }
+    if (at(i) == 'e' || at(i) == 'E') {
+        std::size_t k = i + 1;
+        if (at(k) == '+' || at(k) == '-') ++k;
+        if (digit(at(k))) {
+            real = true;
+            i = k;
+            while (digit(at(i))) ++i;
+        }
+    }
+    if (real && identifier_start(at(i)) && !digit(at(i + 1))) {  // f, F, h, lf, LF
+        if (at(i) == 'f' || at(i) == 'F' || at(i) == 'h' || at(i) == 'd') {
+            ++i;
+        } else if ((at(i) == 'l' || at(i) == 'L') && (at(i + 1) == 'f' || at(i + 1) == 'F')) {
+            i += 2;
+        }
+    } else if (!real && (at(i) == 'f' || at(i) == 'F')) {
+        real = true;
+        ++i;
+    } else if (!real && (at(i) == 'u' || at(i) == 'U')) {
+        ++i;
+    }
+    return {real ? Kind::real : Kind::integer, text.substr(from, i - from)};
+}
+
+constexpr std::array<std::string_view, 23> long_operators = {
+    "<<=", ">>=", "++", "--", "<=", ">=", "==", "!=", "&&", "||", "^^", "+=",
+    "-=",  "*=",  "/=", "%=", "&=", "|=", "^=", "<<", ">>", "##", "->"};
+
+}  // namespace
+
+Lexeme lex(std::string_view text, std::size_t from) {
+    if (from >= text.size()) return {};
+    const char c = text[from];
+    if (identifier_start(c)) {
+        std::size_t i = from;
+        while (i < text.size() && identifier_part(text[i])) ++i;
+        return {Kind::identifier, text.substr(from, i - from)};
+    }
+    if (digit(c) || (c == '.' && from + 1 < text.size() && digit(text[from + 1]))) return number(text, from);
+    switch (c) {
+        case '(':
+        case ')':
+        case '[':
+        case ']':
+        case '{':
+        case '}':
+        case ';':
+        case ',':
+        case '.':
+        case '~':
+        case '?':
+        case ':':
+            return {Kind::punct, text.substr(from, 1)};
+        case '+':
+        case '-':
+        case '*':
+        case '/':
+        case '%':
+        case '<':
+        case '>':
+        case '=':
+        case '!':
+        case '&':
+        case '|':
+        case '^':
+        case '#': {
+            const std::string_view rest = text.substr(from, 3);
+            for (const std::string_view op : long_operators)
+                if (op[0] == c && rest.starts_with(op)) return {Kind::punct, text.substr(from, op.size())};
+            return {Kind::punct, text.substr(from, 1)};
+        }
+        default:
+            break;
+    }
+    std::size_t end = from + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80 &&
+           (static_cast<unsigned char>(c) & 0x80))
+        ++end;
+    return {Kind::other, text.substr(from, end - from)};
+}
+
+std::size_t directive_end(std::string_view text, std::size_t i) {
+    while (i < text.size() && text[i] != '\n') {
+        if (text[i] == '\\' && i + 1 < text.size()) {
+            i += text[i + 1] == '\r' && i + 2 < text.size() ? 3 : 2;
+        } else if (text.substr(i, 2) == "/*") {
+            const std::size_t close = text.find("*/", i + 2);
+            i = close == std::string_view::npos ? text.size() : close + 2;
+        } else if (text.substr(i, 2) == "//") {
+            while (i < text.size() && text[i] != '\n') i += text[i] == '\\' && i + 1 < text.size() ? 2 : 1;
+        } else {
+            ++i;
+        }
+    }
+    return std::min(i, text.size());
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,36 @@
+// Characters to tokens of GLSL, one at a time; and the cleaning of what is no GLSL text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "src/glsl/read/token.h"
+
+namespace snell::glsl {
+
+struct Cleaned {
+    std::string text;         // as long as the original: offsets stay
+    bool odd_blanks = false;  // there were no-break spaces or the like
+    std::uint32_t first_odd = 0;
+};
+// Byte-order marks, no-break and other exotic spaces, and control characters become blanks; a backslash
+// followed by blanks at the end of a line moves to the end.
+Cleaned clean(std::string_view text);
+
+// The end of the blanks and comments that start at `from`; a newline counts as blank. `line_start` is set if a
+// line end was passed.
+std::size_t skip_trivia(std::string_view text, std::size_t from, bool& line_start);
+// The end of the line of the directive at `i`, continuations and comments included.
+std::size_t directive_end(std::string_view text, std::size_t i);
+// The token that starts at `from`, which is no blank. Of kind end at the end of the text.
+struct Lexeme {
+    Kind kind = Kind::end;
+    std::string_view text;
+};
+Lexeme lex(std::string_view text, std::size_t from);
+
+bool identifier_start(char c);
+bool identifier_part(char c);
+bool blank(char c);
+
+}  // namespace snell::glsl

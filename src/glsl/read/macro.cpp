@@ -1,0 +1,321 @@
+#include "src/glsl/read/macro.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace snell::glsl {
+
+void Macros::undefine(std::string_view name) {
+    if (const auto it = macros_.find(name); it != macros_.end()) macros_.erase(it);
+}
+
+const Macro* Macros::find(std::string_view name) const {
+    const auto it = macros_.find(name);
+    return it == macros_.end() ? nullptr : &it->second;
+}
+
+// What the shader's own version would have defined. Extensions that the translation makes superfluous count as
+// there; those of one vendor do not.
+bool Macros::predefined(std::string_view name, long long& value) {
+    value = 1;
+    if (name == "__VERSION__") {
+        asked_context_ = true;
+        value = version_;
+        return true;
+    }
+    if (name == "__LINE__") {
+        value = line_;
+        return true;
+    }
+    if (name == "__FILE__") {
+        value = 0;
+        return true;
+    }
+    if (!name.starts_with("GL_")) return false;
+    asked_context_ = true;
+    if (name == "GL_ES") return profile_ == "es";
+    if (name == "GL_compatibility_profile") return profile_ == "compatibility";
+    if (name == "GL_core_profile") return version_ >= 150 && profile_ != "compatibility" && profile_ != "es";
+    if (name == "GL_FRAGMENT_PRECISION_HIGH") return true;
+    return name.starts_with("GL_ARB_") || name == "GL_EXT_gpu_shader4" || name == "GL_EXT_geometry_shader4" ||
+           name == "GL_OES_standard_derivatives" || name == "GL_EXT_texture_array";
+}
+
+bool Macros::defined(std::string_view name) {
+    long long value = 0;
+    return find(name) || predefined(name, value);
+}
+
+std::vector<MacroToken> macro_tokens(std::string_view text) {
+    std::vector<MacroToken> out;
+    bool line_start = false;
+    for (std::size_t i = skip_trivia(text, 0, line_start); i < text.size(); i = skip_trivia(text, i, line_start)) {
+        const Lexeme lexeme = lex(text, i);
+        out.push_back({lexeme.kind, lexeme.text});
+        i += lexeme.text.size();
+    }
+    return out;
+}
+
+bool Macros::expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& out) {
+    std::vector<std::string_view> active;
+    return expand(in, out, active);
+}
+
+namespace {
+
+// Reads the arguments whose opening parenthesis is at in[i]; leaves i behind the closing one.
+bool read_arguments(const std::vector<MacroToken>& in, std::size_t& i,
+                    std::vector<std::vector<MacroToken>>& arguments) {
+    int depth = 0;
+    arguments.emplace_back();
+    for (; i < in.size(); ++i) {
+        const std::string_view t = in[i].text;
+        if (t == "(" || t == "[" || t == "{") {
+            if (depth++ == 0) continue;
+        } else if (t == ")" || t == "]" || t == "}") {
+            if (--depth == 0) {
+                ++i;
+                return true;
+            }
+        } else if (t == "," && depth == 1) {
+            arguments.emplace_back();
+            continue;
+        }
+        arguments.back().push_back(in[i]);
+    }
+    return false;
+}
+
+}  // namespace
+
+bool Macros::expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& out,
+                    std::vector<std::string_view>& active) {
+    if (active.size() > 64) return false;
+    for (std::size_t i = 0; i < in.size();) {
+        if (budget_ == 0) return false;
+        --budget_;
+        const MacroToken& t = in[i];
+        const Macro* macro = t.kind == Kind::identifier && !t.frozen ? find(t.text) : nullptr;
+        if (macro && std::find(active.begin(), active.end(), t.text) != active.end()) {
+            out.push_back({t.kind, t.text, true});
+            ++i;
+            continue;
+        }
+        if (!macro || (macro->function && (i + 1 >= in.size() || in[i + 1].text != "("))) {
+            out.push_back(t);
+            ++i;
+            continue;
+        }
+        std::vector<std::vector<MacroToken>> arguments;
+        std::size_t next = i + 1;
+        if (macro->function && !read_arguments(in, next, arguments)) {
+            out.push_back(t);
+            ++i;
+            continue;
+        }
+        std::vector<MacroToken> replaced;
+        if (!substitute(*macro, arguments, replaced, active)) return false;
+        active.push_back(t.text);
+        // A function-like macro's name at the end takes its arguments from what follows.
+        const bool trailing = !replaced.empty() && next < in.size() && in[next].text == "(" &&
+                              find(replaced.back().text) && find(replaced.back().text)->function;
+        if (trailing) {
+            std::size_t end = next;
+            std::vector<std::vector<MacroToken>> unused;
+            if (read_arguments(in, end, unused)) {
+                replaced.insert(replaced.end(), in.begin() + static_cast<std::ptrdiff_t>(next),
+                                in.begin() + static_cast<std::ptrdiff_t>(end));
+                next = end;
+            }
+        }
+        const bool fine = expand(replaced, out, active);
+        active.pop_back();
+        if (!fine) return false;
+        i = next;
+    }
+    return true;
+}
+
+bool Macros::substitute(const Macro& macro, const std::vector<std::vector<MacroToken>>& arguments,
+                        std::vector<MacroToken>& out, std::vector<std::string_view>& active) {
+    std::vector<std::vector<MacroToken>> expanded(arguments.size());
+    std::vector<bool> done(arguments.size(), false);
+    auto parameter = [&](const MacroToken& t) -> std::ptrdiff_t {
+        if (t.kind != Kind::identifier) return -1;
+        const auto it = std::find(macro.parameters.begin(), macro.parameters.end(), t.text);
+        const auto n = it - macro.parameters.begin();
+        return it == macro.parameters.end() || static_cast<std::size_t>(n) >= arguments.size() ? -1 : n;
+    };
+    for (std::size_t k = 0; k < macro.body.size(); ++k) {
+        if (out.size() > budget_) return false;
+        const bool pastes = k + 1 < macro.body.size() && macro.body[k + 1].text == "##";
+        const bool after_paste = k > 0 && macro.body[k - 1].text == "##";
+        if (macro.body[k].text == "##" && !out.empty() && k + 1 < macro.body.size()) {
+            pasted_ = true;
+            const std::ptrdiff_t n = parameter(macro.body[k + 1]);
+            const MacroToken* right = &macro.body[k + 1];
+            if (n >= 0)
+                right = arguments[static_cast<std::size_t>(n)].empty()
+                            ? nullptr
+                            : &arguments[static_cast<std::size_t>(n)].front();
+            if (right) {
+                const std::string& glued = arena_.emplace_back(std::string(out.back().text) + std::string(right->text));
+                const Lexeme lexeme = lex(glued, 0);
+                out.back() = {lexeme.kind, lexeme.text};
+            }
+            if (n >= 0 && arguments[static_cast<std::size_t>(n)].size() > 1) {
+                const auto& argument = arguments[static_cast<std::size_t>(n)];
+                out.insert(out.end(), argument.begin() + 1, argument.end());
+            }
+            continue;
+        }
+        if (after_paste) continue;
+        const std::ptrdiff_t n = parameter(macro.body[k]);
+        if (n < 0) {
+            out.push_back(macro.body[k]);
+            continue;
+        }
+        const auto a = static_cast<std::size_t>(n);
+        if (pastes) {
+            out.insert(out.end(), arguments[a].begin(), arguments[a].end());
+            continue;
+        }
+        if (!done[a] && !expand(arguments[a], expanded[a], active)) return false;
+        done[a] = true;
+        out.insert(out.end(), expanded[a].begin(), expanded[a].end());
+    }
+    return true;
+}
+
+namespace {
+
+// Precedence climbing over the integers, as the preprocessor of C.
+struct Condition {
+    const std::vector<MacroToken>& tokens;
+    std::size_t at = 0;
+    bool failed = false;
+    int depth = 0;
+
+    std::string_view peek() const { return at < tokens.size() ? tokens[at].text : std::string_view(); }
+
+    static int precedence(std::string_view op) {
+        struct Level {
+            std::string_view op;
+            int level;
+        };
+        constexpr Level levels[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
+                                    {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
+                                    {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
+        for (const Level& l : levels)
+            if (l.op == op) return l.level;
+        return 0;
+    }
+
+    long long apply(std::string_view op, long long a, long long b) {
+        const auto ua = static_cast<unsigned long long>(a), ub = static_cast<unsigned long long>(b);
+        if (op == "||") return a || b;
+        if (op == "&&") return a && b;
+        if (op == "|") return a | b;
+        if (op == "^") return a ^ b;
+        if (op == "&") return a & b;
+        if (op == "==") return a == b;
+        if (op == "!=") return a != b;
+        if (op == "<") return a < b;
+        if (op == ">") return a > b;
+        if (op == "<=") return a <= b;
+        if (op == ">=") return a >= b;
+        if (op == "<<") return static_cast<long long>(ub < 64 ? ua << ub : 0);
+        if (op == ">>") return static_cast<long long>(ub < 64 ? ua >> ub : 0);
+        if (op == "+") return static_cast<long long>(ua + ub);
+        if (op == "-") return static_cast<long long>(ua - ub);
+        if (op == "*") return static_cast<long long>(ua * ub);
+        if (b == 0 || b == -1) {
+            failed = failed || b == 0;
+            return op == "/" ? static_cast<long long>(0 - ua) : 0;
+        }
+        return op == "/" ? a / b : a % b;
+    }
+
+    long long unary() {
+        if (++depth > 200) failed = true;
+        if (failed) return 0;
+        const std::string_view t = peek();
+        long long value = 0;
+        if (t == "!" || t == "-" || t == "~" || t == "+") {
+            ++at;
+            value = unary();
+            const auto u = static_cast<unsigned long long>(value);
+            if (t == "!") value = !value;
+            if (t == "-") value = static_cast<long long>(0 - u);
+            if (t == "~") value = ~value;
+        } else if (t == "(") {
+            ++at;
+            value = binary(1);
+            if (peek() == ")") {
+                ++at;
+            } else {
+                failed = true;
+            }
+        } else if (at < tokens.size() && tokens[at].kind == Kind::integer) {
+            std::string_view digits = t;
+            int base = 10;
+            if (digits.starts_with("0x") || digits.starts_with("0X")) {
+                base = 16;
+                digits.remove_prefix(2);
+            } else if (digits.size() > 1 && digits.front() == '0') {
+                base = 8;
+            }
+            std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
+            ++at;
+        } else if (at < tokens.size() && tokens[at].kind == Kind::identifier) {
+            ++at;  // not defined: 0
+        } else {
+            failed = true;
+        }
+        --depth;
+        return value;
+    }
+
+    long long binary(int least) {
+        long long left = unary();
+        for (int level = precedence(peek()); level >= least && !failed; level = precedence(peek())) {
+            const std::string_view op = tokens[at++].text;
+            left = apply(op, left, binary(level + 1));
+        }
+        return left;
+    }
+};
+
+}  // namespace
+
+std::optional<bool> Macros::condition(std::string_view text, int line) {
+    line_ = line;
+    static constexpr std::string_view yes = "1", no = "0";
+    const std::vector<MacroToken> raw = macro_tokens(text);
+    std::vector<MacroToken> in;
+    for (std::size_t i = 0; i < raw.size(); ++i) {
+        if (raw[i].text != "defined") {
+            in.push_back(raw[i]);
+            continue;
+        }
+        const bool bracketed = i + 1 < raw.size() && raw[i + 1].text == "(";
+        const std::size_t name = i + (bracketed ? 2 : 1);
+        if (name >= raw.size()) return std::nullopt;
+        in.push_back({Kind::integer, defined(raw[name].text) ? yes : no});
+        i = name + (bracketed ? 1 : 0);
+    }
+    std::vector<MacroToken> out;
+    if (!expand(in, out)) return std::nullopt;
+    for (MacroToken& t : out) {
+        long long value = 0;
+        if (t.kind == Kind::identifier && predefined(t.text, value))
+            t = {Kind::integer, arena_.emplace_back(std::to_string(value))};
+    }
+    Condition condition{out};
+    const long long value = condition.binary(1);
+    if (condition.failed || condition.at < out.size()) return std::nullopt;
+    return value != 0;
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,334 @@
+// Operands: names, numbers, constructors, casts, and what is selected from them.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "src/glsl/read/legacy.h"
+#include "src/glsl/read/parse.h"
+#include "src/glsl/read/words.h"
+
+namespace snell::glsl {
+
+void Parser::select(Expression& e, std::string_view member) {
+    e.selected = true;
+    if (member.starts_with("gl_")) {
+        const LegacyName* legacy = legacy_name(member);
+        e.type = {};
+        if (legacy)
+            if (const auto type = builtin_type(legacy->type)) e.type = *type;
+        if (legacy && legacy->size > 0) e.type.dims = 1;
+        e.legacy = member;
+        e.value.clear();
+        return;
+    }
+    if (e.type.base == Base::structure && e.type.dims == 0 && e.type.structure >= 0) {
+        Type found;
+        for (const Member& m : u_.structs[static_cast<std::size_t>(e.type.structure)].members)
+            if (m.name == member) found = m.type;
+        e.type = found;
+        e.value.clear();
+        return;
+    }
+    e.selection = member;
+    const bool scalar_selected = e.type.scalar() && e.type.numeric() && member.find_first_not_of("xrs") == member.npos;
+    if (scalar_selected && (target_.es || target_.version < 420) && e.first >= 0) {
+        Edit& before = u_.edit(e.first);
+        before.before =
+            std::string(type_name(e.type.base, static_cast<int>(std::min<std::size_t>(member.size(), 4)), 1)) + "(" +
+            before.before;
+        u_.replace(p_ - 2, "");
+        u_.replace(p_ - 1, ")");
+    }
+    if (e.type.dims || e.type.cols > 1 || e.type.base < Base::boolean || e.type.base > Base::dreal ||
+        member.size() > 4) {
+        e.type = {};
+        e.value.clear();
+        return;
+    }
+    std::vector<double> value;
+    for (const char c : member) {
+        constexpr std::string_view sets = "xyzwrgbastpq";
+        const std::size_t n = sets.find(c);
+        if (n != std::string_view::npos && n % 4 < e.value.size()) value.push_back(e.value[n % 4]);
+    }
+    e.value = value.size() == member.size() ? value : std::vector<double>{};
+    e.alpha_one = e.alpha_one && member.size() == 4 && has_alpha(member.substr(3));
+    e.type = make_type(e.type.base, static_cast<int>(member.size()));
+}
+
+Expression Parser::postfix() {
+    Expression e = primary();
+    for (;;) {
+        if (is("[")) {
+            ++p_;
+            const Expression index = expression();
+            if (index.type.base == Base::real) convert(index, make_type(Base::integer), Due::operand);
+            if (!accept("]")) break;
+            if (e.type.dims > 0) {
+                --e.type.dims;
+                e.type.size = -1;
+            } else if (e.type.cols > 1) {
+                e.type = make_type(e.type.base, e.type.rows);
+            } else if (e.type.rows > 1) {
+                e.type = make_type(e.type.base);
+                const bool alpha = index.value.size() != 1 || index.value[0] > 2.5;
+                e.selection = alpha ? "?a" : "x";
+            } else {
+                e.type = {};
+            }
+            e.constant = e.constant && index.constant;
+            e.value.clear();
+            e.alpha_one = false;
+            e.selected = true;
+            e.last = p_ - 1;
+        } else if (is(".") && token(1).kind == Kind::identifier) {
+            const std::string_view member = text(1);
+            p_ += 2;
+            if (member == "length" && is("(")) {
+                skip_balanced();
+                const bool known = e.type.size > 0;
+                e.value = known ? std::vector<double>{static_cast<double>(e.type.size)} : std::vector<double>{};
+                e.constant = true;
+                e.type = make_type(Base::integer);
+                e.global = -1;
+                e.legacy = {};
+            } else {
+                select(e, member);
+            }
+            e.last = p_ - 1;
+        } else if (is("(") && p_ > 0 &&
+                   (u_.at(p_ - 1).text == "]" || u_.at(p_ - 1).kind == Kind::integer ||
+                    u_.at(p_ - 1).kind == Kind::real)) {
+            // At least one driver does not survive this.
+            diagnostics_.error("not-a-function", u_.span(p_), "what stands before this parenthesis is no function");
+            skip_balanced();
+            e = Expression{};
+            e.constant = false;
+        } else if (is("++") || is("--")) {
+            note_operand(e, text());
+            note_write(e, nullptr, text());
+            ++p_;
+            e.last = p_ - 1;
+            e.constant = false;
+            e.value.clear();
+        } else {
+            break;
+        }
+    }
+    return e;
+}
+
+Expression Parser::number() {
+    Expression e;
+    e.first = e.last = p_;
+    const std::string_view t = text();
+    if (token().kind == Kind::integer) {
+        const bool uns = t.ends_with('u') || t.ends_with('U');
+        e.type = make_type(uns ? Base::uinteger : Base::integer);
+        long long v = 0;
+        if (t.starts_with("0x") || t.starts_with("0X"))
+            std::from_chars(t.data() + 2, t.data() + t.size(), v, 16);
+        else
+            std::from_chars(t.data(), t.data() + t.size(), v, t.size() > 1 && t[0] == '0' ? 8 : 10);
+        e.value = {static_cast<double>(v)};
+    } else {
+        e.type = make_type(t.ends_with("lf") || t.ends_with("LF") ? Base::dreal : Base::real);
+        double v = 0;
+        std::from_chars(t.data(), t.data() + t.size(), v);
+        e.value = {v};
+    }
+    ++p_;
+    return e;
+}
+
+Expression Parser::primary() {
+    const Token& t = token();
+    Expression e;
+    e.first = e.last = p_;
+    if (t.kind == Kind::integer || t.kind == Kind::real) return number();
+    if (t.text == "(") {
+        const int first = p_;
+        if (is(")", 2) && builtin_type(text(1)) && !find(text(1)) && token(3).kind != Kind::end && !is(";", 3))
+            return cast();
+        ++p_;
+        e = expression();
+        const bool alpha = e.alpha_one;
+        accept(")");
+        e.first = first;
+        e.last = p_ - 1;
+        e.alpha_one = alpha;
+        return e;
+    }
+    if (t.kind != Kind::identifier) {
+        e.constant = false;
+        if (t.kind == Kind::other) ++p_;
+        return e;
+    }
+    if (t.text == "true" || t.text == "false") {
+        ++p_;
+        e.type = make_type(Base::boolean);
+        e.value = {t.text == "true" ? 1. : 0.};
+        return e;
+    }
+    const Symbol* symbol = find(t.text);
+    const bool hidden = symbol && !symbol->function;
+    if (!hidden) {
+        if (const auto type = builtin_type(t.text); type && (is("(", 1) || is("[", 1))) {
+            ++p_;
+            return constructor(*type, p_ - 1);
+        }
+        for (std::size_t n = 0; n < u_.structs.size(); ++n)
+            if (u_.structs[n].name == t.text && (is("(", 1) || is("[", 1))) {
+                Type type;
+                type.base = Base::structure;
+                type.structure = static_cast<std::int32_t>(n);
+                type.name = t.text;
+                ++p_;
+                return constructor(type, p_ - 1);
+            }
+        if (is("(", 1)) return call(p_);
+    } else if (is("(", 1) && u_.function_names.contains(t.text)) {
+        u_.shared_by_kinds.insert(t.text);
+        return call(p_);
+    } else if (is("(", 1) && !builtin_signatures(t.text).empty()) {
+        return call(p_);
+    }
+    return name();
+}
+
+// (float) x, as C has it.
+Expression Parser::cast() {
+    const int first = p_;
+    const Type type = *builtin_type(text(1));
+    warn("c-cast", p_, "a cast in parentheses is C: read as " + std::string(type.name) + "(…)");
+    p_ += 3;
+    ++depth_;
+    Expression e = depth_ > 200 ? Expression{} : unary();
+    --depth_;
+    if (e.last >= first + 3) {
+        u_.replace(first, "");
+        u_.replace(first + 2, "(");
+        u_.edit(e.last).after += ")";
+    }
+    e.first = first;
+    e.type = type;
+    e.alpha_one = false;
+    e.value.clear();
+    e.global = -1;
+    e.legacy = {};
+    return e;
+}
+
+Expression Parser::name() {
+    Expression e;
+    e.first = e.last = p_;
+    std::string_view t = text();
+    ++p_;
+    e.constant = false;
+    const Symbol* symbol = find(t);
+    if (const std::string_view meaning = gstap_meaning(t, u_.stage); !symbol && !meaning.empty()) {
+        u_.tokens[static_cast<std::size_t>(e.first)].spelled = t;
+        u_.tokens[static_cast<std::size_t>(e.first)].text = t = meaning;
+    }
+    if (symbol && !symbol->function) {
+        e.type = symbol->type;
+        e.constant = symbol->constant;
+        e.value = symbol->value;
+        e.global = symbol->global;
+        if (e.global >= 0) {
+            Global& g = u_.globals[static_cast<std::size_t>(e.global)];
+            g.uses.push_back(p_ - 1);
+            g.read = true;
+        }
+        return e;
+    }
+    if (const LegacyName* legacy = legacy_name(t)) {
+        e.legacy = t;
+        if (const auto type = builtin_type(legacy->type)) e.type = *type;
+        if (!legacy->struct_text.empty()) e.type = *legacy_structure(legacy->struct_text);
+        if (legacy->size != 0) e.type.dims = legacy->size == -2 ? 2 : 1;
+        e.constant = t.starts_with("gl_Max");
+    }
+    if (t == "gl_in" || t == "gl_out") e.type.dims = 1;
+    return e;
+}
+
+std::vector<Expression> Parser::arguments() {
+    std::vector<Expression> given;
+    ++p_;  // (
+    if (is("void") && is(")", 1)) ++p_;
+    while (!at_end() && !is(")")) {
+        const int before = p_;
+        given.push_back(assignment());
+        if (!accept(",")) break;
+        if (p_ == before) ++p_;
+    }
+    if (!accept(")") && !at_end()) {
+        // Not understood: go to the closing parenthesis, but not past the statement.
+        int open = 1;
+        while (!at_end() && !is(";") && !is("{") && !is("}") && open > 0) {
+            if (is("(")) ++open;
+            if (is(")")) --open;
+            ++p_;
+        }
+    }
+    return given;
+}
+
+Expression Parser::constructor(const Type& type, int first) {
+    Expression e;
+    e.type = type;
+    e.first = first;
+    if (is("[")) dimensions(e.type, nullptr);
+    if (!is("(")) {
+        e.last = p_ - 1;
+        e.constant = false;
+        return e;
+    }
+    const std::vector<Expression> given = arguments();
+    e.last = p_ - 1;
+    bool known = true;
+    for (const Expression& a : given) {
+        e.constant = e.constant && a.constant;
+        known = known && !a.value.empty();
+        if (known) e.value.insert(e.value.end(), a.value.begin(), a.value.end());
+    }
+    if (!known) e.value.clear();
+    if (e.type.dims > 0) {
+        Type element = e.type;
+        --element.dims;
+        for (const Expression& a : given) convert(a, element, Due::argument);
+        if (e.type.size < 0) e.type.size = static_cast<std::int32_t>(given.size());
+        return e;
+    }
+    if (type.base == Base::structure) {
+        const Struct& s = u_.structs[static_cast<std::size_t>(type.structure)];
+        for (std::size_t n = 0; n < given.size() && n < s.members.size(); ++n)
+            convert(given[n], s.members[n].type, Due::argument);
+        return e;
+    }
+    const std::size_t size = static_cast<std::size_t>(type.rows) * type.cols;
+    if (type.rows == 4 && type.cols == 1 && !given.empty()) {
+        const Expression& last = given.back();
+        e.alpha_one =
+            (!last.value.empty() && last.value.back() == 1 && (given.size() == 1 || last.type.scalar() || known)) ||
+            (given.size() == 1 && last.alpha_one);
+    }
+    if (e.value.size() == 1 && size > 1) {
+        const double v = e.value[0];
+        e.value.assign(size, type.cols > 1 ? 0. : v);
+        if (type.cols > 1)
+            for (std::size_t n = 0; n < std::min(type.rows, type.cols); ++n) e.value[n * type.rows + n] = v;
+    } else if (e.value.size() > size && type.cols == 1) {
+        e.value.resize(size);
+    } else if (e.value.size() != size) {
+        e.value.clear();
+    }
+    if (type.integral())
+        for (double& v : e.value) v = std::trunc(v);
+    if (type.base == Base::boolean)
+        for (double& v : e.value) v = v != 0;
+    return e;
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,129 @@
+// The light parse: declarations, functions and the types of expressions, good enough to know what a name
+// means, whether an initialiser is constant, and where a float is due. What it does not understand it skips;
+// errors of the language are left to the driver.
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+
+#include "src/glsl/read/token.h"
+
+namespace snell::glsl {
+
+struct Expression {
+    Type type;
+    int first = -1, last = -1;  // tokens
+    bool constant = true;
+    bool alpha_one = false;      // a vec4 whose last component is known to be 1
+    std::vector<double> value;   // of constants, where known; column-major
+    int global = -1;             // the variable at the root, if it is a global one
+    std::string_view legacy;     // the same for a built-in variable
+    std::string_view selection;  // last member or swizzle selected from it
+    bool selected = false;       // anything was selected from the root
+};
+
+class Parser {
+public:
+    Parser(Unit& unit, const Target& target, Diagnostics& diagnostics)
+        : u_(unit), target_(target), diagnostics_(diagnostics) {}
+    void run();
+
+private:
+    enum class Due : std::uint8_t { initialiser, argument, operand, result, assignment, condition };
+    struct Symbol {
+        Type type;
+        int global = -1;
+        bool constant = false;
+        bool function = false;
+        std::vector<double> value;
+    };
+
+    // declarations
+    void external();
+    Qualifiers qualifiers();
+    bool layout(Qualifiers& q);
+    std::optional<Type> type_specifier(bool& defines);
+    std::optional<Type> structure();
+    std::optional<Type> legacy_structure(std::string_view text);
+    void members(int structure, std::vector<std::pair<int, int>>* tokens);
+    int dimensions(Type& type, std::string* text);
+    void block(const Qualifiers& q, int first);
+    void function(const Type& result, int first, int name);
+    void declarators(const Qualifiers& q, Type type, Group group, bool global);
+    void declarator(const Qualifiers& q, Type type, int group, bool global);
+    Expression initialiser(const Type& due);
+    bool starts_declaration() const;
+    void skip_declaration();
+
+    // statements
+    void statement();
+    void compound();
+    void local_declaration();
+    void local_prototype(const Type& result, int first);
+    void for_statement();
+
+    // expressions
+    Expression expression();
+    Expression assignment();
+    Expression ternary();
+    Expression binary(int least);
+    Expression unary();
+    Expression postfix();
+    Expression primary();
+    Expression number();
+    Expression name();
+    Expression constructor(const Type& type, int first);
+    Expression call(int name_token);
+    Expression combine(Expression a, Expression b, std::string_view op);
+    std::vector<Expression> arguments();
+    void select(Expression& e, std::string_view member);
+    void call_builtin(Expression& result, std::string_view name, std::vector<Expression>& given);
+    bool call_user(Expression& result, std::string_view name, std::vector<Expression>& given);
+    void wrap(const Expression& e, std::string_view type);
+    void warn(std::string_view code, int token, std::string message);
+    void forgive(const Expression& e, const Type& due, std::string_view code, std::string_view what);
+    Expression cast();
+    bool foreign_function(std::string_view name, std::vector<Expression>& given, Expression& result);
+    void convert(const Expression& e, const Type& due, Due why);
+    // Remembers operands that the operator does not take.
+    void note_operands(const Expression& a, const Expression& b, std::string_view op);
+    void note_operand(const Expression& e, std::string_view op);
+    void note_write(const Expression& target, const Expression* value, std::string_view op);
+    void touch(const Expression& e, bool write);
+
+    // scopes
+    void declare(std::string_view name, Symbol symbol);
+    const Symbol* find(std::string_view name) const;
+    void open_scope() { undo_.push_back({}); }
+    void close_scope();
+
+    std::string_view text(int ahead = 0) const { return token(ahead).text; }
+    const Token& token(int ahead = 0) const {
+        const std::size_t i = static_cast<std::size_t>(p_ + ahead);
+        return i < u_.tokens.size() ? u_.tokens[i] : u_.tokens.back();
+    }
+    bool is(std::string_view t, int ahead = 0) const { return text(ahead) == t; }
+    bool accept(std::string_view t) {
+        if (!is(t)) return false;
+        ++p_;
+        return true;
+    }
+    bool at_end() const { return token().kind == Kind::end; }
+    void skip_balanced();  // from an opening bracket to behind the closing one
+    void skip_to_semicolon();
+
+    void foresee();
+
+    Unit& u_;
+    const Target& target_;
+    Diagnostics& diagnostics_;
+    int p_ = 0;
+    int depth_ = 0;
+    std::set<std::string_view> told_;                      // kinds of forgiveness: one warning each
+    std::unordered_map<std::string_view, Type> foreseen_;  // results of functions defined further down
+    Type result_;                                          // of the function being read
+    std::unordered_map<std::string_view, Symbol> symbols_;
+    std::vector<std::vector<std::pair<std::string_view, std::optional<Symbol>>>> undo_;
+};
+
+}  // namespace snell::glsl

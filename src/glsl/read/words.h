@@ -1,0 +1,39 @@
+// The words of GLSL: types, keywords, reserved words, built-in functions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "src/glsl/read/token.h"
+
+namespace snell::glsl {
+
+// A built-in type (float, vec3, sampler2D …), also those of one vendor's dialect that have an equal.
+std::optional<Type> builtin_type(std::string_view name);
+// vec3 of (real, 3, 1); mat3x4; empty for what has no name.
+std::string_view type_name(Base base, int rows, int cols);
+Type make_type(Base base, int rows = 1, int cols = 1);
+
+// Of a selection of components, such as xyw.
+bool has_alpha(std::string_view selection);
+// Words that qualify a declaration, in any version.
+bool is_qualifier(std::string_view word);
+// Words that no version allows as a name (if, for, return …), types excepted.
+bool is_statement_word(std::string_view word);
+// Words that some version reserves and an older one, or a forgiving driver, lets stand as a name.
+bool is_reserved_word(std::string_view word);
+// A keyword, type or built-in function: a macro of this name would change what we write.
+bool is_language_word(std::string_view word);
+
+// Legacy texture functions: texture2D → texture, texture2DLod → textureLod …; empty for others. `wraps` is set
+// when the old function gave a vec4 where the new one gives a float (shadow2D).
+std::string_view modern_texture_function(std::string_view name, bool& wraps);
+
+// The overloads of a built-in function, as text: "F:FF F:Ff" (see builtins.cpp); empty for others.
+std::string_view builtin_signatures(std::string_view name);
+
+// The zero of a type that is not a structure, as text.
+std::string zero(const Type& type);
+
+}  // namespace snell::glsl

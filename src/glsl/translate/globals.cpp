@@ -1,0 +1,248 @@
+// Global variables: initialisers that are no constants, and declarations as the target wants them.
+#include <algorithm>
+#include <charconv>
+
+#include "src/glsl/read/legacy.h"
+#include "src/glsl/read/words.h"
+#include "src/glsl/translate/program.h"
+
+namespace snell::glsl {
+
+namespace {
+
+std::string storage_text(Storage s) {
+    switch (s) {
+        case Storage::plain:
+            return "";
+        case Storage::constant:
+            return "const ";
+        case Storage::in:
+            return "in ";
+        case Storage::out:
+            return "out ";
+        case Storage::inout:
+            return "inout ";
+        case Storage::uniform:
+            return "uniform ";
+        case Storage::buffer:
+            return "buffer ";
+        case Storage::shared:
+            return "shared ";
+    }
+    return "";
+}
+
+std::string qualifier_text(const Qualifiers& q) {
+    std::string out;
+    if (q.invariant) out += "invariant ";
+    if (q.precise) out += "precise ";
+    if (!q.layout.empty()) {
+        out += "layout(";
+        for (std::size_t n = 0; n < q.layout.size(); ++n)
+            out += (n ? ", " : "") + q.layout[n].name + (q.layout[n].value.empty() ? "" : " = " + q.layout[n].value);
+        out += ") ";
+    }
+    if (!q.interpolation.empty()) out += std::string(q.interpolation) + " ";
+    if (!q.auxiliary.empty()) out += std::string(q.auxiliary) + " ";
+    out += storage_text(q.storage) + q.memory;
+    if (!q.precision.empty()) out += std::string(q.precision) + " ";
+    return out;
+}
+
+bool erase_layout(Qualifiers& q, std::string_view name) {
+    return std::erase_if(q.layout, [&](const LayoutItem& i) { return i.name == name; }) > 0;
+}
+
+// The words of a qualifier in the order that versions before 4.20 want.
+bool in_order(const Unit& u, const Qualifiers& q) {
+    int last = 0, open = 0;
+    for (int k = q.first; k <= q.last; ++k) {
+        const std::string_view t = u.at(k).text;
+        if (t == "(") ++open;
+        if (t == ")") --open;
+        if (open || t == ")") continue;
+        const int rank = t == "invariant" || t == "precise"                     ? 1
+                         : t == "layout"                                        ? 1
+                         : t == "flat" || t == "smooth" || t == "noperspective" ? 2
+                         : t == "centroid" || t == "sample" || t == "patch"     ? 3
+                         : t == "highp" || t == "mediump" || t == "lowp"        ? 5
+                                                                                : 4;
+        if (rank < last) return false;
+        last = rank;
+    }
+    return true;
+}
+
+void adjust_interface(const Target& target, const Unit& u, Global& g) {
+    Qualifiers& q = g.qualifiers;
+    const bool vertex_input = u.stage == Stage::vertex && q.storage == Storage::in;
+    const bool color_output = u.stage == Stage::fragment && q.storage == Storage::out;
+    if (!vertex_input && !color_output) {
+        const bool may = target.es ? target.version >= 310 : target.version >= 410;
+        if (!may && erase_layout(q, "location")) g.dirty = true;
+        if (!may && erase_layout(q, "component")) g.dirty = true;
+    }
+    if (q.invariant && (target.version < 420 || (u.stage == Stage::fragment && q.storage == Storage::in))) {
+        q.invariant = false;
+        g.dirty = true;
+    }
+    if (u.stage == Stage::fragment && q.storage == Storage::in) {
+        if ((g.type.integral() || g.type.base == Base::dreal) && q.interpolation != "flat") {
+            q.interpolation = "flat";
+            g.dirty = true;
+        }
+    }
+    if (target.es && u.stage == Stage::vertex && q.storage == Storage::out && g.type.integral() &&
+        q.interpolation != "flat") {
+        q.interpolation = "flat";
+        g.dirty = true;
+    }
+    if (vertex_input && (!q.interpolation.empty() || q.invariant)) {
+        q.interpolation = {};
+        q.invariant = false;
+        g.dirty = true;
+    }
+    if (color_output && !q.interpolation.empty()) {
+        q.interpolation = {};
+        g.dirty = true;
+    }
+    if (target.es && q.interpolation == "noperspective") {
+        q.interpolation = {};
+        g.dirty = true;
+    }
+}
+
+// The texture units that a sampler's layout(binding) names become its default where the target has no bindings.
+void keep_binding(Program& program, const Global& g) {
+    if (g.type.base != Base::sampler || g.removed) return;
+    const auto binding = std::find_if(g.qualifiers.layout.begin(), g.qualifiers.layout.end(),
+                                      [](const LayoutItem& i) { return i.name == "binding"; });
+    const bool known = std::any_of(program.defaults.begin(), program.defaults.end(),
+                                   [&](const UniformDefault& d) { return d.name == g.name; });
+    if (binding == g.qualifiers.layout.end() || known) return;
+    int first = -1;
+    std::from_chars(binding->value.data(), binding->value.data() + binding->value.size(), first);
+    if (first < 0) return;
+    UniformDefault units{std::string(g.name), {}};
+    for (int n = 0; n < (g.type.dims ? std::max(g.type.size, 1) : 1); ++n) units.values.push_back(first + n);
+    program.defaults.push_back(std::move(units));
+}
+
+void adjust(Program& program, const Unit& u, Global& g) {
+    const Target& target = program.target();
+    Qualifiers& q = g.qualifiers;
+    if (q.attribute || q.varying) g.dirty = true;
+    if (q.constant && q.storage != Storage::constant && q.storage != Storage::plain) {
+        program.warn(u, g.name_token, "const-interface",
+                     "'const' has no meaning for '" + std::string(g.name) + "', which comes from outside: left out");
+        g.dirty = true;
+    }
+    if (q.storage == Storage::in || q.storage == Storage::out) adjust_interface(target, u, g);
+    if (q.storage == Storage::uniform) {
+        const bool binding = target.es ? target.version >= 310 : target.version >= 420;
+        if (!binding) keep_binding(program, g);
+        if (!binding && erase_layout(q, "binding")) g.dirty = true;
+        const bool location = target.es ? target.version >= 310 : target.version >= 430;
+        if (!location && erase_layout(q, "location")) g.dirty = true;
+        if (!q.interpolation.empty() || q.invariant) {
+            q.interpolation = {};
+            q.invariant = false;
+            g.dirty = true;
+        }
+    }
+    const bool ordered = target.es ? target.version >= 310 : target.version >= 420;
+    if (!ordered && q.first >= 0 && q.first <= q.last && !in_order(u, q)) g.dirty = true;
+    if (g.drop_init || g.removed || !g.new_type.empty() || !g.new_name.empty()) g.dirty = true;
+}
+
+void rewrite(Unit& u, const Group& group) {
+    std::string text;
+    bool first = true;
+    const std::string type = render(u, group.type_first, group.type_last);
+    for (const int index : group.globals) {
+        const Global& g = u.globals[static_cast<std::size_t>(index)];
+        if (g.removed) continue;
+        const std::string type_text = !g.new_type.empty()              ? g.new_type
+                                      : group.defines_struct && !first ? std::string(g.type.name)
+                                                                       : type;
+        if (!text.empty()) text += ' ';
+        text += qualifier_text(g.qualifiers) + type_text + " ";
+        text += g.new_name.empty() ? std::string(u.now(g.name_token)) : g.new_name;
+        text += g.dims;
+        if (g.init_first >= 0 && !g.drop_init)
+            text += " = " + render(u, g.init_first, g.init_last);
+        else if (!g.initial.empty())
+            text += " = " + g.initial;
+        text += ';';
+        first = false;
+    }
+    // Clear the edits within, keep the line ends.
+    for (int k = group.first; k <= group.last; ++k) {
+        Edit& e = u.edit(k);
+        e = Edit{};
+        e.replaced = true;
+        if (k == group.first) e.text = text;
+    }
+}
+
+// `invariant A, B;`, less what passes between no stages any more, what is ours, and inputs: only versions before 4.20
+// want the word on both sides.
+void write_invariants(const Target& target, Unit& u, int first, int last) {
+    const auto stays = [&](std::string_view name) {
+        if (const LegacyName* legacy = legacy_name(name)) return legacy->kind == LegacyKind::core;
+        const auto global = std::ranges::find(u.globals, name, &Global::name);
+        if (global == u.globals.end() || global->qualifiers.storage == Storage::out) return true;
+        return global->qualifiers.storage == Storage::in && !target.es && target.version < 420;
+    };
+    std::string names;
+    bool all = true;
+    for (int k = first + 1; k < last; ++k) {
+        if (u.at(k).kind != Kind::identifier) continue;
+        if (stays(u.at(k).text))
+            names += (names.empty() ? "" : ", ") + std::string(u.now(k));
+        else
+            all = false;
+    }
+    if (all) return;
+    u.erase(first, last);
+    if (!names.empty()) u.replace(first, "invariant " + names + ";");
+}
+
+}  // namespace
+
+void move_initialisers(Program& program, Unit& u) {
+    if (!find_main(u)) return;
+    for (Global& g : u.globals) {
+        const bool variable = g.qualifiers.storage == Storage::plain || g.qualifiers.storage == Storage::constant;
+        const bool output = g.qualifiers.storage == Storage::out;
+        if (g.init_first < 0 || g.drop_init || g.removed || (!output && (!variable || g.init_constant))) continue;
+        if (u.groups[static_cast<std::size_t>(g.group)].last < 0) continue;
+        if (g.qualifiers.storage == Storage::constant) {
+            g.qualifiers.storage = Storage::plain;
+            program.warn(u, g.name_token, "const-not-constant",
+                         "the value of '" + std::string(g.name) + "' is not a constant: computed at the start of main");
+        }
+        if (u.now(g.init_first) == "{" && g.type.dims == 1) {
+            u.replace(g.init_first, std::string(g.type.name) + "[](");
+            u.replace(g.init_last, ")");
+        }
+        if (g.dims == "[]" && g.type.size > 0) g.dims = "[" + std::to_string(g.type.size) + "]";
+        at_main_start(u, std::string(u.now(g.name_token)) + " = " + render(u, g.init_first, g.init_last) + ";",
+                      g.name_token);
+        g.drop_init = true;
+        g.dirty = true;
+    }
+}
+
+void write_declarations(Program& program, Unit& u) {
+    for (const auto& [first, last] : u.invariants) write_invariants(program.target(), u, first, last);
+    for (Global& g : u.globals) adjust(program, u, g);
+    for (const Group& group : u.groups) {
+        if (group.last < 0) continue;
+        const bool dirty = std::any_of(group.globals.begin(), group.globals.end(),
+                                       [&](int n) { return u.globals[static_cast<std::size_t>(n)].dirty; });
+        if (dirty) rewrite(u, group);
+    }
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,68 @@
+// Functions that core profiles lack, declared where they are called.
+#include <algorithm>
+
+#include "src/glsl/translate/program.h"
+
+namespace snell::glsl {
+
+namespace {
+
+// Gradient noise in four dimensions, about -1 … 1, zero at lattice points; a hash of integers picks one of the
+// 32 gradients with one zero component. Lower dimensions are its slices.
+constexpr std::string_view noise_text =
+    "uint snell_hash(uint h, int k) { h = (h ^ uint(k)) * 0x9E3779B1u; return h ^ (h >> 15u); }\n"
+    "float snell_gradient(ivec4 c, vec4 d) { uint h = snell_hash(snell_hash(snell_hash(snell_hash(0x68E31DA4u, c.x), "
+    "c.y), "
+    "c.z), c.w) * 0x85EBCA77u; h ^= h >> 13u; vec4 s = vec4((h & 1u) == 0u ? 1.0 : -1.0, (h & 2u) == 0u ? 1.0 : -1.0, "
+    "(h & 4u) == 0u ? 1.0 : -1.0, (h & 8u) == 0u ? 1.0 : -1.0); s[int((h >> 8u) & 3u)] = 0.0; return dot(s, d); }\n"
+    "float snell_noise(vec4 p) { vec4 f = floor(p); ivec4 c = ivec4(f); vec4 d = p - f; vec4 t = d * d * d * "
+    "(d * (d * 6.0 - 15.0) + 10.0); float sum = 0.0; for (int n = 0; n < 16; ++n) { ivec4 o = ivec4(n & 1, (n >> 1) & "
+    "1, "
+    "(n >> 2) & 1, n >> 3); vec4 v = vec4(o); vec4 w = mix(1.0 - t, t, v); sum += w.x * w.y * w.z * w.w * "
+    "snell_gradient(c + o, d - v); } return 0.85 * sum; }\n";
+
+constexpr std::string_view arguments[] = {"float", "vec2", "vec3", "vec4"};
+constexpr std::string_view widened[] = {"vec4(p, 0.0, 0.0, 0.0)", "vec4(p, 0.0, 0.0)", "vec4(p, 0.0)", "p"};
+constexpr std::string_view results[] = {"float", "vec2", "vec3", "vec4"};
+
+// noise2, noise3, noise4: independent values, far apart in the same field.
+std::string noise_function(int n, int argument) {
+    std::string text = std::string(results[n - 1]) + " snell_noise" + std::to_string(n) + "(" +
+                       std::string(arguments[argument]) + " p) { vec4 q = " + std::string(widened[argument]) +
+                       "; return ";
+    constexpr std::string_view far[] = {"q", "q + 31.25", "q + 67.5", "q + 113.75"};
+    if (n > 1) text += std::string(results[n - 1]) + "(";
+    for (int k = 0; k < n; ++k) text += (k ? ", " : "") + ("snell_noise(" + std::string(far[k]) + ")");
+    return text + (n > 1 ? "); }\n" : "; }\n");
+}
+
+}  // namespace
+
+// Calls of a function go to ours; false if there are none, or the function is the user's own.
+static bool redirect(Unit& u, const std::string& name) {
+    if (user_function(u, name)) return false;
+    bool used = false;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        if (u.tokens[i].text != name || u.tokens[i + 1].text != "(" || u.tokens[i].kind != Kind::identifier) continue;
+        used = true;
+        u.replace(static_cast<int>(i), "snell_" + name);
+    }
+    return used;
+}
+
+void provide_helpers(const Target& target, Unit& u) {
+    bool declared = false;
+    for (int n = 1; n <= 4; ++n) {
+        if (!redirect(u, "noise" + std::to_string(n))) continue;
+        if (!declared) u.header += noise_text;
+        declared = true;
+        for (int argument = 0; argument < 4; ++argument) u.header += noise_function(n, argument);
+    }
+    if (target.es && target.version < 320 && redirect(u, "fma"))
+        for (const std::string_view type : arguments) {
+            const std::string t(type);
+            u.header += t + " snell_fma(" + t + " a, " + t + " b, " + t + " c) { return a * b + c; }\n";
+        }
+}
+
+}  // namespace snell::glsl

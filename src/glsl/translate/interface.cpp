@@ -1,0 +1,248 @@
+// What one stage gives and the next takes: made to match by name.
+#include <algorithm>
+
+#include "src/glsl/read/words.h"
+#include "src/glsl/translate/program.h"
+
+namespace snell::glsl {
+
+namespace {
+
+bool builtin(const Global& g) { return g.name.starts_with("gl_"); }
+
+// The type of one vertex's value: inputs of these stages, and outputs of tessellation control, are arrays.
+Type per_vertex(const Unit& u, const Global& g) {
+    Type t = g.type;
+    const bool input = g.qualifiers.storage == Storage::in;
+    const bool arrayed =
+        input ? u.stage == Stage::tess_control || u.stage == Stage::tess_evaluation || u.stage == Stage::geometry
+              : u.stage == Stage::tess_control;
+    if (arrayed && g.qualifiers.auxiliary != "patch" && t.dims > 0) --t.dims;
+    return t;
+}
+
+Global* find_output(Unit& u, std::string_view name) {
+    for (Global& g : u.globals)
+        if (g.qualifiers.storage == Storage::out && g.name == name && !g.removed) return &g;
+    return nullptr;
+}
+
+bool in_block(const Unit& u, Storage storage, std::string_view name) {
+    for (const Block& b : u.blocks)
+        if (b.qualifiers.storage == storage && b.instance.empty() &&
+            std::any_of(b.members.begin(), b.members.end(), [&](const Member& m) { return m.name == name; }))
+            return true;
+    return false;
+}
+
+std::string_view location(const Qualifiers& q) {
+    for (const LayoutItem& i : q.layout)
+        if (i.name == "location") return i.value;
+    return {};
+}
+
+void drop_location(Global& g) {
+    if (std::erase_if(g.qualifiers.layout, [](const LayoutItem& i) { return i.name == "location"; }) > 0)
+        g.dirty = true;
+}
+
+// With a size for each vertex of the primitive where none is written.
+std::string element_dims(const Unit& u, const std::string& dims) {
+    if (dims != "[]") return dims;
+    for (const StageLayout& l : u.layouts)
+        for (const LayoutItem& i : l.qualifiers.layout) {
+            if (i.name == "points") return "[1]";
+            if (i.name == "lines") return "[2]";
+            if (i.name == "lines_adjacency") return "[4]";
+            if (i.name == "triangles_adjacency") return "[6]";
+        }
+    return u.stage == Stage::geometry ? "[3]" : "[32]";
+}
+
+void warn_of_zero(Program& program, const Unit& u, int token, std::string_view name, const Unit& from) {
+    static constexpr std::string_view stage_names[] = {"vertex", "tessellation control", "tessellation evaluation",
+                                                       "geometry", "fragment"};
+    program.warn(u, token, "input-without-output",
+                 "'" + std::string(name) + "' is no output of the " +
+                     std::string(stage_names[static_cast<std::size_t>(from.stage)]) + " shader: it is read as zero");
+}
+
+void read_as_zero(Program& program, Unit& u, Global& g, const Unit& from) {
+    if (!g.uses.empty()) warn_of_zero(program, u, g.name_token, g.name, from);
+    if ((g.type.base < Base::boolean || g.type.base > Base::dreal) && g.type.structure < 0) return;
+    Qualifiers plain;
+    plain.first = g.qualifiers.first;
+    plain.last = g.qualifiers.last;
+    g.qualifiers = plain;
+    g.dirty = true;
+    Type sized = g.type;
+    if (g.dims == "[]") sized.size = 1;
+    g.dims = element_dims(u, g.dims);
+    at_main_start(u, set_zero(u, std::string(u.now(g.name_token)), sized), g.name_token);
+}
+
+// A block becomes a structure of that instance, or its members become variables.
+void read_as_zero(Program& program, Unit& u, Block& b, const Unit& from) {
+    warn_of_zero(program, u, b.open - 1, b.name, from);
+    b.qualifiers.storage = Storage::plain;
+    u.erase(b.first, b.open - 1);
+    for (const auto& [first, last] : b.member_tokens)
+        for (int k = first; k <= last && is_qualifier(u.at(k).text); ++k) {
+            int end = k;
+            if (u.at(k).text == "layout")
+                while (end < last && u.at(end).text != ")") ++end;
+            u.erase(k, end);
+            k = end;
+        }
+    std::string start, before, after;
+    if (b.instance.empty()) {
+        u.erase(b.open, b.open);
+        u.erase(b.close, b.last);
+    } else {
+        u.replace(b.first, "struct snell_" + std::string(b.name) + " ");
+        before = std::string(b.instance) + ".";
+    }
+    if (b.arrayed) {
+        for (int k = b.close; k < b.last; ++k)
+            if (u.at(k).text == "[" && u.at(k + 1).text == "]") {
+                const std::string size = element_dims(u, "[]");
+                u.replace(k, size.substr(0, size.size() - 1));
+            }
+        start = "for (int snell_n = 0; snell_n < " + before + "length(); ++snell_n) { ";
+        before = std::string(b.instance) + "[snell_n].";
+        after = "}";
+    }
+    for (const Member& m : b.members) start += set_zero(u, before + std::string(m.name), m.type) + " ";
+    at_main_start(u, start + after, b.last);
+}
+
+// Varyings declared with two types: the input is declared as the output is, its uses converted.
+void adapt_type(Program& program, Unit& u, Global& in, const Type& output) {
+    const Type own = per_vertex(u, in);
+    if (own.same(output) || own.dims || output.dims || in.type.dims) return;
+    const std::string name(u.now(in.name_token));
+    const std::string use = converted(name, output, own);
+    if (use.empty()) return;
+    program.warn(
+        u, in.name_token, "varying-types",
+        "'" + name + "' is " + std::string(own.name) + " here, but the stage before gives " + std::string(output.name));
+    in.new_type = output.name;
+    in.dirty = true;
+    in.type = output;
+    for (const int token : in.uses) u.replace(token, use);
+}
+
+void adapt_interpolation(const Target& target, Unit& from, Global& out, Unit& to, Global& in) {
+    if (to.stage != Stage::fragment) return;
+    if ((in.type.integral() || in.type.base == Base::dreal || in.type.base == Base::boolean) &&
+        in.qualifiers.interpolation != "flat") {
+        in.qualifiers.interpolation = "flat";
+        in.dirty = true;
+    }
+    const std::string_view a = in.qualifiers.interpolation == "smooth" ? "" : in.qualifiers.interpolation;
+    const std::string_view b = out.qualifiers.interpolation == "smooth" ? "" : out.qualifiers.interpolation;
+    if (a != b && (target.es || target.version < 440 || from.stage != Stage::vertex)) {
+        out.qualifiers.interpolation = in.qualifiers.interpolation;
+        out.dirty = true;
+    }
+    if (in.qualifiers.auxiliary != out.qualifiers.auxiliary && (target.es || target.version < 430)) {
+        out.qualifiers.auxiliary = in.qualifiers.auxiliary;
+        out.dirty = true;
+    }
+}
+
+// `out` where `in` was meant: never written here, given by the stage before. And the reverse in a vertex shader.
+void turn_around(Program& program, Unit& from, Unit& u) {
+    for (Global& g : u.globals) {
+        if (g.qualifiers.storage != Storage::out || g.written || g.uses.empty() || u.stage != Stage::fragment) continue;
+        const Global* given = find_output(from, g.name);
+        if (!given || !given->type.same(g.type)) continue;
+        program.warn(u, g.name_token, "direction", "'" + std::string(g.name) + "' is never written: taken as an input");
+        g.qualifiers.storage = Storage::in;
+        g.qualifiers.layout.clear();
+        g.dirty = true;
+    }
+    if (from.stage != Stage::vertex) return;
+    for (Global& g : from.globals) {
+        if (g.qualifiers.storage != Storage::in || !g.written || find_output(from, g.name)) continue;
+        const bool wanted = std::any_of(u.globals.begin(), u.globals.end(), [&](const Global& i) {
+            return i.qualifiers.storage == Storage::in && i.name == g.name && per_vertex(u, i).same(g.type);
+        });
+        if (!wanted) continue;
+        program.warn(from, g.name_token, "direction", "'" + std::string(g.name) + "' is written: taken as an output");
+        g.qualifiers.storage = Storage::out;
+        g.qualifiers.layout.clear();
+        g.qualifiers.attribute = false;
+        g.dirty = true;
+    }
+}
+
+}  // namespace
+
+void match_interfaces(Program& program) {
+    for (Unit& u : program.units) {
+        Unit* from = program.before(u);
+        if (!from) continue;
+        turn_around(program, *from, u);
+        for (Block& b : u.blocks) {
+            const bool given = std::ranges::any_of(
+                from->blocks, [&](const Block& o) { return o.qualifiers.storage == Storage::out && o.name == b.name; });
+            if (b.qualifiers.storage == Storage::in && !given && !b.name.starts_with("gl_"))
+                read_as_zero(program, u, b, *from);
+        }
+        for (Global& g : u.globals) {
+            if (g.qualifiers.storage != Storage::in || builtin(g) || g.removed) continue;
+            Global* out = find_output(*from, g.name);
+            if (!out) {
+                if (in_block(*from, Storage::out, g.name)) continue;
+                const std::string_view at = location(g.qualifiers);
+                const bool by_location =
+                    !at.empty() && std::any_of(from->globals.begin(), from->globals.end(), [&](const Global& o) {
+                        return o.qualifiers.storage == Storage::out && location(o.qualifiers) == at;
+                    });
+                if (!by_location) read_as_zero(program, u, g, *from);
+                continue;
+            }
+            if (location(out->qualifiers) != location(g.qualifiers)) {
+                drop_location(*out);
+                drop_location(g);
+            }
+            adapt_type(program, u, g, per_vertex(*from, *out));
+            adapt_interpolation(program.target(), *from, *out, u, g);
+        }
+    }
+}
+
+namespace {
+
+// A statement of main itself sets it, before anything returns. What is already translated has it in snell_main.
+bool always_written(const Unit& u, const Global& g) {
+    const auto wrapped = std::ranges::find(u.functions, "snell_main", &Function::name);
+    const Function* main = wrapped == u.functions.end() ? find_main(u) : &*wrapped;
+    if (!main || u.has_conditionals) return false;
+    int depth = 0;
+    for (int i = main->open; i < main->close; ++i) {
+        const std::string_view text = u.at(i).text;
+        if (text == "{") ++depth;
+        if (text == "}") --depth;
+        if (text == "return" || text == "EmitVertex") return false;
+        const std::string_view before = i > 0 ? u.at(i - 1).text : "";
+        if (depth == 1 && (before == ";" || before == "{" || before == "}") && u.at(i + 1).text == "=" &&
+            std::ranges::find(g.uses, i) != g.uses.end())
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void give_outputs(Unit& u) {
+    if (u.stage == Stage::tess_control || u.stage == Stage::fragment) return;
+    for (const Global& g : u.globals) {
+        const bool number = g.type.base >= Base::boolean && g.type.base <= Base::dreal && g.type.dims == 0;
+        if (g.qualifiers.storage == Storage::out && !g.removed && !builtin(g) && number && !always_written(u, g))
+            at_main_start(u, std::string(u.now(g.name_token)) + " = " + zero(g.type) + ";");
+    }
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,251 @@
+// Repairs of single words, before the parse.
+#include <map>
+#include <set>
+
+#include "src/glsl/read/legacy.h"
+#include "src/glsl/read/words.h"
+#include "src/glsl/translate/program.h"
+
+namespace snell::glsl {
+
+namespace {
+
+struct Place {
+    const Unit* unit = nullptr;
+    int token = 0;
+};
+
+// Words of other languages that some compilers read past.
+bool meaningless(std::string_view word) {
+    return word == "static" || word == "inline" || word == "extern" || word == "public";
+}
+
+// A reserved word stands as a name: punctuation follows it, where a keyword would have another word behind it.
+bool stands_as_name(const Unit& u, std::size_t i) {
+    const Token& next = u.tokens[i + 1];
+    const std::string_view word = u.tokens[i].text;
+    if (word == "layout" || word == "precision" || word == "highp" || word == "mediump" || word == "lowp") return false;
+    if (word == "subroutine") return next.text != "(" && next.kind == Kind::punct;
+    if (next.kind != Kind::punct || next.text == "{") return false;
+    // A newer type's name, as a variable: it is used as one.
+    if (builtin_type(word)) return std::string_view("=;*+-/.").find(next.text[0]) != std::string_view::npos;
+    const bool type_like =
+        word.starts_with("hvec") || word.starts_with("fvec") || word == "atomic_uint" || word == "sampler3DRect";
+    return !(type_like && next.text == "(");
+}
+
+void drop_meaningless(Program& program, Unit& u) {
+    std::vector<Token> kept;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const Token& t = u.tokens[i];
+        if (t.kind != Kind::identifier || !meaningless(t.text) || u.tokens[i + 1].kind != Kind::identifier) continue;
+        program.warn(u, static_cast<int>(i), "meaningless-word",
+                     "'" + std::string(t.text) + "' has no meaning in GLSL: left out");
+        u.tokens[i + 1].lead = u.keep(std::string(t.lead) + std::string(u.tokens[i + 1].lead));
+        u.tokens.erase(u.tokens.begin() + static_cast<std::ptrdiff_t>(i));
+        --i;
+    }
+}
+
+void mend_number(Program& program, Unit& u, int i) {
+    const std::string_view t = u.at(i).text;
+    const char last = t.back();
+    if (u.at(i).kind != Kind::real) return;
+    if (last == 'h' || last == 'd') {
+        u.replace(i, t.substr(0, t.size() - 1));
+    } else if ((last == 'f' || last == 'F') && t.find_first_of(".eE") == std::string_view::npos) {
+        u.replace(i, std::string(t.substr(0, t.size() - 1)) + ".0");
+        program.warn(u, i, "odd-number", "'" + std::string(t) + "' wants a point: read as " + std::string(u.now(i)));
+    } else if ((t.ends_with("lf") || t.ends_with("LF")) && (program.target().es || !program.target().fp64)) {
+        u.replace(i, t.substr(0, t.size() - 2));
+    }
+    u.tokens[static_cast<std::size_t>(i)].text = u.now(i);
+    // The edits vector may grow: the token needs a text that stays.
+    if (u.at(i).edit >= 0) u.tokens[static_cast<std::size_t>(i)].text = u.keep(std::string(u.now(i)));
+}
+
+void no_doubles(Program& program, Unit& u) {
+    bool told = false;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const std::string_view t = u.tokens[i].text;
+        if (u.tokens[i].kind != Kind::identifier || (t != "double" && !t.starts_with("dvec") && !t.starts_with("dmat")))
+            continue;
+        const auto type = builtin_type(t);
+        if (!type) continue;
+        if (!told) program.warn(u, static_cast<int>(i), "no-double", "double precision is not there: float is used");
+        told = true;
+        u.replace(static_cast<int>(i), type_name(Base::real, type->rows, type->cols));
+        u.tokens[i].text = type_name(Base::real, type->rows, type->cols);
+    }
+}
+
+// A name of `set` stands for a variable here: it neither is called nor selected, nor in a layout.
+void rename_all(Unit& u, std::string_view word, bool calls_too) {
+    const std::string_view name = u.keep("snell_" + std::string(word));
+    bool in_layout = false;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const std::string_view t = u.tokens[i].text;
+        if (t == "layout") in_layout = true;
+        if (in_layout && t == ")") in_layout = false;
+        if (t != word || in_layout || u.tokens[i].kind != Kind::identifier) continue;
+        if (builtin_type(word) && calls_too) {
+            const Token& next = u.tokens[i + 1];
+            if (next.kind != Kind::punct || next.text == "(" || next.text == "[") continue;
+        } else if (calls_too ? !stands_as_name(u, i)
+                             : u.tokens[i + 1].text == "(" || (i > 0 && u.tokens[i - 1].text == "."))
+            continue;
+        u.replace(static_cast<int>(i), name);
+        u.tokens[i].text = name;
+    }
+}
+
+// Words that are names here though the language reserves them; with the first place of each.
+void collect_reserved(const Unit& u, std::map<std::string, Place>& found) {
+    bool in_layout = false;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const Token& t = u.tokens[i];
+        if (t.text == "layout") in_layout = true;
+        if (in_layout && t.text == ")") in_layout = false;
+        if (t.kind != Kind::identifier || in_layout || !is_reserved_word(t.text) || !stands_as_name(u, i)) continue;
+        found.try_emplace(std::string(t.text), Place{&u, static_cast<int>(i)});
+    }
+}
+
+// Names of the user's own that begin as only the language's may.
+void collect_own_gl(const Unit& u, std::map<std::string, Place>& found) {
+    for (std::size_t i = 1; i + 1 < u.tokens.size(); ++i) {
+        const Token& t = u.tokens[i];
+        if (t.kind != Kind::identifier || !t.text.starts_with("gl_") || legacy_name(t.text)) continue;
+        const std::string_view before = u.tokens[i - 1].text, after = u.tokens[i + 1].text;
+        if (builtin_type(before) && (after == ";" || after == "=" || after == ","))
+            found.try_emplace(std::string(t.text), Place{&u, static_cast<int>(i)});
+    }
+}
+
+// Built-in functions that are called, and variables of the same names, which would hide them.
+void collect_hiding(const Unit& u, std::set<std::string_view>& called, std::map<std::string, Place>& named) {
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const Token& t = u.tokens[i];
+        if (t.kind != Kind::identifier || (i > 0 && u.tokens[i - 1].text == ".")) continue;
+        bool wraps = false;
+        if (u.tokens[i + 1].text == "(") {
+            const std::string_view modern = modern_texture_function(t.text, wraps);
+            const std::string_view name = modern.empty() ? t.text : modern;
+            // A type before it: the user's own function of that name, which calls are meant for.
+            const bool defined =
+                i > 0 && u.tokens[i - 1].kind == Kind::identifier && !is_statement_word(u.tokens[i - 1].text);
+            if (!defined && !builtin_signatures(name).empty()) called.insert(name);
+        } else if (!builtin_signatures(t.text).empty()) {
+            named.try_emplace(std::string(t.text), Place{&u, static_cast<int>(i)});
+        }
+    }
+}
+
+// float3, half4, float4x4 …: types of Cg and HLSL.
+std::string_view foreign_type(std::string_view t) {
+    struct Foreign {
+        std::string_view name;
+        Base base;
+    };
+    constexpr Foreign stems[] = {{"float", Base::real},
+                                 {"half", Base::real},
+                                 {"fixed", Base::real},
+                                 {"int", Base::integer},
+                                 {"bool", Base::boolean}};
+    for (const Foreign& f : stems) {
+        if (!t.starts_with(f.name)) continue;
+        const std::string_view size = t.substr(f.name.size());
+        const auto digit = [&](std::size_t k) { return size[k] >= '2' && size[k] <= '4' ? size[k] - '0' : 0; };
+        if (size.empty()) return f.name == "half" || f.name == "fixed" ? "float" : "";
+        if (size.size() == 1 && digit(0)) return type_name(f.base, digit(0), 1);
+        if (size.size() == 3 && digit(0) && size[1] == 'x' && digit(2) == digit(0) && f.base == Base::real)
+            return type_name(f.base, digit(0), digit(0));
+    }
+    return {};
+}
+
+void mend_foreign_types(Program& program, Unit& u) {
+    std::set<std::string_view> told;
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const Token& next = u.tokens[i + 1];
+        if (u.tokens[i].kind != Kind::identifier || (next.kind != Kind::identifier && next.text != "(")) continue;
+        if (u.tokens[i].text == "unsigned" && (next.text == "int" || next.text == "uint")) {
+            u.tokens[i + 1].lead = u.keep(std::string(u.tokens[i].lead) + std::string(u.tokens[i + 1].lead));
+            u.tokens.erase(u.tokens.begin() + static_cast<std::ptrdiff_t>(i));
+            u.replace(static_cast<int>(i), "uint");
+            u.tokens[i].text = "uint";
+            continue;
+        }
+        const std::string_view type = foreign_type(u.tokens[i].text);
+        if (type.empty()) continue;
+        const bool function = next.text == "(" && i > 0 && u.tokens[i - 1].kind == Kind::identifier;
+        if (function) continue;
+        if (told.insert(u.tokens[i].text).second)
+            program.warn(u, static_cast<int>(i), "foreign-type",
+                         "'" + std::string(u.tokens[i].text) + "' is no type of GLSL: read as " + std::string(type));
+        u.replace(static_cast<int>(i), type);
+        u.tokens[i].text = type;
+    }
+}
+
+// Dashes from slides and text processors that mean a minus.
+void mend_dashes(Program& program, Unit& u) {
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        Token& t = u.tokens[i];
+        if (t.kind != Kind::other) continue;
+        const std::string_view s = t.text;
+        if (s != "\xE2\x80\x93" && s != "\xE2\x80\x94" && s != "\xE2\x88\x92" && s != "\x96" && s != "\x97") continue;
+        program.warn(u, static_cast<int>(i), "odd-minus", "this dash is no minus sign: read as one");
+        u.replace(static_cast<int>(i), "-");
+        t.text = "-";
+        t.kind = Kind::punct;
+    }
+}
+
+void mend_for_es(Unit& u) {
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
+        const std::string_view t = u.tokens[i].text;
+        // The token's own text stays sampler1D, so that calls can be told apart.
+        if (t == "sampler1D") u.replace(static_cast<int>(i), "sampler2D");
+        // One precision everywhere: uniforms must agree in it across stages.
+        if (t == "mediump" || t == "lowp") u.replace(static_cast<int>(i), "highp");
+    }
+}
+
+}  // namespace
+
+void mend_words(Program& program, Unit& u) {
+    drop_meaningless(program, u);
+    lift_structures(u);
+    mend_dashes(program, u);
+    mend_foreign_types(program, u);
+    const Target& target = program.target();
+    if (target.es || !target.fp64) no_doubles(program, u);
+    if (target.es) mend_for_es(u);
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i)
+        if (u.tokens[i].kind == Kind::real) mend_number(program, u, static_cast<int>(i));
+}
+
+// Across all stages, so that what passes between them keeps one name.
+void rename_words(Program& program) {
+    std::map<std::string, Place> reserved, hiding, own_gl;
+    for (const Unit& u : program.units) {
+        collect_own_gl(u, own_gl);
+        collect_reserved(u, reserved);
+        std::set<std::string_view> called;
+        std::map<std::string, Place> here;
+        collect_hiding(u, called, here);
+        for (const auto& [name, place] : here)
+            if (called.contains(name)) hiding.try_emplace(name, place);
+    }
+    const auto rename = [&](const std::string& word, const Place& place, bool calls_too, std::string_view why) {
+        program.warn(*place.unit, place.token, "reserved-word", "'" + word + "' " + std::string(why) + ": renamed");
+        for (Unit& u : program.units) rename_all(u, word, calls_too);
+        program.renamed.push_back({word, "snell_" + word});
+    };
+    for (const auto& [word, place] : reserved) rename(word, place, true, "is a word of the language");
+    for (const auto& [word, place] : own_gl) rename(word, place, false, "begins as only names of the language may");
+    for (const auto& [word, place] : hiding) rename(word, place, false, "hides the built-in function of that name");
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,118 @@
+// The steps from parsed stages to translated ones; translate.cpp runs them in the order of this file.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "src/glsl/read/token.h"
+
+namespace snell::glsl {
+
+// A built-in variable that passes from the vertex to the fragment shader, as a member of a block.
+struct LegacyVarying {
+    std::string name, declaration;
+    int size = 0;  // of an array
+};
+
+// All stages of one program while they are translated.
+struct Program {
+    const Options& options;
+    Sources& sources;
+    Diagnostics& diagnostics;
+    std::vector<Unit> units;  // in the order of the pipeline
+    std::vector<UniformDefault> defaults;
+    std::vector<RenamedUniform> renamed;
+    std::vector<LegacyVarying> legacy_varyings;  // set by replace_legacy where lines are widened
+
+    const Target& target() const { return options.target; }
+    Unit* find(Stage stage) {
+        for (Unit& u : units)
+            if (u.stage == stage) return &u;
+        return nullptr;
+    }
+    Unit* before(const Unit& unit) {
+        Unit* found = nullptr;
+        for (Unit& u : units)
+            if (u.stage < unit.stage) found = &u;
+        return found;
+    }
+    // One warning for each kind of forgiveness and place.
+    void warn(const Unit& u, int token, std::string_view code, std::string message, std::string help = {}) {
+        diagnostics.warning(code, u.span(token), std::move(message), std::move(help));
+    }
+};
+
+// Before the parse: words that became reserved, words that mean nothing here, odd numbers.
+void mend_words(Program& program, Unit& unit);
+void rename_words(Program& program);
+// Structures declared inside structures move ahead of them.
+void lift_structures(Unit& unit);
+
+// A stage that the pipeline needs and the program lacks, as source text; empty if none is missing.
+std::string default_vertex_shader(Program& program);
+std::string default_fragment_shader();
+
+// After the parse, before anything is replaced. See Translation::plain_depth.
+bool has_plain_depth(Program& program);
+
+// The name stands among its tokens.
+bool mentions(const Unit& unit, std::string_view name);
+
+// Functions that a variable is named like get another name.
+void separate_functions(Unit& unit);
+// Prototypes of functions that are called above their definition.
+void declare_functions(Program& program, Unit& unit);
+// Copies of inputs and uniforms that are assigned.
+void copy_assigned(Program& program, Unit& unit);
+// Uniforms of one name agree in type and initialiser; values of initialisers are recorded.
+void unify_uniforms(Program& program);
+// Blocks that pass between shaders become single variables where the target has none.
+void flatten_blocks(Program& program);
+// Inputs of each stage meet outputs of the stage before.
+void match_interfaces(Program& program);
+// Vertex inputs get the attribute that their name or location means.
+void assign_attributes(Program& program, Unit& vertex);
+// What a stage may leave without a value is zero: on some drivers it is what another program has left in a register.
+void give_outputs(Unit& unit);
+// Colour outputs of the fragment shader.
+void assign_outputs(Program& program, Unit& fragment);
+// Layouts that an old geometry shader leaves to the application.
+void complete_geometry(Program& program, Unit& geometry);
+// Functions that the target lacks, where they are called: noise1 … noise4, fma.
+void provide_helpers(const Target& target, Unit& unit);
+// gl_… to snell_….
+void replace_legacy(Program& program);
+// As Options::placed says. True: there was something to do, or would be.
+bool place_in_picture(Program& program);
+// Whether a geometry stage of ours will stand between the two of the program.
+bool widens_lines(const Program& program);
+// Its text; makes the shaders on both sides give and take what it hands on. Nothing where it isn't wanted or,
+// with a warning, not possible.
+std::optional<std::string> widen_lines(Program& program);
+// Initialisers that are no constants move to the start of main.
+void move_initialisers(Program& program, Unit& unit);
+// Qualifiers and types as the target wants them; rewrites the declarations marked dirty.
+void write_declarations(Program& program, Unit& unit);
+
+// The text of a stage.
+std::string emit(const Program& program, Unit& unit);
+// Tokens first … last as they will be written, without what leads the first.
+std::string render(const Unit& unit, int first, int last);
+
+// Declares `in`, `out` or the like in the header unless the text does so itself.
+void declare_once(Unit& unit, std::string_view name, std::string_view declaration);
+// The unit's main has code to run before the user's; false if there is no main. `declared`: the token where the
+// variable that it sets is declared, which may be behind main.
+bool at_main_start(Unit& unit, std::string_view statement, int declared = -1);
+// Runs a statement when main has returned.
+void at_main_end(Unit& unit, std::string_view statement);
+// Declares behind the user's text, and runs statements before anything that main does.
+void declare_before_main(Unit& unit, std::string_view declarations, std::string_view statements);
+const Function* find_main(const Unit& unit);
+bool user_function(const Unit& unit, std::string_view name);
+// "vec3(x)" and the like: the value `text` of one type as another; empty if there is no way.
+std::string converted(std::string_view text, const Type& from, const Type& to);
+// Statements that set a variable of any type to zero, member by member and element by element.
+std::string set_zero(const Unit& unit, const std::string& variable, const Type& type);
+
+}  // namespace snell::glsl

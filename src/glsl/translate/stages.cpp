@@ -1,0 +1,115 @@
+// Stages that a program leaves out, and layouts that a geometry shader leaves to the application.
+#include <algorithm>
+
+#include "src/glsl/translate/program.h"
+
+namespace snell::glsl {
+
+bool mentions(const Unit& u, std::string_view name) {
+    return std::any_of(u.tokens.begin(), u.tokens.end(), [&](const Token& t) { return t.text == name; });
+}
+
+namespace {
+
+bool any_mentions(Program& program, std::initializer_list<std::string_view> names) {
+    return std::any_of(program.units.begin(), program.units.end(), [&](const Unit& u) {
+        return std::any_of(names.begin(), names.end(), [&](std::string_view n) { return mentions(u, n); });
+    });
+}
+
+bool layout_has(const Unit& u, Storage storage, std::initializer_list<std::string_view> names) {
+    for (const StageLayout& l : u.layouts)
+        for (const LayoutItem& i : l.qualifiers.layout)
+            if (l.qualifiers.storage == storage && std::find(names.begin(), names.end(), i.name) != names.end())
+                return true;
+    return false;
+}
+
+std::string primitive(std::string_view gl_name, std::string_view otherwise) {
+    if (gl_name.starts_with("gl_") || gl_name.starts_with("GL_")) gl_name.remove_prefix(3);
+    std::string name(gl_name.empty() ? otherwise : gl_name);
+    for (char& c : name)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return name;
+}
+
+std::string input_primitive(const Options& options) {
+    std::string name = primitive(options.geometry_input, "triangles");
+    for (const std::string_view fine : {"points", "lines", "lines_adjacency", "triangles", "triangles_adjacency"})
+        if (name == fine) return name;
+    return name.starts_with("line") ? "lines" : "triangles";
+}
+
+std::string output_primitive(const Options& options) {
+    std::string name = primitive(options.geometry_output, "triangle_strip");
+    if (name == "points" || name == "line_strip" || name == "triangle_strip") return name;
+    return name.starts_with("line") ? "line_strip" : "triangle_strip";
+}
+
+// As many as the least limits of the standard allow: 256 vertices, 1024 components.
+int most_vertices(const Unit& u) {
+    int components = 4;
+    for (const Global& g : u.globals)
+        if (g.qualifiers.storage == Storage::out && !g.removed)
+            components += g.type.rows * g.type.cols * (g.type.dims > 0 ? std::max(g.type.size, 1) : 1);
+    for (const std::string_view name : {"gl_FrontColor", "gl_BackColor", "gl_TexCoord", "gl_FogFragCoord"})
+        if (mentions(u, name)) components += name == "gl_TexCoord" ? 32 : 4;
+    return std::clamp(1024 / components, 1, 256);
+}
+
+// Arrays of inputs have as many elements as the primitive has vertices, whatever was written.
+void fit_inputs(Program& program, Unit& u) {
+    int vertices = 3;
+    for (const StageLayout& l : u.layouts)
+        for (const LayoutItem& i : l.qualifiers.layout) {
+            if (l.qualifiers.storage != Storage::in) continue;
+            vertices = i.name == "points"                ? 1
+                       : i.name == "lines"               ? 2
+                       : i.name == "lines_adjacency"     ? 4
+                       : i.name == "triangles_adjacency" ? 6
+                                                         : vertices;
+        }
+    for (Global& g : u.globals) {
+        if (g.qualifiers.storage != Storage::in || g.type.dims != 1 || g.type.size < 0 || g.type.size == vertices)
+            continue;
+        program.warn(u, g.name_token, "input-array-size",
+                     "'" + std::string(g.name) + "' has " + std::to_string(vertices) +
+                         " elements: one for each vertex of the primitive");
+        g.dims = "[]";
+        g.dirty = true;
+    }
+}
+
+}  // namespace
+
+std::string default_vertex_shader(Program& program) {
+    std::string text = "void main() {\n    gl_Position = ftransform();\n";
+    if (any_mentions(program, {"gl_Color", "gl_FrontColor", "gl_FrontColorIn"}))
+        text += "    gl_FrontColor = gl_Color;\n";
+    if (any_mentions(program, {"gl_SecondaryColor"})) text += "    gl_FrontSecondaryColor = gl_SecondaryColor;\n";
+    if (any_mentions(program, {"gl_TexCoord", "gl_TexCoordIn"}))
+        text += "    gl_TexCoord[0] = gl_TextureMatrix[0] * gl_MultiTexCoord0;\n";
+    return text + "}\n";
+}
+
+std::string default_fragment_shader() { return "void main() {\n    gl_FragColor = gl_Color;\n}\n"; }
+
+void complete_geometry(Program& program, Unit& u) {
+    const bool has_input =
+        layout_has(u, Storage::in, {"points", "lines", "lines_adjacency", "triangles", "triangles_adjacency"});
+    const bool has_output = layout_has(u, Storage::out, {"points", "line_strip", "triangle_strip"});
+    const bool has_count = layout_has(u, Storage::out, {"max_vertices"});
+    StageLayout made;
+    if (!has_input) {
+        const std::string name = input_primitive(program.options);
+        u.header += "layout(" + name + ") in;\n";
+        made.qualifiers.storage = Storage::in;
+        made.qualifiers.layout.push_back({name, ""});
+        u.layouts.push_back(made);
+    }
+    fit_inputs(program, u);
+    if (!has_output) u.header += "layout(" + output_primitive(program.options) + ") out;\n";
+    if (!has_count) u.header += "layout(max_vertices = " + std::to_string(most_vertices(u)) + ") out;\n";
+}
+
+}  // namespace snell::glsl

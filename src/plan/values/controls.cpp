@@ -1,0 +1,388 @@
+// Makes controls from the values on Program lines and the uniforms of linked programs.
+#include "src/plan/values/controls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "parser/text_of.h"
+#include "src/plan/values/fit.h"
+
+namespace snell {
+namespace {
+
+using Kind = UniformValue::Kind;
+
+std::string_view base_name(std::string_view name) {
+    return name.ends_with("[0]") ? name.substr(0, name.size() - 3) : name;
+}
+
+const ActiveUniform* find_active(const std::vector<ActiveUniform>& active, std::string_view name) {
+    const auto found = std::find_if(active.begin(), active.end(), [&](const ActiveUniform& uniform) {
+        return base_name(uniform.name) == base_name(name);
+    });
+    return found == active.end() ? nullptr : &*found;
+}
+
+// Names that the translator generates are never shown or suggested.
+bool is_internal(std::string_view name) { return name.starts_with("snell_") || name.starts_with("gl_"); }
+
+std::string type_name(const ActiveUniform& uniform) {
+    return uniform.array_size > 1 ? fmt::format("{}[{}]", uniform.glsl_type, uniform.array_size) : uniform.glsl_type;
+}
+
+struct Element {
+    const ActiveUniform* array = nullptr;
+    std::size_t index = 0;
+};
+
+// Finds the element of an array that a name such as "weights[2]" means.
+Element find_element(const std::vector<ActiveUniform>& active, std::string_view name) {
+    const std::size_t bracket = name.rfind('[');
+    if (bracket == std::string_view::npos || name.back() != ']') return {};
+    const std::string_view digits = name.substr(bracket + 1, name.size() - bracket - 2);
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (error != std::errc() || end != digits.data() + digits.size()) return {};
+    const ActiveUniform* array = find_active(active, name.substr(0, bracket));
+    if (array == nullptr || index >= static_cast<std::size_t>(std::max(array->array_size, 1))) return {};
+    return {array, index};
+}
+
+// True for <true>, false for <1>: the first makes a check box, the second is a constant unless the uniform is a bool.
+// Only the length of the word tells them apart.
+bool is_word(const UniformValue& boolean) {
+    if (!boolean.integral || boolean.value_spans.empty()) return false;
+    const Span& span = boolean.value_spans[0];
+    return span.end - span.begin >= std::string_view("true").size();
+}
+
+class Maker {
+public:
+    Maker(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+
+    Controls make(const std::vector<std::vector<ActiveUniform>>& active) {
+        static const std::vector<ActiveUniform> nothing;
+        for (Index program = 0; program < scene_.programs.size(); ++program) {
+            const auto& uniforms = program < active.size() ? active[program] : nothing;
+            add_listed(program, uniforms);
+            add_unlisted(program, uniforms);
+        }
+        return std::move(controls_);
+    }
+
+private:
+    void add_listed(Index program, const std::vector<ActiveUniform>& active) {
+        const auto& values = scene_.programs[program].uniforms;
+        for (Index index = 0; index < values.size(); ++index) {
+            const UniformValue& written = values[index];
+            if (const Element element = find_element(active, written.name); element.array != nullptr) {
+                add_element(program, written, element);
+                continue;
+            }
+            const ActiveUniform* uniform = find_active(active, written.name);
+            Control control = control_of(program, written.name, written.span);
+            control.uniform = index;
+            control.active = uniform != nullptr;
+            if (uniform == nullptr && !active.empty()) report_unknown(program, written, active);
+            fit(control, written, uniform != nullptr ? *uniform : guess(written));
+            control.initial = control.value;
+            controls_.items.push_back(std::move(control));
+        }
+    }
+
+    static Control control_of(Index program, std::string_view name, const Span& span) {
+        Control control;
+        control.program = program;
+        control.name = name;
+        control.span = span;
+        return control;
+    }
+
+    // Adds a value such as "weights[2] 5." to the array's control: the elements of one array share a control.
+    void add_element(Index program, const UniformValue& written, const Element& element) {
+        const ActiveUniform& array = *element.array;
+        Control* control = controls_.find(program, base_name(array.name));
+        if (control == nullptr) {
+            controls_.items.push_back(control_of(program, base_name(array.name), written.span));
+            control = &controls_.items.back();
+            take_type(*control, array);
+        }
+        const bool range = written.kind == Kind::range && written.values.size() > 2;
+        const std::vector<double> values = range ? std::vector{written.values[1]} : written.values;
+        const auto each = static_cast<std::size_t>(control->components);
+        const std::size_t first = each * element.index, room = control->value.size() - first;
+        if (values.empty() || values.size() > room || values.size() % each != 0) {
+            report_count(written, array, each, values.size());
+        }
+        for (std::size_t i = 0; i < std::min(values.size(), room); ++i) {
+            control->value[first + i] = typed(*control, values[i], written, array);
+        }
+        control->initial = control->value;
+    }
+
+    // If the program depends on a ladder, another rung may use what this one does not. The name is then reported only
+    // if it resembles one that is used but not listed, because that suggests a typing error.
+    void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
+        const bool laddered = scene_.programs[program].ladders > 0;
+        std::vector<std::string_view> names;
+        for (const ActiveUniform& uniform : active) {
+            const std::string_view name = base_name(uniform.name);
+            if (is_internal(name) || (laddered && (uniform.system || is_listed(program, name)))) continue;
+            names.push_back(name);
+        }
+        const std::string_view near = nearest(written.name, names);
+        if (laddered && near.empty()) return;
+        diagnostics_.warning(
+            "unknown-uniform", written.name_span,
+            fmt::format("program '{}' has no uniform '{}' that it uses", scene_.programs[program].name, written.name),
+            near.empty() || near == written.name ? std::string() : fmt::format("did you mean '{}'?", near));
+    }
+
+    bool is_listed(Index program, std::string_view name) const {
+        return std::ranges::any_of(scene_.programs[program].uniforms,
+                                   [&](const UniformValue& value) { return base_name(value.name) == name; });
+    }
+
+    // Guesses the type of a value in a program whose uniforms are unknown.
+    static ActiveUniform guess(const UniformValue& written) {
+        ActiveUniform uniform;
+        uniform.name = written.name;
+        uniform.glsl_type = "float";
+        const int count = static_cast<int>(written.values.size());
+        if (written.kind == Kind::boolean) {
+            uniform.type = ValueType::bool_;
+            uniform.glsl_type = "bool";
+        } else if (written.kind == Kind::color || written.kind == Kind::array) {
+            uniform.components = std::clamp(count, 1, 4);
+            if (count > 4) {
+                uniform.components = 1;
+                uniform.array_size = count;
+            }
+        }
+        return uniform;
+    }
+
+    // Takes over the type, and the value that the uniform has after linking.
+    static void take_type(Control& control, const ActiveUniform& uniform) {
+        control.type = uniform.type;
+        control.components = std::max(uniform.components, 1);
+        control.array_size = std::max(uniform.array_size, 1);
+        const auto total = static_cast<std::size_t>(control.components) * static_cast<std::size_t>(control.array_size);
+        control.value = uniform.initial;
+        control.value.resize(total, 0.);
+        for (double& value : control.value) value = fit_to_type(value, control.type);
+    }
+
+    void fit(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        take_type(control, uniform);
+        switch (written.kind) {
+            case Kind::range:
+                fit_range(control, written, uniform);
+                break;
+            case Kind::boolean:
+                fit_boolean(control, written, uniform);
+                break;
+            case Kind::color:
+                fit_color(control, written, uniform);
+                break;
+            case Kind::scalar:
+            case Kind::array:
+                fit_values(control, written.values, written, uniform);
+                break;
+        }
+    }
+
+    // Copies as many of `values` as the control has room for, converted to the uniform's type.
+    void fit_values(Control& control, const std::vector<double>& values, const UniformValue& written,
+                    const ActiveUniform& uniform) {
+        if (values.size() != control.value.size()) {
+            report_count(written, uniform, control.value.size(), values.size());
+        }
+        for (std::size_t i = 0; i < std::min(values.size(), control.value.size()); ++i) {
+            control.value[i] = typed(control, values[i], written, uniform);
+        }
+    }
+
+    void report_count(const UniformValue& written, const ActiveUniform& uniform, std::size_t takes, std::size_t given) {
+        diagnostics_.warning("uniform-value-count", written.span,
+                             fmt::format("'{}' is a {} and takes {} {}, not {}", written.name, type_name(uniform),
+                                         takes, takes == 1 ? "number" : "numbers", given),
+                             "the numbers that are there are used");
+    }
+
+    double typed(const Control& control, double value, const UniformValue& written, const ActiveUniform& uniform) {
+        const double fitted = fit_to_type(value, control.type);
+        if (fitted != value && control.type != ValueType::bool_) {
+            diagnostics_.warning(
+                "uniform-value-type", written.span,
+                fmt::format("'{}' is a {}: {} becomes {}", written.name, type_name(uniform), value, fitted));
+        }
+        return fitted;
+    }
+
+    void fit_boolean(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        const std::vector<double> values{written.values.empty() || written.values[0] == 0 ? 0. : 1.};
+        fit_values(control, values, written, uniform);
+        const bool flag = control.type == ValueType::bool_ || (control.type != ValueType::sampler && is_word(written));
+        if (flag && control.value.size() == 1) control.widget = Widget::check_box;
+    }
+
+    void fit_color(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        std::vector<double> values = written.values;
+        const bool color = control.array_size == 1 && (control.components == 3 || control.components == 4) &&
+                           (control.type == ValueType::float_ || control.type == ValueType::double_);
+        if (color && control.components == 4 && values.size() == 3) values.resize(4, 1);
+        if (color && control.components == 3 && values.size() == 4) values.resize(3);
+        fit_values(control, values, written, uniform);
+        if (color) control.widget = Widget::color;
+    }
+
+    void fit_range(Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        if (written.values.size() < 3) {
+            fit_values(control, written.values, written, uniform);
+            if (control.type == ValueType::bool_ && control.value.size() == 1) control.widget = Widget::check_box;
+            return;
+        }
+        const Range range = mend_range(control, written, uniform);
+        // A range belongs to one number; for a vector it changes all components together.
+        const double current = typed(control, range.current, written, uniform);
+        if (control.value.size() > 1) {
+            diagnostics_.warning(
+                "uniform-value-count", written.span,
+                fmt::format("'{}' is a {}, and a range gives one number", written.name, type_name(uniform)),
+                "all of its components are given that number; [1. 2. 3.] gives each its own");
+        }
+        std::fill(control.value.begin(), control.value.end(), current);
+        control.min = range.min;
+        control.max = range.max;
+        if (control.type == ValueType::matrix || control.type == ValueType::sampler || control.array_size > 1) return;
+        control.widget = control.type == ValueType::bool_ ? Widget::check_box : Widget::slider;
+        if (control.widget == Widget::slider && range.min == range.max) control.widget = Widget::none;
+    }
+
+    // Returns a range with min <= current <= max, finite and of the uniform's type.
+    Range mend_range(const Control& control, const UniformValue& written, const ActiveUniform& uniform) {
+        std::vector<double> v = written.values;
+        for (double& number : v) number = std::isnan(number) ? 0 : number;
+        Range range{v[0], v[1], v[2]};
+        if (control.type == ValueType::bool_) return {0, range.current, 1};
+        const bool reversed = range.min > range.max;
+        if (reversed) {
+            std::swap(range.min, range.max);
+            warn_range("range-reversed", written, "its minimum is above its maximum: they are exchanged");
+        }
+        if (range.current < range.min || range.current > range.max) {
+            if (!reversed) warn_order(written, range);
+            range.min = std::min(range.min, range.current);
+            range.max = std::max(range.max, range.current);
+            if (reversed)
+                warn_range("range-widened", written, fmt::format("{} lies outside it: it is widened", range.current));
+        }
+        const Range limited = limit_range(range, control.type);
+        if (limited.min != range.min || limited.max != range.max) {
+            warn_range("range-limited", written,
+                       fmt::format("for a {} it becomes {} to {}", type_name(uniform), limited.min, limited.max));
+        }
+        if (limited.min == limited.max) {
+            warn_range("range-empty", written, "its minimum is its maximum: there is nothing to slide");
+        }
+        return {limited.min, range.current, limited.max};
+    }
+
+    // <min max current> or <current min max>, most likely. What is written is kept: the second number is the current
+    // one.
+    void warn_order(const UniformValue& written, const Range& range) {
+        UniformValue meant = written;
+        meant.values = {range.min, range.current, range.max};
+        std::ranges::sort(meant.values);
+        diagnostics_.warning(
+            "range-order", written.span,
+            fmt::format("range of '{}': its numbers are <min current max>, and the current one, {}, is {}",
+                        written.name, range.current,
+                        range.current > range.max ? "above the maximum" : "below the minimum"),
+            fmt::format("did you mean '{}'? as it stands, the value is {}, and the range reaches to it",
+                        text_of::uniform(meant), range.current));
+    }
+
+    void warn_range(std::string_view code, const UniformValue& written, const std::string& what) {
+        diagnostics_.warning(code, written.span, fmt::format("range of '{}': {}", written.name, what));
+    }
+
+    void add_unlisted(Index program, const std::vector<ActiveUniform>& active) {
+        for (const ActiveUniform& uniform : active) {
+            const std::string_view name = base_name(uniform.name);
+            if (uniform.system || is_internal(name) || controls_.find(program, name) != nullptr) continue;
+            Control control = control_of(program, name, scene_.programs[program].span);
+            control.listed = false;
+            take_type(control, uniform);
+            control.initial = control.value;
+            suggest_widget(control);
+            unlisted_.push_back(std::move(control));
+        }
+        for (Control& control : unlisted_) controls_.items.push_back(std::move(control));
+        unlisted_.clear();
+    }
+
+    const Scene& scene_;
+    Diagnostics& diagnostics_;
+    Controls controls_;
+    std::vector<Control> unlisted_;
+};
+
+}  // namespace
+
+const Control* Controls::find(Index program, std::string_view name) const {
+    const auto found = std::find_if(items.begin(), items.end(), [&](const Control& control) {
+        return control.program == program && base_name(control.name) == base_name(name);
+    });
+    return found == items.end() ? nullptr : &*found;
+}
+
+Control* Controls::find(Index program, std::string_view name) {
+    return const_cast<Control*>(static_cast<const Controls*>(this)->find(program, name));
+}
+
+Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
+                       Diagnostics& diagnostics) {
+    Controls controls = Maker(scene, diagnostics).make(active);
+    controls.rungs = marked_rungs(scene);
+    return controls;
+}
+
+void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
+    // Programs are matched by name; several programs with one name are matched by their order.
+    const auto occurrence = [](const Scene& scene, Index program) {
+        const auto end = scene.programs.begin() + program;
+        return std::count_if(scene.programs.begin(), end,
+                             [&](const Program& p) { return p.name == scene.programs[program].name; });
+    };
+    const auto same_program = [&](Index a, Index b) {
+        return from_scene.programs[a].name == to_scene.programs[b].name &&
+               occurrence(from_scene, a) == occurrence(to_scene, b);
+    };
+    const auto written = [](const Scene& scene, const Control& control) {
+        const std::vector<UniformValue>& uniforms = scene.programs[control.program].uniforms;
+        return control.uniform < uniforms.size() ? uniforms[control.uniform].values : std::vector<double>{};
+    };
+    carry_over(from.rungs, from_scene, to.rungs, to_scene);
+    for (Control& control : to.items) {
+        const auto match = std::find_if(from.items.begin(), from.items.end(), [&](const Control& old) {
+            return old.name == control.name && old.type == control.type && old.components == control.components &&
+                   old.array_size == control.array_size && same_program(old.program, control.program);
+        });
+        if (match == from.items.end() || match->initial != control.initial) continue;
+        control.value = match->value;
+        if (control.widget != Widget::slider) continue;
+        if (written(from_scene, *match) == written(to_scene, control)) {  // the range may have been widened since
+            control.min = match->min;
+            control.max = match->max;
+        } else {
+            for (double& value : control.value) value = std::clamp(value, control.min, control.max);
+        }
+    }
+}
+
+}  // namespace snell

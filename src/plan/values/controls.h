@@ -1,0 +1,70 @@
+// The values of uniforms that can be changed while a scene runs. They are plain values, made from the scene and its
+// linked programs; sliders, command-line flags and tests write the same ones.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/scene.h"
+#include "parser/text/diagnostic.h"
+#include "src/plan/values/rungs.h"
+
+namespace snell {
+
+enum class ValueType : std::uint8_t { float_, int_, uint_, bool_, matrix, sampler, double_ };
+
+// An active uniform of a linked program, as the runtime found it.
+struct ActiveUniform {
+    std::string name;       // without "[0]"
+    std::string glsl_type;  // "vec3", "sampler2D", …
+    ValueType type = ValueType::float_;
+    int components = 1;  // 1 to 4; for a matrix, columns times rows
+    int array_size = 1;
+    int location = -1;
+    bool system = false;          // set by snell itself, such as matrices and Timer
+    std::vector<double> initial;  // the value in the program after linking
+};
+
+enum class Widget : std::uint8_t { none, slider, check_box, color };
+
+struct Control {
+    Index program = 0;  // index into Scene::programs
+    std::string name;
+    ValueType type = ValueType::float_;
+    int components = 1, array_size = 1;
+    Widget widget = Widget::none;
+    double min = 0, max = 1;      // bounds of the slider: finite, min <= max
+    std::vector<double> value;    // components · array_size numbers
+    std::vector<double> initial;  // the scene's values, which a reset restores
+    bool active = true;           // false if the linked program does not use the uniform
+    bool listed = true;           // false if the uniform is not on the Program line but was found active
+    Index uniform = none;         // index into Program::uniforms if listed
+    Span span;
+};
+
+struct Controls {
+    std::vector<Control> items;  // sorted by program, then as on the Program line; unlisted ones are last
+    Rungs rungs;                 // the chosen rungs; empty: those that the programs were compiled for
+
+    // Finds a control by its uniform's name, with or without "[0]"; returns null if there is none.
+    Control* find(Index program, std::string_view name);
+    const Control* find(Index program, std::string_view name) const;
+};
+
+// Makes the controls of all programs. `active[i]` holds the uniforms of Scene::programs[i], and is empty if that
+// program failed to link. Reports uniforms that the program does not have, values that do not fit, and ranges that had
+// to be corrected.
+Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
+                       Diagnostics& diagnostics);
+
+// Assigns the value that a text such as "uEta=1.3", "Glass.uEta=1.3", "uColor=1,.5,0", "uColor.g=.5" or "uOn=true"
+// names. Returns false and reports an error, which suggests the nearest name, if there is no such uniform or the value
+// does not fit.
+bool set_control(Controls& controls, const Scene& scene, std::string_view assignment, Diagnostics& diagnostics);
+
+// Copies the values of `from` to every control that both have (same program name, name and type). `to` keeps its own
+// value if the scene's text changed it.
+void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene);
+
+}  // namespace snell

@@ -1,0 +1,76 @@
+#include "src/runtime/resources/jobs.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "src/content/parallel.h"
+
+namespace snell::runtime {
+
+namespace {
+
+constexpr auto between_looks = std::chrono::milliseconds(50);
+
+// Which are done, and who waits for that.
+class Board {
+public:
+    explicit Board(const std::vector<Job>& jobs) : jobs_(jobs), done_(jobs.size(), false) {}
+
+    // Until there are no more; by any number of threads.
+    void work() {
+        for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
+            jobs_[i].work();
+            const std::scoped_lock lock(mutex_);
+            done_[i] = true;
+            ++count_;
+            change_.notify_one();
+        }
+    }
+
+    void watch(const Watcher& watcher) {
+        std::size_t told = 0;
+        std::unique_lock lock(mutex_);
+        while (true) {
+            const auto first = std::ranges::find(done_, false);
+            const std::string_view name =
+                first == done_.end() ? ""
+                                     : std::string_view(jobs_[static_cast<std::size_t>(first - done_.begin())].name);
+            lock.unlock();
+            watcher({LoadProgress::Stage::files, name, told, jobs_.size()});
+            lock.lock();
+            if (told == jobs_.size()) return;
+            change_.wait_for(lock, between_looks, [&] { return count_ > told; });
+            if (count_ > told) ++told;
+        }
+    }
+
+private:
+    const std::vector<Job>& jobs_;
+    std::atomic<std::size_t> next_ = 0;
+    std::mutex mutex_;
+    std::condition_variable change_;
+    std::vector<bool> done_;
+    std::size_t count_ = 0;
+};
+
+}  // namespace
+
+void run(const std::vector<Job>& jobs, const Watcher& watcher) {
+    if (jobs.empty()) {
+        if (watcher) watcher({LoadProgress::Stage::files, "", 0, 0});
+        return;
+    }
+    Board board(jobs);
+    const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1U);
+    const std::size_t count = std::min(cores, jobs.size());
+    // Who watches does not work, unless nobody else does.
+    const auto threads = content::start_threads(watcher ? count : count - 1, [&board] { board.work(); });
+    if (!watcher || threads.empty()) board.work();
+    if (watcher) board.watch(watcher);
+}
+
+}  // namespace snell::runtime

@@ -1,0 +1,103 @@
+// A program of the scene, compiled and linked, and what it asks of the runtime.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "parser/text/diagnostic.h"
+#include "src/gl/caps.h"
+#include "src/gl/program.h"
+#include "src/glsl/glsl.h"
+#include "src/plan/plan.h"
+#include "src/plan/values/controls.h"
+#include "src/runtime/resources/counters.h"
+#include "src/runtime/resources/draw_context.h"
+#include "src/runtime/resources/instances.h"
+#include "src/runtime/resources/store.h"
+
+namespace snell::runtime {
+
+// A uniform that the runtime sets, with what it was last set to.
+struct SystemUniform {
+    glsl::System system;
+    GLint location = -1;
+    int size = 1;  // of the array
+    std::vector<float> last;
+};
+
+// A uniform that a Control sets.
+struct UserUniform {
+    std::string name;
+    std::string_view glsl_type;  // static text
+    ValueType type = ValueType::float_;
+    GLint location = -1;
+    int components = 1, size = 1;
+    std::vector<double> last;     // what the program holds
+    std::vector<double> initial;  // what it holds where nothing sets it
+    std::size_t control = 0;      // among Controls::items, when it was looked for last
+};
+
+// A sampler and the GL texture units that it was given for good; the scene's own units are only names.
+struct SamplerUniform {
+    std::string name;
+    std::string_view type;                // GLSL's; static text
+    std::optional<TextureTarget> target;  // none: a kind of sampler that scenes have no textures for
+    GLint location = -1;
+    int first_unit = 0, size = 1;
+    std::vector<int> initial;  // units that the shader names itself, by layout(binding)
+};
+
+struct LinkedProgram {
+    gl::Program program;
+    std::vector<std::shared_ptr<gl::Shader>> shaders;  // for others that have the same stage
+    std::vector<ActiveUniform> active;
+    std::vector<SystemUniform> system;
+    std::optional<DrawContext> shown;  // what `system` was set from last
+    std::vector<float> scratch;        // kept for its memory
+    std::vector<UserUniform> user;
+    std::vector<SamplerUniform> samplers;
+    InstancedText instanced;               // where draws with it may be instances of one
+    std::optional<Instancing> instancing;  // made when something is drawn so
+    double load_ms = 0;                    // to translate, compile and link
+    bool opaque = false;                   // writes alpha 1 whatever happens
+    bool plain_depth = false;              // as Translation's
+    bool reads_place = false;              // as Translation's
+    bool tessellates = false;
+    bool wide = false;          // its lines are triangles
+    GLenum geometry_input = 0;  // 0: no geometry shader
+
+    bool reads(glsl::System system) const;
+};
+
+// One program may be compiled in several ways.
+struct Variant {
+    bool flat = false;    // the legacy colours are not interpolated
+    bool wide = false;    // lines are widened by a geometry stage of ours
+    int outputs = 1;      // textures rendered to at once: gl_FragColor is written to each
+    Rungs rungs;          // of the ladders that the program knows
+    bool placed = false;  // for parts of pictures
+    auto operator<=>(const Variant&) const = default;
+};
+
+// `ladders`: as Variant::rungs. What the store has is not compiled again; null: everything is. Null when it failed; why
+// is in `diagnostics`, at the program's statement or in its shaders.
+std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
+                                            std::span<const Ladder> ladders, const Variant& variant,
+                                            const gl::Caps& caps, Files& files, Sources& sources, Store* store,
+                                            Counters& counters, Diagnostics& diagnostics);
+
+// The form of the program that draws instances; null where there is none. `program` is the one that it was linked for.
+const Instancing* make_instancing(LinkedProgram& linked, const Program& program, const gl::Caps& caps,
+                                  Counters& counters);
+
+// What the shaders of a scene include: the library for angle brackets, else files.
+glsl::IncludeReader include_reader(Files& files);
+
+// Draws the current colour, unlit. Throws when it fails: nothing can be drawn in a context where that is so.
+std::shared_ptr<LinkedProgram> link_builtin(const Variant& variant, const gl::Caps& caps, Store* store,
+                                            Counters& counters);
+
+}  // namespace snell::runtime

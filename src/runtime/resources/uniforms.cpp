@@ -1,0 +1,345 @@
+#include "src/runtime/resources/uniforms.h"
+
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+
+#include "src/plan/plan.h"
+
+namespace snell::runtime {
+
+namespace {
+
+using glsl::System;
+
+using Floats = std::vector<float>;
+
+template <typename Matrix>
+void append(Floats& out, const Matrix& matrix) {
+    for (int column = 0; column < matrix.length(); ++column)
+        for (int row = 0; row < matrix[column].length(); ++row) out.push_back(static_cast<float>(matrix[column][row]));
+}
+
+void append(Floats& out, const glm::dvec4& point) {
+    for (int i = 0; i < 3; ++i) out.push_back(static_cast<float>(point[i] / point.w));
+}
+
+void append(Floats& out, std::initializer_list<double> numbers) {
+    for (const double number : numbers) out.push_back(static_cast<float>(number));
+}
+
+// A singular matrix has no inverse: zero instead of infinities that would spread over the picture.
+glm::dmat4 inverse(const glm::dmat4& matrix) {
+    const glm::dmat4 result = glm::inverse(matrix);
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < 4; ++k)
+            if (!std::isfinite(result[i][k])) return glm::dmat4(0);
+    return result;
+}
+
+// As many coefficients as the program reads; black where nothing names a cube map.
+void append_harmonics(Floats& out, const DrawContext& c, int size) {
+    const std::size_t wanted = 3 * static_cast<std::size_t>(size);
+    const std::size_t there = c.harmonics ? std::min(c.harmonics->size() * 3, wanted) : 0;
+    for (std::size_t i = 0; i < wanted; ++i) out.push_back(i < there ? (*c.harmonics)[i / 3][i % 3] : 0.0F);
+}
+
+// ---- matrices of four columns ------------------------------------------------------------------------------
+
+enum class Product : std::uint8_t {
+    model_view,
+    projection,
+    model_view_projection,
+    texture,
+    model,
+    view,
+    view_projection
+};
+enum class Form : std::uint8_t { plain, inverse, transpose, inverse_transpose };
+
+struct MatrixUniform {
+    System system;
+    Product product;
+    Form form;
+};
+
+constexpr MatrixUniform matrix_uniforms[]{
+    {System::model_view, Product::model_view, Form::plain},
+    {System::model_view_inverse, Product::model_view, Form::inverse},
+    {System::model_view_transpose, Product::model_view, Form::transpose},
+    {System::model_view_inverse_transpose, Product::model_view, Form::inverse_transpose},
+    {System::projection, Product::projection, Form::plain},
+    {System::projection_inverse, Product::projection, Form::inverse},
+    {System::projection_transpose, Product::projection, Form::transpose},
+    {System::projection_inverse_transpose, Product::projection, Form::inverse_transpose},
+    {System::model_view_projection, Product::model_view_projection, Form::plain},
+    {System::model_view_projection_inverse, Product::model_view_projection, Form::inverse},
+    {System::model_view_projection_transpose, Product::model_view_projection, Form::transpose},
+    {System::model_view_projection_inverse_transpose, Product::model_view_projection, Form::inverse_transpose},
+    {System::texture_matrix, Product::texture, Form::plain},
+    {System::texture_matrix_inverse, Product::texture, Form::inverse},
+    {System::texture_matrix_transpose, Product::texture, Form::transpose},
+    {System::texture_matrix_inverse_transpose, Product::texture, Form::inverse_transpose},
+    {System::model, Product::model, Form::plain},
+    {System::model_inverse, Product::model, Form::inverse},
+    {System::view, Product::view, Form::plain},
+    {System::view_inverse, Product::view, Form::inverse},
+    {System::view_projection, Product::view_projection, Form::plain},
+};
+
+const MatrixUniform* matrix_uniform(System system) {
+    const auto* found = std::ranges::find(matrix_uniforms, system, &MatrixUniform::system);
+    return found == std::end(matrix_uniforms) ? nullptr : found;
+}
+
+glm::dmat4 product(Product which, const DrawContext& c) {
+    switch (which) {
+        case Product::model_view:
+            return c.view * c.model;
+        case Product::projection:
+            return c.projection;
+        case Product::model_view_projection:
+            return c.projection * c.view * c.model;
+        case Product::texture:
+            return c.texture;
+        case Product::model:
+            return c.model;
+        case Product::view:
+            return c.view;
+        case Product::view_projection:
+            return c.projection * c.view;
+    }
+    return glm::dmat4(1);
+}
+
+void append_matrix(Floats& out, const MatrixUniform& uniform, const DrawContext& c, int size) {
+    glm::dmat4 matrix = product(uniform.product, c);
+    if (uniform.form == Form::inverse || uniform.form == Form::inverse_transpose) matrix = inverse(matrix);
+    if (uniform.form == Form::transpose || uniform.form == Form::inverse_transpose) matrix = glm::transpose(matrix);
+    append(out, matrix);
+    // Only the first unit has a texture matrix that moves.
+    for (int i = 1; i < size && uniform.product == Product::texture; ++i) append(out, glm::dmat4(1));
+}
+
+// ---- all others --------------------------------------------------------------------------------------------
+
+double normal_scale(const DrawContext& c) {
+    const double length = glm::length(glm::dvec3(glm::row(inverse(c.view * c.model), 2)));
+    return length > 0 ? 1 / length : 1;
+}
+
+void append_value(Floats& out, System system, const DrawContext& c, int size) {
+    if (const MatrixUniform* matrix = matrix_uniform(system)) return append_matrix(out, *matrix, c, size);
+    const glm::dvec4 origin(0, 0, 0, 1);
+    switch (system) {
+        case System::normal_matrix:
+            return append(out, normal_matrix(c.view * c.model));
+        case System::model_normal_matrix:
+            return append(out, normal_matrix(c.model));
+        case System::camera_position:
+            return append(out, inverse(c.view) * origin);
+        case System::viewer_position_eye:
+            return append(out, inverse(c.scene) * origin);
+        case System::normal_scale:
+            return append(out, {normal_scale(c)});
+        case System::timer:
+            return append(out, {timer_value(c.time, c.timer_period)});
+        case System::time:
+            return append(out, {c.time});
+        case System::resolution:
+        case System::viewport:
+            return append(out, {c.width, c.height});
+        case System::mouse:
+            return append(out, {c.mouse_x, c.mouse_y});
+        case System::place:
+            return static_cast<void>(out.insert(out.end(), c.place.begin(), c.place.end()));
+        case System::face_index:
+            return append(out, {static_cast<double>(c.face_index)});
+        case System::depth_range_near:
+            return append(out, {0});
+        case System::depth_range_far:
+        case System::depth_range_diff:
+            return append(out, {1});
+        case System::point_size:
+            return append(out, {c.point_size});
+        case System::fixed_point_size:
+            return append(out, {c.fixed_point_size});
+        case System::line_width:
+            return append(out, {c.line_width});
+        case System::harmonics:
+            return append_harmonics(out, c, size);
+        default:
+            return;  // noise: samplers, bound with the textures
+    }
+}
+
+void upload(const SystemUniform& uniform, const std::vector<float>& v) {
+    const GLint at = uniform.location;
+    if (uniform.system == System::face_index) {
+        glUniform1i(at, static_cast<GLint>(v[0]));
+        return;
+    }
+    switch (v.size() / static_cast<size_t>(uniform.size)) {
+        case 1:
+            glUniform1fv(at, uniform.size, v.data());
+            break;
+        case 2:
+            glUniform2fv(at, uniform.size, v.data());
+            break;
+        case 3:
+            glUniform3fv(at, uniform.size, v.data());
+            break;
+        case 9:
+            glUniformMatrix3fv(at, uniform.size, GL_FALSE, v.data());
+            break;
+        case 16:
+            glUniformMatrix4fv(at, uniform.size, GL_FALSE, v.data());
+            break;
+        default:
+            break;
+    }
+}
+
+void upload_matrix(const UserUniform& uniform, const std::vector<float>& v) {
+    const std::string_view type = uniform.glsl_type;
+    const GLint at = uniform.location;
+    const float* data = v.data();
+    const int n = uniform.size;
+    if (type == "mat2") glUniformMatrix2fv(at, n, GL_FALSE, data);
+    if (type == "mat3") glUniformMatrix3fv(at, n, GL_FALSE, data);
+    if (type == "mat4") glUniformMatrix4fv(at, n, GL_FALSE, data);
+    if (type == "mat2x3") glUniformMatrix2x3fv(at, n, GL_FALSE, data);
+    if (type == "mat2x4") glUniformMatrix2x4fv(at, n, GL_FALSE, data);
+    if (type == "mat3x2") glUniformMatrix3x2fv(at, n, GL_FALSE, data);
+    if (type == "mat3x4") glUniformMatrix3x4fv(at, n, GL_FALSE, data);
+    if (type == "mat4x2") glUniformMatrix4x2fv(at, n, GL_FALSE, data);
+    if (type == "mat4x3") glUniformMatrix4x3fv(at, n, GL_FALSE, data);
+}
+
+template <typename T, typename One, typename Two, typename Three, typename Four>
+void upload_vector(const UserUniform& uniform, const std::vector<double>& values, One one, Two two, Three three,
+                   Four four) {
+    std::array<T, 16> few;  // what sliders have: no heap for them
+    std::vector<T> many(values.size() > few.size() ? values.size() : 0);
+    T* const v = many.empty() ? few.data() : many.data();
+    std::ranges::transform(values, v, [](double value) { return static_cast<T>(value); });
+    switch (uniform.components) {
+        case 1:
+            one(uniform.location, uniform.size, v);
+            break;
+        case 2:
+            two(uniform.location, uniform.size, v);
+            break;
+        case 3:
+            three(uniform.location, uniform.size, v);
+            break;
+        default:
+            four(uniform.location, uniform.size, v);
+            break;
+    }
+}
+
+void upload(const UserUniform& uniform, ValueType type, const std::vector<double>& values) {
+    switch (type) {
+        case ValueType::float_:
+            upload_vector<GLfloat>(uniform, values, glUniform1fv, glUniform2fv, glUniform3fv, glUniform4fv);
+            break;
+        case ValueType::bool_:
+        case ValueType::int_:
+            upload_vector<GLint>(uniform, values, glUniform1iv, glUniform2iv, glUniform3iv, glUniform4iv);
+            break;
+        case ValueType::uint_:
+            upload_vector<GLuint>(uniform, values, glUniform1uiv, glUniform2uiv, glUniform3uiv, glUniform4uiv);
+            break;
+        case ValueType::double_:
+            upload_vector<GLdouble>(uniform, values, glUniform1dv, glUniform2dv, glUniform3dv, glUniform4dv);
+            break;
+        case ValueType::matrix:
+            upload_matrix(uniform, std::vector<float>(values.begin(), values.end()));
+            break;
+        case ValueType::sampler:
+            break;  // bound once for all
+    }
+}
+
+// Mostly where it was the last time.
+const Control* control_of(UserUniform& uniform, Index program, const Controls& controls) {
+    const auto& items = controls.items;
+    if (uniform.control < items.size() && items[uniform.control].program == program &&
+        items[uniform.control].name == uniform.name)
+        return &items[uniform.control];
+    const Control* found = controls.find(program, uniform.name);
+    if (found) uniform.control = static_cast<std::size_t>(found - items.data());
+    return found;
+}
+
+}  // namespace
+
+glm::dmat4 about_origin(const Transformation& transformation, const glm::dmat4& view) {
+    if (transformation == Transformation{}) return glm::dmat4(1);
+    const glm::dvec3 pivot(view[3]);
+    return glm::translate(glm::dmat4(1), pivot) * transformation.matrix() * glm::translate(glm::dmat4(1), -pivot);
+}
+
+double timer_value(double time, double period) {
+    if (!(period > 0) || !std::isfinite(time)) return 0;
+    double phase = std::fmod(time, period) / period;
+    if (phase < 0) phase += 1;
+    // A double just below 1 rounds to 1 in float.
+    return std::min(phase, static_cast<double>(std::nextafter(1.0F, 0.0F)));
+}
+
+void append_system(Floats& values, System system, const DrawContext& context, int size) {
+    append_value(values, system, context, size);
+}
+
+int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
+    // Coefficients may be others at the same place.
+    if (!all && !context.harmonics && program.shown == context) return 0;
+    program.shown = context;
+    int uploads = 0;
+    Floats& value = program.scratch;
+    for (SystemUniform& uniform : program.system) {
+        if (uniform.system == System::face_index) continue;
+        value.clear();
+        append_value(value, uniform.system, context, uniform.size);
+        if (value.empty() || (value == uniform.last && !all)) continue;
+        upload(uniform, value);
+        uniform.last = value;
+        ++uploads;
+    }
+    return uploads;
+}
+
+int set_user(LinkedProgram& program, Index index, const Controls& controls, bool all) {
+    int uploads = 0;
+    for (UserUniform& uniform : program.user) {
+        const Control* control = control_of(uniform, index, controls);
+        const bool usable = control && control->active && control->value.size() == uniform.last.size();
+        // Another draw with the same program may have set what this one leaves alone.
+        const std::vector<double>& value = usable ? control->value : uniform.initial;
+        if (value == uniform.last && !(all && usable)) continue;
+        upload(uniform, uniform.type, value);
+        uniform.last = value;
+        ++uploads;
+    }
+    return uploads;
+}
+
+int set_face_index(LinkedProgram& program, int face) {
+    for (SystemUniform& uniform : program.system) {
+        if (uniform.system != System::face_index) continue;
+        std::vector<float> value{static_cast<float>(face)};
+        if (value == uniform.last) return 0;
+        upload(uniform, value);
+        uniform.last = std::move(value);
+        return 1;
+    }
+    return 0;
+}
+
+}  // namespace snell::runtime

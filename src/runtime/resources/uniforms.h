@@ -1,0 +1,34 @@
+// Setting uniforms, and only when their value changed.
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "src/plan/values/controls.h"
+#include "src/plan/view.h"
+#include "src/runtime/resources/program.h"
+
+namespace snell::runtime {
+
+// The scene transformation in eye space: about the world's origin, wherever the camera sees it, along the axes
+// of the screen.
+glm::dmat4 about_origin(const Transformation& transformation, const glm::dmat4& view);
+
+// 0 → 1 in `period` seconds, never 1 itself. Period 0 or less: 0.
+double timer_value(double time, double period);
+
+// When frame `frame` (from 0) of an animation is: never a sum of steps.
+inline double frame_time(std::uint64_t frame, double frames_per_second) {
+    return static_cast<double>(frame) / frames_per_second;
+}
+
+// What a uniform of the system holds, column by column; `size` elements of an array.
+void append_system(std::vector<float>& values, glsl::System system, const DrawContext& context, int size = 1);
+
+// The program must be in use. Both return how many uniforms were uploaded; `all`: those that did not change, too.
+int set_system(LinkedProgram& program, const DrawContext& context, bool all = false);
+int set_user(LinkedProgram& program, Index index, const Controls& controls, bool all = false);
+int set_face_index(LinkedProgram& program, int face);
+
+}  // namespace snell::runtime

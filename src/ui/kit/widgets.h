@@ -1,0 +1,61 @@
+// Widgets that Dear ImGui lacks. They fill the width that is available.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "src/ui/kit/text.h"
+
+namespace snell::ui {
+
+class Layout;
+
+float width_of(std::string_view text);
+// The width of a button or a check box with this text.
+float button_width(std::string_view label);
+float check_box_width(std::string_view label);
+// Sets the tooltip of the last item, disabled or not.
+void tip(const char* text);
+// Places the next item, `width` wide, on the same line if it fits there, otherwise on the next line. `gap` is as for
+// SameLine.
+void follow(float width, float gap = -1);
+// Cuts the text to the width, with dots for what is left out; at least one character stays. Pass only visible text,
+// without the hidden part after ##.
+Text shortened(std::string_view text, float width);
+// Draws such a text as an item whose tooltip has all of it. Returns false if something was left out.
+bool fitted(std::string_view text, float width, bool dim = false);
+
+// The titles of the open sections.
+using Titles = std::set<std::string, std::less<>>;
+// Draws a header that opens and closes its section, and returns whether it is open. `open` is saved from run to run.
+bool section(const char* title, Titles& open, Layout& layout, const char* name);
+
+struct SliderRange {
+    double min = 0, max = 1;
+    bool integral = false;
+    bool logarithmic = false;  // equal distances are equal ratios; needs min > 0
+};
+
+// State of the slider that was pressed last. `before` is its value then: a double click moves the knob before it opens
+// the text field.
+struct SliderMemory {
+    unsigned id = 0;
+    double before = 0;
+    bool relative = false;  // Alt was pressed during this drag, so it continues relative to the knob's position
+    double fraction = 0;    // position of that drag, before rounding
+};
+
+// Draws a slider and returns true if the value changed. Drag to move; with Alt a twentieth as fast. Double-click or
+// Ctrl-click to type; a number outside of the range widens it. Right-click to reset to `initial`. It computes with
+// fractions of the range in double, so any finite range works, including equal ends and 1e300.
+bool slider(const char* id, double& value, SliderRange& range, double initial, SliderMemory& memory);
+
+// Draws a field to type a number into, or to drag, for numbers without a range.
+bool number(const char* id, double& value, bool integral, double initial, float width);
+
+// Draws a colour; `components` is 3 or 4: red, green, blue, alpha. Values outside of 0..1 are allowed.
+bool color_row(const char* id, double* value, int components, const double* initial);
+
+}  // namespace snell::ui

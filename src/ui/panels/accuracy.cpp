@@ -1,0 +1,249 @@
+#include "src/ui/panels/accuracy.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+
+#include "src/ui/kit/style.h"
+#include "src/ui/panels/state.h"
+
+namespace snell::ui {
+
+namespace {
+
+ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
+
+// Draws dimmed text at the right end of the line, if there is room.
+void remark(const std::string& text) {
+    const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SameLine();
+    if (ImGui::GetCursorPosX() > right) return ImGui::NewLine();
+    ImGui::SetCursorPosX(right);
+    ImGui::TextDisabled("%s", text.c_str());
+}
+
+void figures(const AccuracyFacts& facts) {
+    ImGui::TextUnformatted(facts.milliseconds > 0 ? (milliseconds_text(facts.milliseconds) + " a picture").c_str()
+                                                  : "\u2026");
+    remark(std::string(facts.clock));
+    if (!facts.note.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("%s", facts.note.c_str());
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    ImGui::TextUnformatted(facts.samples > 0 ? ("off by " + error_text(facts.error)).c_str() : "\u2026");
+    if (ImGui::IsItemHovered() && facts.samples > 0)
+        ImGui::SetTooltip(
+            "root mean square difference from the last rung of every ladder,\nlinear light, over the whole picture\n"
+            "at most %s, %s",
+            error_text(facts.largest).c_str(),
+            std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr).c_str() : "no difference");
+    remark(fmt::format("{} of {} samples a pixel", facts.samples, facts.wanted));
+    if (facts.nonfinite > 0) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
+        fitted(fmt::format("{} pixels are no finite numbers", facts.nonfinite), ImGui::GetContentRegionAvail().x);
+        ImGui::PopStyleColor();
+    }
+}
+
+void legend() {
+    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFontSize() * .6F;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    constexpr int steps = 48;
+    for (int i = 0; i < steps; ++i) {
+        const Heat color = heat((static_cast<float>(i) + .5F) / steps);
+        list.AddRectFilled({at.x + width * static_cast<float>(i) / steps, at.y},
+                           {at.x + width * static_cast<float>(i + 1) / steps, at.y + height},
+                           pack({color.red, color.green, color.blue, 1}));
+    }
+    ImGui::Dummy({width, height});
+    constexpr std::array<const char*, 4> ends{"\u2264 .001", ".01", ".1", "\u2265 1"};
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const float text = ImGui::CalcTextSize(ends[i]).x;
+        const float middle = width * static_cast<float>(i) / static_cast<float>(ends.size() - 1);
+        if (i > 0) ImGui::SameLine();
+        ImGui::SetCursorScreenPos({at.x + std::clamp(middle - text / 2, 0.0F, width - text),
+                                   at.y + height + ImGui::GetStyle().ItemSpacing.y});
+        ImGui::TextDisabled("%s", ends[i]);
+    }
+}
+
+void show_buttons(AccuracyMemory& memory, Layout& layout) {
+    using Show = AccuracyMemory::Show;
+    constexpr std::array<std::pair<const char*, Show>, 3> choices{
+        {{"Picture", Show::picture}, {"Split", Show::split}, {"Heat map", Show::heat}}};
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (i > 0) follow(check_box_width(choices[i].first), ImGui::GetFontSize() * .8F);
+        if (ImGui::RadioButton(choices[i].first, memory.show == choices[i].second)) memory.show = choices[i].second;
+        layout.note("accuracy", choices[i].first);
+    }
+}
+
+// Lists the rungs with their measured values; a click chooses one.
+void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& chosen, Layout& layout) {
+    if (!ImGui::BeginTable("##rungs", 3, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("", 0, 2);
+    ImGui::TableSetupColumn("", 0, 1.2F);
+    ImGui::TableSetupColumn("", 0, 1);
+    for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
+        const auto point = std::ranges::find(facts.points, std::optional(i), &AccuracyPoint::rung);
+        const bool known = point != facts.points.end();
+        ImGui::TableNextColumn();
+        if (ImGui::Selectable(ladder.rungs[i].c_str(), i == chosen, ImGuiSelectableFlags_SpanAllColumns)) chosen = i;
+        layout.note("accuracy.rung", ladder.rungs[i]);
+        if (known && ImGui::IsItemHovered() && point->standing != AccuracyPoint::Standing::visited)
+            ImGui::SetTooltip("%s", standing_text(*point).c_str());
+        ImGui::TableNextColumn();
+        if (known && point->milliseconds > 0) ImGui::TextUnformatted(milliseconds_text(point->milliseconds).c_str());
+        ImGui::TableNextColumn();
+        if (known) ImGui::TextUnformatted(error_text(point->error).c_str());
+    }
+    ImGui::EndTable();
+}
+
+// Draws the choice of the plotted ladder and the button that measures it. Returns true if the button was clicked.
+bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, AccuracyMemory& memory,
+                Layout& layout) {
+    const char* label = facts.measured ? "Stop" : "Measure rungs";
+    const float button = ImGui::CalcTextSize("Measure rungs").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
+    const bool list = ImGui::BeginCombo("##ladder", ladders[memory.ladder].name.c_str());
+    layout.note("accuracy.ladder");
+    if (list) {
+        for (std::size_t i = 0; i < ladders.size(); ++i) {
+            if (ImGui::Selectable(ladders[i].name.c_str(), i == memory.ladder)) memory.ladder = i;
+            layout.note("accuracy.ladder", ladders[i].name);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!facts.note.empty());
+    const bool pressed = ImGui::Button(label, {button, 0});
+    ImGui::EndDisabled();
+    layout.note("accuracy.measure");
+    if (facts.measured)
+        ImGui::ProgressBar(static_cast<float>(*facts.measured), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
+    return pressed;
+}
+
+}  // namespace
+
+std::string milliseconds_text(double milliseconds) {
+    return fmt::format("{:.{}f} ms", milliseconds, milliseconds < 9.995 ? 2 : milliseconds < 99.95 ? 1 : 0);
+}
+
+std::string error_text(double error) {
+    if (error == 0) return "0";
+    if (!(error >= 1e-4 && error < 1)) return fmt::format("{:.2g}", error);
+    const std::string text = fmt::format("{:.2g}", error);  // drops the leading zero, as in .0031
+    return text.starts_with("0.") ? text.substr(1) : text;
+}
+
+std::string standing_text(const AccuracyPoint& point) {
+    switch (point.standing) {
+        case AccuracyPoint::Standing::front:
+            return "worth its time";
+        case AccuracyPoint::Standing::saves_none:
+            return "no cheaper than " + point.by;
+        case AccuracyPoint::Standing::dominated:
+            return point.by + " is better and cheaper";
+        case AccuracyPoint::Standing::visited:
+            break;
+    }
+    return {};
+}
+
+// Interpolates five colours, each lighter than the one before.
+Heat heat(double fraction) {
+    constexpr std::array<Heat, 5> colors{
+        {{0, 0, .02F}, {.32F, .07F, .48F}, {.72F, .21F, .47F}, {.99F, .55F, .38F}, {.99F, .99F, .75F}}};
+    const double at = std::isnan(fraction) ? 4 : std::clamp(fraction, 0.0, 1.0) * 4;
+    const auto index = std::min(static_cast<std::size_t>(at), colors.size() - 2);
+    const float part = static_cast<float>(at - static_cast<double>(index));
+    const auto mix = [&](float Heat::*channel) {
+        return colors[index].*channel * (1 - part) + colors[index + 1].*channel * part;
+    };
+    return {mix(&Heat::red), mix(&Heat::green), mix(&Heat::blue)};
+}
+
+bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Layout& layout) {
+    const std::vector<Ladder>& ladders = facts.scene->ladders;
+    if (ladders.empty() || controls.rungs.size() != ladders.size()) return false;
+    ImGui::SetNextItemOpen(memory.open);
+    memory.open = ImGui::CollapsingHeader("Accuracy");
+    layout.note("accuracy");
+    if (!memory.open || !facts.accuracy) return false;
+    const float indent = ImGui::GetStyle().FramePadding.x * .5F;
+    ImGui::Indent(indent);
+    memory.ladder = std::min(memory.ladder, ladders.size() - 1);
+    figures(*facts.accuracy);
+    show_buttons(memory, layout);
+    if (memory.show == AccuracyMemory::Show::heat) legend();
+    if (facts.animated) {
+        ImGui::Checkbox("Hold the time", &memory.hold_time);
+        layout.note("accuracy.hold time");
+    }
+    ImGui::Spacing();
+    const bool measure = plot_tools(ladders, *facts.accuracy, memory, layout);
+    accuracy_plot(facts.accuracy->points, layout);
+    rung_table(ladders[memory.ladder], *facts.accuracy, controls.rungs[memory.ladder], layout);
+    if (!facts.accuracy->remark.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("%s", facts.accuracy->remark.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::Unindent(indent);
+    ImGui::Spacing();
+    return measure;
+}
+
+void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout) {
+    const float grip = std::round(ImGui::GetFontSize() * .9F);
+    const float x = scene.x + std::round(scene.width * memory.divider);
+    ImGui::SetNextWindowPos({x - std::round(grip / 2), scene.y});
+    ImGui::SetNextWindowSize({grip, scene.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    if (ImGui::Begin("##divider", nullptr, bare)) {
+        ImGui::InvisibleButton("##drag", {grip, scene.height});
+        layout.note("accuracy.divider");
+        const bool held = ImGui::IsItemActive();
+        if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        if (held)
+            memory.divider =
+                std::clamp((ImGui::GetIO().MousePos.x - scene.x) / std::max(1.0F, scene.width), .02F, .98F);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const float middle = scene.y + scene.height / 2, knob = ImGui::GetFontSize() * .32F;
+        list.AddRectFilled({x - 2, scene.y}, {x + 1, scene.y + scene.height}, IM_COL32(0, 0, 0, 110));
+        list.AddRectFilled({x - 1, scene.y}, {x, scene.y + scene.height}, IM_COL32_WHITE);
+        list.AddRectFilled({x - .5F - knob, middle - 3 * knob}, {x - .5F + knob, middle + 3 * knob},
+                           pack(held ? palette().accent_pressed : palette().accent), knob);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    // Names what is on either side of the divider.
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const auto sign = [&](const char* text, float left, float most_left, float most_right) {
+        const ImVec2 size = ImGui::CalcTextSize(text);
+        const float pad = ImGui::GetFontSize() * .3F;
+        if (left - pad < most_left || left + size.x + pad > most_right) return;
+        const float top = scene.y + scene.height - size.y - 3 * pad;
+        list.AddRectFilled({left - pad, top - pad * .5F}, {left + size.x + pad, top + size.y + pad * .5F},
+                           IM_COL32(0, 0, 0, 140), pad);
+        list.AddText({left, top}, IM_COL32_WHITE, text);
+    };
+    const float gap = ImGui::GetFontSize();
+    sign("chosen", x - gap - ImGui::CalcTextSize("chosen").x, scene.x, x);
+    sign("reference", x + gap, x, scene.x + scene.width);
+}
+
+}  // namespace snell::ui

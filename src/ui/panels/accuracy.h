@@ -1,0 +1,77 @@
+// The accuracy panel: the error of the shown picture compared with the reference (the last rung of every ladder), and
+// error and cost of the other rungs.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/plan/values/controls.h"
+#include "src/ui/kit/layout.h"
+
+namespace snell::ui {
+
+struct Facts;
+
+// Error and cost of one choice of rungs that was drawn.
+struct AccuracyPoint {
+    // visited: was drawn, but not compared with others.
+    enum class Standing : std::uint8_t { visited, front, saves_none, dominated };
+    std::string name;  // the rung of the plotted ladder; if rungs of other ladders differ too, all that differ
+    std::optional<std::size_t> rung;             // index into the plotted ladder; nullopt if other ladders differ too
+    double milliseconds = 0, low = 0, high = 0;  // median, and its confidence interval
+    double error = 0;                            // root mean square; 0 is exact
+    Standing standing = Standing::visited;
+    std::string by;  // the point that dominates this one, or that costs no more
+    bool chosen = false;
+};
+
+struct AccuracyFacts {
+    std::string note;  // why there is nothing to compare with; empty if there is
+    int samples = 0, wanted = 1;
+    double milliseconds = 0;                  // per picture; 0 if not measured yet
+    std::string_view clock;                   // the clock that measured them
+    double error = 0, psnr = 0, largest = 0;  // of the mean of `samples` pictures, if `samples` is not 0
+    std::size_t nonfinite = 0;                // number of pixels with NaN or infinite values
+    std::vector<AccuracyPoint> points;
+    std::optional<double> measured;  // progress 0..1 while all rungs are being measured
+    std::string remark;              // a note on the measurement; may be empty
+};
+
+struct AccuracyMemory {
+    enum class Show : std::uint8_t { picture, split, heat };
+    bool open = false;
+    Show show = Show::picture;
+    // Position as a fraction of the picture's width: the chosen rungs are on its left, the reference on its right.
+    float divider = .5F;
+    std::size_t ladder = 0;  // index of the ladder that is plotted
+    bool hold_time = true;   // whether an animated scene is paused while the panel is open
+};
+
+// The range of errors that the heat map distinguishes, from black to white, as powers of ten.
+inline constexpr double coldest = -3, hottest = 0;
+// The heat map's colour for a fraction 0..1, from black over violet and orange to nearly white. A darker colour always
+// means less.
+struct Heat {
+    float red = 0, green = 0, blue = 0;
+};
+Heat heat(double fraction);
+
+// Draws the panel. Returns true if the user starts measuring all rungs of the plotted ladder, or stops it while it
+// runs.
+bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Layout& layout);
+
+std::string milliseconds_text(double milliseconds);
+std::string error_text(double error);                   // ".0031"
+std::string standing_text(const AccuracyPoint& point);  // such as "worth its time"; empty if the point was not compared
+
+// Draws error over cost, as wide as the panel.
+void accuracy_plot(const std::vector<AccuracyPoint>& points, Layout& layout);
+
+// Draws the divider over the picture and lets the user drag it. `scene` is in window coordinates.
+void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout);
+
+}  // namespace snell::ui

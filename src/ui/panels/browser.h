@@ -1,0 +1,57 @@
+// The file browser: lists folders and scenes as the desktop's own browsers do.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/ui/kit/layout.h"
+
+namespace snell::ui {
+
+struct Facts;
+struct Memory;
+struct Requests;
+
+struct Entry {
+    std::string name;  // with unprintable characters replaced
+    std::string path;
+    bool folder = false;
+    std::string size, date;  // as displayed; empty size for a folder
+};
+
+struct Listing {
+    std::string folder;  // absolute, with links resolved
+    std::string home;
+    std::vector<Entry> entries;  // folders first
+    std::string error;           // why the folder could not be listed; empty if it could
+};
+
+struct Browser {
+    bool open = false;
+    std::string folder;  // the folder of the next listing; empty: the scene's
+    bool all = false;    // also list files other than .glib
+    std::array<char, 1024> typed{};
+    std::size_t chosen = 0;  // index into the entries that are shown
+    bool focus = false;      // moves the keyboard focus to the name field
+};
+
+// Opens the browser and requests the listing of a folder. It stays open until the user chooses a file or presses
+// Escape.
+void open_browser(std::string folder, Memory& memory, Requests& requests);
+
+// Draws the browser while it is open.
+void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
+
+// Indices of the entries whose name contains the typed text, in any case.
+std::vector<std::size_t> matching(const Listing& listing, std::string_view typed);
+
+// Splits a path into clickable parts: "/home/ann/scenes" gives {"/", "/"}, {"home", "/home"} ...
+struct Crumb {
+    std::string name, path;
+};
+std::vector<Crumb> crumbs(std::string_view folder);
+
+}  // namespace snell::ui

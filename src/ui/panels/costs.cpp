@@ -1,0 +1,132 @@
+#include "src/ui/panels/costs.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "src/ui/kit/widgets.h"
+#include "src/ui/panels/accuracy.h"
+
+namespace snell::ui {
+
+namespace {
+
+using Kind = Explanation::Kind;
+using Paid = Explanation::Paid;
+
+// Draws a line of two columns. The tooltip has the full text, `why`, and the place in the files.
+void line(const Facts& facts, const std::string& name, const std::string& amount, const std::string& why,
+          const std::optional<Span>& span) {
+    const float width = ImGui::GetContentRegionAvail().x, right = ImGui::GetCursorPosX() + width;
+    const float taken = amount.empty() ? 0 : ImGui::CalcTextSize(amount.c_str()).x + ImGui::GetStyle().ItemSpacing.x;
+    ImGui::BeginGroup();
+    fitted(name, width - taken);
+    if (!amount.empty()) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(right - ImGui::CalcTextSize(amount.c_str()).x);
+        ImGui::TextDisabled("%s", amount.c_str());
+    }
+    ImGui::EndGroup();
+    if (!ImGui::IsItemHovered()) return;
+    std::string place;
+    if (span && facts.sources) {
+        const std::string_view file = facts.sources->name(span->file);
+        place = fmt::format("\n{}:{}", file.substr(file.rfind('/') + 1),
+                            facts.sources->position(span->file, span->begin).line);
+    }
+    ImGui::SetTooltip("%s\n%s%s", name.c_str(), why.c_str(), place.c_str());
+}
+
+std::string amount_of(const Paid& paid) {
+    if (paid.frame) {
+        const FrameCost& cost = *paid.frame;
+        return milliseconds_text(cost.gpu ? *cost.gpu : std::max(cost.cpu, cost.wall));
+    }
+    if (paid.kind == Kind::pass) {
+        if (paid.kept) return "kept";
+        return fmt::format("{} draw{}", paid.draws.size(), paid.draws.size() == 1 ? "" : "s");
+    }
+    return paid.bytes > 0 ? bytes_text(paid.bytes) : std::string();
+}
+
+bool branch(const char* name, std::size_t count, const std::string& amount, Layout& layout) {
+    const float right = ImGui::GetContentRegionMax().x;
+    const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s: %zu", name, count);
+    layout.note("costs", name);
+    if (!amount.empty()) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(right - ImGui::CalcTextSize(amount.c_str()).x);
+        ImGui::TextDisabled("%s", amount.c_str());
+    }
+    return open;
+}
+
+void paid_for(const Facts& facts, Layout& layout) {
+    constexpr std::array<std::pair<Kind, const char*>, 10> kinds{{{Kind::image, "Images"},
+                                                                  {Kind::cube_map, "Cube maps"},
+                                                                  {Kind::empty_texture, "Textures drawn to"},
+                                                                  {Kind::computed, "Computed cube maps"},
+                                                                  {Kind::noise, "Noise"},
+                                                                  {Kind::mesh, "Meshes"},
+                                                                  {Kind::tree, "Trees of meshes"},
+                                                                  {Kind::program, "Programs"},
+                                                                  {Kind::target, "Targets"},
+                                                                  {Kind::pass, "Passes"}}};
+    for (const auto& [kind, title] : kinds) {
+        std::size_t count = 0;
+        std::uint64_t bytes = 0;
+        for (const Paid& paid : facts.explanation->paid)
+            if (paid.kind == kind) {
+                ++count;
+                bytes += paid.bytes;
+            }
+        if (count == 0 || !branch(title, count, bytes > 0 ? bytes_text(bytes) : "", layout)) continue;
+        for (const Paid& paid : facts.explanation->paid)
+            if (paid.kind == kind) {
+                const std::string loaded =
+                    paid.load_ms ? fmt::format("\nmade in {}", milliseconds_text(*paid.load_ms)) : "";
+                line(facts, paid.name, amount_of(paid), paid.why + loaded, paid.span);
+            }
+        ImGui::TreePop();
+    }
+}
+
+void not_paid_for(const Facts& facts, Layout& layout) {
+    const Explanation& explanation = *facts.explanation;
+    if (!explanation.unpaid.empty() && branch("Not paid for", explanation.unpaid.size(), "", layout)) {
+        for (const Explanation::Unpaid& unpaid : explanation.unpaid) line(facts, unpaid.name, "", unpaid.why, {});
+        ImGui::TreePop();
+    }
+    if (!explanation.unused.empty() && branch("Declared, not used", explanation.unused.size(), "", layout)) {
+        for (const Explanation::Unused& unused : explanation.unused)
+            line(facts, unused.name, "", unused.why, unused.span);
+        ImGui::TreePop();
+    }
+}
+
+}  // namespace
+
+std::string bytes_text(std::uint64_t bytes) {
+    const auto count = static_cast<double>(bytes);
+    if (bytes < 1000) return fmt::format("{} B", bytes);
+    if (count < 999.5e3) return fmt::format("{:.{}f} kB", count / 1e3, count < 9.95e3 ? 1 : 0);
+    return fmt::format("{:.{}f} MB", count / 1e6, count < 9.95e6 ? 1 : 0);
+}
+
+void costs_section(const Facts& facts, Memory& memory, Layout& layout) {
+    memory.costs = section("Costs", memory.open, layout, "costs");
+    if (!memory.costs || !facts.explanation) return;
+    std::uint64_t bytes = 0;
+    for (const Paid& paid : facts.explanation->paid) bytes += paid.bytes;
+    fitted(bytes_text(bytes) + " of GPU memory", ImGui::GetContentRegionAvail().x);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("drawn again %s", facts.explanation->redraw.c_str());
+    ImGui::PopTextWrapPos();
+    paid_for(facts, layout);
+    not_paid_for(facts, layout);
+}
+
+}  // namespace snell::ui

@@ -1,0 +1,87 @@
+#include "src/ui/panels/files.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "parser/text/utf8.h"
+#include "src/platform/window.h"
+
+namespace snell::ui {
+
+namespace {
+
+constexpr std::array zooms{.5F, .67F, .8F, .9F, 1.0F, 1.1F, 1.25F, 1.5F, 1.75F, 2.0F, 2.5F, 3.0F};
+
+}  // namespace
+
+float next_zoom(float zoom, int way) {
+    constexpr float near = 1.01F;
+    if (way > 0) {
+        const auto next = std::ranges::find_if(zooms, [&](float z) { return z > zoom * near; });
+        return next == zooms.end() ? zooms.back() : *next;
+    }
+    const auto least = std::find_if(zooms.rbegin(), zooms.rend(), [&](float z) { return z * near < zoom; });
+    return least == zooms.rend() ? zooms.front() : *least;
+}
+
+bool edit_link(const Facts& facts, const Place& place) {
+    if (place.file.empty() || !ImGui::IsItemHovered()) return false;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    const std::string editor = utf8::printable(facts.editor);
+    ImGui::SetTooltip("%s:%d\na click opens it: %s", utf8::printable(place.file).c_str(), place.line, editor.c_str());
+    return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+}
+
+void files_section(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
+    if (!section("Files", memory.open, layout, "files")) return;
+    const float width = ImGui::GetContentRegionAvail().x;
+    for (std::size_t i = 0; i < facts.files.size(); ++i) {
+        const FileRow& file = facts.files[i];
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::Selectable(shortened(file.name, width).c_str());
+        Place place{file.path, 1, 1};
+        if (edit_link(facts, place)) requests.edit = std::move(place);
+        layout.note("file", file.name);
+        ImGui::PopID();
+    }
+    fitted(fmt::format("a click opens: {}", utf8::printable(facts.editor)), width, true);
+}
+
+void look_section(Memory& memory, Layout& layout) {
+    if (!section("Window", memory.open, layout, "window")) return;
+    bool dark = memory.theme == Theme::dark;
+    if (ImGui::Checkbox("Dark", &dark)) memory.theme = dark ? Theme::dark : Theme::light;
+    layout.note("dark");
+    const std::string percent = fmt::format("{:.0f} %", std::round(memory.zoom * 100));
+    const float number = ImGui::CalcTextSize("300 %").x;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    follow(ImGui::CalcTextSize("Letters").x + number + 2 * button_width("+") + 3 * gap, ImGui::GetFontSize());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Letters");
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button("\u2212")) memory.zoom = next_zoom(memory.zoom, -1);
+    layout.note("smaller");
+    ImGui::SameLine(0, gap);
+    const float left = ImGui::GetCursorPosX();
+    ImGui::SetCursorPosX(left + (number - ImGui::CalcTextSize(percent.c_str()).x) / 2);
+    ImGui::TextUnformatted(percent.c_str());
+    ImGui::SameLine(0, 0);
+    ImGui::SetCursorPosX(left + number + gap);
+    if (ImGui::Button("+")) memory.zoom = next_zoom(memory.zoom, 1);
+    layout.note("larger");
+}
+
+void files_keys(Memory& memory, Requests& requests) {
+    if (!ImGui::GetIO().KeyCtrl) return;
+    const auto pressed = [](Key key) { return ImGui::IsKeyPressed(static_cast<int>(key), true); };
+    if (pressed(Key::o) && !memory.browser.open) open_browser({}, memory, requests);
+    if (pressed(Key::plus)) memory.zoom = next_zoom(memory.zoom, 1);
+    if (pressed(Key::minus)) memory.zoom = next_zoom(memory.zoom, -1);
+    if (pressed(Key::zero)) memory.zoom = 1;
+}
+
+}  // namespace snell::ui

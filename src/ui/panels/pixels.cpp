@@ -1,0 +1,188 @@
+#include "src/ui/panels/pixels.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "src/platform/window.h"
+#include "src/runtime/inspect.h"
+#include "src/ui/kit/widgets.h"
+#include "src/ui/panels/state.h"
+
+namespace snell::ui {
+
+namespace {
+
+constexpr ImGuiWindowFlags passive = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                     ImGuiWindowFlags_NoNav;
+
+constexpr std::array<Flag, 4> flags{Flag::nan, Flag::infinite, Flag::negative, Flag::above_one};
+
+ImU32 pack(const std::array<std::uint8_t, 3>& c) { return IM_COL32(c[0], c[1], c[2], 255); }
+
+// Draws a square in the flag's colour, as an item.
+void swatch(Flag flag) {
+    const float em = ImGui::GetFontSize(), side = std::round(em * .65F);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float top = at.y + std::round((em - side) / 2);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side}, pack(snell::color_of(flag)));
+    ImGui::Dummy({side, em});
+}
+
+// The colour on the screen, or that of the pixel's flag.
+ImU32 color_of(std::span<const float, 4> rgba) {
+    if (const Flag flag = flag_of(rgba); flag >= Flag::infinite) return pack(snell::color_of(flag));
+    const auto byte = [](float value) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
+    };
+    return pack({byte(rgba[0]), byte(rgba[1]), byte(rgba[2])});
+}
+
+// Draws a square for each pixel and frames the middle one.
+void magnified(const Inspection& found, float cell) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const int radius = found.radius;
+    const float side = cell * static_cast<float>(2 * radius + 1);
+    list.AddRectFilled(at, {at.x + side, at.y + side}, ImGui::GetColorU32(palette().surround));
+    for (int down = -radius; down <= radius; ++down)
+        for (int right = -radius; right <= radius; ++right) {
+            if (!found.inside[found.at(right, down)]) continue;
+            const float x = at.x + cell * static_cast<float>(right + radius);
+            const float y = at.y + cell * static_cast<float>(down + radius);
+            list.AddRectFilled({x, y}, {x + cell, y + cell}, color_of(found.pixel(right, down)));
+        }
+    const float x = at.x + cell * static_cast<float>(radius), y = at.y + cell * static_cast<float>(radius);
+    list.AddRect({x - 1, y - 1}, {x + cell + 1, y + cell + 1}, IM_COL32_BLACK);
+    list.AddRect({x, y}, {x + cell, y + cell}, IM_COL32_WHITE);
+    ImGui::Dummy({side, side});
+}
+
+void channels(const Inspection& found, const Fonts& fonts) {
+    constexpr std::array<char, 4> names{'R', 'G', 'B', 'A'};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const float value = found.pixel()[i];
+        ImGui::PushFont(fonts.mono);
+        ImGui::TextUnformatted(Text("{} {:<14}", names[i], value_text(value).view()).c_str());
+        ImGui::PopFont();
+        Flag flag = flag_of(value);
+        if (i == 3 && flag < Flag::infinite) flag = Flag::none;  // an alpha outside of 0 to 1 has no visible effect
+        if (flag == Flag::none) continue;
+        ImGui::SameLine();
+        swatch(flag);
+        ImGui::SameLine();
+        ImGui::TextUnformatted(name(flag).data());
+    }
+}
+
+// A position for a box of that size that is fully visible and does not cover the pointer: to the side of it, or above
+// or below.
+ImVec2 beside(ImVec2 pointer, ImVec2 size, const Rect& scene, float gap) {
+    const float right = scene.x + scene.width, bottom = scene.y + scene.height;
+    const float x = std::clamp(pointer.x - size.x / 2, scene.x, std::max(scene.x, right - size.x));
+    const float y = std::clamp(pointer.y - size.y / 2, scene.y, std::max(scene.y, bottom - size.y));
+    if (pointer.x + gap + size.x <= right) return {pointer.x + gap, y};
+    if (pointer.x - gap - size.x >= scene.x) return {pointer.x - gap - size.x, y};
+    if (pointer.y + gap + size.y <= bottom) return {x, pointer.y + gap};
+    return {x, std::max(scene.y, pointer.y - gap - size.y)};
+}
+
+}  // namespace
+
+Text value_text(float value) {
+    if (std::isnan(value)) return Text("NaN");
+    return Text("{}", value);
+}
+
+void pixel_keys(const Rect& scene, PixelMemory& memory) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool free = !io.WantTextInput && !io.KeyCtrl;
+    if (free && ImGui::IsKeyPressed(static_cast<int>(Key::n), false)) memory.flags = !memory.flags;
+    memory.inspecting =
+        free && ImGui::IsKeyDown(static_cast<int>(Key::i)) && scene.contains(io.MousePos.x, io.MousePos.y);
+    memory.x = io.MousePos.x - scene.x;
+    memory.y = io.MousePos.y - scene.y;
+}
+
+void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
+    if (!section("Pixels", open, layout, "pixels")) return;
+    ImGui::Checkbox("Flag what is no colour", &memory.flags);
+    layout.note("flags");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "N: NaN, infinite, below 0 or above 1, before they are made bytes.\nThe picture is drawn once more, into "
+            "floats.");
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("Hold I over the picture for the values of a pixel.");
+    ImGui::PopTextWrapPos();
+}
+
+void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout) {
+    if (!memory.flags || !facts.pixels) return;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({scene.x + scene.width - em * .5F, scene.y + em * .5F}, 0, {1, 0});
+    ImGui::SetNextWindowBgAlpha(.93F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
+    if (ImGui::Begin("##legend", nullptr, passive | ImGuiWindowFlags_AlwaysAutoResize)) {
+        if (!facts.pixels->flags) {
+            ImGui::TextUnformatted(facts.pixels->note.c_str());
+        } else {
+            const bool narrow = scene.width < 36 * em;  // stacks the entries
+            for (const Flag flag : flags) {
+                if (flag != flags.front() && !narrow) ImGui::SameLine(0, em);
+                swatch(flag);
+                ImGui::SameLine(0, em * .3F);
+                ImGui::Text("%s %zu", name(flag).data(), (*facts.pixels->flags)[flag]);
+            }
+        }
+    }
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    layout.place("flag counts", {at.x, at.y, size.x, size.y});
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory, const Fonts& fonts, Layout& layout) {
+    if (!memory.inspecting || !facts.pixels || !facts.pixels->inspection) return;
+    const Inspection& found = *facts.pixels->inspection;
+    const float em = ImGui::GetFontSize(), cell = std::round(em * .9F);
+    const float width = cell * static_cast<float>(2 * found.radius + 1) + 14 * em;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const ImVec2 size(width + 2 * padding.x,
+                      cell * static_cast<float>(2 * found.radius + 1) + 2.2F * line + 2 * padding.y);
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const bool fits = size.x <= scene.width && size.y <= scene.height;  // otherwise the box may cover the panel
+    const ImVec2 at = beside(ImGui::GetIO().MousePos, size, fits ? scene : Rect{0, 0, all.x, all.y}, 1.5F * em);
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    if (ImGui::Begin("##inspector", nullptr, passive)) {
+        ImGui::BeginGroup();
+        magnified(found, cell);
+        ImGui::EndGroup();
+        ImGui::SameLine();
+        ImGui::BeginGroup();
+        ImGui::TextDisabled("pixel %d, %d", found.x, found.y);
+        channels(found, fonts);
+        if (found.depth) {
+            ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());
+            if (found.distance) ImGui::TextUnformatted(Text("{:.6g} from the eye", *found.distance).c_str());
+        }
+        ImGui::EndGroup();
+        const bool drawn = !facts.pixels->statement.empty();
+        fitted(drawn ? facts.pixels->statement : "no object", width);
+        fitted(facts.pixels->place, width, true);
+    }
+    ImGui::End();
+    layout.place("inspector", {at.x, at.y, size.x, size.y});
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
+
+}  // namespace snell::ui

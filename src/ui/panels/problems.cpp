@@ -1,0 +1,217 @@
+#include "src/ui/panels/problems.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "src/ui/kit/excerpt.h"
+#include "src/ui/panels/files.h"
+
+namespace snell::ui {
+
+namespace {
+
+constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                     ImGuiWindowFlags_NoNav;
+
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::size_t count(std::span<const Problem> problems, Severity severity) {
+    return static_cast<std::size_t>(
+        std::count_if(problems.begin(), problems.end(), [&](const Problem& p) { return p.severity == severity; }));
+}
+
+std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
+
+// Underlines the place, such as "paint.frag:3:12", in the line that was just drawn.
+void underline(std::string_view line, const Place& place) {
+    const std::string end = fmt::format(":{}:{}: ", place.line, place.column);
+    const std::size_t at = line.find(end);
+    if (at == std::string_view::npos) return;
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const float width = ImGui::CalcTextSize(line.data(), line.data() + at + end.size() - 2).x;
+    const float y = from.y + ImGui::GetTextLineHeight() - 1;
+    ImGui::GetWindowDrawList()->AddLine({from.x, y}, {std::min(from.x + width, ImGui::GetItemRectMax().x), y},
+                                        ImGui::GetColorU32(palette().link), std::max(1.0F, ImGui::GetFontSize() / 14));
+}
+
+// Draws source and carets without wrapping, because the carets must stay under what they mark.
+void show_source(std::string_view line, std::string_view carets) {
+    const float column = ImGui::CalcTextSize("M").x;
+    const Excerpt part =
+        excerpt(line, carets, static_cast<std::size_t>(std::max(1.0F, ImGui::GetContentRegionAvail().x / column)));
+    ImGui::TextUnformatted(part.source.c_str());
+    if (!carets.empty()) ImGui::TextUnformatted(part.carets.c_str());
+}
+
+// The first line is the message, in its severity's colour, and a link to the editor; the rest shows the source.
+void show(const Facts& facts, const Problem& problem, std::size_t number, Requests& requests, Layout& layout) {
+    const Palette& colors = palette();
+    const std::string_view text = problem.text;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    ImGui::PushStyleColor(ImGuiCol_Text, problem.severity == Severity::error ? colors.error : colors.warning);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.data(), text.data() + end);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    if (!problem.place.file.empty()) {
+        layout.note(fmt::format("problem.{}", number));
+        underline(text.substr(0, end), problem.place);
+        if (edit_link(facts, problem.place)) requests.edit = problem.place;
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
+    std::string_view rest = text.substr(std::min(end + 1, text.size()));
+    while (!rest.empty()) {
+        const std::string_view line = first_line(rest);
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (is_source(line)) {
+            const std::string_view below = first_line(rest);
+            const bool carets = is_source(below);
+            show_source(line, carets ? below : std::string_view());
+            if (carets) rest.remove_prefix(std::min(below.size() + 1, rest.size()));
+            continue;
+        }
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(line.data(), line.data() + line.size());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::PopStyleVar();
+    ImGui::Spacing();
+}
+
+void list(const Facts& facts, Severity severity, const Fonts& fonts, Requests& requests, Layout& layout) {
+    constexpr std::size_t most = 30;  // more could not be read at once, and every line costs time in every frame
+    std::size_t shown = 0;
+    ImGui::PushFont(fonts.mono);
+    for (std::size_t i = 0; i < facts.problems.size(); ++i)
+        if (facts.problems[i].severity == severity && shown++ < most)
+            show(facts, facts.problems[i], i, requests, layout);
+    if (shown > most) ImGui::TextUnformatted(fmt::format("\u2026 and {} more", shown - most).c_str());
+    ImGui::PopFont();
+}
+
+void push_dark() {
+    const Palette& colors = palette();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.problem_background);
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.problem_text);
+    ImGui::PushStyleColor(ImGuiCol_Button, {1, 1, 1, .12F});
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, {1, 1, 1, .22F});
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, {1, 1, 1, .3F});
+    ImGui::PushStyleColor(ImGuiCol_Border, {1, 1, 1, .18F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+}
+
+void pop_dark() {
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor(6);
+}
+
+bool right_button(const char* label) {
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
+    return ImGui::Button(label);
+}
+
+// Begins an overlay of the size that its contents had in the last frame, limited to the picture.
+bool begin_overlay(const char* name, ImVec2 at, float width, float most_height) {
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(most_height, 1.0F)});
+    return ImGui::Begin(name, nullptr, (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                   Layout& layout) {
+    const std::size_t errors = count(facts.problems, Severity::error);
+    const std::size_t warnings = count(facts.problems, Severity::warning);
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    if (begin_overlay("##problems", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
+                      scene.height * .7F)) {
+        ImGui::AlignTextToFramePadding();
+        const std::string title = facts.stale
+                                      ? counted(errors, "error") + " \u2014 the picture is from before this edit"
+                                      : counted(errors, "error");
+        fitted(title, ImGui::GetContentRegionAvail().x - button_width("Hide") - ImGui::GetStyle().ItemSpacing.x);
+        if (right_button("Hide")) memory.problems_hidden = true;
+        layout.note("problems.hide");
+        list(facts, Severity::error, fonts, requests, layout);
+        if (warnings > 0) {
+            if (ImGui::SmallButton(
+                    (counted(warnings, "warning") + (memory.warnings_open ? " \u25B4" : " \u25BE")).c_str()))
+                memory.warnings_open = !memory.warnings_open;
+            layout.note("problems.warnings");
+            if (memory.warnings_open) list(facts, Severity::warning, fonts, requests, layout);
+        }
+    }
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    layout.place("problems.panel", {at.x, at.y, size.x, size.y});
+    ImGui::End();
+}
+
+void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                     Layout& layout) {
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    if (begin_overlay("##warnings", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
+                      scene.height * .6F)) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(counted(count(facts.problems, Severity::warning), "warning").c_str());
+        if (right_button("Hide")) memory.warnings_open = false;
+        layout.note("problems.hide");
+        list(facts, Severity::warning, fonts, requests, layout);
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                    Layout& layout) {
+    // Problems that were hidden are shown again after the files were read again.
+    if (memory.revision != facts.revision) {
+        memory.revision = facts.revision;
+        memory.problems_hidden = false;
+    }
+    const bool errors = count(facts.problems, Severity::error) > 0;
+    const bool warnings = count(facts.problems, Severity::warning) > 0;
+    push_dark();
+    if (errors && !memory.problems_hidden)
+        errors_window(facts, scene, fonts, memory, requests, layout);
+    else if (!errors && warnings && memory.warnings_open)
+        warnings_window(facts, scene, fonts, memory, requests, layout);
+    pop_dark();
+}
+
+void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layout) {
+    if (!facts.scene) return;
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    float bottom = scene.y + scene.height - margin;
+    int index = 0;
+    for (const Message& message : facts.scene->messages) {
+        if (memory.dismissed.contains(message.text)) continue;
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+        ImGui::SetNextWindowPos({scene.x + margin, bottom}, ImGuiCond_Always, {0, 1});
+        const float width = std::min(scene.width - 2 * margin, 30 * ImGui::GetFontSize());
+        ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
+        if (ImGui::Begin(fmt::format("##message{}", index++).c_str(), nullptr,
+                         overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
+            const float button = ImGui::CalcTextSize("OK").x + 2 * ImGui::GetStyle().FramePadding.x;
+            ImGui::AlignTextToFramePadding();
+            ImGui::PushTextWrapPos(width - button - 2 * margin);
+            ImGui::TextUnformatted(message.text.data(), message.text.data() + message.text.size());
+            ImGui::PopTextWrapPos();
+            if (right_button("OK")) memory.dismissed.insert(message.text);
+            layout.note("message.ok");
+        }
+        bottom -= ImGui::GetWindowHeight() + margin * .5F;
+        ImGui::End();
+        ImGui::PopStyleVar(2);
+    }
+}
+
+}  // namespace snell::ui

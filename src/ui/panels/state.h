@@ -1,0 +1,135 @@
+// The data of the panels: facts that they show, requests that they make, and what they remember from frame to frame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/scene.h"
+#include "parser/text/diagnostic.h"
+#include "parser/text/source.h"
+#include "src/plan/values/controls.h"
+#include "src/plan/view.h"
+#include "src/runtime/explain.h"
+#include "src/ui/kit/hold.h"
+#include "src/ui/kit/layout.h"
+#include "src/ui/kit/theme.h"
+#include "src/ui/kit/widgets.h"
+#include "src/ui/panels/accuracy.h"
+#include "src/ui/panels/browser.h"
+#include "src/ui/panels/frame_cost.h"
+#include "src/ui/panels/picture_out.h"
+#include "src/ui/panels/pixels.h"
+
+namespace snell::ui {
+
+// A place in a file that an editor opens; line and column are 1-based.
+struct Place {
+    std::string file;  // path on disk; empty if there is no place
+    int line = 1, column = 1;
+};
+
+// A diagnostic as printed, and the place that it refers to.
+struct Problem {
+    Severity severity = Severity::error;
+    std::string text;
+    Place place;
+};
+
+// A file in use.
+struct FileRow {
+    std::string name;  // relative to the scene's folder if it is near, with unprintable characters replaced
+    std::string path;  // path on disk
+};
+
+// The number of snapshots, which are sets of values stored next to the scene, numbered from 1.
+inline constexpr int snapshot_count = 9;
+
+// A point in window coordinates from the scene's top left.
+struct Point {
+    double x = 0, y = 0;
+};
+
+// What the panels show; filled in anew for every frame.
+struct Facts {
+    std::string_view file;                 // name of the scene's file without its folder
+    const Scene* scene = nullptr;          // null if the scene could not be read
+    std::span<const char> linked;          // by Scene::programs: not 0 if the program can draw
+    std::span<const Problem> problems;     // of the files as they are now
+    bool stale = false;                    // the picture shows an earlier, working version of the files
+    std::uint64_t revision = 0;            // increases each time the files are read
+    bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
+    double time = 0;                       // seconds since the scene began
+    double frame_ms = 0;                   // time to draw the last picture, in milliseconds
+    int samples = 1;
+    std::string_view renderer;
+    bool changed = false;                              // whether any value or rung differs from the scene's
+    bool undoable = false;                             // whether values were saved to the scene, which can be undone
+    std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists
+    const AccuracyFacts* accuracy = nullptr;           // set while its panel is open
+    const Explanation* explanation = nullptr;          // set while Memory::costs
+    const Sources* sources = nullptr;                  // the sources that the explanation's spans refer to
+    const FrameCostFacts* frame_cost = nullptr;        // set while Memory::frame_cost
+    const PixelFacts* pixels = nullptr;                // set while PixelMemory needs them
+    std::string_view object;                           // name of the picked object
+    std::span<const FileRow> files;                    // the files in use, in the order of reading
+    std::string_view editor;                           // name of the editor that opens them
+    std::span<const std::string> recent;               // paths of recent scenes, the latest first
+    const Listing* listing = nullptr;                  // of the folder in the browser
+};
+
+// The scene's time as the user controls it.
+struct Clock {
+    bool paused = false;
+    double speed = 1;
+    double time = 0;  // in seconds
+};
+
+struct Memory {
+    bool panel = true;
+    float panel_width = 22;  // in multiples of the text height
+    Theme theme = Theme::light;
+    float zoom = 1;  // factor for text and widgets, in addition to the screen's
+    Titles open;     // titles of the open sections
+    bool warnings_open = false;
+    bool problems_hidden = false;
+    std::uint64_t revision = 0;       // the revision whose problems are hidden
+    std::set<std::string> dismissed;  // messages of MessageBox that the user dismissed
+    SliderMemory slider;
+    // Names of the sliders that are logarithmic, as "program.name" with the program's index.
+    std::set<std::string> logarithmic;
+    std::string notice;   // the outcome of the last request
+    bool labels = false;  // shows the values over the picture
+    Clock clock;
+    AccuracyMemory accuracy;
+    bool costs = false;       // whether the costs panel is open
+    bool frame_cost = false;  // whether the frame cost panel is open
+    PixelMemory pixels;
+    HoldMemory hold;
+    bool keys = false;  // whether the list of keys is open
+    Browser browser;
+    PictureMemory picture;
+    Rect scene;  // the scene's area in this frame
+};
+
+// What the user requested in this frame, other than changes of Controls or View.
+struct Requests {
+    bool reload = false;
+    bool save = false, undo_save = false;
+    bool copy_command = false;
+    std::optional<Point> pick;                     // picks the object at this point
+    int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none
+    bool measure = false;                          // measures all rungs of the plotted ladder, or stops measuring
+    bool measure_frame = false;                    // measures passes and draws of a frame, or stops measuring
+    bool browse = false;                           // lists the folder in Browser
+    std::string open;                              // path of a scene to open
+    Place edit;
+    PictureRequest picture = PictureRequest::none;
+};
+
+}  // namespace snell::ui

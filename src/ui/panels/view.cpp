@@ -1,0 +1,150 @@
+#include "src/ui/panels/view.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "src/plan/lens.h"
+#include "src/platform/window.h"
+
+namespace snell::ui {
+
+namespace {
+
+struct Target {
+    Held held;
+    const char *name, *help;
+};
+constexpr std::array<Target, 4> targets{{
+    {Held::scene, "Scene", "turns the scene about its origin: goes into the projection"},
+    {Held::eye, "Eye", "turns and moves the eye: goes into the model-view matrix"},
+    {Held::object, "Object", "the picked object, about its own origin"},
+    {Held::texture, "Texture", "gl_TextureMatrix[0]"},
+}};
+
+// Draws the choice of what the mouse and the numbers below change; a star marks what differs from its initial state.
+void target_row(const View& view, HoldMemory& hold, Layout& layout) {
+    for (const Target& target : targets) {
+        HoldMemory other = hold;
+        other.held = target.held;
+        const bool changed = !(held(view, other) == Transformation{});
+        const std::string text = std::string(target.name) + (changed ? "*" : "");
+        if (target.held != Held::scene) follow(button_width(text));
+        const bool there = target.held != Held::object || hold.object != none;
+        const bool on = hold.held == target.held;
+        ImGui::BeginDisabled(!there);
+        if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        if (ImGui::Button((text + "###" + target.name).c_str())) hold.held = target.held;
+        if (on) ImGui::PopStyleColor();
+        ImGui::EndDisabled();
+        tip(there ? target.help : "pick an object first");
+        layout.note("hold", target.name);
+    }
+}
+
+struct Field {
+    const char* name;
+    double Transformation::*value;
+};
+
+// Draws up to three fields in a row, none narrower than its number.
+void fields(const char* label, std::initializer_list<Field> row, Transformation& t, Layout& layout) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, begin = 3.2F * ImGui::GetFontSize();
+    const float least = ImGui::CalcTextSize("-123.456").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(begin);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const int columns = std::clamp(static_cast<int>((room + gap) / (least + gap)), 1, 3);
+    const float width = (room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns);
+    int at = 0;
+    for (const Field& field : row) {
+        if (at % columns != 0)
+            ImGui::SameLine(0, gap);
+        else if (at > 0)
+            ImGui::SetCursorPosX(begin);
+        ++at;
+        ImGui::PushID(field.name);
+        number("##value", t.*field.value, false, Transformation{}.*field.value, std::max(1.0F, width));
+        tip(field.name);
+        layout.note("view", field.name);
+        ImGui::PopID();
+    }
+}
+
+void transformation(View& view, HoldMemory& hold, Layout& layout) {
+    const Transformation before = held(view, hold);
+    Transformation t = before;
+    fields("turn",
+           {{"rotate_x", &Transformation::rotate_x},
+            {"rotate_y", &Transformation::rotate_y},
+            {"rotate_z", &Transformation::rotate_z}},
+           t, layout);
+    fields("move", {{"x", &Transformation::x}, {"y", &Transformation::y}, {"z", &Transformation::z}}, t, layout);
+    fields("scale", {{"scale", &Transformation::scale}}, t, layout);
+    t.scale = std::clamp(t.scale, 1e-3, 1e3);
+    follow(button_width("Reset"));
+    ImGui::BeginDisabled(before == Transformation{});
+    if (ImGui::Button("Reset")) t = {};
+    ImGui::EndDisabled();
+    tip("this one; 'Reset view' or R: all of them");
+    layout.note("reset held");
+    if (!(t == before)) set_held(view, hold, t);
+}
+
+void projection_row(const Scene& scene, View& view, Memory& memory, Layout& layout) {
+    const bool own = window_camera(scene).perspective;
+    bool perspective = view.projection == Projection::scene ? own : view.projection == Projection::perspective;
+    if (ImGui::Checkbox("Perspective", &perspective))
+        view.projection = perspective == own ? Projection::scene
+                          : perspective      ? Projection::perspective
+                                             : Projection::ortho;
+    layout.note("perspective");
+    follow(check_box_width("Pick objects"), ImGui::GetFontSize());
+    if (ImGui::Checkbox("Pick objects", &memory.hold.picking) && !memory.hold.picking) hold_object(memory.hold, none);
+    tip("P: a click on the picture picks what is there; a click on nothing lets go");
+    layout.note("pick");
+
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("background");
+    ImGui::SameLine();
+    const double initial =
+        std::clamp(std::max({scene.background[0], scene.background[1], scene.background[2]}), 0., 1.);
+    double value = view.background.value_or(initial);
+    SliderRange range{0, 1};
+    if (slider("##background", value, range, initial, memory.slider)) {
+        view.background = std::clamp(value, 0., 1.);
+        if (value == initial) view.background.reset();
+    }
+    layout.note("background");
+}
+
+}  // namespace
+
+void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout) {
+    if (!facts.scene || !section("View", memory.open, layout, "view")) return;
+    projection_row(*facts.scene, view, memory, layout);
+    ImGui::TextDisabled("mouse and numbers hold");
+    target_row(view, memory.hold, layout);
+    if (memory.hold.held == Held::object) {
+        fitted(facts.object, ImGui::GetContentRegionAvail().x);
+        layout.note("object");
+    }
+    transformation(view, memory.hold, layout);
+}
+
+void view_keys(View& view, HoldMemory& hold) {
+    const auto pressed = [](Key key) { return ImGui::IsKeyPressed(static_cast<int>(key), false); };
+    if (pressed(Key::r) || pressed(Key::home)) reset_view(view);
+    if (pressed(Key::p)) {
+        hold.picking = !hold.picking;
+        if (!hold.picking) hold_object(hold, none);
+    }
+    if (!pressed(Key::escape)) return;
+    if (hold.object == none) hold.picking = false;
+    hold_object(hold, none);
+}
+
+}  // namespace snell::ui
