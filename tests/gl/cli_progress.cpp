@@ -71,7 +71,7 @@ protected:
         folder.write("quick.glib", scene(16));
     }
     static std::string scene(int size) {
-        return "Noise3D " + std::to_string(size) + "\nVertex noise.vert\nFragment noise.frag\nProgram N\nQuadXY\n";
+        return "Noise3D " + std::to_string(size) + "\nVertex noise.vert\nFragment noise.frag\nProgram N\nQuadXY -2\n";
     }
     std::string render(const std::string& stem) const {
         return "render " + folder.path(stem + ".glib") + " --size 16x16 --timeout 0 -o " + folder.path(stem + ".png");

@@ -123,7 +123,7 @@ constexpr Mistake mistakes[] = {
     {"operands",
      "#version 330 compatibility\nin vec3 vNormal;\nvoid main() {\n    vec3 c = vNormal + gl_Color;\n    gl_FragColor "
      "= vec4(c, 1.);\n}\n",
-     "demo.frag:4:14 vNormal", "operands", ".xyz"},
+     "demo.frag:4:14 vNormal + gl_Color", "'+' does not take a 'vec3' and a 'vec4'", ".xyz"},
     {"main misspelt", "#version 330 compatibility\nvoid Main() {\n    gl_FragColor = vec4(1.);\n}\n",
      "demo.frag:2:6 Main", "no function 'main'", "instead of 'Main'"},
     {"assignment to a constant",

@@ -61,6 +61,15 @@ void flatten(const Program& program, Unit& u, const Block& b) {
     }
 }
 
+// An input block that no stage writes is not passed at all: it reads as zero.
+bool is_written(const Program& program, const Block& b) {
+    return b.qualifiers.storage == Storage::out || std::ranges::any_of(program.units, [&](const Unit& u) {
+               return std::ranges::any_of(u.blocks, [&](const Block& other) {
+                   return other.name == b.name && other.qualifiers.storage == Storage::out;
+               });
+           });
+}
+
 }  // namespace
 
 void flatten_blocks(Program& program) {
@@ -68,7 +77,7 @@ void flatten_blocks(Program& program) {
     if (!target.es || target.version >= 320) return;
     for (Unit& u : program.units)
         for (const Block& b : u.blocks)
-            if (passes_between(u, b) && !b.arrayed) flatten(program, u, b);
+            if (passes_between(u, b) && !b.arrayed && is_written(program, b)) flatten(program, u, b);
 }
 
 }  // namespace snell::glsl

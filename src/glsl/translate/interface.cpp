@@ -226,7 +226,9 @@ bool always_written(const Unit& u, const Global& g) {
         if (text == "{") ++depth;
         if (text == "}") --depth;
         if (text == "return" || text == "EmitVertex") return false;
-        const std::string_view before = i > 0 ? u.at(i - 1).text : "";
+        int first = i;  // of `a = b = …`
+        while (first > 1 && u.at(first - 1).text == "=") first -= 2;
+        const std::string_view before = first > 0 ? u.at(first - 1).text : "";
         if (depth == 1 && (before == ";" || before == "{" || before == "}") && u.at(i + 1).text == "=" &&
             std::ranges::find(g.uses, i) != g.uses.end())
             return true;
