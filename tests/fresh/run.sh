@@ -15,7 +15,7 @@ fi
 clone=$PWD
 kept=$clone/build/fresh
 work=$(mktemp -d)
-trap 'umount -R "$work"/*/{proc,dev,sys} "$work"/*/var/ccache 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
+trap 'umount -lR "$work"/*/{proc,dev,sys} "$work"/*/var/ccache 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
 mkdir -p "$kept"
 
 # What apt needs to know of this network.
