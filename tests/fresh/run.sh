@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # run.sh [root] [user]: ./dev run and ./dev test in a minimal Debian 12, in a clone of what is committed here: as root without
 # a locale, as a user with sudo with the locale POSIX, or both (the default).
-# Mirrors, proxies and keys are those of this machine's apt. Compiled objects are kept in build/fresh, for the other
-# run and the next.
+# Mirrors, proxies and keys are those of this machine's apt. Compiled objects are kept in build/fresh, for the
+# next run.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # Mounts and processes of the run end with the namespace.
@@ -15,7 +15,7 @@ fi
 clone=$PWD
 kept=$clone/build/fresh
 work=$(mktemp -d)
-trap 'umount -R "$work"/*/{proc,dev,sys} "$work"/*/var/ccache 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
+trap 'umount -lR "$work"/*/{proc,dev,sys} "$work"/*/var/ccache 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
 mkdir -p "$kept"
 
 # What apt needs to know of this network.

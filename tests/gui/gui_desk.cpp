@@ -274,8 +274,8 @@ bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double 
 // An event is on its way while the server or the window has something to do, however long it waits for a processor.
 void Desk::settle() const {
     std::string last = bytes("out/state.json");
-    const Deadline deadline(2, window_, server_);
-    for (int quiet = 0; quiet < 5 && !deadline.over();) {
+    const auto until = Clock::now() + std::chrono::duration<double>(2 * patience);  // some are never quiet
+    for (int quiet = 0; quiet < 5 && Clock::now() < until;) {
         sleep(.01);
         std::string now = bytes("out/state.json");
         quiet = now == last && !runs(server_) && !runs(window_) ? quiet + 1 : 0;

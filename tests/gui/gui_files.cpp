@@ -111,6 +111,7 @@ TEST_F(FilesWindow, TheBrowserOpensAnotherSceneAndTheLastOneIsRecent) {
     user("key Return");
     ASSERT_TRUE(
         wait([](const json& s) { return s["notice"].get<std::string>().find("none.glib") != std::string::npos; }));
+    settle();  // the notice is in the state before the browser is off the screen
     EXPECT_EQ(state()["file"], file("one.glib"));
     expect_pixel(.2, .4);
 }
