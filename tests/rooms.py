@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""The rooms of parser/, src/ and tools/: none is crowded, none is unnamed, and no include runs back up.
+
+usage: rooms.py ROOT
+"""
+import collections
+import os
+import re
+import sys
+
+MOST_UNITS = 15
+
+# The rooms of src/app may include these of each other; a room and those above it are free to include other folders.
+APP = {
+    "open": "",
+    "picture": "open",
+    "desktop": "",
+    "batch": "open picture",
+    "commands": "open picture batch window",
+    "window/measure": "open",
+    "window/survive": "open",
+    "window": "open picture desktop batch window/measure window/survive",
+}
+
+
+def read_tree(root):
+    """Returns the number of units of each folder, and the includes between folders as {(from, to): [include]}."""
+    units, includes = collections.Counter(), collections.defaultdict(list)
+    for top in ("parser", "src", "tools"):
+        for folder, _, files in os.walk(os.path.join(root, top)):
+            room = os.path.relpath(folder, root)
+            for name in files:
+                if name.endswith(".cpp"):
+                    units[room] += 1
+                if name.endswith((".cpp", ".h")):
+                    with open(os.path.join(folder, name), encoding="utf-8") as text:
+                        for path in re.findall(r'#include "((?:parser|src|tools)/[^"]+)"', text.read()):
+                            if os.path.dirname(path) != room:
+                                includes[room, os.path.dirname(path)].append(f"{room}/{name} includes {path}")
+    return units, includes
+
+
+def cycles(includes):
+    """Returns the includes that lead back to where they came from."""
+    to = collections.defaultdict(set)
+    for a, b in includes:
+        to[a].add(b)
+
+    def reachable(start):
+        seen, open_ = set(), [start]
+        while open_:
+            for room in to[open_.pop()] - seen:
+                seen.add(room)
+                open_.append(room)
+        return seen
+
+    return [line for (a, b), lines in includes.items() if a in reachable(b) for line in lines]
+
+
+def main(root):
+    units, includes = read_tree(root)
+    with open(os.path.join(root, "docs/architecture.md"), encoding="utf-8") as text:
+        page = text.read()
+    wrong = [f"{room} holds {n} units, more than {MOST_UNITS}" for room, n in units.items() if n > MOST_UNITS]
+    wrong += [f"docs/architecture.md has no row for {room}/" for room in units if not re.search(rf"^\| .*\b{room}/", page, re.M)]
+    wrong += [f"a circle: {line}" for line in cycles(includes)]
+    for (a, b), lines in includes.items():
+        if a.startswith("src/app/") and b.startswith("src/app/"):
+            if b.removeprefix("src/app/") not in APP[a.removeprefix("src/app/")].split():
+                wrong += lines
+    print("\n".join(wrong))
+    return bool(wrong)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
