@@ -2,78 +2,10 @@
 #include <array>
 
 #include "src/glsl/log/log.h"
+#include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
-
-struct Function {
-    std::string_view name, parameters;
-};
-
-constexpr auto functions = std::to_array<Function>({
-    {"abs", "x"},
-    {"acos", "x"},
-    {"acosh", "x"},
-    {"all", "b"},
-    {"any", "b"},
-    {"asin", "x"},
-    {"asinh", "x"},
-    {"atanh", "x"},
-    {"ceil", "x"},
-    {"clamp", "x, low, high"},
-    {"cos", "x"},
-    {"cosh", "x"},
-    {"cross", "a, b"},
-    {"dFdx", "p"},
-    {"dFdy", "p"},
-    {"degrees", "radians"},
-    {"determinant", "m"},
-    {"distance", "a, b"},
-    {"dot", "a, b"},
-    {"equal", "a, b"},
-    {"exp", "x"},
-    {"exp2", "x"},
-    {"faceforward", "N, I, Nref"},
-    {"floor", "x"},
-    {"fract", "x"},
-    {"fwidth", "p"},
-    {"greaterThan", "a, b"},
-    {"greaterThanEqual", "a, b"},
-    {"inverse", "m"},
-    {"inversesqrt", "x"},
-    {"length", "v"},
-    {"lessThan", "a, b"},
-    {"lessThanEqual", "a, b"},
-    {"log", "x"},
-    {"log2", "x"},
-    {"matrixCompMult", "a, b"},
-    {"max", "a, b"},
-    {"min", "a, b"},
-    {"mix", "a, b, t"},
-    {"mod", "x, y"},
-    {"noise1", "p"},
-    {"noise2", "p"},
-    {"noise3", "p"},
-    {"noise4", "p"},
-    {"normalize", "v"},
-    {"notEqual", "a, b"},
-    {"outerProduct", "a, b"},
-    {"pow", "x, y"},
-    {"radians", "degrees"},
-    {"reflect", "I, N"},
-    {"refract", "I, N, eta"},
-    {"round", "x"},
-    {"sign", "x"},
-    {"sin", "x"},
-    {"sinh", "x"},
-    {"smoothstep", "edge0, edge1, x"},
-    {"sqrt", "x"},
-    {"step", "edge, x"},
-    {"tan", "x"},
-    {"tanh", "x"},
-    {"transpose", "m"},
-    {"trunc", "x"},
-});
 
 constexpr auto others = std::to_array<std::string_view>({
     "atan",
@@ -139,7 +71,7 @@ constexpr auto others = std::to_array<std::string_view>({
 }  // namespace
 
 std::string_view builtin_parameters(std::string_view function) {
-    for (const Function& f : functions)
+    for (const BuiltinFunction& f : builtin_functions())
         if (f.name == function) return f.parameters;
     return {};
 }
@@ -147,7 +79,8 @@ std::string_view builtin_parameters(std::string_view function) {
 const std::vector<std::string_view>& builtin_names() {
     static const std::vector<std::string_view> names = [] {
         std::vector<std::string_view> all(others.begin(), others.end());
-        for (const Function& f : functions) all.push_back(f.name);
+        for (const BuiltinFunction& f : builtin_functions())
+            if (!f.parameters.empty()) all.push_back(f.name);
         return all;
     }();
     return names;

@@ -1,16 +1,12 @@
 // A look at the user's shader that is good enough for hints: words, declarations, braces.
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <unordered_map>
 
 #include "src/glsl/log/log.h"
+#include "src/glsl/read/lexer.h"
 
 namespace snell::glsl::log {
 namespace {
-
-bool letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 bool one_of(std::string_view word, std::initializer_list<std::string_view> list) {
     return std::find(list.begin(), list.end(), word) != list.end();
@@ -27,74 +23,6 @@ bool is_keyword(std::string_view word) {
                          "flat",      "smooth",    "centroid", "noperspective", "patch",   "highp", "mediump", "lowp",
                          "precision", "invariant", "layout",   "struct",        "discard", "break", "continue"});
 }
-
-class Scanner {
-public:
-    explicit Scanner(std::string_view text) : text_(text) {}
-
-    std::vector<Word> run() {
-        while (at_ < text_.size()) step();
-        return std::move(words_);
-    }
-
-private:
-    char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
-
-    void step() {
-        const char c = text_[at_];
-        if (c == '\n' || c == '\r') return end_line();
-        if (c == '\\' && (peek(1) == '\n' || peek(1) == '\r')) return splice();
-        if (c == '/' && peek(1) == '/') return skip_line();
-        if (c == '/' && peek(1) == '*') return skip_block();
-        if (std::isspace(static_cast<unsigned char>(c)) != 0) {
-            ++at_;
-            return;
-        }
-        if (c == '#' && fresh_) directive_ = true;
-        fresh_ = false;
-        const std::size_t begin = at_;
-        if (letter(c)) {
-            while (letter(peek(0)) || digit(peek(0))) ++at_;
-        } else if (digit(c) || (c == '.' && digit(peek(1)))) {
-            while (letter(peek(0)) || digit(peek(0)) || peek(0) == '.') ++at_;
-        } else {
-            ++at_;
-        }
-        words_.push_back(
-            {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_), line_, letter(c), directive_});
-    }
-
-    void end_line() {
-        at_ += text_[at_] == '\r' && peek(1) == '\n' ? 2 : 1;
-        ++line_;
-        directive_ = false;
-        fresh_ = true;
-    }
-
-    void splice() {
-        ++at_;
-        const bool directive = directive_, fresh = fresh_;
-        end_line();
-        directive_ = directive;
-        fresh_ = fresh;
-    }
-
-    void skip_line() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size()); }
-
-    void skip_block() {
-        const std::size_t end = std::min(text_.find("*/", at_ + 2), text_.size() - 2) + 2;
-        while (at_ < end) {
-            const char c = text_[at_++];
-            if (c == '\n' || (c == '\r' && peek(0) != '\n')) ++line_;
-        }
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-    int line_ = 1;
-    bool directive_ = false, fresh_ = true;
-    std::vector<Word> words_;
-};
 
 // Collects declarations: a name after a type, further names after commas, macros.
 class Declarations {
@@ -174,7 +102,27 @@ int indentation(std::string_view text, std::size_t offset) {
 
 }  // namespace
 
-std::vector<Word> words(std::string_view text) { return Scanner(text).run(); }
+std::vector<Word> words(std::string_view original) {
+    const Cleaned cleaned = clean(original);
+    const std::string_view text = cleaned.text;
+    std::vector<Word> words;
+    std::size_t at = 0, directive_until = 0;
+    int line = 1;
+    bool line_start = true;
+    while (true) {
+        const std::size_t from = at;
+        at = skip_trivia(text, at, line_start);
+        line += static_cast<int>(std::ranges::count(text.substr(from, at - from), '\n'));
+        if (at >= text.size()) return words;
+        if (line_start && text[at] == '#') directive_until = directive_end(text, at);
+        line_start = false;
+        const Lexeme lexeme = lex(text, at);
+        const std::size_t end = at + (lexeme.kind == glsl::Kind::punct ? 1 : lexeme.text.size());
+        words.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end), line,
+                         lexeme.kind == glsl::Kind::identifier, at < directive_until});
+        at = end;
+    }
+}
 
 std::vector<Declared> declared(std::string_view text, const std::vector<Word>& words) {
     return Declarations(text, words).run();

@@ -30,6 +30,12 @@ bool is_language_word(std::string_view word);
 // when the old function gave a vec4 where the new one gives a float (shadow2D).
 std::string_view modern_texture_function(std::string_view name, bool& wraps);
 
+struct BuiltinFunction {
+    std::string_view name;
+    std::string_view signatures;       // see builtins.cpp
+    std::string_view parameters = {};  // their names, such as "x, y, a"; empty if no hint mentions the function
+};
+std::span<const BuiltinFunction> builtin_functions();
 // The overloads of a built-in function, as text: "F:FF F:Ff" (see builtins.cpp); empty for others.
 std::string_view builtin_signatures(std::string_view name);
 
