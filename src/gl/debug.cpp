@@ -2,8 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <cstdio>
-
 namespace snell::gl {
 
 namespace {
@@ -13,25 +11,9 @@ bool bad(GLenum type, GLenum severity) {
            severity == GL_DEBUG_SEVERITY_HIGH;
 }
 
-void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message,
-                           const void* user) {
-    if (!bad(type, severity)) return;
-    auto* log = static_cast<std::vector<std::string>*>(const_cast<void*>(user));
-    log->emplace_back(message, length < 0 ? std::char_traits<char>::length(message) : static_cast<size_t>(length));
-}
-
-void GLAPIENTRY print_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
-                              const void*) {
-    if (bad(type, severity)) std::fprintf(stderr, "snell: error: the driver: %s\n", message);
-}
-
-void listen(GLDEBUGPROC call, const void* user) {
-    const bool here = epoxy_is_desktop_gl() ? epoxy_gl_version() >= 43 || epoxy_has_gl_extension("GL_KHR_debug")
-                                            : epoxy_gl_version() >= 32;
-    if (!here) return;
-    glEnable(GL_DEBUG_OUTPUT);
-    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(call, user);
+void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
+                           const void* report) {
+    if (bad(type, severity)) (*static_cast<const MessageReport*>(report))(message);
 }
 
 const char* error_name(GLenum error) {
@@ -55,9 +37,14 @@ const char* error_name(GLenum error) {
 
 }  // namespace
 
-void collect_messages(std::vector<std::string>& log) { listen(on_message, &log); }
-
-void print_messages() { listen(print_message, nullptr); }
+void watch_messages(const MessageReport& report) {
+    const bool available = epoxy_is_desktop_gl() ? epoxy_gl_version() >= 43 || epoxy_has_gl_extension("GL_KHR_debug")
+                                                 : epoxy_gl_version() >= 32;
+    if (!available) return;
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(on_message, &report);
+}
 
 std::vector<std::string> take_errors() {
     std::vector<std::string> errors;

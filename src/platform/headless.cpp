@@ -98,21 +98,22 @@ std::unique_ptr<HeadlessContext> HeadlessContext::make_one(const ContextRequest&
             continue;
         }
         EGLContext context = best_context(attempt.display, request);
-        if (context != EGL_NO_CONTEXT && eglMakeCurrent(attempt.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+        if (context != EGL_NO_CONTEXT) {
             std::unique_ptr<HeadlessContext> result(new HeadlessContext);
             result->display_ = attempt.display;
             result->context_ = context;
             result->platform_ = attempt.platform;
-            return result;
+            if (result->make_current()) return result;
         }
         error = request.es ? "EGL gives no OpenGL ES 3 context" : "EGL gives no OpenGL 3.3 core context";
-        if (context != EGL_NO_CONTEXT) eglDestroyContext(attempt.display, context);
         eglTerminate(attempt.display);
     }
     return nullptr;
 }
 
-void HeadlessContext::make_current() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_); }
+bool HeadlessContext::make_current() {
+    return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+}
 
 HeadlessContext::~HeadlessContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

@@ -23,7 +23,7 @@ public:
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-    void make_current();
+    bool make_current();
     const std::string& platform() const { return platform_; }
 
 private:

@@ -38,7 +38,7 @@ void GlTest::SetUp() {
     RecordProperty("context", std::string(request.es ? "ES " : "GL ") + std::to_string(version / 10) + "." +
                                   std::to_string(version % 10));
     caps = gl::query_caps();
-    gl::collect_messages(complaints);
+    gl::watch_messages(report);
 }
 
 void GlTest::TearDown() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "src/app/open/document.h"
+#include "src/gl/debug.h"
 #include "src/gl/target.h"
 #include "src/plan/view.h"
 #include "src/platform/headless.h"
@@ -64,6 +65,7 @@ protected:
     std::unique_ptr<HeadlessContext> context;
     gl::Caps caps;
     std::vector<std::string> complaints;
+    gl::MessageReport report = [this](const char* message) { complaints.emplace_back(message); };
 };
 
 // Shaders that tests use again and again.

@@ -81,7 +81,7 @@ void LibraryTest::SetUp() {
     const ContextRequest& request = GetParam().request;
     RecordProperty("context", std::string(request.es ? "ES " : "GL ") + std::to_string(request.version / 10) + "." +
                                   std::to_string(request.version % 10));
-    gl::collect_messages(complaints);
+    gl::watch_messages(report);
 }
 
 void LibraryTest::TearDown() {

@@ -12,6 +12,7 @@
 
 #include <glm/glm.hpp>
 
+#include "src/gl/debug.h"
 #include "src/gl/handle.h"
 #include "src/gl/texture.h"
 #include "src/platform/headless.h"
@@ -56,6 +57,7 @@ protected:
 
     std::unique_ptr<HeadlessContext> context;
     std::vector<std::string> complaints;
+    gl::MessageReport report = [this](const char* message) { complaints.emplace_back(message); };
     gl::Texture cube;
 };
 

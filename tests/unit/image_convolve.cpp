@@ -1,5 +1,6 @@
 // Light gathered from cube maps, against sums over every texel.
 #include "src/content/cube/convolve.h"
+#include "tests/oracle/light.h"
 
 #include <gtest/gtest.h>
 

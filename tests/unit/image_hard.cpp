@@ -3,6 +3,7 @@
 
 #include "src/content/cube/convolve.h"
 #include "tests/hard_case.h"
+#include "tests/oracle/light.h"
 #include "tests/unit/image_help.h"
 
 namespace snell::content {

@@ -3,6 +3,7 @@
 
 #include "src/content/cube/convolve.h"
 #include "src/plan/knobs.h"
+#include "tests/oracle/light.h"
 
 namespace snell {
 namespace {

@@ -31,7 +31,10 @@ std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
         std::fprintf(stderr, "snell: error: no graphics: %s\n   help: %s\n", error.c_str(),
                      old ? "snell needs OpenGL 3.3 or OpenGL ES 3.0, or the version that --context asks for"
                          : "install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)");
-    if (context && request.debug) gl::print_messages();
+    static const gl::MessageReport print = [](const char* message) {
+        std::fprintf(stderr, "snell: error: the driver: %s\n", message);
+    };
+    if (context && request.debug) gl::watch_messages(print);
     return context;
 }
 

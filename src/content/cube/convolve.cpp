@@ -180,12 +180,6 @@ CubeLight convolved(const Tree& tree, int size, double alpha, double detail) {
 
 }  // namespace
 
-double lobe_weight(double cosine, double alpha) {
-    if (cosine <= 0) return 0;
-    const double spread = alpha * alpha + (1 - alpha * alpha) * (1 - cosine) / 2;
-    return cosine / (spread * spread);
-}
-
 CubeLight irradiance(const CubeLight& light, int size) {
     return convolved(Tree(resized(light, irradiance_source), irradiance_levels), size, 1, 0);
 }

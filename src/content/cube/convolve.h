@@ -31,8 +31,6 @@ double solid_angle(double s0, double t0, double s1, double t1);
 // directions together is preserved. Enlarging repeats texels. Sums are in double.
 CubeLight resized(const CubeLight& light, int size);
 
-// The mean over all directions, weighted by solid angle, in double.
-std::array<double, 3> mean_radiance(const CubeLight& light);
 
 // The nine coefficients of radiance of orders 0 to 2, in the order 1, y, z, x, xy, yz, 3z² - 1, xz, x² - y²
 // (Ramamoorthi and Hanrahan 2001). They are weighted by the texels' solid angles, in double, and not windowed, which is
@@ -56,8 +54,5 @@ int prefilter_levels(int size);
 // The default size of level 0: the source's, rounded to a power of two, from 16 to `largest`.
 int prefilter_size(int source_size, int largest);
 
-// The weight, not normalised, of light at the cosine c from the reflected direction: c / (1 - (1 - α²)(1 + c)/2)² for c
-// > 0. This is GGX's D(h)·(n·l) with n·h = √((1 + c)/2).
-double lobe_weight(double cosine, double alpha);
 
 }  // namespace snell::content

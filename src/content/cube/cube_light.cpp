@@ -124,16 +124,6 @@ CubeLight resized(const CubeLight& light, int size) {
     return result;
 }
 
-std::array<double, 3> mean_radiance(const CubeLight& light) {
-    const std::vector<double> angles = solid_angles(light.size);
-    std::array<double, 3> sum{};
-    for (std::size_t i = 0; i < light.texels.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-            sum[c] += angles[i % angles.size()] * static_cast<double>(light.texels[i][c]);
-    for (double& value : sum) value /= 4 * pi;
-    return sum;
-}
-
 Harmonics harmonics(const CubeLight& light) {
     const double c1 = std::sqrt(3 / (4 * pi)), c2 = std::sqrt(15 / (4 * pi));
     const std::vector<double> angles = solid_angles(light.size);
