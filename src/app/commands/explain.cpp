@@ -263,6 +263,51 @@ Json explain_json(const ExplainReport& report, const Sources& sources) {
 
 namespace {
 
+// What lasts for the whole command.
+struct Running {
+    const runtime::Stopwatch& watch;
+    Deadline& deadline;
+    ProgressLine& progress;
+};
+
+// Draws two frames and counts, then times frames for as long as there is time.
+void measure(ExplainReport& report, Document& document, const ExplainOptions& options, const Running& running) {
+    Runtime& runtime = *document.runtime;
+    const auto& window = document.scene().window_size;
+    std::tie(report.width, report.height) = options.size.value_or(std::pair(window[0], window[1]));
+    const gl::Target target = gl::make_target(report.width, report.height, 1);
+    const Surface surface{target.framebuffer.get(), report.width, report.height};
+    const View view;
+    const Frame frame{.time = options.time, .view = view, .controls = document.controls};
+    running.deadline.now(fmt::format("drawing '{}'", options.scene));
+    runtime.draw(frame, surface);
+    gl::finish();
+    report.load = runtime.counters();
+    const runtime::Stopwatch second;
+    runtime.draw(frame, surface);
+    gl::finish();
+    const double took = second.milliseconds();
+    for (const CounterName& counter : counter_names())
+        report.per_frame.*counter.value = runtime.counters().*counter.value - report.load.*counter.value;
+    report.explanation = runtime.explain();
+    if (!options.no_time) {
+        const double left = most_share * (options.timeout * 1e3 - running.watch.milliseconds());
+        running.progress.begin();
+        time_frames(report, runtime, frame, surface,
+                    {options.rounds, options.timeout > 0 ? std::min(left, most_time) : most_time, took,
+                     [&](int round, double share) {
+                         running.progress.show(fmt::format("timing frames: round {} of {}", round + 1, options.rounds),
+                                               share);
+                     }});
+        running.progress.clear();
+        if (report.clock.empty())
+            fmt::print(stderr,
+                       "snell: warning: frames are not timed: one takes {:.1f} s\n   help: take a smaller --size or a "
+                       "longer --timeout\n",
+                       took / 1e3);
+    }
+}
+
 Exit explain(const ExplainOptions& options) {
     const runtime::Stopwatch watch;
     Deadline deadline(options.timeout);
@@ -291,39 +336,7 @@ Exit explain(const ExplainOptions& options) {
         if (diagnostic.severity == Severity::error) errors.add(diagnostic);
     fmt::print(stderr, "{}", snell::render(errors, document->sources));
     if (!document->runtime) return exit_input;
-    Runtime& runtime = *document->runtime;
-    const auto& window = document->scene().window_size;
-    std::tie(report.width, report.height) = options.size.value_or(std::pair(window[0], window[1]));
-    const gl::Target target = gl::make_target(report.width, report.height, 1);
-    const Surface surface{target.framebuffer.get(), report.width, report.height};
-    const View view;
-    const Frame frame{.time = options.time, .view = view, .controls = document->controls};
-    deadline.now(fmt::format("drawing '{}'", options.scene));
-    runtime.draw(frame, surface);
-    gl::finish();
-    report.load = runtime.counters();
-    const runtime::Stopwatch second;
-    runtime.draw(frame, surface);
-    gl::finish();
-    const double took = second.milliseconds();
-    for (const CounterName& counter : counter_names())
-        report.per_frame.*counter.value = runtime.counters().*counter.value - report.load.*counter.value;
-    report.explanation = runtime.explain();
-    if (!options.no_time) {
-        const double left = most_share * (options.timeout * 1e3 - watch.milliseconds());
-        progress.begin();
-        time_frames(report, runtime, frame, surface,
-                    {options.rounds, options.timeout > 0 ? std::min(left, most_time) : most_time, took,
-                     [&](int round, double share) {
-                         progress.show(fmt::format("timing frames: round {} of {}", round + 1, options.rounds), share);
-                     }});
-        progress.clear();
-        if (report.clock.empty())
-            fmt::print(stderr,
-                       "snell: warning: frames are not timed: one takes {:.1f} s\n   help: take a smaller --size or a "
-                       "longer --timeout\n",
-                       took / 1e3);
-    }
+    measure(report, *document, options, {watch, deadline, progress});
     deadline.rest();
     const std::string text = options.json ? content::json_text(explain_json(report, document->sources)) + "\n"
                                           : explain_text(report, document->sources);
