@@ -27,7 +27,7 @@ glm::dmat4 matrix(const Mat4& m) {
 }
 
 // `region`: what is scissored then, and stays so.
-void clear(const Vec4& color, const std::optional<std::array<int, 4>>& region) {
+void clear(const Vec4& color, const std::optional<PixelRect>& region) {
     if (!region) glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);

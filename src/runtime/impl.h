@@ -26,7 +26,7 @@ class Picker;
 // For all that follows.
 inline void aim(const Surface& surface) {
     glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
-    const Surface::Part part = surface.part.value_or(Surface::Part{});
+    const PixelRect part = surface.part.value_or(PixelRect{});
     glViewport(-part.left, -part.bottom, surface.width, surface.height);
     if (!surface.region) return;
     const auto& [left, bottom, width, height] = *surface.region;
@@ -160,9 +160,9 @@ struct Runtime::Impl {
         Vec4 background{0, 0, 0, 1};
         const glm::dmat4* projection = nullptr;  // replaces the draw's camera, with `view`
         const glm::dmat4* view = nullptr;
-        std::optional<DepthRange> depth;                          // else the usual
-        std::array<double, 2> shift{0, 0};                        // of the picture, in pixels
-        std::optional<std::array<int, 4>> region = std::nullopt;  // see Surface
+        std::optional<DepthRange> depth;                 // else the usual
+        std::array<double, 2> shift{0, 0};               // of the picture, in pixels
+        std::optional<PixelRect> region = std::nullopt;  // see Surface
         // Of the last draw, for the next one through the same camera.
         std::optional<runtime::DrawContext> shared = std::nullopt;
         Index camera = none;
@@ -203,7 +203,7 @@ struct Runtime::Impl {
     bool ready_picker(int width, int height);
     void draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth);
     void pick_window(Index pass, const Frame& frame, PassView& view, bool& first);
-    std::vector<Index> pick(const Frame& frame, int width, int height, std::array<int, 4> region);
+    std::vector<Index> pick(const Frame& frame, int width, int height, PixelRect region);
     void outline(const Frame& frame, const Surface& surface, Index draw, float line);
 
     Plan plan;

@@ -7,7 +7,7 @@ namespace snell {
 namespace {
 
 // A rectangle of the framebuffer that is bound for reading.
-void read(const std::array<int, 4>& region, GLenum format, std::vector<float>& values) {
+void read(const PixelRect& region, GLenum format, std::vector<float>& values) {
     const auto& [left, bottom, width, height] = region;
     const std::size_t channels = format == GL_RGBA ? 4 : 1;
     values.resize(channels * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -30,7 +30,7 @@ void FloatPicture::take(Runtime& runtime, const Frame& frame, const Surface& sur
     const auto shoot = [&](const Frame& shot, std::vector<float>& values) {
         runtime.draw(shot, surface);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, surface.framebuffer);
-        read(surface.region.value_or(std::array{0, 0, surface.width, surface.height}), GL_RGBA, values);
+        read(surface.region.value_or(PixelRect{0, 0, surface.width, surface.height}), GL_RGBA, values);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
     };
     const std::uint64_t before = runtime.counters().blended_draws;
@@ -60,7 +60,7 @@ void FloatPicture::inspect(Runtime& runtime, const Frame& frame, int x, int y, i
     found.radius = radius = std::max(0, radius);
     const int left = std::max(0, x - radius), right = std::min(width - 1, x + radius);
     const int top = std::max(0, y - radius), bottom = std::min(height - 1, y + radius);
-    const std::array<int, 4> region{left, height - 1 - bottom, right - left + 1, bottom - top + 1};
+    const PixelRect region{left, height - 1 - bottom, right - left + 1, bottom - top + 1};
     Surface surface{target_.framebuffer.get(), width, height};
     surface.region = region;
     take(runtime, frame, surface, rows_);
@@ -69,14 +69,14 @@ void FloatPicture::inspect(Runtime& runtime, const Frame& frame, int x, int y, i
     found.rgba.assign(4 * side * side, 0);
     found.inside.assign(side * side, 0);
     for (int row = top; row <= bottom; ++row) {
-        const auto from = rows_.begin() + static_cast<std::ptrdiff_t>(bottom - row) * region[2] * 4;
+        const auto from = rows_.begin() + static_cast<std::ptrdiff_t>(bottom - row) * region.width * 4;
         const std::size_t to = found.at(left - x, row - y);
-        std::copy_n(from, region[2] * 4, found.rgba.begin() + static_cast<std::ptrdiff_t>(4 * to));
-        std::fill_n(found.inside.begin() + static_cast<std::ptrdiff_t>(to), region[2], 1);
+        std::copy_n(from, region.width * 4, found.rgba.begin() + static_cast<std::ptrdiff_t>(4 * to));
+        std::fill_n(found.inside.begin() + static_cast<std::ptrdiff_t>(to), region.width, 1);
     }
     found.depth.reset();
     found.distance.reset();
-    const std::array<int, 4> middle{x, height - 1 - y, 1, 1};
+    const PixelRect middle{x, height - 1 - y, 1, 1};
     if (epoxy_is_desktop_gl()) {  // OpenGL ES reads no depths
         read(middle, GL_DEPTH_COMPONENT, rows_);
         found.depth = rows_[0];

@@ -67,10 +67,10 @@ std::size_t Picker::bytes() const {
 
 void Picker::scissor() const {
     glEnable(GL_SCISSOR_TEST);
-    glScissor(region_[0], region_[1], region_[2], region_[3]);
+    glScissor(region_.left, region_.bottom, region_.width, region_.height);
 }
 
-void Picker::begin(const std::array<int, 4>& region) {
+void Picker::begin(const PixelRect& region) {
     region_ = region;
     if (!ids_program_) ids_program_ = over_the_screen(es_, ids_fragment);
     clear();
@@ -121,12 +121,12 @@ void Picker::commit(Index draw) {
 }
 
 std::vector<Index> Picker::read() {
-    const auto count = static_cast<std::size_t>(region_[2]) * static_cast<std::size_t>(region_[3]);
+    const auto count = static_cast<std::size_t>(region_.width) * static_cast<std::size_t>(region_.height);
     std::vector<std::uint8_t> bytes(4 * count);
     gl::settle();
     glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(region_[0], region_[1], region_[2], region_[3], GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    glReadPixels(region_.left, region_.bottom, region_.width, region_.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDisable(GL_SCISSOR_TEST);
     std::vector<Index> draws(count);
@@ -195,13 +195,13 @@ void Runtime::Impl::pick_window(Index pass, const Frame& frame, PassView& view, 
     }
 }
 
-std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height, std::array<int, 4> region) {
-    const int right = std::clamp(region[0] + region[2], 0, std::max(width, 0));
-    const int top = std::clamp(region[1] + region[3], 0, std::max(height, 0));
-    region[0] = std::clamp(region[0], 0, right);
-    region[1] = std::clamp(region[1], 0, top);
-    region = {region[0], region[1], right - region[0], top - region[1]};
-    if (region[2] == 0 || region[3] == 0 || !ready_picker(width, height)) return {};
+std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height, PixelRect region) {
+    const int right = std::clamp(region.left + region.width, 0, std::max(width, 0));
+    const int top = std::clamp(region.bottom + region.height, 0, std::max(height, 0));
+    region.left = std::clamp(region.left, 0, right);
+    region.bottom = std::clamp(region.bottom, 0, top);
+    region = {region.left, region.bottom, right - region.left, top - region.bottom};
+    if (region.width == 0 || region.height == 0 || !ready_picker(width, height)) return {};
     const int before = picker->programs();
     picker->begin(region);
     PassView view{width, height, plan.scene.background};

@@ -26,8 +26,8 @@ public:
     // Programs made so far.
     int programs() const { return (ids_program_ ? 1 : 0) + (outline_program_ ? 1 : 0); }
 
-    // Numbers, in `region` (left, bottom, width, height) alone. begin: none yet.
-    void begin(const std::array<int, 4>& region);
+    // Numbers, in `region` alone. begin: none yet.
+    void begin(const PixelRect& region);
     // For a draw by itself, everywhere.
     void whole();
     // Before a draw into what is bound then. `first`: nothing stands in its way yet.
@@ -48,7 +48,7 @@ private:
 
     bool es_;
     int width_ = 0, height_ = 0;
-    std::array<int, 4> region_{};
+    PixelRect region_;
     gl::Texture cover_, ids_;
     gl::TextureTarget cover_target_, ids_target_;
     gl::Program ids_program_, outline_program_;

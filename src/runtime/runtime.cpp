@@ -28,7 +28,7 @@ bool Runtime::settled() const { return impl_->settled; }
 double Runtime::distance(Index draw, double depth, const Frame& frame, const Surface& surface) const {
     return impl_->distance(draw, depth, frame, surface);
 }
-std::vector<Index> Runtime::pick(const Frame& frame, int width, int height, const std::array<int, 4>& region) {
+std::vector<Index> Runtime::pick(const Frame& frame, int width, int height, const PixelRect& region) {
     impl_->choose(frame.controls.rungs);
     return impl_->pick(frame, width, height, region);
 }

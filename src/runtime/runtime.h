@@ -52,18 +52,20 @@ struct Frame {
     const std::function<void(const Step&)>* after = nullptr;
 };
 
+// Pixels of a picture, from its bottom left.
+struct PixelRect {
+    int left = 0, bottom = 0, width = 0, height = 0;
+};
+
 // All that a platform is. The framebuffer may be multisampled; row 0 of its pixels is the bottom.
 struct Surface {
     unsigned framebuffer = 0;
     int width = 0, height = 0;  // of the picture
-    // Left, bottom, width, height: of the window's pixels only these are drawn. None: all.
-    std::optional<std::array<int, 4>> region;
-    // What the framebuffer holds of the picture; none: all. The parts are together what the whole would be: even
-    // numbers keep what shaders derive from neighbouring pixels. Pixels from the bottom left.
-    struct Part {
-        int left = 0, bottom = 0, width = 0, height = 0;
-    };
-    std::optional<Part> part;
+    // Only these of the window's pixels are drawn; nullopt: all.
+    std::optional<PixelRect> region;
+    // The part of the picture that the framebuffer holds; nullopt: all. Parts together give what the whole picture
+    // would, if they begin at even numbers, which keep the neighbours that derivatives in shaders see.
+    std::optional<PixelRect> part;
 };
 
 class Runtime;
@@ -118,9 +120,9 @@ public:
     // `depth` (0 to 1): in the units of the scene. As Frame::view holds the scene.
     double distance(Index draw, double depth, const Frame& frame, const Surface& surface) const;
     // Which draw of the window (Scene::draws) is seen at each pixel, at its middle, of a picture of that size: the last
-    // one that changed it. none: the background. Of `region` (left, bottom, width, height), the bottom row first; as
+    // one that changed it. none: the background. Of `region`, the bottom row first; as
     // much of it as lies in the picture. Empty: the context refused what it takes, which is made at the first call.
-    std::vector<Index> pick(const Frame& frame, int width, int height, const std::array<int, 4>& region);
+    std::vector<Index> pick(const Frame& frame, int width, int height, const PixelRect& region);
     // Over what the surface shows: a line around what that draw covers, be it hidden or not.
     void outline(const Frame& frame, const Surface& surface, Index draw, float line = 2);
     // The draws of the window that were found possible: where their meshes lie before any shader moves them, in the eye

@@ -143,7 +143,7 @@ TEST_F(Pictures, PartsCoverEveryPixelOnce) {
         ASSERT_EQ(tiling.error, "");
         std::vector<int> times(static_cast<std::size_t>(size.width * size.height));
         int above = size.height;
-        for (const Surface::Part& part : app::parts_of(size, tiling)) {
+        for (const PixelRect& part : app::parts_of(size, tiling)) {
             EXPECT_LE(part.bottom, above) << "from the top";
             above = part.bottom;
             EXPECT_EQ(part.left % 2 + part.bottom % 2, 0);

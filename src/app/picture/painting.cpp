@@ -23,7 +23,7 @@ Painting::Painting(const std::string& file, const PictureSize& size, const Tilin
     error_ = file_->add({});  // whether it can be written at all, before anything is drawn
 }
 
-void Painting::place(const content::Image& part, const Surface::Part& at) {
+void Painting::place(const content::Image& part, const PixelRect& at) {
     if (at.left == 0) {
         band_.height = at.height;
         band_.pixels.resize(band_.bytes());
@@ -36,7 +36,7 @@ void Painting::place(const content::Image& part, const Surface::Part& at) {
 
 bool Painting::step(Runtime& runtime, Frame frame) {
     if (!error_.empty() || done_ == parts_.size()) return false;
-    const Surface::Part& part = parts_[done_];
+    const PixelRect& part = parts_[done_];
     // What is off-screen is the same for all parts, unless something else was drawn meanwhile.
     frame.standing = done_ > 0 && runtime.counters().frames == drawn_;
     Surface surface{.width = size_.width, .height = size_.height};

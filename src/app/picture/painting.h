@@ -29,11 +29,11 @@ public:
     double progress() const { return static_cast<double>(done_) / static_cast<double>(parts_.size()); }
 
 private:
-    void place(const content::Image& part, const Surface::Part& at);
+    void place(const content::Image& part, const PixelRect& at);
 
     PictureSize size_;
     PictureKind kind_;
-    std::vector<Surface::Part> parts_;
+    std::vector<PixelRect> parts_;
     std::size_t done_ = 0;
     std::uint64_t drawn_ = 0;  // number of the runtime's frames after the last part
     gl::Target target_;

@@ -43,8 +43,8 @@ Tiling tile(const PictureSize& size, const Limits& limits, const gl::Caps& caps,
                         size.samples, limit_help(limits, &Limits::output_bytes))};
 }
 
-std::vector<Surface::Part> parts_of(const PictureSize& size, const Tiling& tiling) {
-    std::vector<Surface::Part> parts;
+std::vector<PixelRect> parts_of(const PictureSize& size, const Tiling& tiling) {
+    std::vector<PixelRect> parts;
     for (int row = (size.height - 1) / tiling.height; row >= 0; --row)
         for (int left = 0; left < size.width; left += tiling.width)
             parts.push_back({left, row * tiling.height, std::min(tiling.width, size.width - left),

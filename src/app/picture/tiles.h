@@ -29,6 +29,6 @@ Tiling tile(const PictureSize& size, const Limits& limits, const gl::Caps& caps,
 
 // Lists the parts from top to bottom, each row from left to right. They begin at multiples of the tiling's size,
 // counted from the bottom left.
-std::vector<Surface::Part> parts_of(const PictureSize& size, const Tiling& tiling);
+std::vector<PixelRect> parts_of(const PictureSize& size, const Tiling& tiling);
 
 }  // namespace snell::app

@@ -7,7 +7,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "parser/scene.h"
@@ -107,7 +106,12 @@ private:
     std::vector<bool> drawn_to_;  // by Scene::textures: what they show is this runtime's own
     std::map<int, std::shared_ptr<GpuTexture>> noise_;
     std::map<std::string_view, gl::Black> black_;  // by GLSL type
-    std::map<std::tuple<int, int, bool, bool>, gl::Sampler> samplers_;
+    struct SamplerKey {
+        int mode = 0, anisotropy = 1;  // of a Filter
+        bool clamp = false, cube = false;
+        auto operator<=>(const SamplerKey&) const = default;
+    };
+    std::map<SamplerKey, gl::Sampler> samplers_;
     ImageCache images_;
     std::map<Index, Preloaded> preloaded_;
     std::map<int, Preloaded> preloaded_noise_;   // by dimensions
