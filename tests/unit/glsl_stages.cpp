@@ -146,6 +146,27 @@ TEST(GlslStages, Attributes) {
     EXPECT_TRUE(twice.has(Stage::vertex, "aNormal = snell_Normal;"));
 }
 
+TEST(GlslStages, AggregatesThatAreNotWrittenAreZero) {
+    const Texts texts = {
+        {Stage::vertex,
+         "#version 150\nstruct S { vec4 a; float b[2]; };\nout S s;\nout Shade { vec4 c; } shade;\n"
+         "out vec4 list[2];\nvoid set(out mat2 m) { m[0] = vec2(1.); }\n"
+         "void main() { S t; mat2 m; set(m); s.a.x = m[0].x; list[0] = t.a; gl_Position = vec4(0.); }"},
+        {Stage::fragment,
+         "#version 150\nstruct S { vec4 a; float b[2]; };\nin S s;\nin Shade { vec4 c; } shade;\n"
+         "in vec4 list[2];\nS kept;\nout vec4 color;\n"
+         "void main() { color = s.a + shade.c + list[1] + kept.a; }"}};
+    const Translated t = translated(texts);
+    const std::string zero = "S(vec4(0.0), float[2](0.0, 0.0))";
+    EXPECT_TRUE(t.has(Stage::vertex, "S t = " + zero));
+    EXPECT_TRUE(t.has(Stage::vertex, "s = " + zero + ";"));
+    EXPECT_TRUE(t.has(Stage::vertex, "shade.c = vec4(0.0);"));
+    EXPECT_TRUE(t.has(Stage::vertex, "list = vec4[2](vec4(0.0), vec4(0.0));"));
+    EXPECT_TRUE(t.has(Stage::vertex, "m = mat2(0.0);"));
+    EXPECT_TRUE(t.has(Stage::fragment, "kept = " + zero + ";"));
+    expect_valid(texts);
+}
+
 TEST(GlslStages, BuiltInInputsThatNobodyWrites) {
     const Texts texts = {
         {Stage::vertex, "void main() { gl_Position = ftransform(); }"},
@@ -153,7 +174,7 @@ TEST(GlslStages, BuiltInInputsThatNobodyWrites) {
     const Translated t = translated(texts);
     EXPECT_EQ(t.count("input-without-output"), 3);
     EXPECT_TRUE(t.has(Stage::vertex, "snell_FrontColor = snell_Color;"));
-    EXPECT_TRUE(t.has(Stage::vertex, "snell_TexCoord[1] = vec4(0.0, 0.0, 0.0, 1.0);"));
+    EXPECT_TRUE(t.has(Stage::vertex, "snell_TexCoord = vec4[2](vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0, 0.0, 0.0, 1.0));"));
     expect_valid(texts);
     expect_valid({{Stage::vertex, "void main() { gl_Position = gl_Vertex; }"},
                   {Stage::geometry,

@@ -13,14 +13,6 @@ bool passes_between(const Unit& u, const Block& b) {
            (storage == Storage::in && u.stage == Stage::fragment);
 }
 
-// Of a member in both stages. A block without an instance lends its members' names to the whole text, so they stay.
-std::string variable(const Program& program, std::string_view block, std::string_view member) {
-    for (const Unit& u : program.units)
-        for (const Block& b : u.blocks)
-            if (b.name == block && b.instance.empty() && passes_between(u, b)) return std::string(member);
-    return "snell_" + std::string(block) + "_" + std::string(member);
-}
-
 void blank(Unit& u, int first, int last) {
     for (int i = first; i <= last; ++i) u.replace(i, "");
 }
@@ -45,7 +37,8 @@ void declare(const Program& program, Unit& u, const Block& b, int first, int las
     for (int i = type + 1; i < last; ++i) {
         const std::string_view next = u.at(i + 1).text;
         const bool name = std::ranges::find(b.members, u.at(i).text, &Member::name) != b.members.end();
-        if (name && (next == "," || next == ";" || next == "[")) u.replace(i, variable(program, b.name, u.at(i).text));
+        if (name && (next == "," || next == ";" || next == "["))
+            u.replace(i, variable_of(program, b.name, u.at(i).text));
     }
 }
 
@@ -56,7 +49,7 @@ void flatten(const Program& program, Unit& u, const Block& b) {
     if (b.instance.empty()) return;
     for (int i = b.last + 1; i + 2 < static_cast<int>(u.tokens.size()); ++i) {
         if (u.at(i).text != b.instance || u.at(i - 1).text == "." || u.at(i + 1).text != ".") continue;
-        u.replace(i, variable(program, b.name, u.at(i + 2).text));
+        u.replace(i, variable_of(program, b.name, u.at(i + 2).text));
         blank(u, i + 1, i + 2);
     }
 }
@@ -72,9 +65,18 @@ bool is_written(const Program& program, const Block& b) {
 
 }  // namespace
 
+// A block without an instance lends its members' names to the whole text, so they stay.
+std::string variable_of(const Program& program, std::string_view block, std::string_view member) {
+    for (const Unit& u : program.units)
+        for (const Block& b : u.blocks)
+            if (b.name == block && b.instance.empty() && passes_between(u, b)) return std::string(member);
+    return "snell_" + std::string(block) + "_" + std::string(member);
+}
+
+bool flattens_blocks(const Target& target) { return target.es && target.version < 320; }
+
 void flatten_blocks(Program& program) {
-    const Target& target = program.target();
-    if (!target.es || target.version >= 320) return;
+    if (!flattens_blocks(program.target())) return;
     for (Unit& u : program.units)
         for (const Block& b : u.blocks)
             if (passes_between(u, b) && !b.arrayed && is_written(program, b)) flatten(program, u, b);

@@ -46,10 +46,11 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     }
     if (global && u_.function_names.contains(g.name)) u_.shared_by_kinds.insert(g.name);
     // Without a value it has what another program left in a register.
-    const bool number = type.base >= Base::boolean && type.base <= Base::dreal && type.dims == 0;
     const bool whole = g.init_first < 0 && (is(";") || is(","));  // else the driver's message is of what is wrong here
-    if (!global && whole && number && q.storage == Storage::plain && u_.at(g.name_token).macro < 0)
-        u_.edit(g.name_token).after += " = " + zero(type);
+    const bool again = type.dims > 0 && find(g.name);             // an array may only be getting its size
+    if (!global && whole && !again && q.storage == Storage::plain && u_.at(p_ - 1).macro < 0)
+        if (const std::string value_of = zero_of(u_.structs, type); !value_of.empty())
+            u_.edit(p_ - 1).after += " = " + value_of;
     Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
     if (symbol.constant) symbol.value = value;
     if (global && g.type.base == Base::sampler && q.storage == Storage::plain) {
@@ -123,6 +124,20 @@ Expression Parser::initialiser(const Type& due) {
     return list;
 }
 
+// An out parameter that the body does not always assign as a whole begins as zero. The body's brace is next.
+void Parser::give_parameter(int name, const Type& type) {
+    const std::string value = u_.at(p_).macro < 0 ? zero_of(u_.structs, type) : "";
+    int depth = 0;
+    for (int i = p_; i + 1 < static_cast<int>(u_.tokens.size()) && u_.at(i).text != "return"; ++i) {
+        const std::string_view t = u_.at(i).text;
+        depth += t == "{" ? 1 : t == "}" ? -1 : 0;
+        if (depth == 0) break;
+        const bool starts = u_.at(i - 1).text == ";" || u_.at(i - 1).text == "{" || u_.at(i - 1).text == "}";
+        if (depth == 1 && starts && t == u_.at(name).text && u_.at(i + 1).text == "=") return;
+    }
+    if (!value.empty()) u_.edit(p_).after += " " + std::string(u_.now(name)) + " = " + value + ";";
+}
+
 void Parser::function(const Type& result, int first, int name) {
     Function f;
     f.name = text();
@@ -133,6 +148,7 @@ void Parser::function(const Type& result, int first, int name) {
     if (target_.es && !builtin_signatures(f.name).empty()) u_.replace(name, "snell_user_" + std::string(f.name));
     p_ = name + 2;
     open_scope();
+    std::vector<std::pair<int, Type>> given;  // out parameters: tokens of their names
     while (!at_end() && !is(")")) {
         const int before = p_;
         const Qualifiers q = qualifiers();
@@ -143,9 +159,10 @@ void Parser::function(const Type& result, int first, int name) {
         dimensions(parameter.type, nullptr);
         if (token().kind == Kind::identifier) {
             const std::string_view parameter_name = text();
-            ++p_;
+            const int name_at = p_++;
             dimensions(parameter.type, nullptr);
             declare(parameter_name, {parameter.type, -1, false, false, {}});
+            if (parameter.storage == Storage::out) given.emplace_back(name_at, parameter.type);
         }
         if (parameter.type.base != Base::none) f.parameters.push_back(parameter);
         if (!accept(",") || p_ == before) break;
@@ -161,6 +178,7 @@ void Parser::function(const Type& result, int first, int name) {
     u_.function_names.insert(function_name);
     if (is("{")) {
         u_.functions[index].open = p_;
+        for (const auto& [parameter_name, type] : given) give_parameter(parameter_name, type);
         result_ = result;
         compound();
         u_.functions[index].close = p_ - 1;

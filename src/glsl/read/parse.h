@@ -53,6 +53,7 @@ private:
     void declarator(const Qualifiers& q, Type type, int group, bool global);
     Expression initialiser(const Type& due);
     bool starts_declaration() const;
+    void give_parameter(int name, const Type& type);
     void skip_declaration();
 
     // statements

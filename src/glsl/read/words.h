@@ -41,5 +41,8 @@ std::string_view builtin_signatures(std::string_view name);
 
 // The zero of a type that is not a structure, as text.
 std::string zero(const Type& type);
+// The zero of any type, as a constructor; empty if it has none: nameless structures, samplers, arrays of unknown size,
+// and types of more than 64 values.
+std::string zero_of(std::span<const Struct> structs, const Type& type);
 
 }  // namespace snell::glsl

@@ -215,36 +215,75 @@ void match_interfaces(Program& program) {
 
 namespace {
 
-// A statement of main itself sets it, before anything returns. What is already translated has it in snell_main.
-bool always_written(const Unit& u, const Global& g) {
+// A statement of main itself sets it as a whole, before anything returns. `assigns(i)`: the variable begins at the
+// token i and `=` follows. What is already translated has it in snell_main.
+template <class Assigns>
+bool always_written(const Unit& u, Assigns assigns) {
     const auto wrapped = std::ranges::find(u.functions, "snell_main", &Function::name);
-    const Function* main = wrapped == u.functions.end() ? find_main(u) : &*wrapped;
+    const auto written_in = [&](const Function& f) {
+        int depth = 0;
+        for (int i = f.open; i < f.close; ++i) {
+            const std::string_view text = u.at(i).text;
+            if (text == "{") ++depth;
+            if (text == "}") --depth;
+            if (text == "return" || text == "EmitVertex") return false;
+            int first = i;  // of `a = b = …`
+            while (first > 1 && u.at(first - 1).text == "=") first -= 2;
+            const std::string_view before = first > 0 ? u.at(first - 1).text : "";
+            if (depth == 1 && (before == ";" || before == "{" || before == "}") && assigns(i)) return true;
+        }
+        return false;
+    };
+    const Function* main = find_main(u);
     if (!main || u.has_conditionals) return false;
-    int depth = 0;
-    for (int i = main->open; i < main->close; ++i) {
-        const std::string_view text = u.at(i).text;
-        if (text == "{") ++depth;
-        if (text == "}") --depth;
-        if (text == "return" || text == "EmitVertex") return false;
-        int first = i;  // of `a = b = …`
-        while (first > 1 && u.at(first - 1).text == "=") first -= 2;
-        const std::string_view before = first > 0 ? u.at(first - 1).text : "";
-        if (depth == 1 && (before == ";" || before == "{" || before == "}") && u.at(i + 1).text == "=" &&
-            std::ranges::find(g.uses, i) != g.uses.end())
-            return true;
+    return written_in(*main) || (wrapped != u.functions.end() && written_in(*wrapped));
+}
+
+bool always_written(const Unit& u, const Global& g) {
+    return always_written(
+        u, [&](int i) { return u.at(i + 1).text == "=" && std::ranges::find(g.uses, i) != g.uses.end(); });
+}
+
+void give(Unit& u, const Global& g) {
+    if (g.type.dims > 0 && g.name.starts_with("snell_")) return;  // ours, which are given where they are made
+    const std::string value = zero_of(u.structs, g.type);
+    if (!value.empty() && !always_written(u, g))
+        at_main_start(u, std::string(u.now(g.name_token)) + " = " + value + ";");
+}
+
+void give(const Program& program, Unit& u, const Block& b) {
+    const bool flat = flattens_blocks(program.target());
+    for (const Member& m : b.members) {
+        const bool bare = b.instance.empty();
+        const auto assigns = [&](int i) {
+            const int at = bare ? i : i + 2;
+            return (bare || (u.at(i).text == b.instance && u.at(i + 1).text == ".")) && u.at(at).text == m.name &&
+                   u.at(at + 1).text == "=";
+        };
+        const std::string value = zero_of(u.structs, m.type);
+        const std::string name = flat ? variable_of(program, b.name, m.name)
+                                      : (bare ? "" : std::string(b.instance) + ".") + std::string(m.name);
+        if (flat && m.type.dims > 0 && name.starts_with("snell_")) continue;  // as of variables
+        if (!value.empty() && !always_written(u, assigns)) at_main_start(u, name + " = " + value + ";");
     }
-    return false;
 }
 
 }  // namespace
 
-void give_outputs(Unit& u) {
-    if (u.stage == Stage::tess_control || u.stage == Stage::fragment) return;
-    for (const Global& g : u.globals) {
-        const bool number = g.type.base >= Base::boolean && g.type.base <= Base::dreal && g.type.dims == 0;
-        if (g.qualifiers.storage == Storage::out && !g.removed && !builtin(g) && number && !always_written(u, g))
-            at_main_start(u, std::string(u.now(g.name_token)) + " = " + zero(g.type) + ";");
+void give_outputs(const Program& program, Unit& u) {
+    for (const Global& g : u.globals) {  // other globals are kept in memory, which the driver clears
+        const bool structure = g.type.structure >= 0 && g.type.dims == 0 && g.init_first < 0;
+        if (structure && g.qualifiers.storage == Storage::plain && !g.removed &&
+            !u.structs[static_cast<std::size_t>(g.type.structure)].name.starts_with("snell_"))
+            give(u, g);
     }
+    if (u.stage == Stage::tess_control || u.stage == Stage::fragment) return;
+    for (const Global& g : u.globals)
+        if (g.qualifiers.storage == Storage::out && !g.removed && !builtin(g)) give(u, g);
+    for (const Block& b : u.blocks)
+        if (b.qualifiers.storage == Storage::out && !b.arrayed && !b.name.starts_with("gl_") &&
+            !b.name.starts_with("snell_"))
+            give(program, u, b);
 }
 
 }  // namespace snell::glsl

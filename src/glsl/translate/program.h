@@ -68,12 +68,15 @@ void copy_assigned(Program& program, Unit& unit);
 void unify_uniforms(Program& program);
 // Blocks that pass between shaders become single variables where the target has none.
 void flatten_blocks(Program& program);
+bool flattens_blocks(const Target& target);
+// The variable that a member of a block becomes then.
+std::string variable_of(const Program& program, std::string_view block, std::string_view member);
 // Inputs of each stage meet outputs of the stage before.
 void match_interfaces(Program& program);
 // Vertex inputs get the attribute that their name or location means.
 void assign_attributes(Program& program, Unit& vertex);
 // What a stage may leave without a value is zero: on some drivers it is what another program has left in a register.
-void give_outputs(Unit& unit);
+void give_outputs(const Program& program, Unit& unit);
 // Colour outputs of the fragment shader.
 void assign_outputs(Program& program, Unit& fragment);
 // Layouts that an old geometry shader leaves to the application.

@@ -121,7 +121,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     unify_uniforms(program);
     flatten_blocks(program);
     match_interfaces(program);
-    for (Unit& u : program.units) give_outputs(u);
+    for (Unit& u : program.units) give_outputs(program, u);
     if (Unit* vertex = program.find(Stage::vertex)) assign_attributes(program, *vertex);
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);
     replace_legacy(program);

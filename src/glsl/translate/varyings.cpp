@@ -156,12 +156,20 @@ void give_missing(Context& c, const Unit& u) {
     if (!from) return;
     Mentions& given = c.mentions[from->stage];
     for (const std::string_view v : c.mentions[u.stage].in) {
-        if (!given.out.insert(v).second) continue;
+        const bool is_new = given.out.insert(v).second;
+        // Of texture coordinates a stage may write some only; as a whole, so that a translation is not translated
+        // again.
+        if (v == "TexCoord" && from->stage == Stage::vertex) {
+            std::string all;
+            for (int n = 0; n < c.texcoords; ++n) all += (n ? ", " : "") + std::string("vec4(0.0, 0.0, 0.0, 1.0)");
+            at_main_start(*from, "snell_TexCoord = vec4[" + std::to_string(c.texcoords) + "](" + all + ");");
+        }
+        if (!is_new) continue;
         const bool color = v == "FrontColor" || v == "FrontSecondaryColor";
         const bool control = from->stage == Stage::tess_control;
         const std::string name = (control ? "snell_out[gl_InvocationID].snell_" : "snell_") + std::string(v);
         if (v == "TexCoord") {
-            for (int n = 0; n < c.texcoords; ++n)
+            for (int n = 0; n < c.texcoords && from->stage != Stage::vertex; ++n)
                 at_main_start(*from, name + "[" + std::to_string(n) + "] = vec4(0.0, 0.0, 0.0, 1.0);");
         } else if (color) {
             at_main_start(*from, name + " = " + color_at(*from, v) + ";");
