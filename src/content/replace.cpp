@@ -12,17 +12,19 @@ namespace snell::content {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-fs::path without_link(const std::string& path) {
+fs::path without_links(const fs::path& path) {
+    constexpr int most = 40;  // as Linux follows
     std::error_code error;
-    return fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
+    fs::path target = path;
+    for (int links = 0; fs::is_symlink(target, error); ++links) {
+        if (links == most) return path;
+        target = target.parent_path() / fs::read_symlink(target, error);
+    }
+    return target;
 }
 
-}  // namespace
-
 Replacement::Replacement(const std::string& path)
-    : target_(without_link(path)),
+    : target_(without_links(path)),
       path_(target_.parent_path() / ("." + target_.filename().string() + "." + std::to_string(getpid()) + ".part")) {}
 
 Replacement::~Replacement() {
@@ -33,6 +35,7 @@ Replacement::~Replacement() {
 std::string Replacement::check() const {
     std::error_code error;
     const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    if (fs::is_symlink(target_, error)) return target_.string() + ": " + std::strerror(ELOOP);
     if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
     if (!fs::exists(target_, error))
         return access(folder.c_str(), W_OK) == 0 ? "" : folder.string() + ": " + std::strerror(errno);
@@ -61,7 +64,13 @@ bool is_stream(const std::string& path) {
 }
 
 std::string check_place(const std::string& path) {
-    if (!is_stream(path)) return Replacement(path).check();
+    if (!is_stream(path)) {
+        const Replacement place(path);
+        if (std::string wrong = place.check(); !wrong.empty()) return wrong;
+        // Not every folder takes files although its permissions allow it: /proc does not.
+        const std::string wrong = write_file(place.path(), {});
+        return wrong.empty() ? "" : path + ": " + wrong;
+    }
     return access(path.c_str(), W_OK) == 0 ? "" : path + ": " + std::strerror(errno);
 }
 

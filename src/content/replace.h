@@ -7,6 +7,10 @@
 
 namespace snell::content {
 
+// Follows the link that `path` may be to the file that would be written, which need not exist yet. Returns a link if
+// links lead in a circle.
+std::filesystem::path without_links(const std::filesystem::path& path);
+
 // A file that will replace another one. If the path is a link, the file that it points to is replaced.
 class Replacement {
 public:
@@ -52,7 +56,8 @@ std::string write_file(const std::filesystem::path& path, std::string_view bytes
 // terminals and files in /dev, such as /dev/stdout, are written to directly.
 std::string replace_file(const std::string& path, std::string_view bytes);
 
-// Checks, before any work, whether replace_file() could write there. Returns an empty string, or why not.
+// Checks, before any work, whether replace_file() could write there, by making its temporary file. Returns an empty
+// string, or why not.
 std::string check_place(const std::string& path);
 
 // True for terminals, pipes and other files that are written to directly, so that nothing in them is lost.

@@ -56,6 +56,41 @@ TEST_F(Outputs, OfAccuracyAreLookedAtBeforeItMeasures) {
     }
 }
 
+// A link to a file that does not exist yet names that file.
+TEST_F(Outputs, OneFileThroughADanglingLinkIsRefused) {
+    fs::create_symlink("notyet.csv", folder.path("l1"));
+    fs::create_symlink("../l1", folder.path("out/l2"));
+    for (const std::string same :
+         {"--json l1 --csv notyet.csv", "--csv notyet.csv --json link/l2", "-o l1 --svg out/l2"}) {
+        const Outcome refused = measure(same);
+        EXPECT_EQ(refused.status, 2) << same << ": " << refused.output;
+        EXPECT_FALSE(says(refused, "RMSE")) << same << " was measured";
+    }
+    EXPECT_FALSE(there("notyet.csv"));
+    EXPECT_EQ(measure("--csv out/l2").status, 0);
+    EXPECT_TRUE(fs::is_symlink(folder.path("l1")) && fs::is_symlink(folder.path("out/l2")));
+    EXPECT_GT(bytes_of(folder.path("notyet.csv")).size(), 50U);
+}
+
+// Permissions alone don't tell, least of all for root.
+TEST_F(Outputs, WhereNoFileCanBeMadeIsRefusedBeforeItMeasures) {
+    fs::create_symlink("b", folder.path("a"));
+    fs::create_symlink("a", folder.path("b"));
+    for (const std::string option : {"-o", "--json", "--csv", "--markdown", "--svg"})
+        for (const std::string place : {"/proc/x.html", "a"}) {
+            const Outcome refused = measure(option + " " + place);
+            EXPECT_EQ(refused.status, 1) << option << ' ' << refused.output;
+            EXPECT_TRUE(says(refused, "can't write '" + place + "': " + place + ": ")) << refused.output;
+            EXPECT_FALSE(says(refused, "RMSE")) << option << " was measured: " << refused.output;
+        }
+    EXPECT_TRUE(fs::is_symlink(folder.path("a")));
+    for (const std::string option : {"-o", "--json", "--csv", "--markdown", "--svg"})
+        EXPECT_EQ(measure(option + " ''").status, 2) << option;
+    for (const std::string option : {"--json", "--sheet", "--stats"})
+        EXPECT_EQ(in_folder("render s.glib -o o.png " + option + " ''").status, 2) << option;
+    EXPECT_FALSE(there("o.png"));
+}
+
 TEST_F(Outputs, OneFileForTwoReportsIsRefused) {
     for (const std::string& same : std::vector<std::string>{
              "-o same --json same", "-o same --csv ./same", "-o out/same --csv link/same", "--svg same --markdown same",

@@ -29,7 +29,7 @@ TEST_P(WholePictures, EndWhereTheyEnd) {
     for (const std::size_t cut : cuts) EXPECT_FALSE(is(whole.substr(0, cut))) << cut << " bytes of " << whole.size();
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, WholePictures, testing::Values("png", "jpg", "exr", "bmp", "tif", "tga", "hdr"));
+INSTANTIATE_TEST_SUITE_P(Formats, WholePictures, testing::Values("png", "jpg", "exr", "bmp", "tga", "hdr"));
 
 // A file system that lost power leaves zeros.
 TEST(WholePicture, HasItsChecksums) {
@@ -45,6 +45,35 @@ TEST(WholePicture, HasItsChecksums) {
     EXPECT_FALSE(is(whole + "x"));
     EXPECT_FALSE(is(whole + whole));
     EXPECT_FALSE(is(whole.substr(0, 33) + whole.substr(whole.size() - 12))) << "without its pixels";
+}
+
+Image grey() {
+    Image image{.width = 37, .height = 23, .channels = 3};
+    image.pixels.resize(image.bytes(), std::byte{9});
+    return image;
+}
+
+// Decoders read a renamed file by its content.
+TEST(WholePicture, HasTheFormatOfItsName) {
+    const Scratch folder;
+    for (const std::string name : {"png", "jpg", "exr", "bmp", "tga", "hdr"}) {
+        const std::string path = folder.path("o." + name);
+        ASSERT_EQ(write_image(path, grey()), "");
+        for (const std::string other : {"png", "jpg", "exr", "bmp", "tga", "hdr", "tif", "gif", "webp", "what"})
+            EXPECT_EQ(is_whole("o." + other, whole_file(path), {}), name == other) << name << " named " << other;
+    }
+}
+
+// Their decoders accept the rest of a file that was cut.
+TEST(WholePicture, IsOfAFormatInWhichCutsAreFound) {
+    const Scratch folder;
+    for (const std::string name : {"tif", "gif"}) {
+        const std::string path = folder.path("o." + name);
+        if (!write_image(path, grey()).empty()) continue;
+        const std::string whole = whole_file(path);
+        for (std::size_t cut = 0; cut < whole.size(); cut += 13)
+            EXPECT_FALSE(is_whole(path, whole.substr(0, whole.size() - cut), {})) << name << " without " << cut;
+    }
 }
 
 }  // namespace

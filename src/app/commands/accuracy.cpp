@@ -345,11 +345,13 @@ Run add_accuracy(CLI::App& command) {
     add_time(command, options->time);
     add_repeated(command, "--set", options->sets, "uniform=value or Program.uniform=value; may be repeated");
     add_repeated(command, "--ladder", options->choices, "ladder=rung of the scene; may be repeated");
-    command.add_option("-o,--output", options->html, "write the report, one HTML file");
-    command.add_option("--svg", options->svg, "write the plots for a paper: FILE.svg, FILE-2.svg …");
-    command.add_option("--json", options->json, "write the numbers as JSON");
-    command.add_option("--markdown", options->markdown, "write the numbers as a page, with the plots of --svg");
-    command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung");
+    command.add_option("-o,--output", options->html, "write the report, one HTML file")->check(check_file_name);
+    command.add_option("--svg", options->svg, "write the plots for a paper: FILE.svg, FILE-2.svg …")
+        ->check(check_file_name);
+    command.add_option("--json", options->json, "write the numbers as JSON")->check(check_file_name);
+    command.add_option("--markdown", options->markdown, "write the numbers as a page, with the plots of --svg")
+        ->check(check_file_name);
+    command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
     add_context(command, options->context);
     return [options] { return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage; };
 }

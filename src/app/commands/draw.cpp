@@ -51,10 +51,12 @@ void add_drawing(CLI::App& command, RenderOptions& render) {
     command.add_option("--shard", render.shard, "I/N: draw only the pictures of part I of N, 0/N to N-1/N")
         ->check(check_shard);
     command.add_flag("--skip-existing", render.skip_existing, "draw only the pictures that do not exist yet");
-    command.add_option("--json", render.json, "write each picture's name, values and hash as JSON");
-    command.add_option("--sheet", render.sheet, "write all pictures on one");
+    command.add_option("--json", render.json, "write each picture's name, values and hash as JSON")
+        ->check(check_file_name);
+    command.add_option("--sheet", render.sheet, "write all pictures on one")->check(check_file_name);
     command.add_flag("!--no-labels", render.labels, "write no values below the pictures of the sheet");
-    command.add_option("--stats", render.stats, "write timings and counters of the one scene as JSON");
+    command.add_option("--stats", render.stats, "write timings and counters of the one scene as JSON")
+        ->check(check_file_name);
     command
         .add_option("--view", render.view,
                     "turned and moved: rotate_x=30,rotate_y=-45,scale=1.2,x=.5,eye.z=1,object0.x=.5,projection=ortho")

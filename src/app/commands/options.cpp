@@ -43,6 +43,8 @@ std::string check_positive(const std::string& text) {
     return !error.empty() || std::strtod(text.c_str(), nullptr) > 0 ? error : "'" + text + "' is not more than 0";
 }
 
+std::string check_file_name(const std::string& text) { return text.empty() ? "the name of the file is empty" : ""; }
+
 std::string check_context(const std::string& text) {
     ContextRequest request;
     return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";

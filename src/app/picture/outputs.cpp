@@ -20,8 +20,7 @@ class Places {
 public:
     std::string of(const std::string& file) {
         std::error_code error;
-        const fs::path path(file);
-        if (fs::is_symlink(path, error)) return fs::weakly_canonical(fs::absolute(path, error), error).string();
+        const fs::path path = content::without_links(file);
         const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
         const auto [found, is_new] = folders_.try_emplace(folder);
         if (is_new) found->second = fs::weakly_canonical(fs::absolute(folder, error), error);

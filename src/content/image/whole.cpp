@@ -13,6 +13,9 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
+// Decoders of other formats, such as TIFF and GIF, also accept files that were cut off.
+constexpr std::string_view provable[] = {"png", "jpeg", "openexr", "hdr", "targa", "bmp"};
+
 std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
@@ -46,8 +49,10 @@ bool has_whole_chunks(std::string_view bytes) {
 
 bool is_whole(const std::string& path, std::string_view bytes, const ImageLimits& limits) {
     const std::string_view format = format_of_extension(extension_of(path));
-    if (format == "png") return sniff(bytes) == "png" && has_whole_chunks(bytes);
-    if (format == "jpeg" && (sniff(bytes) != "jpeg" || !bytes.ends_with("\xff\xd9"))) return false;
+    if (std::ranges::find(provable, format) == std::end(provable)) return false;
+    if (sniff(bytes) != (format == "targa" ? "" : format)) return false;  // TGA has no signature
+    if (format == "png") return has_whole_chunks(bytes);
+    if (format == "jpeg" && !bytes.ends_with("\xff\xd9")) return false;
     if (format == "targa" && !bytes.ends_with("TRUEVISION-XFILE.\0"sv)) return false;
     if (format == "bmp" && (bytes.size() < 6 || file_size_of_bmp(bytes) != bytes.size())) return false;
     const ImageResult result = decode_image(path, bytes, limits);

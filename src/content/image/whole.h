@@ -1,4 +1,4 @@
-// Whether a picture's file was written to its end.
+// Checks that a picture's file was written to its end.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace snell::content {
 
-// A PNG by its last chunk and all checksums. Other formats by decoding them, and those whose decoders do without the
-// end, by their end marks (JPEG, TGA) or their size (BMP), too. `path` gives the expected format.
+// Returns true if the file is of the format that the extension of `path` stands for, and is complete. A PNG must have
+// all its chunks with their checksums; EXR, HDR, JPEG, TGA and BMP are decoded, and must have their end marks (JPEG,
+// TGA) or their size (BMP). Returns false for all other formats, such as TIFF: a cut can't be ruled out.
 bool is_whole(const std::string& path, std::string_view bytes, const ImageLimits& limits);
 
 }  // namespace snell::content
