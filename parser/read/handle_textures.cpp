@@ -74,7 +74,7 @@ Index target_on(Builder& b, const Arguments& a, std::size_t i, TextureTarget tar
     if (index && b.scene().textures[*index].computed == Computed::no) return *index;
     if (index) {
         b.report().error("computed-target", a.span(i),
-                         "the cube map on unit " + unit + " is computed from another and can't be drawn to",
+                         "the cube map on unit " + unit + " is computed from another and cannot be drawn to",
                          "draw to that one");
         return none;
     }

@@ -174,7 +174,7 @@ private:
 
     void include(std::string_view name, Span span) {
         if (!reader_) {
-            report_.error("include-unavailable", span, "other files can't be read here");
+            report_.error("include-unavailable", span, "other files cannot be read here");
             return;
         }
         if (open_.size() > limits_.include_depth) {
@@ -193,7 +193,7 @@ private:
         }
         std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
         if (!included || included->name.empty()) {
-            report_.error("include-not-found", span, "'" + std::string(name) + "' can't be read",
+            report_.error("include-not-found", span, "'" + std::string(name) + "' cannot be read",
                           included ? suggested(included->nearest) : std::string());
             return;
         }

@@ -22,7 +22,7 @@ void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei
 
 void GLAPIENTRY print_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
                               const void*) {
-    if (bad(type, severity)) std::fprintf(stderr, "snell: error: the driver: %s\n", message);
+    if (bad(type, severity)) std::fprintf(stderr, "snell: error: OpenGL driver: %s\n", message);
 }
 
 void listen(GLDEBUGPROC call, const void* user) {

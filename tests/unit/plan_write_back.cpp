@@ -166,7 +166,7 @@ TEST(WriteBack, WhatHasNoPlaceIsRefusedWithAReason) {
     EXPECT_EQ(desk.text(3), desk.texts["a.glib"]);
     EXPECT_NE(desk.reasons.find("G.uV: a range gives all components the same number"), std::string::npos);
     EXPECT_NE(desk.reasons.find("write uS [4. 2.]"), std::string::npos) << desk.reasons;
-    EXPECT_NE(desk.reasons.find("G.uExtra: it is not on the Program line: add uExtra <0. 0.75 1.>"), std::string::npos)
+    EXPECT_NE(desk.reasons.find("G.uExtra: it is not on the Program line; add uExtra <0. 0.75 1.>"), std::string::npos)
         << desk.reasons;
     desk.set("uExtra", {.5});
     desk.set("uS", {5, 0});

@@ -70,7 +70,7 @@ bool fill_range(Axis& axis, std::string_view text, std::string& error) {
     }
     const auto n = static_cast<std::size_t>(*count);
     if (n == 1 && *a != *b) {
-        error = fmt::format("'{}': one value can't be at both ends", text);
+        error = fmt::format("'{}': one value cannot be at both ends", text);
         return false;
     }
     for (std::size_t k = 0; k < n; ++k) {

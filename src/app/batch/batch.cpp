@@ -74,7 +74,7 @@ Exit Batch::run() {
     for (std::size_t i = 0; i < records_.size(); ++i) {
         timings_.write += written()[i].milliseconds;
         if (written()[i].error.empty()) continue;
-        fmt::print(stderr, "snell: error: can't write '{}': {}\n",
+        fmt::print(stderr, "snell: error: cannot write '{}': {}\n",
                    utf8::printable(shots_.files[records_[i].shot.index]), utf8::printable(written()[i].error));
         fail();
     }

@@ -54,7 +54,7 @@ bool save_presets(const std::string& path, const Scene& scene, const Counsel& co
     const std::vector<Preset> presets = presets_of(scene, counsel);
     const std::string file = quality_path(path);
     if (const std::string wrong = content::replace_file(file, quality_json(where, presets)); !wrong.empty()) {
-        fmt::print(stderr, "snell: error: can't write '{}': {}\n", file, wrong);
+        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", file, wrong);
         return false;
     }
     fmt::print("\npresets for --quality, in {}\n", file);

@@ -43,7 +43,7 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
     std::string error;
     auto text = files.read(path, error);
     if (!text) {
-        diagnostics.error("scene-unreadable", "can't read '" + path + "': " + error);
+        diagnostics.error("scene-unreadable", "cannot read '" + path + "': " + error);
         return std::nullopt;
     }
     const FileId file = sources.add(path, std::move(*text));

@@ -121,7 +121,7 @@ bool hint_brackets(const Around& a, Diagnostic& diagnostic) {
     } else if (a.parens < 0 || (here == ")" && a.parens == 0)) {
         diagnostic.help = "there are more ')' than '('";
     } else if (here == "{" && a.before() == ")" && a.depth > 0) {
-        diagnostic.help = "a function can't stand inside another one: is a '}' missing above?";
+        diagnostic.help = "a function cannot stand inside another one: is a '}' missing above?";
     } else if (here == "{" && a.depth == 0 && ends_operand(a.before()) && a.before() != ")") {
         diagnostic.help = fmt::format("a function needs parentheses: {}()", a.before());
     } else {

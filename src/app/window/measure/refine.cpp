@@ -43,7 +43,7 @@ void Refinement::open_reference() {
     reference_ = open_document(path_, caps_, choose_last, nullptr, options, shown_->files->access());
     note_.clear();
     if (!reference_->runtime || reference_->scene().ladders.size() != shown_->scene().ladders.size())
-        note_ = "The scene can't be read.";
+        note_ = "The scene cannot be read.";
     else if (reference_->diagnostics.errors() > shown_->diagnostics.errors())
         note_ = "With the last rung of every ladder: " + first_error(reference_->diagnostics);
 }
