@@ -227,6 +227,7 @@ std::vector<Document> generate(const std::string& intro) {
     return {{"docs/language.md", language(intro)},
             {"docs/lints.md", lints()},
             {"docs/limits.md", limits()},
+            {"docs/variables.md", variables()},
             {"docs/editors/glib.tmLanguage.json", textmate()},
             {"docs/editors/vim/syntax/glib.vim", vim()},
             {"docs/editors/vim/ftdetect/glib.vim", "autocmd BufNewFile,BufRead *.glib setfiletype glib\n"},
