@@ -112,7 +112,7 @@ private:
         std::string help = help_for_opengl(word, argument ? lexer.text(statement.tokens[1]) : std::string_view());
         if (help.empty() && !near.empty()) help = "did you mean '" + std::string(near) + "'?";
         if (help.empty() && word.find('.') != std::string::npos)
-            help = "a file name is no command: if it belongs to the statement before, end that line with '\\'";
+            help = "a file name is not a command: if it belongs to the statement before, end that line with '\\'";
         if (valued && bracketed && current == nullptr) help = "uniforms are given by a Program statement";
         if (statement.command().kind != TokenKind::word) help = "a statement begins with a command";
         report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));

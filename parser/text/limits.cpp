@@ -12,7 +12,7 @@ constexpr std::uint64_t million = 1'000'000, gib = std::uint64_t{1} << 30;
 // Offsets in a text are 32 bits wide, and so are the indices of vertices: six for each.
 constexpr std::array<LimitFacts, 19> table{{
     {"text-bytes", &Limits::text_bytes, "bytes", "of the text of one scene or included scene", 4 * gib - 1},
-    {"statements", &Limits::statements, "statements", "of a scene with all that it includes", 1000 * million},
+    {"statements", &Limits::statements, "statements", "of a scene and the files that it includes", 1000 * million},
     {"include-depth", &Limits::include_depth, "files", "that include each other in a chain, of scenes or shaders",
      1000},
     {"includes", &Limits::includes, "files", "that are included, of a scene or a program", 60'000},

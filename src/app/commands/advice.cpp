@@ -21,7 +21,7 @@ std::string wish_text(const Wish& wish) {
     std::string text;
     if (wish.error) text = fmt::format("RMSE at most {:.3g}", *wish.error);
     if (wish.milliseconds) text += fmt::format("{}at most {:.3g} ms", text.empty() ? "" : " and ", *wish.milliseconds);
-    return text.empty() ? "whatever it is off by" : text;
+    return text.empty() ? "whatever its error is" : text;
 }
 
 std::string found_text(const Advice& advice, const SweepResult& sweep) {

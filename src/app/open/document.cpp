@@ -30,7 +30,7 @@ void report_gl_errors(Diagnostics& diagnostics) {
     for (const std::string& error : gl::take_errors())
         if (error == "GL_OUT_OF_MEMORY")
             diagnostics.error(
-                "out-of-graphics-memory", "OpenGL has no memory for all that the scene loads",
+                "out-of-graphics-memory", "OpenGL has not enough memory for everything that the scene loads",
                 "smaller textures and fewer vertices take less; --limit texture-bytes=N refuses large ones");
         else
             diagnostics.warning("opengl-error", "loading made an error of OpenGL: " + error);

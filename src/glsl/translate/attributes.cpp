@@ -174,8 +174,9 @@ void assign_outputs(Program& program, Unit& u) {
     for (Global* g : outputs) {
         if ((!g->written && outputs.size() + (legacy ? 1 : 0) > 1) || (legacy && location_of(g->qualifiers) == 0)) {
             if (legacy && g->written)
-                program.warn(u, g->name_token, "two-outputs",
-                             "'" + std::string(g->name) + "' stands beside gl_FragColor, which is what is seen");
+                program.warn(
+                    u, g->name_token, "two-outputs",
+                    "'" + std::string(g->name) + "' is written in addition to gl_FragColor, which is what is shown");
             g->qualifiers = {};
             g->dirty = true;
             continue;

@@ -305,7 +305,7 @@ private:
             fmt::format("range of '{}': its numbers are <min current max>, and the current one, {}, is {}",
                         written.name, range.current,
                         range.current > range.max ? "above the maximum" : "below the minimum"),
-            fmt::format("did you mean '{}'? as it stands, the value is {}, and the range reaches to it",
+            fmt::format("did you mean '{}'? as written, the value is {}, and the range is extended to it",
                         text_of::uniform(meant), range.current));
     }
 

@@ -64,7 +64,7 @@ void Refinement::follow(Document& shown, bool stale, const Stand& stand) {
     if (another) open_reference();
     if (resized || !means_) means_ = std::make_unique<Means>(stand.width, stand.height, caps_.es);
     if (note_.empty() && !(means_->chosen.valid() && means_->reference.valid()))
-        note_ = "There is no memory for pictures in floats.";
+        note_ = "There is not enough memory for pictures in floats.";
     means_->chosen.restart();
     samples_ = 0;
     ++revision_;
