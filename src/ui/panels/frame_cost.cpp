@@ -107,7 +107,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
     if (cost.frames.empty())
         text.add("no picture yet");
     else
-        text.add("median {:.2f} ms, 95th percentile {:.2f} ms", cost.median, cost.high);
+        text.add("median {:.2f} ms, 95 %: {:.2f} ms", cost.median, cost.high);
     ImGui::TextUnformatted(text.begin(), text.end());
     layout.note("frame cost.median");
     wrapped(cost.clock);
