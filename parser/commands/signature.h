@@ -140,7 +140,7 @@ consteval Parameter read_parameter(std::string_view text) {
             malformed_signature("only numbers and choices have defaults");
         }
     } else if (!rest.empty()) {
-        malformed_signature("what follows a parameter is = or ? or ...");
+        malformed_signature("a parameter may only be followed by =, ? or ...");
     }
     if (p.kind == ArgumentKind::rest || p.kind == ArgumentKind::uniforms) p.optional = true;
     return p;
@@ -174,11 +174,11 @@ consteval Signature::Signature(const char* signature) : text(signature) {
         if (used == most_parameters) malformed_signature("too many parameters");
         if (open_ended) malformed_signature("nothing can follow ..., uniforms or rest");
         const Parameter p = signature_detail::read_parameter(text.substr(i, end - i));
-        if (optional && !p.optional) malformed_signature("what must be given comes before what may be left out");
+        if (optional && !p.optional) malformed_signature("required parameters must precede optional ones");
         open_ended = p.repeated || p.kind == ArgumentKind::rest || p.kind == ArgumentKind::uniforms;
         optional = p.optional;
         for (std::size_t j = begin; j < used; ++j)
-            if (parameters[j].name == p.name) malformed_signature("two parameters have one name");
+            if (parameters[j].name == p.name) malformed_signature("two parameters have the same name");
         parameters[used++] = p;
         i = end;
     }

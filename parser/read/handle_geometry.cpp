@@ -69,7 +69,8 @@ void list_of(Builder& b, const Arguments& a, Topology topology, const Vec3& norm
 
 bool outside_list(Builder& b, const Arguments& a, std::string_view name) {
     if (b.in_list()) return false;
-    b.report().error("outside-begin", a.span(), "'" + std::string(name) + "' stands between glBegin and glEnd only");
+    b.report().error("outside-begin", a.span(),
+                     "'" + std::string(name) + "' is only allowed between glBegin and glEnd");
     return true;
 }
 
@@ -116,7 +117,7 @@ void gl_begin(Builder& b, const Arguments& a) {
     const std::optional<Topology> topology = topology_named(a.text(0));
     if (!topology) {
         const std::string_view near = nearest(a.text(0), topology_names());
-        b.report().error("unknown-topology", a.span(0), "'" + std::string(a.text(0)) + "' is no kind of primitive",
+        b.report().error("unknown-topology", a.span(0), "'" + std::string(a.text(0)) + "' is not a kind of primitive",
                          near.empty() ? "gl_patches, gl_points, gl_lines, gl_triangles and others are"
                                       : "did you mean '" + std::string(near) + "'?");
     }

@@ -40,7 +40,7 @@ std::string quoted(std::string_view text) { return "'" + std::string(text.substr
 
 bool usable_name(std::string_view name, Span span, Report& report) {
     if (!identifier(name)) {
-        report.error("ladder-name", span, quoted(name) + " can't be a macro in a shader",
+        report.error("ladder-name", span, quoted(name) + " cannot be a macro in a shader",
                      "a ladder's name has letters, digits and underscores, and no digit at its beginning");
         return false;
     }
@@ -73,7 +73,7 @@ private:
         const bool good =
             std::ranges::all_of(rung, name_part) && !rung.starts_with('_') && rung.find("__") == std::string_view::npos;
         if (!good) {
-            report_.error("ladder-rung", span, quoted(rung) + " can't be part of a macro's name",
+            report_.error("ladder-rung", span, quoted(rung) + " cannot be part of a macro's name",
                           "a rung is a word of letters, digits and underscores, or a whole number");
             return ladder_.rungs.size();
         }

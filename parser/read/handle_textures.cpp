@@ -74,14 +74,14 @@ Index target_on(Builder& b, const Arguments& a, std::size_t i, TextureTarget tar
     if (index && b.scene().textures[*index].computed == Computed::no) return *index;
     if (index) {
         b.report().error("computed-target", a.span(i),
-                         "the cube map on unit " + unit + " is computed from another and can't be drawn to",
+                         "the cube map on unit " + unit + " is computed from another and cannot be drawn to",
                          "draw to that one");
         return none;
     }
     b.report().error(
         "no-texture-on-unit", a.span(i),
-        "no " + std::string(cube ? "cube map" : "2D texture") + " stands on unit " + unit + " to draw to",
-        cube ? "reserve one before: CubeMap " + unit + " 256" : "reserve one before: Texture2D " + unit + " 512 512");
+        "there is no " + std::string(cube ? "cube map" : "2D texture") + " on unit " + unit + " to draw to",
+        cube ? "create one before: CubeMap " + unit + " 256" : "create one before: Texture2D " + unit + " 512 512");
     return none;
 }
 
@@ -91,7 +91,7 @@ Index source_on(Builder& b, const Arguments& a, std::size_t i) {
     const std::string unit = std::to_string(a.integer(i));
     const auto index = b.bound(a.integer(i), TextureTarget::cube);
     if (!index) {
-        b.report().error("no-texture-on-unit", a.span(i), "no cube map stands on unit " + unit + " to compute from",
+        b.report().error("no-texture-on-unit", a.span(i), "there is no cube map on unit " + unit + " to compute from",
                          "name one before: CubeMap " + unit + " sky.hdr");
         return none;
     }

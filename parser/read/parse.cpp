@@ -112,7 +112,7 @@ private:
         std::string help = help_for_opengl(word, argument ? lexer.text(statement.tokens[1]) : std::string_view());
         if (help.empty() && !near.empty()) help = "did you mean '" + std::string(near) + "'?";
         if (help.empty() && word.find('.') != std::string::npos)
-            help = "a file name is no command: if it belongs to the statement before, end that line with '\\'";
+            help = "a file name is not a command: if it belongs to the statement before, end that line with '\\'";
         if (valued && bracketed && current == nullptr) help = "uniforms are given by a Program statement";
         if (statement.command().kind != TokenKind::word) help = "a statement begins with a command";
         report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
@@ -174,7 +174,7 @@ private:
 
     void include(std::string_view name, Span span) {
         if (!reader_) {
-            report_.error("include-unavailable", span, "other files can't be read here");
+            report_.error("include-unavailable", span, "other files cannot be read here");
             return;
         }
         if (open_.size() > limits_.include_depth) {
@@ -193,7 +193,7 @@ private:
         }
         std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
         if (!included || included->name.empty()) {
-            report_.error("include-not-found", span, "'" + std::string(name) + "' can't be read",
+            report_.error("include-not-found", span, "'" + std::string(name) + "' cannot be read",
                           included ? suggested(included->nearest) : std::string());
             return;
         }

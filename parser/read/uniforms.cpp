@@ -137,7 +137,8 @@ private:
             return;
         }
         if (at_ != name_end)
-            report_.warning("stray-equals", span(name_end, name_end), "no '=' stands between a uniform and its value");
+            report_.warning("stray-equals", span(name_end, name_end),
+                            "there must be no '=' between a uniform and its value");
         const bool good = tokens_[at_].kind == TokenKind::open ? bracketed(u) : bare(u);
         u.span = span(name, at_ - 1);
         if (good) add(std::move(u));

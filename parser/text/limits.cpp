@@ -12,14 +12,14 @@ constexpr std::uint64_t million = 1'000'000, gib = std::uint64_t{1} << 30;
 // Offsets in a text are 32 bits wide, and so are the indices of vertices: six for each.
 constexpr std::array<LimitFacts, 19> table{{
     {"text-bytes", &Limits::text_bytes, "bytes", "of the text of one scene or included scene", 4 * gib - 1},
-    {"statements", &Limits::statements, "statements", "of a scene with all that it includes", 1000 * million},
+    {"statements", &Limits::statements, "statements", "of a scene and the files that it includes", 1000 * million},
     {"include-depth", &Limits::include_depth, "files", "that include each other in a chain, of scenes or shaders",
      1000},
     {"includes", &Limits::includes, "files", "that are included, of a scene or a program", 60'000},
     {"matrix-stack", &Limits::matrix_stack, "matrices", "pushed at once", 100 * million},
     {"draws", &Limits::draws, "draws", "of a scene", 1000 * million},
     {"passes", &Limits::passes, "passes", "of a scene", million},
-    {"uniforms", &Limits::uniforms, "uniforms", "given by one program", million},
+    {"uniforms", &Limits::uniforms, "uniforms", "set by one program", million},
     {"diagnostics", &Limits::diagnostics, "messages", "about one scene", 100 * million},
     {"message-bytes", &Limits::message_bytes, "bytes", "of one message, of a MessageBox or about a scene", gib},
     {"file-bytes", &Limits::file_bytes, "bytes", "of one file that a scene names", 64 * gib},
@@ -32,7 +32,7 @@ constexpr std::array<LimitFacts, 19> table{{
     {"noise-3d", &Limits::noise_3d, "texels", "along a side of 3D noise", 1'024},
     {"output-side", &Limits::output_side, "pixels", "along a side of a picture or a window", 65'536},
     {"output-bytes", &Limits::output_bytes, "bytes",
-     "of what is drawn of a picture at once, with its samples and depth", 256 * gib},
+     "of the part of a picture that is drawn at once, with samples and depth", 256 * gib},
 }};
 static_assert(sizeof(Limits) == table.size() * sizeof(std::uint64_t), "every limit has its row");
 
@@ -45,7 +45,7 @@ bool set_limit(Limits& limits, std::string_view text, std::string& error) {
     const std::string_view name = text.substr(0, equals);
     const auto row = std::find_if(table.begin(), table.end(), [&](const LimitFacts& l) { return l.name == name; });
     if (row == table.end()) {
-        error = "there is no limit '" + std::string(name) + "': they are";
+        error = "there is no limit '" + std::string(name) + "'; available:";
         for (const LimitFacts& limit : table) error += " " + std::string(limit.name);
         return false;
     }

@@ -145,7 +145,7 @@ void report_number(Report& report, const Number& number, std::string_view text, 
         case NumberFault::none:
             break;
         case NumberFault::second_point:
-            report.warning("second-point", span, quoted + " has a second point: only what stands before it is read");
+            report.warning("second-point", span, quoted + " has a second point; only the part before it is read");
             break;
         case NumberFault::suffix:
             report.warning("number-suffix", span, quoted + " has something after the number, which is ignored");

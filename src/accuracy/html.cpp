@@ -131,8 +131,8 @@ std::string decibel(double value) { return std::isfinite(value) ? fmt::format("{
 std::string table(const SweepResult& sweep) {
     const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     std::string out =
-        "<div class=\"scroll\"><table><tr><th>rung</th><th>ms</th><th>95 %</th><th>times the current</th>"
-        "<th>RMSE</th><th>PSNR, dB</th><th>largest</th><th>mean</th><th>FLIP</th>";
+        "<div class=\"scroll\"><table><tr><th>rung</th><th>ms</th><th>95 %</th><th>relative to "
+        "current</th><th>RMSE</th><th>PSNR, dB</th><th>maximum</th><th>mean</th><th>FLIP</th>";
     if (degrees) out += "<th>degrees</th>";
     out += "<th>PSNR of all</th><th>rounds</th><th></th></tr>";
     for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
@@ -169,10 +169,10 @@ std::string section(const SweepResult& sweep) {
                            : std::string(", errors over the whole picture"),
                        escaped(sweep.residual_note),
                        sweep.residual ? fmt::format(", residual RMSE {:.2g}", *sweep.residual) : std::string(),
-                       timed ? fmt::format(" The current rung timed twice: {}; clock: {}.",
+                       timed ? fmt::format(" Control (the current rung timed twice): {}; clock: {}.",
                                            ratio_text(sweep.control.ratio), name(sweep.clock))
                              : std::string(),
-                       sweep.interrupted ? " Interrupted: rounds are missing." : "");
+                       sweep.interrupted ? " The measurement was interrupted; some rounds are missing." : "");
     return out + pictures(sweep) + "</section>\n";
 }
 
@@ -182,20 +182,19 @@ std::string html_text(const Report& report) {
     const Circumstances& w = report.where;
     std::string out = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width,initial-scale=1\"><title>What accuracy costs: {}</title><link rel=\"icon\" "
-        "href=\"data:,\"><style>{}</style></head>\n<body><h1>What accuracy costs</h1>",
+        "content=\"width=device-width,initial-scale=1\"><title>Accuracy and cost: {}</title><link rel=\"icon\" "
+        "href=\"data:,\"><style>{}</style></head>\n<body><h1>Accuracy and cost</h1>",
         escaped(w.scene), style);
     out += fmt::format(
-        "<p class=\"facts\">{} · {} × {}, {} rounds, the others from {} · {} · {} ({}) · {}, {} cores, {} · load "
-        "{:.1f} "
-        "before, {:.1f} after · {}</p>",
+        "<p class=\"facts\">{} · {} × {}, {} rounds, other ladders as in the {} · {} · {} ({}) · {}, {} cores, {} · "
+        "load {:.1f} before, {:.1f} after · {}</p>",
         escaped(w.scene), w.width, w.height, w.rounds, w.from, w.date, escaped(w.renderer), escaped(w.gl),
         escaped(w.cpu), w.cores, escaped(w.os), w.load_before, w.load_after, escaped(w.tool));
     out +=
-        "<p class=\"words\">Errors are against each ladder's reference, in linear light, before quantisation. Filled: "
-        "on "
-        "the front; hollow: another rung is better; square: where the scene stands; whiskers: where the median lies in "
-        "95 of 100 such measurements.</p>\n";
+        "<p class=\"words\">Errors are relative to each ladder's reference, in linear light, before quantisation. "
+        "Filled: "
+        "on the front. Hollow: another rung is better. Square: the scene's rung. Whiskers: 95 % confidence interval of "
+        "the median.</p>\n";
     for (const SweepResult& sweep : report.sweeps) out += section(sweep);
     for (const std::string& problem : report.problems)
         out += fmt::format("<p class=\"facts\">{}</p>", escaped(problem));

@@ -29,7 +29,7 @@ std::string part(const SweepResult& sweep, const std::string& plot) {
     if (timed) text += fmt::format("Control: {}.\n", ratio_text(sweep.control.ratio));
     if (timed && !plot.empty()) text += fmt::format("\n![{}: error over time]({})\n", sweep.sweep.name, plot);
     text +=
-        fmt::format("\n| rung | ms | times the current | RMSE | PSNR, dB | FLIP |{} |\n|---|--:|--:|--:|--:|--:|{}\n",
+        fmt::format("\n| rung | ms | relative to current | RMSE | PSNR, dB | FLIP |{} |\n|---|--:|--:|--:|--:|--:|{}\n",
                     degrees ? " degrees |" : "", degrees ? "--:|---|" : "---|");
     for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row(sweep, i, degrees);
     return text;
@@ -40,11 +40,11 @@ std::string part(const SweepResult& sweep, const std::string& plot) {
 std::string markdown_text(const Report& report, const std::vector<std::string>& plots) {
     const Circumstances& w = report.where;
     std::string text = fmt::format(
-        "# What accuracy costs, as measured\n\n{}, {} cores, {}; {} ({}); {}; {}; {} × {} pixels, {} rounds, the other "
-        "ladders from {}; load {:.1f} before, {:.1f} after.\n\nThe rung where the scene stands is bold; errors are "
-        "against the last rung, in linear light, over the pixels that the ladder's draws cover. Errors are the same on "
-        "any machine, up to its arithmetic; times are of this one, then, and where the control says that it was too "
-        "noisy they rank nothing.\n",
+        "# Accuracy and cost, measured\n\n{}, {} cores, {}; {} ({}); {}; {}; {} × {} pixels, {} rounds, other ladders "
+        "as in the {}; load {:.1f} before, {:.1f} after.\n\nThe scene's rung is bold. Errors are relative to the last "
+        "rung, in linear light, over the pixels that the ladder's draws cover. Errors are the same on any machine, "
+        "apart from rounding. Times are valid for this machine at that time; they mean nothing if the control says "
+        "that it was too noisy.\n",
         w.cpu, w.cores, w.os, w.renderer, w.gl, w.tool, w.date, w.width, w.height, w.rounds, w.from, w.load_before,
         w.load_after);
     for (std::size_t i = 0; i < report.sweeps.size(); ++i)

@@ -193,18 +193,18 @@ private:
 void estimate_residual(SweepResult& result) {
     const std::size_t n = result.rungs.size();
     if (result.sweep.kind != SweepKind::ladder || !result.sweep.numeric || n < 3) {
-        result.residual_note = result.sweep.kind == SweepKind::knob ? "the finest setting is taken as exact"
-                                                                    : "the last rung is taken as exact";
+        result.residual_note = result.sweep.kind == SweepKind::knob ? "the finest setting is assumed to be exact"
+                                                                    : "the last rung is assumed to be exact";
         return;
     }
     const double last = result.rungs[n - 2].own.rmse, before = result.rungs[n - 3].own.rmse;
     const double shrinks = before > 0 ? last / before : 0;
     if (!(shrinks < .7)) {
-        result.residual_note = "not converged: the last steps toward the reference do not shrink";
+        result.residual_note = "not converged: the errors of the last rungs before the reference do not decrease";
         return;
     }
     result.residual = last * shrinks / (1 - shrinks);
-    result.residual_note = "continued from how the last steps toward the reference shrink";
+    result.residual_note = "extrapolated from the last steps towards the reference";
     for (std::size_t i = 0; i < n; ++i)
         result.rungs[i].below_residual = i != result.sweep.reference && result.rungs[i].own.rmse < 3 * *result.residual;
 }

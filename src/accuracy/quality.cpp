@@ -54,7 +54,7 @@ std::string quality_json(const Circumstances& where, const std::vector<Preset>& 
 std::optional<StoredPreset> read_quality(std::string_view text, std::string_view name, std::string& error) {
     const Json json = content::parse_json(text);
     if (!json.is_object() || json.value("schema", Json()) != schema) {
-        error = "it is not of this version of snell";
+        error = "the file was written by another version of snell; measure again with 'snell accuracy --save-quality'";
         return std::nullopt;
     }
     try {
@@ -63,8 +63,8 @@ std::optional<StoredPreset> read_quality(std::string_view text, std::string_view
         stored.measured =
             fmt::format("RMSE {:.2g}, {} times the scene's own time on {}{}", preset.at("rmse").get<double>(),
                         preset.at("ratio").get<std::string>(), json.at("renderer").get<std::string>(),
-                        !preset.at("trusted").get<bool>()   ? ", which was too noisy to be sure"
-                        : !preset.at("settled").get<bool>() ? "; there may be better ones"
+                        !preset.at("trusted").get<bool>()   ? ", but the measurement was too noisy to be certain"
+                        : !preset.at("settled").get<bool>() ? "; better combinations may exist"
                                                             : "");
         return stored;
     } catch (const Json::exception& problem) {

@@ -30,8 +30,8 @@ std::vector<std::size_t> find_ladders(const Scene& scene, const std::vector<std:
             const std::string_view near = nearest(name, known);
             diagnostics.error("unknown-ladder", fmt::format("there is no ladder '{}'", name),
                               !near.empty()   ? fmt::format("did you mean '{}'?", near)
-                              : known.empty() ? "the scene has none"
-                                              : fmt::format("there are: {}", fmt::join(known, ", ")));
+                              : known.empty() ? "the scene has no ladders"
+                                              : fmt::format("available ladders: {}", fmt::join(known, ", ")));
             continue;
         }
         const auto index = static_cast<std::size_t>(at - known.begin());
@@ -137,9 +137,10 @@ std::vector<Sweep> lattice_sweep(const Scene& scene, const Rungs& now, const std
     if (ladders.empty() || ladders.size() > most_ladders || combinations > most_combinations) {
         diagnostics.error(
             "lattice-size",
-            ladders.empty() ? "a lattice needs ladders, and the scene has none"
-                            : fmt::format("{} ladders have {} combinations", ladders.size(), combinations),
-            fmt::format("name at most {} ladders with at most {} combinations", most_ladders, most_combinations));
+            ladders.empty()
+                ? "a lattice needs ladders, but the scene has none"
+                : fmt::format("{} ladders have {} combinations, which is too many", ladders.size(), combinations),
+            fmt::format("choose at most {} ladders with at most {} combinations", most_ladders, most_combinations));
         return {};
     }
     Sweep sweep{.kind = SweepKind::lattice, .moved = ladders};
@@ -171,7 +172,7 @@ std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::
     for (const std::string& name : names) {
         if (std::ranges::find(knob_names, name) == knob_names.end()) {
             diagnostics.error("unknown-knob", fmt::format("there is no knob '{}'", name),
-                              fmt::format("there are: {}", fmt::join(knob_names, ", ")));
+                              fmt::format("available knobs: {}", fmt::join(knob_names, ", ")));
             continue;
         }
         const std::vector<Setting> settings = settings_of(name, scene);

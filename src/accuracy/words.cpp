@@ -28,12 +28,12 @@ std::string list_text(const std::vector<std::string>& names) {
 
 std::string price_sentence(const SweepResult& sweep) {
     const RungResult &base = base_of(sweep), &reference = reference_of(sweep);
-    if (&base == &reference) return "The scene stands at the reference.";
+    if (&base == &reference) return "The scene already uses the reference.";
     if (reference.rounds == 0) return fmt::format("'{}' was not timed.", reference.name);
     if (equal_cost(reference.ratio))
-        return fmt::format("'{}' costs nothing measurable here: {} times '{}'.", reference.name,
+        return fmt::format("The cost of '{}' is not measurably different: {} times that of '{}'.", reference.name,
                            ratio_text(reference.ratio), base.name);
-    return fmt::format("'{}' takes {} times what '{}' does, which is {} off.", reference.name,
+    return fmt::format("'{}' takes {} times as long as '{}', which has an error of {}.", reference.name,
                        ratio_text(reference.ratio), base.name, error_text(sweep, base));
 }
 
@@ -48,7 +48,7 @@ std::string bargain_sentence(const SweepResult& sweep) {
         if (!best || rung.milliseconds < best->milliseconds) best = &rung;
     }
     if (!best) return {};
-    return fmt::format("The best bargain is '{}': {} instead of {}, for {} times the time.", best->name,
+    return fmt::format("The best value is '{}': an error of {} instead of {}, for {} times the time.", best->name,
                        error_text(sweep, *best), error_text(sweep, base), ratio_text(best->ratio));
 }
 
@@ -62,9 +62,9 @@ std::string standing_sentences(const SweepResult& sweep) {
             if (names.empty()) continue;
             const std::string& by = sweep.rungs[other].name;
             text += standing == Standing::dominated
-                        ? fmt::format(" '{}' beats {}: cheaper, and not worse.", by, list_text(names))
-                        : fmt::format(" {} {} nothing against '{}'.", list_text(names),
-                                      names.size() > 1 ? "save" : "saves", by);
+                        ? fmt::format(" '{}' is cheaper than {}, and not worse.", by, list_text(names))
+                        : fmt::format(" {} {} as much as '{}', which is more exact.", list_text(names),
+                                      names.size() > 1 ? "cost" : "costs", by);
         }
     return text;
 }
@@ -100,10 +100,11 @@ std::string in_words(const SweepResult& sweep) {
     if (base_of(sweep).rounds == 0)
         text = "Nothing was timed.";
     else if (sweep.few_rounds)
-        text = "Too few rounds to say what anything costs.";
+        text = "There are too few rounds to compare costs.";
     else if (sweep.control.noisy)
-        text = fmt::format("Too noisy to say what anything costs: '{}' took {} times what it took itself.",
-                           base_of(sweep).name, ratio_text(sweep.control.ratio));
+        text = fmt::format(
+            "The measurement is too noisy to compare costs: '{}', timed twice, took {} times as long the second time.",
+            base_of(sweep).name, ratio_text(sweep.control.ratio));
     else
         text = price_sentence(sweep);
     if (sweep.trusted()) {
@@ -118,12 +119,12 @@ std::string in_words(const SweepResult& sweep) {
         if (rung.whole.nonfinite > 0) odd.push_back("'" + rung.name + "'");
     }
     if (!far.empty() && sweep.sweep.kind != SweepKind::lattice)
-        text +=
-            fmt::format(" {} {} so far off that RMSE no longer ranks.", list_text(far), far.size() > 1 ? "are" : "is");
+        text += fmt::format(" The {} of {} {} so large that RMSE no longer ranks.", far.size() > 1 ? "errors" : "error",
+                            list_text(far), far.size() > 1 ? "are" : "is");
     if (!dear.empty())
-        text += fmt::format(" {} {} dearer than both neighbours: a cliff.", list_text(dear),
+        text += fmt::format(" {} {} more expensive than both neighbours (a cliff).", list_text(dear),
                             dear.size() > 1 ? "are" : "is");
-    if (!odd.empty()) text += fmt::format(" Some pixels of {} are no numbers.", list_text(odd));
+    if (!odd.empty()) text += fmt::format(" Some pixels of {} are NaN or infinite.", list_text(odd));
     if (sweep.residual_note.starts_with("not converged")) text += " The reference has not converged.";
     return text;
 }
@@ -132,7 +133,7 @@ std::string header_text(const Report& report) {
     const Circumstances& w = report.where;
     return fmt::format(
         "{}: {}x{}, {} rounds, {}\n{} ({}), {}, {} cores, load {:.1f} before, {:.1f} after\nerrors against the "
-        "reference in linear light, before quantisation; others from {}\n",
+        "reference in linear light, before quantisation; other ladders as in the {}\n",
         w.scene, w.width, w.height, w.rounds, w.date, w.renderer, w.gl, w.cpu, w.cores, w.load_before, w.load_after,
         w.from);
 }
@@ -146,7 +147,7 @@ std::string table_text(const SweepResult& sweep) {
                                  : ", over the whole picture\n";
     text +=
         fmt::format("  {:<{}}  {:>9}  {:>20}  {:>8}  {:>6}  {:>6}  {:>6}  {}{:>9}  {}\n", "rung", width, "ms",
-                    "times the current", "RMSE", "PSNR", "max", "FLIP", degrees ? " degrees  " : "", "PSNR all", "");
+                    "relative to current", "RMSE", "PSNR", "max", "FLIP", degrees ? " degrees  " : "", "PSNR all", "");
     for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
         const RungResult& rung = sweep.rungs[i];
         const char mark = i == sweep.sweep.current ? '*' : ' ';

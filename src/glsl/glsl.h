@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -134,6 +135,15 @@ struct AttributeName {
 // aColor, aTexCoord0 … 7, Tangent, position, i_position, normal, i_normal …
 std::vector<AttributeName> attribute_names();
 
+// One row for every Attribute: what the translator declares, and what docs/variables.md says of it.
+struct AttributeFacts {
+    Attribute attribute;
+    std::string_view name, type;  // as the translator declares it
+    int rows;                     // of the type
+    std::string_view space, range, doc;
+};
+std::span<const AttributeFacts, attribute_count> attribute_facts();
+
 // Matrices and the like that the runtime sets when a linked program has them active.
 enum class System : std::uint8_t {
     model_view,
@@ -169,9 +179,6 @@ enum class System : std::uint8_t {
     noise2,
     noise3,
     face_index,
-    depth_range_near,
-    depth_range_far,
-    depth_range_diff,
     point_size,
     fixed_point_size,
     line_width,
@@ -179,10 +186,18 @@ enum class System : std::uint8_t {
     place,      // of the part of the picture that is drawn: pixels from the left, the bottom and the top
     harmonics,  // nine coefficients of the cube map that the last Irradiance names
 };
+
+// One row for every System. docs/variables.md is written from these rows.
+struct SystemFacts {
+    System system;
+    std::string_view type;  // GLSL type that the active uniform must have: "mat4", "vec3", "float", "int" …
+    std::string_view space, range, doc;
+};
+std::span<const SystemFacts> system_facts();
 struct SystemName {
     std::string_view name;
     System system;
-    std::string_view type;  // GLSL type that the active uniform must have: "mat4", "vec3", "float", "int" …
+    std::string_view type;  // as in SystemFacts
     bool legacy;            // written by the translator only: always set. Otherwise set only if the scene does
                             // not set that name itself.
 };

@@ -12,7 +12,7 @@ using enum Severity;
 constexpr std::array table{
     RuleFacts{unnormalised_direction, warning, "unnormalised-direction", "directions-of-unit-length",
               "`refract` with a direction or a normal, or `reflect` with a normal, that is interpolated, a position or "
-              "a sum of vectors, and was not made unit length since",
+              "a sum of vectors, and was not normalised afterwards",
               "write normalize(…) around it, in this shader"},
     RuleFacts{eye_space_lookup, warning, "eye-space-lookup", "the-space-of-a-cube-map",
               "a cube map looked up by a direction in eye coordinates, where the scene turns the eye by `LookAt` or "
@@ -23,39 +23,40 @@ constexpr std::array table{
               "an index of refraction above 1 as third argument of `refract`, for light that comes from the eye",
               "refract() takes n1/n2: give it 1. divided by the index, for light that enters"},
     RuleFacts{program_not_drawn, warning, "program-not-drawn", "a-program-draws-what-follows-it",
-              "a `Program` that no geometry follows", "write the geometry that it shall draw after it"},
+              "a `Program` that no geometry follows", "write the geometry after it"},
     RuleFacts{shadowed_uniform, warning, "shadowed-uniform", "one-name-one-thing",
               "a local variable with the name of a uniform of the same shader",
-              "give the variable another name: behind its declaration the uniform can't be read"},
+              "give the variable another name: after its declaration the uniform cannot be read"},
     RuleFacts{sampler_kind, warning, "sampler-kind", "samplers-and-units",
               "a sampler on a unit that holds only textures of another kind",
-              "name the unit of the right texture, or load one of that kind"},
+              "use the unit of the right texture, or bind one of that kind"},
     RuleFacts{samplers_share_unit, warning, "samplers-share-unit", "samplers-and-units",
               "two samplers of different kinds on one unit in one program: fine in snell, refused by OpenGL itself",
-              "put one of the textures on a unit of its own"},
-    RuleFacts{pow_of_negative, warning, "pow-of-negative", "pow-of-a-negative-number",
-              "`pow` of a number that can be negative, if only by rounding: GLSL leaves it open, and most drivers "
-              "give not-a-number",
-              "bound it first: clamp(x, 0., 1.), max(x, 0.) or abs(x); or multiply, x*x"},
+              "bind one of the textures to another unit"},
+    RuleFacts{
+        pow_of_negative, warning, "pow-of-negative", "pow-of-a-negative-number",
+        "`pow` of a number that can be negative, if only by rounding: undefined in GLSL, and NaN with most drivers",
+        "clamp it first: clamp(x, 0., 1.), max(x, 0.) or abs(x); or multiply, x*x"},
     RuleFacts{schlick_sign, warning, "schlick-sign", "the-sign-in-schlicks-formula",
-              "a power of 1 plus the cosine of the angle of incidence, where 1 minus it is meant: a reflectance "
-              "above 1",
+              "a power of 1 plus the cosine of the angle of incidence, where 1 minus the cosine is meant: a "
+              "reflectance above 1",
               "write 1. - dot(-e, n), with e the direction that reflect() and refract() were given"},
     RuleFacts{dispersion_order, warning, "dispersion-order", "blue-is-bent-most",
               "blue looked up through a larger n1/n2 than red: the colours are reversed",
               "blue has the largest index, so the smallest n1/n2: subtract for blue, add for red"},
     RuleFacts{never_read, warning, "never-read", "computed-and-not-used",
               "a variable made with `pow`, `mix`, `reflect` or `refract` that nothing reads",
-              "use it, or remove it: perhaps another variable stands where this one should"},
+              "use it, or remove it: perhaps another variable is used in its place"},
     RuleFacts{viewer_not_at_origin, note, "viewer-not-at-origin", "where-the-viewer-is",
-              "a mirrored or refracted direction worked out from the origin of eye coordinates: right until the "
-              "scene is turned in the window, for that happens after eye coordinates",
+              "a mirrored or refracted direction computed from the origin of eye coordinates: right until the "
+              "scene is turned in the window, which happens after eye coordinates",
               "subtract `uniform vec3 uViewerPositionEye`, where the viewer really is, from the position"},
-    RuleFacts{lookup_in_branch, warning, "lookup-in-branch", "lookups-in-branches",
-              "a texture with mipmaps looked up where only some fragments get to: the level is undefined there",
-              "look up before the branch, or use textureGrad() or textureLod()"},
+    RuleFacts{
+        lookup_in_branch, warning, "lookup-in-branch", "lookups-in-branches",
+        "a texture with mipmaps looked up in a branch that only some fragments take: the level is undefined there",
+        "look up before the branch, or use textureGrad() or textureLod()"},
     RuleFacts{many_rounds, warning, "many-rounds", "loops-that-go-on-and-on",
-              "loops that go round more than 65,535 times in one shader, or for ever",
+              "loops with more than 65,535 rounds in one shader, or endless loops",
               "bound the loop, or draw in several passes"},
 };
 

@@ -319,7 +319,7 @@ std::optional<std::string> Files::read(const std::string& path, std::string& err
     const std::uint64_t limit = access_.limits.file_bytes;
     const std::string itself = "/proc/self/fd/" + std::to_string(held.get());
     if (!root_.empty() && !below(link_target(itself), root_)) {
-        error = "it is outside of the folder '" + *access_.confine + "'";
+        error = "it is outside of the folder '" + *access_.confine + "', and only files inside may be read";
         return std::nullopt;
     }
     if (!acceptable(status, limit, error)) return std::nullopt;

@@ -94,9 +94,10 @@ Image fitted(const Image& image, const Texture& texture, const TextureFile& file
     const bool too_tall = texture.target == TextureTarget::d1 && image.height > 1;
     const bool too_deep = texture.target != TextureTarget::d3 && image.depth > 1;
     if (!too_tall && !too_deep) return image;
-    diagnostics.warning("image-cut", file.span,
-                        fmt::format("'{}' has {} x {} x {} pixels: only its {} is used", file.name, image.width,
-                                    image.height, image.depth, too_tall ? "bottom row" : "first slice"));
+    diagnostics.warning(
+        "image-cut", file.span,
+        fmt::format("'{}' has {} x {} x {} pixels, but the texture has fewer dimensions; only its {} is used",
+                    file.name, image.width, image.height, image.depth, too_tall ? "bottom row" : "first slice"));
     if (!too_tall) return some_rows(image, 0, image.height);
     return some_rows(image, image.bottom_first ? 0 : image.height - 1, 1);
 }
@@ -159,9 +160,10 @@ CubeFaces one_file(const TextureFile& file, const Picture& picture, Diagnostics&
     if (image == nullptr) return all_checks(check_side);
     const std::optional<content::CubeLayout> layout = content::detect_layout(image->width, image->height);
     if (!layout || image->depth != 1) {
-        diagnostics.error("cube-layout", file.span,
-                          fmt::format("'{}' of {} x {} pixels is no cube map", file.name, image->width, image->height),
-                          "a panorama is 2:1, a cross 4:3 or 3:4, a strip 6:1 or 1:6; or name six files");
+        diagnostics.error(
+            "cube-layout", file.span,
+            fmt::format("'{}' with {} x {} pixels is not a cube map", file.name, image->width, image->height),
+            "use a panorama (2:1), a cross (4:3 or 3:4), a strip (6:1 or 1:6) or six files");
         return all_checks(check_side);
     }
     return content::split_cube(*image, *layout);
@@ -263,7 +265,7 @@ Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostic
             result.image->depth == depth) {
             return std::move(*result.image);
         }
-        reason = fmt::format("it is not noise of {} texels a side", size);
+        reason = fmt::format("it is not a noise texture with {} texels per side", size);
         for (const ImageIssue& issue : result.issues) {
             if (issue.error) reason = issue.message;
         }

@@ -36,13 +36,15 @@ Resolved resolve(const FileName& file, std::string_view name, const Extensions& 
 std::string accept(const FileName& file, const Resolved& resolved, Diagnostics& diagnostics) {
     if (resolved.path.empty()) {
         if (resolved.outside)
-            report_unreadable(file, "it is outside of the folder that reading is confined to", diagnostics);
+            report_unreadable(
+                file, "it is outside of the folder that reading is confined to, and only files inside may be read",
+                diagnostics);
         else
             report_missing(file, resolved.nearest, diagnostics);
     } else if (resolved.inexact) {
         say(Severity::warning, "file-inexact", file.span,
             fmt::format("there is no file '{}'; '{}' is used", file.name, resolved.path),
-            "write the name as it is on disk: other systems tell capitals from small letters", diagnostics);
+            "write the name exactly as on disk: other systems distinguish upper and lower case", diagnostics);
     }
     return resolved.path;
 }
@@ -66,7 +68,7 @@ std::vector<TextureFile> locate_faces(const FileName& file, const Files& files, 
     for (const TextureFile& face : best) {
         if (!face.path.empty()) continue;
         say(Severity::error, "file-not-found", file.span,
-            fmt::format("there is no file '{}', one of the six that '{}' stands for", face.name, file.name), {},
+            fmt::format("there is no file '{}', which '{}' needs as one of its six faces", face.name, file.name), {},
             diagnostics);
     }
     return best;
@@ -100,7 +102,7 @@ std::string locate(const FileName& file, const Extensions& extensions, const Fil
 }
 
 void report_unreadable(const FileName& file, std::string_view reason, Diagnostics& diagnostics) {
-    say(Severity::error, "file-unreadable", file.span, fmt::format("'{}' can't be read: {}", file.name, reason), {},
+    say(Severity::error, "file-unreadable", file.span, fmt::format("'{}' cannot be read: {}", file.name, reason), {},
         diagnostics);
 }
 

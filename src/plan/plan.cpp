@@ -45,10 +45,9 @@ private:
             }
         }
         if (!any) {
-            diagnostics_.warning("program-without-shaders", program.span,
-                                 fmt::format("program '{}' has no shaders", program.name),
-                                 "name them before it with 'Vertex' and 'Fragment'; what it draws shows the "
-                                 "current colour, unlit");
+            diagnostics_.warning(
+                "program-without-shaders", program.span, fmt::format("program '{}' has no shaders", program.name),
+                "add 'Vertex' and 'Fragment' statements before it; its draws have the current colour, unlit");
         }
         plan_.programs.push_back(std::move(planned));
     }
@@ -162,9 +161,9 @@ std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index d
     Diagnostic diagnostic;
     diagnostic.code = "feedback-loop";
     diagnostic.span = scene.draws[draw].span;
-    diagnostic.message =
-        fmt::format("this reads the texture on unit {} while rendering to it", scene.textures[texture].unit);
-    diagnostic.help = "render to another texture, and read this one in a later pass";
+    diagnostic.message = fmt::format("this draw samples the texture on unit {} while the pass renders to it",
+                                     scene.textures[texture].unit);
+    diagnostic.help = "render to another texture, or sample this one in a later pass";
     diagnostic.notes.push_back({target.span, "rendering to it begins here"});
     diagnostic.notes.push_back({scene.textures[texture].span, "the texture"});
     return diagnostic;

@@ -90,11 +90,11 @@ std::unique_ptr<HeadlessContext> HeadlessContext::make(const ContextRequest& req
 }
 
 std::unique_ptr<HeadlessContext> HeadlessContext::make_one(const ContextRequest& request, std::string& error) {
-    error = "EGL offers neither the surfaceless nor the device platform";
+    error = "EGL supports neither the surfaceless nor the device platform; install Mesa's EGL driver";
     for (const Attempt& attempt : displays()) {
         EGLint major = 0, minor = 0;
         if (attempt.display == EGL_NO_DISPLAY || !eglInitialize(attempt.display, &major, &minor)) {
-            error = "EGL's " + attempt.platform + " platform does not start";
+            error = "EGL's " + attempt.platform + " platform cannot be initialised";
             continue;
         }
         EGLContext context = best_context(attempt.display, request);
@@ -105,7 +105,8 @@ std::unique_ptr<HeadlessContext> HeadlessContext::make_one(const ContextRequest&
             result->platform_ = attempt.platform;
             if (result->make_current()) return result;
         }
-        error = request.es ? "EGL gives no OpenGL ES 3 context" : "EGL gives no OpenGL 3.3 core context";
+        error =
+            request.es ? "EGL cannot create an OpenGL ES 3 context" : "EGL cannot create an OpenGL 3.3 core context";
         eglTerminate(attempt.display);
     }
     return nullptr;

@@ -100,12 +100,12 @@ GLFWwindow* make_window(const WindowRequest& request) {
 
 std::unique_ptr<Window> Window::make(const WindowRequest& request, std::string& error) {
     if (!glfwInit()) {
-        error = last_error("no display");
+        error = last_error("cannot open a display; set DISPLAY or WAYLAND_DISPLAY, or use 'snell render'");
         return nullptr;
     }
     GLFWwindow* handle = make_window(request);
     if (!handle) {
-        error = last_error("no OpenGL 3.3 core context");
+        error = last_error("the driver cannot create an OpenGL 3.3 core context");
         glfwTerminate();
         return nullptr;
     }

@@ -266,7 +266,7 @@ void Runtime::Impl::ready_target(Index pass, Diagnostics& diagnostics) {
             if (cube) attachment.target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face;
         made.push_back(gl::make_texture_target(attachments, ready.width, ready.height));
         if (made.back().framebuffer) continue;
-        diagnostics.error("target-unsupported", declared.span, "this OpenGL can't render to these textures",
+        diagnostics.error("target-unsupported", declared.span, "this OpenGL cannot render to these textures",
                           fmt::format("use 2D textures, at most {} at once", caps.max_draw_buffers));
         ready.live = false;
         return;

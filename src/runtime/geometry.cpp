@@ -92,7 +92,7 @@ void Runtime::Impl::make_tree(runtime::GpuTree& tree, const content::Mesh& mesh,
     if (!tree.built && unfit)
         diagnostics.error(
             "mesh-tree-too-large", span,
-            too_large ? fmt::format("rays can't be traced through a mesh of {} triangles or more", content::tree_limit)
+            too_large ? fmt::format("rays cannot be traced through a mesh of {} triangles or more", content::tree_limit)
                       : fmt::format("rays through this mesh need {} texels, more than this OpenGL's "
                                     "GL_MAX_TEXTURE_BUFFER_SIZE ({})",
                                     needed, limit),

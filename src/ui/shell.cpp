@@ -68,7 +68,7 @@ void tools(View& view, Memory& memory, Requests& requests, Layout& layout) {
     layout.note("axes");
     follow(check_box_width("Values"), ImGui::GetFontSize());
     ImGui::Checkbox("Values", &memory.labels);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("name = value over the picture");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shows name = value over the picture");
     layout.note("labels");
 }
 
@@ -181,7 +181,7 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
             ImGui::SameLine(right - ImGui::CalcTextSize(cost.c_str()).x);
             ImGui::TextDisabled("%s", cost.c_str());
             if (ImGui::IsItemHovered())
-                ImGui::SetTooltip("to draw the last picture\n%d samples a pixel\n%.*s", facts.samples,
+                ImGui::SetTooltip("time to draw the last picture\n%d samples per pixel\n%.*s", facts.samples,
                                   static_cast<int>(facts.renderer.size()), facts.renderer.data());
         }
     }

@@ -74,7 +74,7 @@ TEST_F(Faults, AnOpenGlThatIsTooOldIsRefused) {
               "MESA_GL_VERSION_OVERRIDE=3.0 MESA_GLSL_VERSION_OVERRIDE=130 MESA_GLES_VERSION_OVERRIDE=2.0");
     if (old.status == 0) GTEST_SKIP() << "this driver does not pretend to be an old one";
     EXPECT_EQ(old.status, 3) << old.output;
-    EXPECT_TRUE(says(old, "no OpenGL 3.3 core context") && says(old, "help: snell needs")) << old.output;
+    EXPECT_TRUE(says(old, "cannot create an OpenGL 3.3 core context") && says(old, "help: snell needs")) << old.output;
 }
 
 // Machines of which OpenGL ES is all that there is.

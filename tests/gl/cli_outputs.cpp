@@ -113,7 +113,7 @@ TEST_F(Outputs, AReportThatFailsCostsNoOther) {
                              "/snell accuracy s.glib --ladders WAY --no-time --size 64x64 -o r.html "
                              "--json r.json --csv r.csv --svg r.svg --markdown r.md");
     EXPECT_EQ(full.status, 1) << full.output;
-    EXPECT_TRUE(says(full, "can't write 'r.html': ")) << full.output;
+    EXPECT_TRUE(says(full, "cannot write 'r.html': ")) << full.output;
     EXPECT_FALSE(there("r.html"));
     EXPECT_TRUE(nlohmann::json::accept(bytes_of(folder.path("r.json"))));
     for (const char* name : {"r.csv", "r.svg", "r.md"}) EXPECT_GT(bytes_of(folder.path(name)).size(), 50U) << name;

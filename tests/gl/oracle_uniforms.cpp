@@ -105,12 +105,7 @@ bool set_system(const std::string& name, GLint location, GLenum type, GLint size
                 glUniform1f(location, rescale_factor());
                 return true;
             case point_size:
-            case depth_range_far:
-            case depth_range_diff:
                 glUniform1f(location, 1);
-                return true;
-            case depth_range_near:
-                glUniform1f(location, 0);
                 return true;
             case camera_position: {
                 const glm::vec3 eye = glm::vec3(inverse(oracle::view())[3]);

@@ -90,7 +90,7 @@ TEST_F(Recovery, WhatWasSetByHandOutlivesTheMoveThatHung) {
     settle();
     const std::string problems = state()["problems"];
     EXPECT_NE(problems.find("[frame-too-long]"), std::string::npos) << problems;
-    EXPECT_NE(problems.find("set by hand"), std::string::npos) << problems;
+    EXPECT_NE(problems.find("set manually"), std::string::npos) << problems;
     keep("recovery-after-a-hang");
     user("key F5");
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0 && state["frames"] > 0; }, 20));

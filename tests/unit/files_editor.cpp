@@ -89,7 +89,7 @@ TEST(Editor, StartsBesideTheWindowWithNamesThatAShellWouldTakeForCommands) {
 TEST(Editor, SaysWhatWentWrong) {
     const Scratch folder;
     const std::string file = folder.write("a.frag", "");
-    EXPECT_NE(Editor("/none/there").open(file, 1, 1).find("can't start /none/there"), std::string::npos);
+    EXPECT_NE(Editor("/none/there").open(file, 1, 1).find("cannot start /none/there"), std::string::npos);
     EXPECT_NE(Editor("true").open(folder.path("none.frag"), 1, 1).find("there is no file"), std::string::npos);
     Editor failing(script(folder, "failing", 3));
     failing.open(file, 1, 1);

@@ -213,7 +213,7 @@ TEST(MesaLink, TypesThatDiffer) {
         "type `vec3'\n");
     EXPECT_EQ(p.code(0), "glsl-interface");
     EXPECT_EQ(p.place(0), "demo.frag:1:9 vST");
-    EXPECT_EQ(p.note(0, 0), "demo.vert:1:10 vST: the vertex shader says 'vec2' here");
+    EXPECT_EQ(p.note(0, 0), "demo.vert:1:10 vST: the vertex shader declares 'vec2' here");
 }
 
 TEST(MesaLink, NothingToSayOfShadersThatDidNotCompile) {

@@ -170,7 +170,7 @@ TEST_F(ImageFormats, WhatIsNoPictureIsNamed) {
     check("<!DOCTYPE html><html></html>", "HTML");
     check("version https://git-lfs.github.com/spec/v1\n", "Git LFS");
     check("%PDF-1.4", "PDF");
-    check("hello, this is a text", "picture");
+    check("hello, this is a text", "image: ");
 }
 
 TEST_F(ImageFormats, TruncatedAtAnyByteIsSafe) {

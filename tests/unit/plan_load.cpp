@@ -182,7 +182,7 @@ TEST_F(Loading, FacesOfTheSideThatIsSaidToBeTheOthersAreKept) {
     }
     const content::CubeFaces faces = cube(six);
     EXPECT_EQ(codes_of(diagnostics), Codes(3, "cube-faces-unequal"));
-    EXPECT_NE(diagnostics.items()[0].message.find("others are 64 x 64"), std::string::npos);
+    EXPECT_NE(diagnostics.items()[0].message.find("but the other faces are 64 x 64"), std::string::npos);
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_EQ(faces[i].width, 64);
         EXPECT_EQ(is_checkerboard(faces[i]), i >= 3) << i;

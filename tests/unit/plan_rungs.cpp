@@ -29,8 +29,8 @@ TEST(Rungs, WhatIsNotThereIsAnErrorThatSuggests) {
     for (const auto& [text, code, help] :
          {std::array{"FRESNELL=exact", "unknown-ladder", "did you mean 'FRESNEL'?"},
           std::array{"FRESNEL=exakt", "unknown-rung", "did you mean 'exact'?"},
-          std::array{"FRESNEL=quite-another", "unknown-rung", "there are: f0, schlick, exact"},
-          std::array{"FRESNEL=", "unknown-rung", "there are: f0, schlick, exact"},
+          std::array{"FRESNEL=quite-another", "unknown-rung", "available: f0, schlick, exact"},
+          std::array{"FRESNEL=", "unknown-rung", "available: f0, schlick, exact"},
           std::array{"FRESNEL", "bad-assignment", "write LADDER=rung"}}) {
         Rungs rungs = marked_rungs(s);
         Diagnostics problems;

@@ -164,9 +164,9 @@ TEST(WriteBack, WhatHasNoPlaceIsRefusedWithAReason) {
     desk.set("uS", {4, 2});
     desk.set("uExtra", {.75});
     EXPECT_EQ(desk.text(3), desk.texts["a.glib"]);
-    EXPECT_NE(desk.reasons.find("G.uV: a range gives all components the same number"), std::string::npos);
+    EXPECT_NE(desk.reasons.find("G.uV: a range sets all components to the same number"), std::string::npos);
     EXPECT_NE(desk.reasons.find("write uS [4. 2.]"), std::string::npos) << desk.reasons;
-    EXPECT_NE(desk.reasons.find("G.uExtra: it is not on the Program line: add uExtra <0. 0.75 1.>"), std::string::npos)
+    EXPECT_NE(desk.reasons.find("G.uExtra: it is not on the Program line; add uExtra <0. 0.75 1.>"), std::string::npos)
         << desk.reasons;
     desk.set("uExtra", {.5});
     desk.set("uS", {5, 0});
@@ -196,7 +196,7 @@ TEST(WriteBack, ATextThatIsIncludedTwiceIsWrittenOnlyWhenBothReadingsAgree) {
     desk.set("uB", {3}, 0);
     desk.set("uB", {3}, 1);
     EXPECT_EQ(desk.save(1).at("b.glib"), "Program One uA 1. uB 3.\nSphere\n");
-    EXPECT_NE(desk.reasons.find("One.uA: its text is included more than once"), std::string::npos) << desk.reasons;
+    EXPECT_NE(desk.reasons.find("One.uA: its file is included more than once"), std::string::npos) << desk.reasons;
     desk.set("uA", {2}, 1);
     EXPECT_EQ(desk.save().at("b.glib"), "Program One uA 2. uB 3.\nSphere\n");
 }

@@ -135,9 +135,9 @@ TEST_F(CostsPanel, FoldsWhatIsPaidForByKind) {
     facts_.explanation = &explanation_;
     EXPECT_TRUE(has("costs.Images"));
     EXPECT_TRUE(has("costs.Meshes"));
-    EXPECT_TRUE(has("costs.Not paid for"));
+    EXPECT_TRUE(has("costs.Not loaded"));
     EXPECT_FALSE(has("costs.Noise")) << "none of it";
-    EXPECT_FALSE(has("costs.Declared, not used"));
+    EXPECT_FALSE(has("costs.Declared but unused"));
 }
 
 }  // namespace

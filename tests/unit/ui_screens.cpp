@@ -132,8 +132,7 @@ public:
         explanation_.unused = {{"Texture2D 7 " + long_path, "no drawn program samples it", {}}};
         facts_.explanation = &explanation_;
         memory_.open.emplace("Costs");
-        unfolded_ = {"costs.Images", "costs.Programs", "costs.Passes", "costs.Not paid for",
-                     "costs.Declared, not used"};
+        unfolded_ = {"costs.Images", "costs.Programs", "costs.Passes", "costs.Not loaded", "costs.Declared but unused"};
     }
     void files() {
         facts_.files = files_;

@@ -55,8 +55,8 @@ std::string row(const Parameter& p) {
         kind = "one of: " + words;
     }
     std::string value =
-        p.default_text.empty() ? (p.optional ? "may be left out" : "") : "`" + std::string(p.default_text) + "`";
-    if (p.repeated) value = "any number of them";
+        p.default_text.empty() ? (p.optional ? "optional" : "") : "`" + std::string(p.default_text) + "`";
+    if (p.repeated) value = "repeated";
     return "| `" + std::string(p.name) + "` | " + kind + " | " + value + " |\n";
 }
 
@@ -187,10 +187,12 @@ std::string dictionary() {
 
 std::string lints() {
     std::string out =
-        "# Lints\n\nWhat `snell check` finds in scenes that run and are probably not meant so. Each is a warning, or a "
-        "note, with its\nplace; the exit status stays 0, and `--no-lint` leaves them out. Shaders are followed from "
-        "`main` through the functions it\ncalls; where nothing is known for certain, nothing is said. Written by "
-        "snell_docs from the table in src/lint/rules.cpp.\n\n| code | finds | instead | page |\n|---|---|---|---|\n";
+        "# Lints\n\nProbable mistakes that `snell check` finds in scenes that run. Each is a warning or a note with "
+        "its "
+        "place; the exit status\nstays 0, and `--no-lint` leaves them out. Shaders are followed from `main` through "
+        "the "
+        "functions it calls. Only what is\ncertain is reported. Written by snell_docs from the table in "
+        "src/lint/rules.cpp.\n\n| code | finds | instead | page |\n|---|---|---|---|\n";
     for (const lint::RuleFacts& rule : lint::rules())
         out += "| `" + std::string(rule.code) + "`" + (rule.severity == Severity::note ? " (a note)" : "") + " | " +
                std::string(rule.finds) + " | " + std::string(rule.instead) + " | [teaching.md](teaching.md#" +
@@ -200,21 +202,22 @@ std::string lints() {
 
 std::string limits() {
     std::string out =
-        "# Limits\n\nWhat a scene may ask for. Each is checked before memory is taken. What exceeds one is an error "
-        "that "
-        "names it, and the\nrest of the scene goes on; `--limit NAME=VALUE` of every command that reads scenes changes "
-        "it. Written by snell_docs\nfrom the table in parser/text/limits.cpp.\n\n| limit | default | of | highest |\n"
+        "# Limits\n\nThe limits of a scene, checked before memory is allocated. A request above a limit is an error "
+        "that names "
+        "the limit, and\nthe rest of the scene continues; `--limit NAME=VALUE` of every command that reads scenes "
+        "changes "
+        "one. Written by snell_docs\nfrom the table in parser/text/limits.cpp.\n\n| limit | default | unit | maximum "
+        "|\n"
         "|---|---|---|---|\n";
     const Limits defaults;
     for (const LimitFacts& limit : limit_table())
         out += "| `" + std::string(limit.name) + "` | " + std::to_string(defaults.*limit.value) + " | " +
                std::string(limit.unit) + " " + std::string(limit.doc) + " | " + std::to_string(limit.most) + " |\n";
     return out +
-           "\nA picture of more than `output-bytes`, or half a gigabyte, is drawn part by part and written row by row: "
-           "what does not fit\neven in parts of 64x64 pixels is an error.\n"
-           "\nOpenGL has limits of its own, which `snell info` tells: a texture or picture that exceeds them is an "
-           "error "
-           "too.\nMesa's llvmpipe ends the loops of a shader after 65,535 rounds together and says nothing "
+           "\nA picture of more than `output-bytes`, or half a gigabyte, is drawn in tiles and written row by row; a "
+           "picture that does not\nfit even in tiles of 64x64 pixels is an error.\n"
+           "\nOpenGL has its own limits, which `snell info` prints; a texture or picture that exceeds them is an error "
+           "too.\nMesa's llvmpipe ends the loops of a shader after 65,535 rounds together, without a message "
            "([reliability.md](reliability.md)).\n";
 }
 
@@ -224,6 +227,7 @@ std::vector<Document> generate(const std::string& intro) {
     return {{"docs/language.md", language(intro)},
             {"docs/lints.md", lints()},
             {"docs/limits.md", limits()},
+            {"docs/variables.md", variables()},
             {"docs/editors/glib.tmLanguage.json", textmate()},
             {"docs/editors/vim/syntax/glib.vim", vim()},
             {"docs/editors/vim/ftdetect/glib.vim", "autocmd BufNewFile,BufRead *.glib setfiletype glib\n"},

@@ -11,7 +11,10 @@ struct Document {
     std::string text;
 };
 
-// `intro` is the text that stands before the commands.
+// docs/variables.md.
+std::string variables();
+
+// `intro` is the text before the commands.
 std::vector<Document> generate(const std::string& intro);
 
 }  // namespace snell::docs

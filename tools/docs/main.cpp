@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
         std::error_code error;
         std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
         if (!(std::ofstream(path, std::ios::binary) << document.text)) {
-            std::fprintf(stderr, "%s can't be written\n", path.c_str());
+            std::fprintf(stderr, "%s cannot be written\n", path.c_str());
             ++wrong;
         }
     }

@@ -54,23 +54,23 @@ double between(std::string_view first, std::string_view last, std::size_t k, std
 bool fill_range(Axis& axis, std::string_view text, std::string& error) {
     const std::size_t one = text.find(':'), two = text.find(':', one + 1);
     if (two == std::string_view::npos || text.find(':', two + 1) != std::string_view::npos) {
-        error = fmt::format("'{}' is no range: write FIRST:LAST:COUNT", text);
+        error = fmt::format("'{}' is not a range; write FIRST:LAST:COUNT", text);
         return false;
     }
     const std::string_view first = trimmed(text.substr(0, one)), last = trimmed(text.substr(one + 1, two - one - 1));
     const auto a = number<double>(first), b = number<double>(last),
                count = number<double>(trimmed(text.substr(two + 1)));
     if (!a || !b || !count || !std::isfinite(*a) || !std::isfinite(*b)) {
-        error = fmt::format("'{}' is no range of finite numbers: write FIRST:LAST:COUNT", text);
+        error = fmt::format("'{}' is not a range of finite numbers; write FIRST:LAST:COUNT", text);
         return false;
     }
     if (!(*count >= 1) || *count > static_cast<double>(max_pictures) || std::floor(*count) != *count) {
-        error = fmt::format("'{}' is no number of values: 1 to {}", trimmed(text.substr(two + 1)), max_pictures);
+        error = fmt::format("'{}' is not a number of values from 1 to {}", trimmed(text.substr(two + 1)), max_pictures);
         return false;
     }
     const auto n = static_cast<std::size_t>(*count);
     if (n == 1 && *a != *b) {
-        error = fmt::format("'{}': one value can't be at both ends", text);
+        error = fmt::format("'{}': one value cannot be at both ends", text);
         return false;
     }
     for (std::size_t k = 0; k < n; ++k) {

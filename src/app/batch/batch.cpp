@@ -74,7 +74,7 @@ Exit Batch::run() {
     for (std::size_t i = 0; i < records_.size(); ++i) {
         timings_.write += written()[i].milliseconds;
         if (written()[i].error.empty()) continue;
-        fmt::print(stderr, "snell: error: can't write '{}': {}\n",
+        fmt::print(stderr, "snell: error: cannot write '{}': {}\n",
                    utf8::printable(shots_.files[records_[i].shot.index]), utf8::printable(written()[i].error));
         fail();
     }
@@ -179,7 +179,7 @@ bool Batch::check_values(Open& open) {
             const std::string text = assignment(shots_.axes[i], value);
             bool good = true;
             if (open.roles[i] == Role::time && !value.number)
-                problems.error("bad-value", fmt::format("'time' is given '{}', which is no number", value.written));
+                problems.error("bad-value", fmt::format("the value '{}' of 'time' is not a number", value.written));
             if (open.roles[i] == Role::ladder) good = choose_rung(rungs, document.scene(), text, problems);
             if (open.roles[i] == Role::uniform) good = set_control(controls, document.scene(), text, problems);
             if (!good) break;

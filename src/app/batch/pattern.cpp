@@ -51,7 +51,7 @@ std::optional<Pattern> Pattern::parse(std::string_view text, const std::vector<s
         }
         const std::size_t end = text.find('}', i);
         if (text[i] == '}' || end == std::string_view::npos) {
-            error = fmt::format("a brace stands alone in '{}': a brace itself is written twice", text);
+            error = fmt::format("there is a single brace in '{}'; write a brace twice to keep it", text);
             return std::nullopt;
         }
         const std::string_view inside = text.substr(i + 1, end - i - 1);
@@ -79,7 +79,7 @@ std::optional<std::string> Pattern::expand(const std::vector<AxisValue>& values,
         const AxisValue& value = values[piece.name];
         auto shown = piece.format.empty() ? value.shown() : formatted(piece.format, value);
         if (!shown) {
-            error = fmt::format("'{}' is no format for '{}'", piece.placeholder, value.shown());
+            error = fmt::format("'{}' is not a format for '{}'", piece.placeholder, value.shown());
             return std::nullopt;
         }
         // A value is part of a name, never a folder.

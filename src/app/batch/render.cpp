@@ -46,7 +46,7 @@ bool folder_exists(const std::string& folder) {
 }
 
 bool folder_is_there(const std::string& file, const std::string& folder) {
-    return folder_exists(folder) || complain(fmt::format("can't write '{}': there is no folder '{}'", file, folder));
+    return folder_exists(folder) || complain(fmt::format("cannot write '{}': there is no folder '{}'", file, folder));
 }
 
 // Folders that are named by values are made.
@@ -57,7 +57,7 @@ bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard
         if (!shard.has(i) || folder_exists(folder.string())) continue;
         std::error_code error;
         std::filesystem::create_directories(folder, error);
-        if (error) return complain(fmt::format("can't make the folder '{}': {}", folder.string(), error.message()));
+        if (error) return complain(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
     }
     return true;
 }
@@ -76,7 +76,7 @@ bool usable(const RenderOptions& options, const Shots& shots) {
         return complain("--stats tells of one scene; --json lists the pictures of many");
     for (const std::string& file : shots.files)
         if (options.transparent && !holds_alpha(file))
-            return complain(fmt::format("'{}' can't be transparent: PNG and EXR can", file));
+            return complain(fmt::format("'{}' cannot be transparent: PNG and EXR can", file));
     if (!options.sheet.empty() && shots.files.size() > max_tiles)
         return complain(
             fmt::format("a contact sheet takes at most {} pictures, not {}", max_tiles, shots.files.size()));
@@ -97,7 +97,7 @@ bool write_sheet(const Batch& batch, const RenderOptions& options, const Shots& 
         tiles.push_back({batch.written()[i].tile, shots.label(batch.records()[i].shot)});
     const std::string error =
         content::write_image(options.sheet, contact_sheet(tiles, columns_of(shots, tiles.size()), options.labels));
-    return error.empty() || complain(fmt::format("can't write '{}': {}", options.sheet, error));
+    return error.empty() || complain(fmt::format("cannot write '{}': {}", options.sheet, error));
 }
 
 bool write_reports(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard) {

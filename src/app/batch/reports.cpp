@@ -25,7 +25,7 @@ Json axis_json(const Axis& axis) {
 
 std::string write_json(const std::string& path, const Json& json) {
     const std::string wrong = content::replace_file(path, content::json_text(json) + '\n');
-    return wrong.empty() ? "" : fmt::format("can't write '{}': {}", path, wrong);
+    return wrong.empty() ? "" : fmt::format("cannot write '{}': {}", path, wrong);
 }
 
 Json pictures_json(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard) {

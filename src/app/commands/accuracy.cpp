@@ -113,7 +113,7 @@ bool write_text(const std::string& path, const std::string& text) {
     if (path.empty()) return true;
     const std::string wrong = content::replace_file(path, text);
     if (wrong.empty()) return true;
-    fmt::print(stderr, "snell: error: can't write '{}': {}\n", path, wrong);
+    fmt::print(stderr, "snell: error: cannot write '{}': {}\n", path, wrong);
     return false;
 }
 

@@ -21,7 +21,7 @@ std::string wish_text(const Wish& wish) {
     std::string text;
     if (wish.error) text = fmt::format("RMSE at most {:.3g}", *wish.error);
     if (wish.milliseconds) text += fmt::format("{}at most {:.3g} ms", text.empty() ? "" : " and ", *wish.milliseconds);
-    return text.empty() ? "whatever it is off by" : text;
+    return text.empty() ? "whatever its error is" : text;
 }
 
 std::string found_text(const Advice& advice, const SweepResult& sweep) {
@@ -54,7 +54,7 @@ bool save_presets(const std::string& path, const Scene& scene, const Counsel& co
     const std::vector<Preset> presets = presets_of(scene, counsel);
     const std::string file = quality_path(path);
     if (const std::string wrong = content::replace_file(file, quality_json(where, presets)); !wrong.empty()) {
-        fmt::print(stderr, "snell: error: can't write '{}': {}\n", file, wrong);
+        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", file, wrong);
         return false;
     }
     fmt::print("\npresets for --quality, in {}\n", file);

@@ -34,7 +34,7 @@ Exit write_copy(const Document& document, const Saved& saved, const std::string&
     std::string text(document.sources.text(0));
     for (const SavedFile& file : saved.files) {
         if (file.path != document.path)
-            return complain(fmt::format("a value stands in {}, which {} would still include", file.path, output));
+            return complain(fmt::format("a value is in {}, which {} would still include", file.path, output));
         text = file.after;
     }
     const std::string error = content::replace_file(output, text);

@@ -169,7 +169,7 @@ std::string Editor::open(const std::string& file, int line, int column) {
     }
     pid_t process = 0;
     if (const int wrong = start(command.words, process); wrong != 0)
-        return fmt::format("can't start {}: {} (set VISUAL to an editor)", name, std::strerror(wrong));
+        return fmt::format("cannot start {}: {} (set VISUAL to an editor)", name, std::strerror(wrong));
     running_.push_back({process, name});
     return fmt::format("{} opens {}", name, utf8::printable(fs::path(file).filename().string()));
 }

@@ -30,7 +30,7 @@ void report_gl_errors(Diagnostics& diagnostics) {
     for (const std::string& error : gl::take_errors())
         if (error == "GL_OUT_OF_MEMORY")
             diagnostics.error(
-                "out-of-graphics-memory", "OpenGL has no memory for all that the scene loads",
+                "out-of-graphics-memory", "OpenGL has not enough memory for everything that the scene loads",
                 "smaller textures and fewer vertices take less; --limit texture-bytes=N refuses large ones");
         else
             diagnostics.warning("opengl-error", "loading made an error of OpenGL: " + error);
@@ -43,7 +43,7 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
     std::string error;
     auto text = files.read(path, error);
     if (!text) {
-        diagnostics.error("scene-unreadable", "can't read '" + path + "': " + error);
+        diagnostics.error("scene-unreadable", "cannot read '" + path + "': " + error);
         return std::nullopt;
     }
     const FileId file = sources.add(path, std::move(*text));

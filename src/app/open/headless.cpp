@@ -32,7 +32,7 @@ std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
                      old ? "snell needs OpenGL 3.3 or OpenGL ES 3.0, or the version that --context asks for"
                          : "install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)");
     static const gl::MessageReport print = [](const char* message) {
-        std::fprintf(stderr, "snell: error: the driver: %s\n", message);
+        std::fprintf(stderr, "snell: error: OpenGL driver: %s\n", message);
     };
     if (context && request.debug) gl::watch_messages(print);
     return context;

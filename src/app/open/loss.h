@@ -23,7 +23,7 @@ private:
 };
 
 // The message about a reset, and its help.
-inline constexpr const char* loss_message = "the graphics driver reset itself and took the OpenGL context away";
-inline constexpr const char* loss_help = "a shader may not end, or the driver has a fault";
+inline constexpr const char* loss_message = "the graphics driver was reset, and the OpenGL context is lost";
+inline constexpr const char* loss_help = "check for a shader that does not end; it may also be a driver fault";
 
 }  // namespace snell::app

@@ -32,7 +32,7 @@ bool choose_quality(const std::string& path, const std::string& name, const Scen
     std::string why;
     const auto preset = accuracy::read_quality(text.str(), name, why);
     if (!preset) {
-        diagnostics.error("bad-quality", fmt::format("'{}' can't be used: {}", file, why), remedy);
+        diagnostics.error("bad-quality", fmt::format("'{}' cannot be used: {}", file, why), remedy);
         return false;
     }
     Diagnostics changed;

@@ -56,7 +56,7 @@ std::size_t changed_values(const Document& document) {
 Saved saved_values(const Document& document) {
     Saved saved;
     if (!document.runtime) {
-        saved.error = "the scene can't be read";
+        saved.error = "the scene cannot be read";
         return saved;
     }
     WriteBack back = write_back(document.scene(), document.controls, document.sources);

@@ -49,7 +49,7 @@ std::string parse_one(std::string_view text, View& view) {
         const std::string_view which = text.substr(equals + 1);
         view.projection = which == "ortho" ? Projection::ortho : Projection::perspective;
         if (which == "ortho" || which == "perspective") return {};
-        return fmt::format("'{}' is no projection: perspective or ortho", which);
+        return fmt::format("'{}' is not a projection; use perspective or ortho", which);
     }
     const std::size_t begin = dot == text.npos ? 0 : dot + 1;
     const std::string_view name = text.substr(begin, equals - begin), number = text.substr(equals + 1);
@@ -59,7 +59,7 @@ std::string parse_one(std::string_view text, View& view) {
         return fmt::format("'{}' is no number", number);
     if (text.substr(0, equals) == "background") {
         view.background = value;
-        return value >= 0 && value <= 1 ? "" : fmt::format("'{}' is no brightness: 0 to 1", number);
+        return value >= 0 && value <= 1 ? "" : fmt::format("'{}' is not a brightness from 0 to 1", number);
     }
     Transformation* transformation = named(text.substr(0, begin), view);
     for (const Part& part : parts)

@@ -58,7 +58,7 @@ Exit check_outputs(std::span<const std::string> outputs, std::span<const std::st
     for (const std::string& file : outputs) {
         const std::string wrong = file.empty() ? "" : content::check_place(file);
         if (wrong.empty()) continue;
-        fmt::print(stderr, "snell: error: can't write '{}': {}\n", utf8::printable(file), utf8::printable(wrong));
+        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(file), utf8::printable(wrong));
         status = exit_input;
     }
     return status;

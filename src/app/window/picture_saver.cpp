@@ -100,7 +100,7 @@ std::string PictureSaver::begin(const Document& document, const Picture& shown, 
     picture.there = replace || there == work->files.end() ? "" : picture.file.data();
     if (!picture.there.empty()) return {};
     if (asked.transparent && !app::holds_alpha(work->files.front()))
-        return "this format can't be transparent: PNG and EXR can";
+        return "this format cannot be transparent: PNG and EXR can";
     work->document = &document;
     work->revision = revision_;
     work->from = asked.time;

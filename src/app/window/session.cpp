@@ -89,7 +89,7 @@ std::string Session::open(std::string path) {
     std::unique_ptr<Document> fresh = read(path, shown_.get(), nullptr);
     if (!fresh->runtime) {
         const auto& problems = fresh->diagnostics.items();
-        return problems.empty() ? "can't read " + path : problems.front().message;
+        return problems.empty() ? "cannot read " + path : problems.front().message;
     }
     ++revision_;
     path_ = std::move(path);

@@ -243,7 +243,7 @@ int run_window(const WindowOptions& options) {
     if (carried) begin_with(*carried, now);
     std::error_code none;
     if (!carried && !std::filesystem::is_regular_file(now.scene, none)) {
-        fmt::print(stderr, "snell: error: can't read '{}'\n", options.scene);
+        fmt::print(stderr, "snell: error: cannot read '{}'\n", options.scene);
         return app::exit_input;
     }
     while (true) {

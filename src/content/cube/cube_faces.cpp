@@ -72,11 +72,11 @@ std::vector<ImageIssue> check_faces(const FacePictures& faces, const std::array<
         if (!faces[i]) continue;
         const Image& face = *faces[i];
         const std::string which = "face " + std::string(face_titles[i]) + " (" + names[i] + ") is " + size_text(face);
-        const std::string help = "make all six faces " + (side > 0 ? wanted : "square and of one size");
+        const std::string help = "make all six faces " + (side > 0 ? wanted : "square and equal in size");
         if (face.width != face.height || face.depth != 1) {
             issues.push_back({true, "cube-face-not-square", which + "; the faces of a cube map must be square", help});
         } else if (face.width != side) {
-            issues.push_back({true, "cube-faces-unequal", which + ", others are " + wanted, help});
+            issues.push_back({true, "cube-faces-unequal", which + ", but the other faces are " + wanted, help});
         }
     }
     return issues;

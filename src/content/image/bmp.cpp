@@ -39,7 +39,7 @@ std::string read_sizes(std::string_view bytes, Layout& layout) {
     if (bytes.size() < file_header + 12) return "the file ends within its header";
     layout.header_size = read_u32(bytes, file_header);
     if (!known_header(static_cast<std::uint32_t>(layout.header_size))) {
-        return "its header has " + std::to_string(layout.header_size) + " bytes, which no version of the format has";
+        return "the header has " + std::to_string(layout.header_size) + " bytes, which is not a valid BMP header size";
     }
     if (bytes.size() < file_header + layout.header_size) return "the file ends within its header";
     if (layout.header_size == 12) {
@@ -56,28 +56,28 @@ std::string read_sizes(std::string_view bytes, Layout& layout) {
     layout.top_down = layout.height < 0;
     if (layout.top_down) layout.height = -layout.height;
     if (layout.width <= 0 || layout.height <= 0) {
-        return "its size is given as " + std::to_string(layout.width) + " x " + std::to_string(layout.height);
+        return "invalid size " + std::to_string(layout.width) + " x " + std::to_string(layout.height);
     }
     return {};
 }
 
 std::string check_coding(const Layout& layout) {
-    const std::string bits = std::to_string(layout.bits) + " bits a pixel";
+    const std::string bits = std::to_string(layout.bits) + " bits per pixel";
     switch (layout.compression) {
         case rgb:
             for (const std::uint32_t known : {1u, 2u, 4u, 8u, 16u, 24u, 32u}) {
                 if (layout.bits == known) return {};
             }
-            return "it has " + bits;
+            return bits + " are not supported";
         case rle8:
-            return layout.bits == 8 ? "" : "8-bit run lengths with " + bits;
+            return layout.bits == 8 ? "" : "8-bit run-length coding cannot have " + bits;
         case rle4:
-            return layout.bits == 4 ? "" : "4-bit run lengths with " + bits;
+            return layout.bits == 4 ? "" : "4-bit run-length coding cannot have " + bits;
         case bitfields:
         case alpha_bitfields:
-            return layout.bits == 16 || layout.bits == 32 ? "" : "bit masks with " + bits;
+            return layout.bits == 16 || layout.bits == 32 ? "" : "bit masks cannot have " + bits;
         default:
-            return "its compression (number " + std::to_string(layout.compression) + ") is not supported";
+            return "compression type " + std::to_string(layout.compression) + " is not supported";
     }
 }
 
@@ -240,7 +240,7 @@ void mend_alpha(Image& image) {
 }
 
 ImageResult unreadable(const std::string& why) {
-    return image_failed("image-unreadable", "BMP picture: " + why, "save it again as a 24-bit BMP or as PNG");
+    return image_failed("image-unreadable", "BMP image: " + why, "save it as a 24-bit BMP or as PNG");
 }
 
 }  // namespace
@@ -275,9 +275,9 @@ ImageResult decode_bmp(std::string_view bytes, const ImageLimits& limits) {
     const std::int64_t whole = layout.run_length() ? decode_runs(data, layout, rows) : decode_plain(data, layout, rows);
     if (whole < layout.height) {
         result.issues.push_back({false, "image-truncated",
-                                 "BMP picture: the file ends after " + std::to_string(whole) + " of " +
-                                     std::to_string(layout.height) + " rows; the rest is empty",
-                                 "copy the file again"});
+                                 "BMP image: the file ends after " + std::to_string(whole) + " of " +
+                                     std::to_string(layout.height) + " rows; the missing rows are empty",
+                                 "copy the file again, it is incomplete"});
     }
     if (layout.bits == 32) mend_alpha(image);
     return result;

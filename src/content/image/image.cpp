@@ -32,14 +32,14 @@ std::array<std::byte, 4> one(PixelType type) {
 
 ImageResult not_a_picture(std::string_view format) {
     if (format == "git-lfs") {
-        return image_failed("image-unreadable", "the file is a pointer of Git LFS, not the picture itself",
-                            "fetch the pictures with 'git lfs pull'");
+        return image_failed("image-unreadable", "the file is a Git LFS pointer, not an image",
+                            "run 'git lfs pull' to download the images");
     }
     std::string name(format);
     for (char& c : name) c = static_cast<char>(c - 'a' + 'A');
-    return image_failed("image-unreadable", "the file holds " + name + ", not a picture",
-                        format == "html" ? "download the picture itself, not the page that shows it"
-                                         : "save the picture as PNG, JPEG, BMP, HDR or EXR");
+    return image_failed("image-unreadable", "the file contains " + name + ", not an image",
+                        format == "html" ? "download the image itself, not the page that shows it"
+                                         : "save the image as PNG, JPEG, BMP, HDR or EXR");
 }
 
 ImageResult decode_as(std::string_view format, std::string_view named, std::string_view bytes,
@@ -71,17 +71,16 @@ std::optional<ImageIssue> check_size(std::string_view format, std::int64_t width
     const auto too_large = [&](const std::string& limit, std::string help) {
         const std::string size =
             std::to_string(width) + " x " + std::to_string(height) + (depth > 1 ? " x " + std::to_string(depth) : "");
-        return ImageIssue{true, "image-too-large",
-                          std::string(format) + " picture: " + size + " texels are more than " + limit,
-                          "make it smaller; " + std::move(help)};
+        return ImageIssue{true, "image-too-large", std::string(format) + " image: " + size + " texels exceed " + limit,
+                          "reduce the image; " + std::move(help)};
     };
     if (std::max({width, height, depth}) > limits.side) {
-        return too_large("the limit of " + std::to_string(limits.side) + " along one side",
+        return too_large("the limit of " + std::to_string(limits.side) + " texels per side",
                          limit_help(static_cast<std::uint64_t>(limits.side), &Limits::texture_side));
     }
     if (width <= 0 || height <= 0 || depth <= 0) {
-        return ImageIssue{true, "image-unreadable", std::string(format) + " picture: it has no texels",
-                          "save it again"};
+        return ImageIssue{true, "image-unreadable", std::string(format) + " image: width or height is 0",
+                          "save the image again"};
     }
     // Each factor is below 2^31, so the product of two fits; that of three is computed in floating point.
     const double bytes =
@@ -106,9 +105,9 @@ ImageResult decode_image(const std::string& path, std::string_view bytes, const 
     ImageResult result = decode_as(format, named, bytes, limits);
     if (misnamed && result.image) {
         result.issues.push_back({false, "image-misnamed",
-                                 "the file is named ." + extension + " but holds a picture in " + std::string(format) +
-                                     " format; it is read as that",
-                                 "rename it"});
+                                 "the extension is ." + extension + ", but the file is in " + std::string(format) +
+                                     " format; it is read as " + std::string(format),
+                                 "rename it to ." + std::string(format)});
     }
     return result;
 }

@@ -79,10 +79,12 @@ std::string plural(std::size_t count, const char* what) {
 ImageResult half_image(Image shape, std::vector<float> values) {
     ImageResult result;
     if (const std::size_t count = mend(shape, values); count > 0) {
-        result.issues.push_back({false, "image-non-finite",
-                                 plural(count, "value") + " of the picture " + (count == 1 ? "is" : "are") +
-                                     " infinite or not a number; replaced by the mean of the neighbours",
-                                 "save the picture with finite values"});
+        result.issues.push_back(
+            {false, "image-non-finite",
+             plural(count, "value") + " of the image " + (count == 1 ? "is" : "are") +
+                 (count == 1 ? " infinite or NaN; it is replaced by the mean of its neighbours"
+                             : " infinite or NaN; they are replaced by the mean of their neighbours"),
+             "save the image with finite values"});
     }
     shape.type = PixelType::f16;
     shape.pixels.resize(shape.bytes());
@@ -98,9 +100,10 @@ ImageResult half_image(Image shape, std::vector<float> values) {
     }
     if (clamped > 0) {
         result.issues.push_back({false, "image-clamped",
-                                 plural(clamped, "value") + " of the picture " + (clamped == 1 ? "lies" : "lie") +
-                                     " beyond 65504, the largest that textures here hold; clamped",
-                                 "scale the picture down"});
+                                 plural(clamped, "value") + " of the image " +
+                                     (clamped == 1 ? "exceeds 65504, the largest half float; it is clamped"
+                                                   : "exceed 65504, the largest half float; they are clamped"),
+                                 "scale the image's values down"});
     }
     result.image = std::move(shape);
     return result;

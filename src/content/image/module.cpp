@@ -32,12 +32,12 @@ OiioModule open_module() {
     const auto installed = executable.parent_path().parent_path() / "lib" / "snell" / module_name;
     const auto& path = std::filesystem::exists(beside, error) ? beside : installed;
     if (!std::filesystem::exists(path, error)) {
-        result.error = "the OpenImageIO module is neither at " + beside.string() + " nor at " + installed.string();
+        result.error = "cannot find the OpenImageIO module at " + beside.string() + " or " + installed.string();
         return result;
     }
     void* const module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module) {
-        result.error = std::string("the OpenImageIO module can't be loaded: ") + dlerror();
+        result.error = std::string("cannot load the OpenImageIO module: ") + dlerror();
         return result;
     }
     decltype(&snell_oiio_api_version) version = nullptr;
@@ -200,22 +200,24 @@ const OiioModule& oiio_module() {
 ImageResult decode_other(std::string_view bytes, std::string_view format, const ImageLimits& limits) {
     const OiioModule& module = oiio_module();
     if (!module.error.empty()) {
-        return image_failed("image-module-missing", module.error,
-                            "install snell whole; without the module BMP, PNG and raw .tex pictures can be read");
+        return image_failed(
+            "image-module-missing", module.error,
+            "install snell completely; without the module only BMP, PNG and raw .tex images can be read");
     }
     const MemoryFile file(bytes);
-    if (file.path().empty()) return image_failed("image-unreadable", "there is not enough memory to read the picture");
+    if (file.path().empty()) return image_failed("image-unreadable", "not enough memory to read the image");
     Reading reading{limits, {}, {}, {}, {}};
     std::array<char, message_size> message{};
     const int status = module.read(file.path().c_str(), std::string(format).c_str(), allocate, &reading, message.data(),
                                    message.size());
     if (reading.refused) return {{}, {*reading.refused}};
-    const std::string kind = format.empty() ? "picture of unknown format" : std::string(format) + " picture";
+    const std::string kind = format.empty() ? "image of unknown format" : std::string(format) + " image";
     std::string what = kind + ": " + (message[0] ? file.unnamed(message.data()) : "not enough memory");
     if (status == 0) return finish(reading);
     if (status == 3 && reading.any()) {
         ImageResult result = finish(reading);
-        result.issues.push_back({false, "image-truncated", what + "; the rest is empty", "copy the file again"});
+        result.issues.push_back({false, "image-truncated", what + "; the rest of the image is empty",
+                                 "copy the file again, it is incomplete"});
         return result;
     }
     return image_failed("image-unreadable", what, "save it as PNG, JPEG, BMP, HDR or EXR");

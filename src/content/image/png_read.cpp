@@ -90,8 +90,8 @@ ImageResult from_16_bits(Image image, const std::vector<std::byte>& pixels) {
 }
 
 ImageResult unreadable(const Reader& reader) {
-    return image_failed("image-unreadable", "PNG picture: " + (reader.error.empty() ? "out of memory" : reader.error),
-                        "save it again as PNG");
+    return image_failed("image-unreadable", "PNG image: " + (reader.error.empty() ? "out of memory" : reader.error),
+                        "save the image again");
 }
 
 }  // namespace
@@ -142,7 +142,8 @@ ImageResult decode_png(std::string_view bytes, const ImageLimits& limits) {
     }
     if (!whole) {
         result.issues.push_back({false, reader.ended ? "image-truncated" : "image-damaged",
-                                 "PNG picture: " + reader.error + "; the rest is empty", "copy the file again"});
+                                 "PNG image: " + reader.error + "; the rest of the image is empty",
+                                 "copy the file again, it is incomplete"});
     }
     return result;
 }

@@ -21,7 +21,7 @@ void PngEncoder::on_error(png_structp png, png_const_charp message) {
 
 void PngEncoder::on_write(png_structp png, png_bytep data, png_size_t count) {
     const auto& encoder = *static_cast<PngEncoder*>(png_get_io_ptr(png));
-    if (!encoder.sink_({reinterpret_cast<const char*>(data), count})) png_error(png, "it can't be written");
+    if (!encoder.sink_({reinterpret_cast<const char*>(data), count})) png_error(png, "cannot write the file");
 }
 
 bool PngEncoder::begin(const Image& shape) {

@@ -53,9 +53,9 @@ ImageResult no_reading(std::string_view bytes) {
     for (std::size_t at = 0; at + 4 <= bytes.size() && at < 12; at += 4) {
         numbers += " " + std::to_string(read_i32(bytes, at));
     }
-    std::string message = "raw texture: its " + std::to_string(bytes.size()) + " bytes ";
-    message += numbers.empty() ? "are too few to hold a size"
-                               : "fit no texture of the sizes that it starts with (" + numbers.substr(1) + ")";
+    std::string message = "raw texture: the file has " + std::to_string(bytes.size()) + " bytes, ";
+    message += numbers.empty() ? "too few for a size"
+                               : "which does not match the sizes at its start (" + numbers.substr(1) + ")";
     return image_failed("image-unreadable", message,
                         "a .tex file is 1, 2 or 3 sizes of 4 bytes, then RGBA texels of 4 bytes or of 4 floats");
 }
@@ -76,9 +76,9 @@ ImageResult decode_tex(std::string_view bytes, const ImageLimits& limits) {
     if (found.empty()) return no_reading(bytes);
     if (found.size() > 1) {
         return image_failed("image-ambiguous",
-                            "raw texture: its " + std::to_string(bytes.size()) + " bytes may be " + found[0].text() +
-                                " or " + found[1].text(),
-                            "give the texture one more texel, or save it as PNG");
+                            "raw texture: " + std::to_string(bytes.size()) +
+                                " bytes are ambiguous: " + found[0].text() + " or " + found[1].text(),
+                            "save it as PNG, or change its size by one texel");
     }
     const RawLayout& reading = found.front();
     const auto [width, height, depth] = reading.size;

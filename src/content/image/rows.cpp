@@ -16,7 +16,7 @@ namespace {
 using Message = std::array<char, 1024>;
 
 std::string said(const Message& message) {
-    return message[0] ? message.data() : "the picture can't be written in this format";
+    return message[0] ? message.data() : "cannot write the picture in this format";
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::string RowWriter::File::begin() {
     if (std::string wrong = place.check(); !wrong.empty()) return wrong;
     if (writes_without_module(path)) return begin_png();
     const OiioModule& module = oiio_module();
-    if (!module.error.empty()) return module.error + "; only PNG can be written without it";
+    if (!module.error.empty()) return module.error + "; without it only PNG can be written";
     const SnellOiioShape what = module_shape(shape);
     Message message{};
     other = module.begin(place.path().c_str(), extension_of(path).c_str(), &what, message.data(), message.size());
@@ -74,7 +74,7 @@ std::string RowWriter::File::begin() {
 std::string RowWriter::File::add(std::span<const std::byte> pixels) {
     const auto count = static_cast<int>(pixels.size() / shape.row_bytes());
     if (count > shape.height - rows || static_cast<std::size_t>(count) * shape.row_bytes() != pixels.size())
-        return about("these are not the rows of the picture");
+        return about("wrong number of rows");
     rows += count;
     if (other) {
         Message message{};
@@ -94,7 +94,7 @@ std::string RowWriter::File::add(std::span<const std::byte> pixels) {
 }
 
 std::string RowWriter::File::end() {
-    if (rows < shape.height) return about("rows of the picture are missing");
+    if (rows < shape.height) return about("some rows of the picture are missing");
     if (other) {
         Message message{};
         const int status = oiio_module().end(std::exchange(other, nullptr), 1, message.data(), message.size());
@@ -116,9 +116,9 @@ RowWriter::RowWriter(const std::string& path, const Image& shape) {
     header.channels = shape.channels;
     header.type = shape.type;
     if (extension_of(path).empty())
-        wrong_ = path + " has no extension that says in which format to write, such as .png or .exr";
+        wrong_ = path + " has no extension; add one that sets the format, such as .png or .exr";
     else if (shape.width <= 0 || shape.height <= 0 || shape.channels < 1 || shape.channels > 4)
-        wrong_ = "there are no pixels to write";
+        wrong_ = "the picture is empty";
     if (!wrong_.empty()) return;
     file_ = std::make_unique<File>(path, header);
     wrong_ = file_->begin();

@@ -37,8 +37,8 @@ std::string encode_png(const Image& image) {
 bool writes_without_module(std::string_view path) { return extension_of(path) == "png"; }
 
 std::string write_image(const std::string& path, const Image& image) {
-    if (image.pixels.size() != image.bytes()) return "there are no pixels to write";
-    if (image.depth > 1) return "a volume can't be written as a picture";
+    if (image.pixels.size() != image.bytes()) return "the picture is empty";
+    if (image.depth > 1) return "cannot write a 3D texture as an image";
     RowWriter file(path, image);
     if (image.bottom_first)
         file.add(flipped(image).pixels);

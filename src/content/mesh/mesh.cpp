@@ -24,7 +24,7 @@ void fail(Issues& issues, std::string code, std::string message, std::string hel
 
 void at_least(int& count, int least, std::string_view what, Issues& issues) {
     if (count >= least) return;
-    warn(issues, fmt::format("too-few-{}", what), fmt::format("{} {} are too few; {} is used", count, what, least));
+    warn(issues, fmt::format("too-few-{}", what), fmt::format("{} {} are too few; {} are used", count, what, least));
     count = least;
 }
 
@@ -32,7 +32,7 @@ void at_least(int& count, int least, std::string_view what, Issues& issues) {
 bool finite(double value, std::string_view what, Issues& issues) {
     if (std::abs(value) <= 1e37) return true;
     fail(issues, "size-not-finite", fmt::format("the {} {} is too large or not a number", what, value),
-         "Sizes lie between -1e37 and 1e37.");
+         "give a size between -1e37 and 1e37");
     return false;
 }
 
@@ -43,7 +43,7 @@ bool positive(double& value, std::string_view what, Issues& issues) {
         value = -value;
     }
     if (value == 0)
-        warn(issues, "zero-size", fmt::format("the {} is 0; nothing can be seen", what), "Give a size above 0.");
+        warn(issues, "zero-size", fmt::format("the {} is 0, so the shape is invisible", what), "give a size above 0");
     return true;
 }
 
@@ -89,8 +89,9 @@ struct Maker {
         if (!positive(s.outer, "outer radius", issues) || !positive(s.inner, "inner radius", issues)) return {};
         if (s.inner > s.outer) {
             warn(issues, "torus-radii-swapped",
-                 fmt::format("the inner radius {} is larger than the outer {}; the larger is taken as the ring's",
-                             s.inner, s.outer));
+                 fmt::format(
+                     "the inner radius {} is larger than the outer radius {}; the larger one is used as the ring's",
+                     s.inner, s.outer));
             std::swap(s.inner, s.outer);
         } else if (s.inner == s.outer) {
             warn(issues, "torus-without-hole", "both radii are equal: the torus has no hole");
@@ -104,7 +105,7 @@ struct Maker {
     template <class Standing>
     bool mend_standing(Standing& s) const {
         if (!positive(s.radius, "radius", issues) || !finite(s.height, "height", issues)) return false;
-        if (s.height == 0) warn(issues, "zero-size", "the height is 0; only flat discs are left");
+        if (s.height == 0) warn(issues, "zero-size", "the height is 0; only the flat caps are drawn");
         at_least(s.slices, 3, "slices", issues);
         at_least(s.stacks, 1, "stacks", issues);
         int rows = s.stacks + std::min(4, std::numeric_limits<int>::max() - s.stacks);  // including those of the caps

@@ -155,11 +155,10 @@ void add_triangles(const ObjData& data, const std::vector<Corners>& triangles, O
         std::size_t crowded = 0;
         mesh.indices = with_adjacency(mesh.indices, weld(mesh.positions), nullptr, &crowded);
         if (crowded > 0)
-            issues.push_back({false, "obj-not-manifold",
-                              fmt::format("{} edges belong to more than two triangles, or to two that disagree about "
-                                          "the front",
-                                          crowded),
-                              "Adjacency is not unique there."});
+            issues.push_back(
+                {false, "obj-not-manifold",
+                 fmt::format("{} edges belong to more than two triangles, or to two with opposite winding", crowded),
+                 "adjacency is ambiguous there; repair the mesh"});
     }
 }
 
@@ -175,7 +174,8 @@ MeshResult parse_obj(std::string_view text, ObjAs as, bool wire, const MeshLimit
 
     std::size_t flat = 0;
     const std::vector<Corners> triangles = triangles_of(data, flat);
-    if (flat > 0) result.issues.push_back({false, "obj-zero-area", fmt::format("{} triangles have no area", flat), ""});
+    if (flat > 0)
+        result.issues.push_back({false, "obj-zero-area", fmt::format("{} triangles have zero area", flat), ""});
 
     const Weld places = weld(data.positions);
     Mesh& mesh = result.mesh;
@@ -187,11 +187,11 @@ MeshResult parse_obj(std::string_view text, ObjAs as, bool wire, const MeshLimit
 
     if (mesh.indices.empty()) {
         result.issues.push_back(
-            {true, "obj-no-faces", "the file has no faces that can be drawn", "Faces are lines like `f 1 2 3`."});
+            {true, "obj-no-faces", "the file contains no drawable faces", "faces are lines such as 'f 1 2 3'"});
         result.mesh = {};
     } else if (mesh.positions.size() > limits.vertices) {
         result.issues.push_back({true, "too-many-vertices",
-                                 fmt::format("the file makes {} vertices", mesh.positions.size()),
+                                 fmt::format("the mesh has {} vertices, more than the limit", mesh.positions.size()),
                                  limit_help(limits.vertices, &Limits::vertices)});
         result.mesh = {};
     }

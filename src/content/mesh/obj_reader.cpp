@@ -91,14 +91,16 @@ struct Reader {
 
     Trouble not_a_number{"obj-not-a-number", "a coordinate is not a number; faces with this vertex are left out",
                          "vertices have coordinates that are not numbers; their faces are left out", ""};
-    Trouble malformed{"obj-malformed-number", "a number has characters that do not belong to it",
-                      "lines have numbers with characters that do not belong to them",
-                      "Numbers are written like 1.5 or -2e-3, with a point in every country."};
-    Trouble out_of_range{"obj-index-out-of-range", "the face names a vertex that does not exist; the face is left out",
-                         "faces name vertices that do not exist; they are left out",
-                         "Indices count from 1, or backward from -1; 0 is none."};
-    Trouble attribute{"obj-attribute-out-of-range", "the face names a texture coordinate or normal that does not exist",
-                      "faces name texture coordinates or normals that do not exist", "They are taken as not given."};
+    Trouble malformed{"obj-malformed-number", "a number is followed by invalid characters",
+                      "lines have numbers that are followed by invalid characters",
+                      "write numbers such as 1.5 or -2e-3, with a decimal point"};
+    Trouble out_of_range{"obj-index-out-of-range",
+                         "the face refers to a vertex that does not exist; the face is left out",
+                         "faces refer to vertices that do not exist; they are left out",
+                         "indices count from 1, or backward from -1; 0 is invalid"};
+    Trouble attribute{"obj-attribute-out-of-range",
+                      "the face refers to a texture coordinate or normal that does not exist",
+                      "faces refer to texture coordinates or normals that do not exist", "the reference is ignored"};
     Trouble too_small{"obj-face-too-small", "a face needs three corners; it is left out",
                       "faces have fewer than three corners; they are left out", ""};
 
@@ -227,7 +229,8 @@ std::string normalised(std::string_view text) {
 ObjData read_obj(std::string_view text, const MeshLimits& limits, std::vector<MeshIssue>& issues) {
     ObjData data;
     if (text.size() > limits.file_bytes) {
-        issues.push_back({true, "file-too-large", fmt::format("the file has {} bytes", text.size()),
+        issues.push_back({true, "file-too-large",
+                          fmt::format("the file has {} bytes, more than the limit", text.size()),
                           limit_help(limits.file_bytes, &Limits::file_bytes)});
         return data;
     }

@@ -172,11 +172,12 @@ void report(const Leftovers& left, bool cut, std::vector<MeshIssue>& issues) {
     const auto warn = [&](int count, std::string code, std::string_view what) {
         if (count > 0) issues.push_back({false, std::move(code), fmt::format("{} {}", count, what), ""});
     };
-    warn(left.unreadable, "shp-damaged", "records can't be read; they are left out");
+    warn(left.unreadable, "shp-damaged", "records cannot be read; they are left out");
     warn(left.not_finite, "shp-not-a-number", "lines have coordinates that are not numbers; they are left out");
-    warn(left.heights, "shp-not-a-number", "heights are not numbers; they are 0");
+    warn(left.heights, "shp-not-a-number", "heights are not numbers; 0 is used");
     warn(left.without_lines, "shp-no-lines", "records are points, not lines; they are left out");
-    if (cut) issues.push_back({false, "shp-truncated", "the file is shorter than it says", ""});
+    if (cut)
+        issues.push_back({false, "shp-truncated", "the file is incomplete: it is shorter than its header states", ""});
 }
 
 }  // namespace
@@ -191,7 +192,7 @@ MeshResult parse_shp(std::string_view shp, const MeshLimits& limits) {
         return result;
     };
     if (shp.size() > limits.file_bytes)
-        return fail("file-too-large", fmt::format("the file has {} bytes", shp.size()),
+        return fail("file-too-large", fmt::format("the file has {} bytes, more than the limit", shp.size()),
                     limit_help(limits.file_bytes, &Limits::file_bytes));
     if (shp.size() < header_bytes || big_endian(shp.data()) != 9994)
         return fail("shp-not-a-shape-file", "this is not an ESRI shape file: it does not begin with the number 9994");
@@ -199,7 +200,7 @@ MeshResult parse_shp(std::string_view shp, const MeshLimits& limits) {
     bool cut = false;
     const std::string shx = make_index(shp, cut);
     const Shp file = open_shp(shp, shx);
-    if (!file) return fail("shp-damaged", "the file's header makes no sense");
+    if (!file) return fail("shp-damaged", "the file's header is invalid");
 
     Mesh& mesh = result.mesh;
     mesh.topology = Topology::lines;
@@ -215,7 +216,7 @@ MeshResult parse_shp(std::string_view shp, const MeshLimits& limits) {
             add_object(*object, mesh, left);
     }
     report(left, cut, result.issues);
-    if (mesh.indices.empty()) return fail("shp-empty", "the file has no lines that can be drawn");
+    if (mesh.indices.empty()) return fail("shp-empty", "the file contains no drawable lines");
     mesh.compute_bounds();
     return result;
 }

@@ -104,7 +104,7 @@ int read(const char* path, const char* format, SnellOiioAllocate allocate, void*
         if (!input) return message(failed, OIIO::geterror());
         spec = input->spec();
     }
-    if (spec.deep) return message(failed, "it is a deep image");
+    if (spec.deep) return message(failed, "deep images are not supported");
     const SnellOiioShape shape = shape_of(spec, input->format_name());
     void* const pixels = allocate(context, &shape);
     if (!pixels) return message(given_up, "");
@@ -186,7 +186,7 @@ std::unique_ptr<Picture> begin(const char* path, const char* format, const Snell
     output = OIIO::ImageOutput::create(format);
     if (!output) {
         OIIO::geterror();  // it names the temporary file, which means nothing to the user
-        message(failed, std::string("no picture format is known by the extension '") + format + "'");
+        message(failed, std::string("'") + format + "' is not the extension of a supported image format");
         return nullptr;
     }
     picture->shape = shape;

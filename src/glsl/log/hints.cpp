@@ -115,7 +115,7 @@ int count_arguments(std::string_view list) {
 void hint_returns(const Entry& entry, Diagnostic& diagnostic) {
     diagnostic.help = conversion_help(entry.a, entry.b);
     if (entry.a.empty() && !entry.b.empty())
-        diagnostic.help = fmt::format("the function says that it returns '{}'", entry.b);
+        diagnostic.help = fmt::format("the function declares that it returns '{}'", entry.b);
     if (entry.b == "void") diagnostic.help = "a function that returns a value names its type in place of 'void'";
 }
 
@@ -182,7 +182,7 @@ void hint_types_differ(std::string_view name, const Place& place, const Context&
             for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || span_of(file, d) == place.span) continue;
                 diagnostic.notes.push_back(
-                    {span_of(file, d), fmt::format("the {} shader says '{}' here", stage_word(s.stage), d.type)});
+                    {span_of(file, d), fmt::format("the {} shader declares '{}' here", stage_word(s.stage), d.type)});
             }
     diagnostic.help = "declare it with the same type in every shader of the program";
 }

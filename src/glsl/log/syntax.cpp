@@ -121,7 +121,7 @@ bool hint_brackets(const Around& a, Diagnostic& diagnostic) {
     } else if (a.parens < 0 || (here == ")" && a.parens == 0)) {
         diagnostic.help = "there are more ')' than '('";
     } else if (here == "{" && a.before() == ")" && a.depth > 0) {
-        diagnostic.help = "a function can't stand inside another one: is a '}' missing above?";
+        diagnostic.help = "a function cannot be defined inside another one: is a '}' missing above?";
     } else if (here == "{" && a.depth == 0 && ends_operand(a.before()) && a.before() != ")") {
         diagnostic.help = fmt::format("a function needs parentheses: {}()", a.before());
     } else {
@@ -136,7 +136,7 @@ bool hint_character(Span span, std::string_view text, Diagnostic& diagnostic) {
     while (span.end < text.size() && continues(text[span.end])) ++span.end;
     diagnostic.span = span;
     diagnostic.message.replace(0, diagnostic.message.find(" ("), "a character that GLSL does not know");
-    diagnostic.help = "was it pasted from elsewhere? type it anew";
+    diagnostic.help = "was it pasted from elsewhere? type it again";
     return true;
 }
 

@@ -179,7 +179,7 @@ bool Parser::foreign_function(std::string_view name, std::vector<Expression>& gi
             call_builtin(result, found->ours, given);
     }
     diagnostics_.warning("foreign-function", u_.span(result.first),
-                         "'" + std::string(name) + "' is no function of GLSL: read as " +
+                         "'" + std::string(name) + "' is not a function of GLSL; it is read as " +
                              (name == "mul" ? "a product" : std::string(found->ours)));
     return true;
 }

@@ -117,11 +117,12 @@ void Parser::convert(const Expression& e, const Type& due, Due why) {
         due.base > Base::dreal)
         return;
     if (due.base == Base::boolean)
-        return forgive(e, due, "number-as-bool", "a number stands where true or false is due: true unless it is zero");
+        return forgive(e, due, "number-as-bool",
+                       "a number is used where true or false is expected; it is true unless it is zero");
     if (have.base == Base::boolean)
-        return forgive(e, due, "bool-as-number", "true or false stands where a number is due: 1 or 0");
+        return forgive(e, due, "bool-as-number", "true or false is used where a number is expected; it is 1 or 0");
     if (due.integral() && have.floating())
-        return forgive(e, due, "float-to-int", "a float stands where an int is due: its fraction is dropped");
+        return forgive(e, due, "float-to-int", "a float is used where an int is expected; its fraction is dropped");
     const bool to_float = due.floating() && have.integral();
     const bool to_unsigned = due.base == Base::uinteger && have.base == Base::integer;
     if (!to_float && !to_unsigned) return;

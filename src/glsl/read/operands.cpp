@@ -100,7 +100,8 @@ Expression Parser::postfix() {
                    (u_.at(p_ - 1).text == "]" || u_.at(p_ - 1).kind == Kind::integer ||
                     u_.at(p_ - 1).kind == Kind::real)) {
             // At least one driver does not survive this.
-            diagnostics_.error("not-a-function", u_.span(p_), "what stands before this parenthesis is no function");
+            diagnostics_.error("not-a-function", u_.span(p_),
+                               "the expression before this parenthesis is not a function");
             skip_balanced();
             e = Expression{};
             e.constant = false;

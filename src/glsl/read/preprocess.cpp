@@ -223,7 +223,7 @@ void Preprocessor::conditional(std::string_view name, std::string_view rest, std
         broken_ = broken_ || !value;
         if (!value)
             diagnostics_.warning("bad-condition", span(start, end),
-                                 "this condition can't be understood: read as false");
+                                 "this condition cannot be understood: read as false");
         return value.value_or(false);
     };
     if (name.starts_with("if")) {
@@ -334,7 +334,7 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
     // Its names are there without it.
     if (!got && name == "gstap.h") got = IncludeText{"gstap.h", ""};
     if (!got) {
-        diagnostics_.error("missing-include", where, "can't read the included file '" + std::string(name) + "'");
+        diagnostics_.error("missing-include", where, "cannot read the included file '" + std::string(name) + "'");
         return blank_out(start, end);
     }
     if (std::find(file_name_.begin(), file_name_.end(), got->name) != file_name_.end()) {

@@ -1,6 +1,5 @@
 // Which vertex attribute a vertex shader's input means.
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "src/glsl/read/words.h"
@@ -9,20 +8,6 @@
 namespace snell::glsl {
 
 namespace {
-
-struct Canonical {
-    std::string_view name, type;
-    int rows;
-};
-// By Attribute.
-constexpr std::array<Canonical, attribute_count> canonical = {{{"snell_Vertex", "vec4", 4},
-                                                               {"snell_Normal", "vec3", 3},
-                                                               {"snell_Color", "vec4", 4},
-                                                               {"snell_MultiTexCoord0", "vec4", 4},
-                                                               {"snell_Tangent", "vec3", 3},
-                                                               {"snell_SecondaryColor", "vec4", 4},
-                                                               {"snell_FogCoord", "float", 1},
-                                                               {"snell_VertexId", "float", 1}}};
 
 std::string lower(std::string_view s) {
     std::string out(s);
@@ -74,7 +59,7 @@ std::optional<Attribute> legacy_attribute(std::string_view name) {
 
 // The value of a canonical attribute as a variable of the user's type.
 std::string value_as(Attribute a, const Type& type) {
-    const Canonical& c = canonical[static_cast<std::size_t>(a)];
+    const AttributeFacts& c = attribute_facts()[static_cast<std::size_t>(a)];
     if (type.dims || type.cols > 1 || type.base < Base::boolean || type.base > Base::dreal) return {};
     const std::string type_text(type_name(type.base, type.rows, 1));
     std::string components(c.name);
@@ -129,7 +114,7 @@ void assign_attributes(Program& program, Unit& u) {
         if (known && plain && users[static_cast<std::size_t>(a)] == 1) continue;
         const std::string value = value_as(a, g.type);
         if (value.empty()) continue;
-        const Canonical& c = canonical[static_cast<std::size_t>(a)];
+        const AttributeFacts& c = attribute_facts()[static_cast<std::size_t>(a)];
         if (g.name == c.name) continue;
         declare_once(u, c.name, "in " + std::string(c.type) + " " + std::string(c.name) + ";");
         g.qualifiers = {};
@@ -189,8 +174,9 @@ void assign_outputs(Program& program, Unit& u) {
     for (Global* g : outputs) {
         if ((!g->written && outputs.size() + (legacy ? 1 : 0) > 1) || (legacy && location_of(g->qualifiers) == 0)) {
             if (legacy && g->written)
-                program.warn(u, g->name_token, "two-outputs",
-                             "'" + std::string(g->name) + "' stands beside gl_FragColor, which is what is seen");
+                program.warn(
+                    u, g->name_token, "two-outputs",
+                    "'" + std::string(g->name) + "' is written in addition to gl_FragColor, which is what is shown");
             g->qualifiers = {};
             g->dirty = true;
             continue;

@@ -65,7 +65,7 @@ void copy_assigned(Program& program, Unit& u) {
         if (g.type.base < Base::boolean || g.type.base > Base::dreal) continue;
         const std::string name(u.now(g.name_token)), copy = "snell_copy_" + name;
         program.warn(u, g.name_token, "assigned-input",
-                     "'" + name + "' comes from outside and can't be assigned: a copy is");
+                     "'" + name + "' comes from outside and cannot be assigned: a copy is");
         u.header += std::string(g.type.name) + " " + copy + ";\n";
         for (const int token : g.uses) u.replace(token, copy);
         at_main_start(u, copy + " = " + name + ";");

@@ -63,7 +63,7 @@ void warn_of_zero(Program& program, const Unit& u, int token, std::string_view n
     static constexpr std::string_view stage_names[] = {"vertex", "tessellation control", "tessellation evaluation",
                                                        "geometry", "fragment"};
     program.warn(u, token, "input-without-output",
-                 "'" + std::string(name) + "' is no output of the " +
+                 "'" + std::string(name) + "' is not an output of the " +
                      std::string(stage_names[static_cast<std::size_t>(from.stage)]) + " shader: it is read as zero");
 }
 

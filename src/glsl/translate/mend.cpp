@@ -181,8 +181,9 @@ void mend_foreign_types(Program& program, Unit& u) {
         const bool function = next.text == "(" && i > 0 && u.tokens[i - 1].kind == Kind::identifier;
         if (function) continue;
         if (told.insert(u.tokens[i].text).second)
-            program.warn(u, static_cast<int>(i), "foreign-type",
-                         "'" + std::string(u.tokens[i].text) + "' is no type of GLSL: read as " + std::string(type));
+            program.warn(
+                u, static_cast<int>(i), "foreign-type",
+                "'" + std::string(u.tokens[i].text) + "' is not a type of GLSL; it is read as " + std::string(type));
         u.replace(static_cast<int>(i), type);
         u.tokens[i].text = type;
     }
@@ -195,7 +196,7 @@ void mend_dashes(Program& program, Unit& u) {
         if (t.kind != Kind::other) continue;
         const std::string_view s = t.text;
         if (s != "\xE2\x80\x93" && s != "\xE2\x80\x94" && s != "\xE2\x88\x92" && s != "\x96" && s != "\x97") continue;
-        program.warn(u, static_cast<int>(i), "odd-minus", "this dash is no minus sign: read as one");
+        program.warn(u, static_cast<int>(i), "odd-minus", "this dash is not a minus sign; it is read as one");
         u.replace(static_cast<int>(i), "-");
         t.text = "-";
         t.kind = Kind::punct;

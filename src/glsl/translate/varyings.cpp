@@ -290,7 +290,7 @@ void replace_attribute(Context& c, Unit& u, int i, const LegacyName& name) {
         const std::string_view spelled = u.at(i).spelled;
         c.program.warn(u, i, "assigned-input",
                        "'" + std::string(spelled.empty() ? name.name : spelled) +
-                           "' comes from outside and can't be assigned: a copy is");
+                           "' comes from outside and cannot be assigned: a copy is");
         at_main_start(u, copy + " = " + own + ";");
     }
     u.replace(i, copy);

@@ -137,8 +137,8 @@ std::optional<std::vector<double>> fitted(const Control& control, std::vector<do
         const double kept = fit_to_type(value, control.type);
         const bool rounded = !real && control.type != ValueType::bool_ && std::round(value) == kept;
         if (kept != value && control.type != ValueType::bool_ && !rounded) {
-            diagnostics.error("uniform-value-range", fmt::format("'{}' can't be {}", control.name, value),
-                              fmt::format("the nearest that it can be is {}", kept));
+            diagnostics.error("uniform-value-range", fmt::format("'{}' cannot have the value {}", control.name, value),
+                              fmt::format("the nearest valid value is {}", kept));
             return std::nullopt;
         }
         value = kept;
@@ -163,7 +163,7 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
     const std::size_t equals = assignment.find('=');
     const std::string_view name = trimmed(assignment.substr(0, equals));
     if (equals == std::string_view::npos || name.empty()) {
-        diagnostics.error("bad-assignment", fmt::format("'{}' sets nothing", assignment),
+        diagnostics.error("bad-assignment", fmt::format("'{}' is not an assignment", assignment),
                           "write uniform=value or Program.uniform=value");
         return false;
     }
@@ -178,13 +178,13 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
     if (std::any_of(targets.begin(), targets.end(), [](const Control* c) { return c->active; })) {
         std::erase_if(targets, [](const Control* c) { return !c->active; });
     } else {
-        diagnostics.warning("inactive-uniform", fmt::format("no program uses '{}': setting it changes nothing", name));
+        diagnostics.warning("inactive-uniform", fmt::format("no program uses '{}', so setting it has no effect", name));
     }
     std::string bad;
     const std::optional<std::vector<double>> values = numbers(assignment.substr(equals + 1), bad);
     if (!values || values->empty()) {
-        diagnostics.error("bad-value", values ? fmt::format("'{}' is given no value", name)
-                                              : fmt::format("'{}' is given '{}', which is no number", name, bad));
+        diagnostics.error("bad-value", values ? fmt::format("the value of '{}' is missing", name)
+                                              : fmt::format("the value '{}' of '{}' is not a number", bad, name));
         return false;
     }
     std::vector<std::vector<double>> each;

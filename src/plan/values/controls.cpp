@@ -137,7 +137,7 @@ private:
         if (laddered && near.empty()) return;
         diagnostics_.warning(
             "unknown-uniform", written.name_span,
-            fmt::format("program '{}' has no uniform '{}' that it uses", scene_.programs[program].name, written.name),
+            fmt::format("program '{}' has no active uniform '{}'", scene_.programs[program].name, written.name),
             near.empty() || near == written.name ? std::string() : fmt::format("did you mean '{}'?", near));
     }
 
@@ -210,7 +210,7 @@ private:
         diagnostics_.warning("uniform-value-count", written.span,
                              fmt::format("'{}' is a {} and takes {} {}, not {}", written.name, type_name(uniform),
                                          takes, takes == 1 ? "number" : "numbers", given),
-                             "the numbers that are there are used");
+                             "the given numbers are used");
     }
 
     double typed(const Control& control, double value, const UniformValue& written, const ActiveUniform& uniform) {
@@ -218,7 +218,7 @@ private:
         if (fitted != value && control.type != ValueType::bool_) {
             diagnostics_.warning(
                 "uniform-value-type", written.span,
-                fmt::format("'{}' is a {}: {} becomes {}", written.name, type_name(uniform), value, fitted));
+                fmt::format("'{}' is a {}: {} is converted to {}", written.name, type_name(uniform), value, fitted));
         }
         return fitted;
     }
@@ -252,8 +252,8 @@ private:
         if (control.value.size() > 1) {
             diagnostics_.warning(
                 "uniform-value-count", written.span,
-                fmt::format("'{}' is a {}, and a range gives one number", written.name, type_name(uniform)),
-                "all of its components are given that number; [1. 2. 3.] gives each its own");
+                fmt::format("'{}' is a {}, but a range has one number", written.name, type_name(uniform)),
+                "all components get that number; write [1. 2. 3.] to set each one");
         }
         std::fill(control.value.begin(), control.value.end(), current);
         control.min = range.min;
@@ -272,22 +272,24 @@ private:
         const bool reversed = range.min > range.max;
         if (reversed) {
             std::swap(range.min, range.max);
-            warn_range("range-reversed", written, "its minimum is above its maximum: they are exchanged");
+            warn_range("range-reversed", written, "the minimum is above the maximum; they are swapped");
         }
         if (range.current < range.min || range.current > range.max) {
             if (!reversed) warn_order(written, range);
             range.min = std::min(range.min, range.current);
             range.max = std::max(range.max, range.current);
             if (reversed)
-                warn_range("range-widened", written, fmt::format("{} lies outside it: it is widened", range.current));
+                warn_range("range-widened", written,
+                           fmt::format("the current value {} is outside; the range is widened", range.current));
         }
         const Range limited = limit_range(range, control.type);
         if (limited.min != range.min || limited.max != range.max) {
             warn_range("range-limited", written,
-                       fmt::format("for a {} it becomes {} to {}", type_name(uniform), limited.min, limited.max));
+                       fmt::format("it exceeds the range of a {}; {} to {} is used", type_name(uniform), limited.min,
+                                   limited.max));
         }
         if (limited.min == limited.max) {
-            warn_range("range-empty", written, "its minimum is its maximum: there is nothing to slide");
+            warn_range("range-empty", written, "minimum and maximum are equal, so there is no slider");
         }
         return {limited.min, range.current, limited.max};
     }
@@ -303,7 +305,7 @@ private:
             fmt::format("range of '{}': its numbers are <min current max>, and the current one, {}, is {}",
                         written.name, range.current,
                         range.current > range.max ? "above the maximum" : "below the minimum"),
-            fmt::format("did you mean '{}'? as it stands, the value is {}, and the range reaches to it",
+            fmt::format("did you mean '{}'? as written, the value is {}, and the range is extended to it",
                         text_of::uniform(meant), range.current));
     }
 

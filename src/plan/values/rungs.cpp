@@ -10,7 +10,7 @@ namespace {
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& names) {
     const std::string_view near = nearest(word, names);
     if (!near.empty()) return fmt::format("did you mean '{}'?", near);
-    return names.empty() ? "" : fmt::format("there are: {}", fmt::join(names, ", "));
+    return names.empty() ? "" : fmt::format("available: {}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -37,7 +37,8 @@ bool choose_rung(Rungs& rungs, const Scene& scene, std::string_view assignment, 
     const std::size_t equals = assignment.find('=');
     const std::string_view name = assignment.substr(0, equals);
     if (equals == std::string_view::npos || name.empty()) {
-        diagnostics.error("bad-assignment", fmt::format("'{}' chooses nothing", assignment), "write LADDER=rung");
+        diagnostics.error("bad-assignment", fmt::format("'{}' is not a choice of a rung", assignment),
+                          "write LADDER=rung");
         return false;
     }
     const auto ladder = std::ranges::find(scene.ladders, name, &Ladder::name);
@@ -45,7 +46,7 @@ bool choose_rung(Rungs& rungs, const Scene& scene, std::string_view assignment, 
         std::vector<std::string_view> names;
         for (const Ladder& other : scene.ladders) names.push_back(other.name);
         diagnostics.error("unknown-ladder",
-                          names.empty() ? fmt::format("there is no ladder '{}': the scene has none", name)
+                          names.empty() ? fmt::format("there is no ladder '{}': the scene has no ladders", name)
                                         : fmt::format("there is no ladder '{}'", name),
                           did_you_mean(name, names));
         return false;

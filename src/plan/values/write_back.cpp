@@ -86,7 +86,7 @@ private:
 
     std::string written(double value, std::string_view like) {
         std::string text = value_text(value, like);
-        if (text.empty()) result_.refused = fmt::format("a scene can't say the number {}", value);
+        if (text.empty()) result_.refused = fmt::format("a scene cannot contain the number {}", value);
         return text;
     }
 
@@ -106,7 +106,7 @@ private:
             if (!part_.given[i]) continue;
             moved = moved || changed(i);
             if (value && *value != wanted(i))
-                result_.refused = "a range gives all components the same number: write [x y z] to give each its own";
+                result_.refused = "a range sets all components to the same number; write [x y z] to set each one";
             value = wanted(i);
         }
         if (!value || !moved || !result_.refused.empty()) return;
@@ -134,8 +134,8 @@ private:
             if (part_.given[part_.first + i] && changed(part_.first + i)) last_changed = i;
         if (last_changed == 0) return;
         if (uniform_.kind != Kind::array && uniform_.kind != Kind::color) {
-            result_.refused = fmt::format("the scene gives 1 of its {} numbers: write {}", part_.control->value.size(),
-                                          uniform_text(*part_.control));
+            result_.refused = fmt::format("the scene has only 1 of its {} numbers; write {}",
+                                          part_.control->value.size(), uniform_text(*part_.control));
             return;
         }
         add(there, last_changed);
@@ -261,7 +261,7 @@ private:
         if (!same) {
             const Reading& first = readings.front();
             refuse(full_name(first.program, first.rewritten.uniform.name),
-                   "its text is included more than once, and the values differ");
+                   "its file is included more than once, and the values differ between the inclusions");
             return;
         }
         for (const Reading& reading : readings)
@@ -273,7 +273,7 @@ private:
         for (const Control& control : controls_.items)
             if (!control.listed && control.value != control.initial)
                 refuse(full_name(control.program, control.name),
-                       fmt::format("it is not on the Program line: add {}", uniform_text(control)));
+                       fmt::format("it is not on the Program line; add {}", uniform_text(control)));
     }
 
     void ladder(std::size_t index) {

@@ -159,11 +159,6 @@ void append_value(Floats& out, System system, const DrawContext& c, int size) {
             return static_cast<void>(out.insert(out.end(), c.place.begin(), c.place.end()));
         case System::face_index:
             return append(out, {static_cast<double>(c.face_index)});
-        case System::depth_range_near:
-            return append(out, {0});
-        case System::depth_range_far:
-        case System::depth_range_diff:
-            return append(out, {1});
         case System::point_size:
             return append(out, {c.point_size});
         case System::fixed_point_size:

@@ -27,7 +27,7 @@ void remark(const std::string& text) {
 }
 
 void figures(const AccuracyFacts& facts) {
-    ImGui::TextUnformatted(facts.milliseconds > 0 ? (milliseconds_text(facts.milliseconds) + " a picture").c_str()
+    ImGui::TextUnformatted(facts.milliseconds > 0 ? (milliseconds_text(facts.milliseconds) + " per picture").c_str()
                                                   : "\u2026");
     remark(std::string(facts.clock));
     if (!facts.note.empty()) {
@@ -36,17 +36,17 @@ void figures(const AccuracyFacts& facts) {
         ImGui::PopTextWrapPos();
         return;
     }
-    ImGui::TextUnformatted(facts.samples > 0 ? ("off by " + error_text(facts.error)).c_str() : "\u2026");
+    ImGui::TextUnformatted(facts.samples > 0 ? ("error " + error_text(facts.error)).c_str() : "\u2026");
     if (ImGui::IsItemHovered() && facts.samples > 0)
         ImGui::SetTooltip(
-            "root mean square difference from the last rung of every ladder,\nlinear light, over the whole picture\n"
-            "at most %s, %s",
+            "RMS error relative to the last rung of every ladder,\nin linear light, over the whole picture\nmaximum "
+            "%s, %s",
             error_text(facts.largest).c_str(),
             std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr).c_str() : "no difference");
-    remark(fmt::format("{} of {} samples a pixel", facts.samples, facts.wanted));
+    remark(fmt::format("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
-        fitted(fmt::format("{} pixels are no finite numbers", facts.nonfinite), ImGui::GetContentRegionAvail().x);
+        fitted(fmt::format("{} pixels are NaN or infinite", facts.nonfinite), ImGui::GetContentRegionAvail().x);
         ImGui::PopStyleColor();
     }
 }
@@ -150,7 +150,7 @@ std::string standing_text(const AccuracyPoint& point) {
         case AccuracyPoint::Standing::front:
             return "worth its time";
         case AccuracyPoint::Standing::saves_none:
-            return "no cheaper than " + point.by;
+            return "costs as much as " + point.by + ", which is more exact";
         case AccuracyPoint::Standing::dominated:
             return point.by + " is better and cheaper";
         case AccuracyPoint::Standing::visited:
@@ -186,7 +186,7 @@ bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
     show_buttons(memory, layout);
     if (memory.show == AccuracyMemory::Show::heat) legend();
     if (facts.animated) {
-        ImGui::Checkbox("Hold the time", &memory.hold_time);
+        ImGui::Checkbox("Pause time", &memory.hold_time);
         layout.note("accuracy.hold time");
     }
     ImGui::Spacing();

@@ -161,7 +161,7 @@ void explain_nearest(const Plot& plot, const std::vector<AccuracyPoint>& points)
         nearest = &point;
     }
     if (!nearest) return;
-    ImGui::SetTooltip("%s: %s, off by %s%s%s", nearest->name.c_str(), milliseconds_text(nearest->milliseconds).c_str(),
+    ImGui::SetTooltip("%s: %s, error %s%s%s", nearest->name.c_str(), milliseconds_text(nearest->milliseconds).c_str(),
                       error_text(nearest->error).c_str(), nearest->standing == Standing::visited ? "" : "\n",
                       standing_text(*nearest).c_str());
 }
@@ -182,7 +182,7 @@ void accuracy_plot(const std::vector<AccuracyPoint>& points, Layout& layout) {
     });
     plot.error = range_of(points, 1, {-3, 0}, [](const AccuracyPoint& p) { return std::array{p.error}; });
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    text_at(list, {at.x, at.y - em * .1F}, palette().dim, "off by");
+    text_at(list, {at.x, at.y - em * .1F}, palette().dim, "error");
     axes(list, plot);
     front_line(list, plot, points);
     for (const AccuracyPoint& point : points)

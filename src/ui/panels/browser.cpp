@@ -113,7 +113,8 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, Memo
         ImGui::PopTextWrapPos();
         return;
     }
-    if (shown.empty()) ImGui::TextDisabled(listing.entries.empty() ? "no scenes and no folders here" : "none of these");
+    if (shown.empty())
+        ImGui::TextDisabled(listing.entries.empty() ? "there are no scenes or folders here" : "no matching names");
     const float em = ImGui::GetFontSize(), date_width = ImGui::CalcTextSize("2000-00-00 00:00").x + em,
                 size_width = ImGui::CalcTextSize("9999.9 MB").x;
     const bool columns = ImGui::GetContentRegionAvail().x > date_width + size_width + 10 * em;

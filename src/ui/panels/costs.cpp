@@ -67,11 +67,11 @@ bool branch(const char* name, std::size_t count, const std::string& amount, Layo
 void paid_for(const Facts& facts, Layout& layout) {
     constexpr std::array<std::pair<Kind, const char*>, 10> kinds{{{Kind::image, "Images"},
                                                                   {Kind::cube_map, "Cube maps"},
-                                                                  {Kind::empty_texture, "Textures drawn to"},
+                                                                  {Kind::empty_texture, "Render targets (textures)"},
                                                                   {Kind::computed, "Computed cube maps"},
                                                                   {Kind::noise, "Noise"},
                                                                   {Kind::mesh, "Meshes"},
-                                                                  {Kind::tree, "Trees of meshes"},
+                                                                  {Kind::tree, "Bounding volume hierarchies"},
                                                                   {Kind::program, "Programs"},
                                                                   {Kind::target, "Targets"},
                                                                   {Kind::pass, "Passes"}}};
@@ -87,7 +87,7 @@ void paid_for(const Facts& facts, Layout& layout) {
         for (const Paid& paid : facts.explanation->paid)
             if (paid.kind == kind) {
                 const std::string loaded =
-                    paid.load_ms ? fmt::format("\nmade in {}", milliseconds_text(*paid.load_ms)) : "";
+                    paid.load_ms ? fmt::format("\nloading time: {}", milliseconds_text(*paid.load_ms)) : "";
                 line(facts, paid.name, amount_of(paid), paid.why + loaded, paid.span);
             }
         ImGui::TreePop();
@@ -96,11 +96,11 @@ void paid_for(const Facts& facts, Layout& layout) {
 
 void not_paid_for(const Facts& facts, Layout& layout) {
     const Explanation& explanation = *facts.explanation;
-    if (!explanation.unpaid.empty() && branch("Not paid for", explanation.unpaid.size(), "", layout)) {
+    if (!explanation.unpaid.empty() && branch("Not loaded", explanation.unpaid.size(), "", layout)) {
         for (const Explanation::Unpaid& unpaid : explanation.unpaid) line(facts, unpaid.name, "", unpaid.why, {});
         ImGui::TreePop();
     }
-    if (!explanation.unused.empty() && branch("Declared, not used", explanation.unused.size(), "", layout)) {
+    if (!explanation.unused.empty() && branch("Declared but unused", explanation.unused.size(), "", layout)) {
         for (const Explanation::Unused& unused : explanation.unused)
             line(facts, unused.name, "", unused.why, unused.span);
         ImGui::TreePop();
@@ -123,7 +123,7 @@ void costs_section(const Facts& facts, Memory& memory, Layout& layout) {
     for (const Paid& paid : facts.explanation->paid) bytes += paid.bytes;
     fitted(bytes_text(bytes) + " of GPU memory", ImGui::GetContentRegionAvail().x);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("drawn again %s", facts.explanation->redraw.c_str());
+    ImGui::TextDisabled("redrawn %s", facts.explanation->redraw.c_str());
     ImGui::PopTextWrapPos();
     paid_for(facts, layout);
     not_paid_for(facts, layout);

@@ -32,7 +32,7 @@ bool edit_link(const Facts& facts, const Place& place) {
     if (place.file.empty() || !ImGui::IsItemHovered()) return false;
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     const std::string editor = utf8::printable(facts.editor);
-    ImGui::SetTooltip("%s:%d\na click opens it: %s", utf8::printable(place.file).c_str(), place.line, editor.c_str());
+    ImGui::SetTooltip("%s:%d\nClick to open in %s", utf8::printable(place.file).c_str(), place.line, editor.c_str());
     return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
@@ -48,7 +48,7 @@ void files_section(const Facts& facts, Memory& memory, Requests& requests, Layou
         layout.note("file", file.name);
         ImGui::PopID();
     }
-    fitted(fmt::format("a click opens: {}", utf8::printable(facts.editor)), width, true);
+    fitted(fmt::format("Click a file to open it in {}", utf8::printable(facts.editor)), width, true);
 }
 
 void look_section(Memory& memory, Layout& layout) {

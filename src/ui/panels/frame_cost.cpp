@@ -54,8 +54,7 @@ void plot(const FrameCostFacts& facts, Layout& layout) {
     list.AddLine({at.x, y(facts.median)}, {at.x + width, y(facts.median)}, pack(colors.text));
     list.AddLine({at.x, y(facts.high)}, {at.x + width, y(facts.high)}, pack(colors.dim));
     put(list, {at.x + em * .3F, at.y + em * .1F}, colors.dim, text);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("the last %zu pictures\nlines: the median, and what 95 of 100 do not exceed", count);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last %zu pictures\nlines: median and 95th percentile", count);
 }
 
 // Draws name and milliseconds over a bar that shows its share of `all`.
@@ -108,7 +107,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
     if (cost.frames.empty())
         text.add("no picture yet");
     else
-        text.add("median {:.2f} ms, 95 % within {:.2f} ms", cost.median, cost.high);
+        text.add("median {:.2f} ms, 95 %: {:.2f} ms", cost.median, cost.high);
     ImGui::TextUnformatted(text.begin(), text.end());
     layout.note("frame cost.median");
     wrapped(cost.clock);
@@ -119,7 +118,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
     const bool pressed = ImGui::Button(cost.measuring ? "Stop" : "Measure passes and draws");
     layout.note("frame cost.measure");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("draws a dozen frames apart from those on the screen,\nwith a clock at every draw");
+        ImGui::SetTooltip("Draws 11 additional frames that are not shown,\nand times every draw.");
     if (cost.measuring)
         ImGui::ProgressBar(static_cast<float>(*cost.measuring), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     if (!cost.apart.empty()) {

@@ -23,13 +23,13 @@ bool button(const char* label, bool enabled, const char* help) {
 void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
     if (!facts.scene) return;
     requests.save |= button("Save values", facts.changed,
-                            "Ctrl+S: the values as they are now into the scene's file.\nOnly the numbers change.");
+                            "Ctrl+S: saves the current values to the scene's file.\nOnly the numbers change.");
     layout.note("save");
     follow(button_width("Undo"));
-    requests.undo_save |= button("Undo", facts.undoable, "Ctrl+Shift+S: the file as it was before it was saved");
+    requests.undo_save |= button("Undo", facts.undoable, "Ctrl+Shift+S: restores the file as it was before saving");
     layout.note("undo save");
     follow(button_width("Copy command"));
-    requests.copy_command |= button("Copy command", true, "the 'snell render' line that draws this picture");
+    requests.copy_command |= button("Copy command", true, "Copies the 'snell render' command that draws this picture");
     layout.note("copy command");
     picture_button(requests, layout);
 
@@ -49,7 +49,7 @@ void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
                 requests.store_snapshot = number;
         }
         if (!there) ImGui::PopStyleColor();
-        tip(there ? "restores these values; with Ctrl stores them anew" : "stores the values as they are now");
+        tip(there ? "Restores this snapshot. Ctrl-click to replace it." : "Stores the current values.");
         layout.note(fmt::format("snapshot {}", number));
         ImGui::PopID();
     }

@@ -47,20 +47,20 @@ void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
     ImGui::TextUnformatted("\u00d7");
     ImGui::SameLine();
     whole("##height", picture.height, picture.height, layout, "picture height", largest);
-    times("as here", 1, picture, scene, density);
-    layout.note("picture as here");
+    times("Window size", 1, picture, scene, density);
+    layout.note("picture window size");
     times("\u00d7 4", 4, picture, scene, density);
     layout.note("picture times 4");
-    label("Samples", "of a pixel: edges get smoother");
+    label("Samples", "samples per pixel; more make edges smoother");
     whole("##samples", picture.samples, 4, layout, "picture samples", 64);
     follow(check_box_width("Transparent"), ImGui::GetFontSize());
     ImGui::Checkbox("Transparent", &picture.transparent);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("without the background: PNG and EXR");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Leaves out the background (PNG and EXR only)");
     layout.note("picture transparent");
 }
 
 void sequence_rows(PictureMemory& picture, Layout& layout) {
-    label("Sequence", "pictures of the time from one second to another, numbered");
+    label("Sequence", "numbered pictures of a time span");
     ImGui::Checkbox("##sequence", &picture.sequence);
     layout.note("picture sequence");
     if (!picture.sequence) return;
@@ -73,7 +73,7 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
     ImGui::SameLine();
     number("##to", picture.to, false, 10, field);
     layout.note("picture to");
-    label("A second");
+    label("Per second");
     number("##rate", picture.rate, false, 25, field);
     picture.rate = std::clamp(picture.rate, 1e-3, 1e5);
     layout.note("picture rate");
@@ -86,8 +86,7 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
 
 void answers(PictureMemory& picture, Requests& requests, Layout& layout) {
     const bool asks = !picture.there.empty() && picture.there == picture.file.data();
-    if (asks)
-        ImGui::TextWrapped("%s is there: replace it?", shortened(picture.there, 30 * ImGui::GetFontSize()).c_str());
+    if (asks) ImGui::TextWrapped("%s exists. Replace it?", shortened(picture.there, 30 * ImGui::GetFontSize()).c_str());
     if (!picture.error.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
         ImGui::TextWrapped("%s", picture.error.c_str());
@@ -99,7 +98,7 @@ void answers(PictureMemory& picture, Requests& requests, Layout& layout) {
     layout.note("picture save");
     follow(button_width("Copy command"));
     if (ImGui::Button("Copy command")) requests.picture = PictureRequest::command;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the 'snell render' line that draws the same");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Copies the 'snell render' command that draws the same");
     layout.note("picture command");
     follow(button_width("Cancel"));
     if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(static_cast<int>(Key::escape), false)) picture.open = false;
@@ -126,7 +125,7 @@ int picture_count(const PictureMemory& picture) {
 void picture_button(Requests& requests, Layout& layout) {
     follow(button_width("Save picture\u2026"));
     if (ImGui::Button("Save picture\u2026")) requests.picture = PictureRequest::open;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("this picture, of any size; or many");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Saves this picture in any size, or a sequence");
     layout.note("picture");
 }
 
@@ -143,7 +142,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize))
         return;
     ImGui::BeginDisabled(picture.progress.has_value());
-    label("File", "its extension says the format: .png, .bmp, .exr \u2026");
+    label("File", "The extension sets the format: .png, .bmp, .exr \u2026");
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputText("##file", picture.file.data(), picture.file.size());
     layout.note("picture file");

@@ -109,14 +109,14 @@ void pixel_keys(const Rect& scene, PixelMemory& memory) {
 
 void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
     if (!section("Pixels", open, layout, "pixels")) return;
-    ImGui::Checkbox("Flag what is no colour", &memory.flags);
+    ImGui::Checkbox("Mark invalid values", &memory.flags);
     layout.note("flags");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "N: NaN, infinite, below 0 or above 1, before they are made bytes.\nThe picture is drawn once more, into "
-            "floats.");
+            "N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is "
+            "drawn a second time, into floats.");
     ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("Hold I over the picture for the values of a pixel.");
+    ImGui::TextDisabled("Hold I over the picture to see a pixel's values.");
     ImGui::PopTextWrapPos();
 }
 
@@ -172,7 +172,7 @@ void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory,
         channels(found, fonts);
         if (found.depth) {
             ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());
-            if (found.distance) ImGui::TextUnformatted(Text("{:.6g} from the eye", *found.distance).c_str());
+            if (found.distance) ImGui::TextUnformatted(Text("distance from the eye: {:.6g}", *found.distance).c_str());
         }
         ImGui::EndGroup();
         const bool drawn = !facts.pixels->statement.empty();

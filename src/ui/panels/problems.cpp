@@ -133,9 +133,9 @@ void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Me
     if (begin_overlay("##problems", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
                       scene.height * .7F)) {
         ImGui::AlignTextToFramePadding();
-        const std::string title = facts.stale
-                                      ? counted(errors, "error") + " \u2014 the picture is from before this edit"
-                                      : counted(errors, "error");
+        const std::string title =
+            facts.stale ? counted(errors, "error") + " \u2014 the picture shows the last version without errors"
+                        : counted(errors, "error");
         fitted(title, ImGui::GetContentRegionAvail().x - button_width("Hide") - ImGui::GetStyle().ItemSpacing.x);
         if (right_button("Hide")) memory.problems_hidden = true;
         layout.note("problems.hide");

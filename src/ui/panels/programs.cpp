@@ -128,13 +128,13 @@ void check_box(Control& control, const Section& section) {
 // The reason why a uniform has no effect; empty if it has one.
 std::string_view idle_reason(const Control& control, const Section& section) {
     if (control.active) return {};
-    return section.linked ? "not used by the program" : "the program failed";
+    return section.linked ? "not used by the program" : "the program did not compile or link";
 }
 
 void explain(const Control& control, const Section& section) {
     if (control.active || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     if (section.linked)
-        ImGui::SetTooltip("No shader of '%s' uses '%s', or nothing that it\ncomputes from it reaches the picture.",
+        ImGui::SetTooltip("No shader of '%s' uses '%s', or its value\ndoes not affect the picture.",
                           section.program.name.c_str(), control.name.c_str());
     else
         ImGui::SetTooltip("'%s' did not compile or link.", section.program.name.c_str());
@@ -214,7 +214,7 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
     section.layout.note(name);
     if (open) {
         ImGui::Indent(ImGui::GetStyle().FramePadding.x * .5F);
-        if (!section.linked) ImGui::TextColored(palette().error_text, "did not compile");
+        if (!section.linked) ImGui::TextColored(palette().error_text, "did not compile or link");
         rows(controls, index, section, sliding);
         if (!any(controls, index, sliding) && section.linked) ImGui::TextDisabled("no sliders");
         if (any(controls, index, constant)) {
@@ -283,7 +283,7 @@ void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layo
         const bool linked = i < facts.linked.size() && facts.linked[i];
         section_of(controls, i, {facts, programs[i], linked, memory, layout}, i == 0 || first_sliding);
     }
-    if (programs.empty()) ImGui::TextDisabled("This scene has no Program.");
+    if (programs.empty()) ImGui::TextDisabled("The scene has no Program statement.");
 }
 
 }  // namespace snell::ui

@@ -18,9 +18,9 @@ struct Target {
     const char *name, *help;
 };
 constexpr std::array<Target, 4> targets{{
-    {Held::scene, "Scene", "turns the scene about its origin: goes into the projection"},
-    {Held::eye, "Eye", "turns and moves the eye: goes into the model-view matrix"},
-    {Held::object, "Object", "the picked object, about its own origin"},
+    {Held::scene, "Scene", "Rotates the scene about its origin (changes the projection matrix)"},
+    {Held::eye, "Eye", "Rotates and moves the eye (changes the model-view matrix)"},
+    {Held::object, "Object", "Transforms the picked object about its own origin"},
     {Held::texture, "Texture", "gl_TextureMatrix[0]"},
 }};
 
@@ -39,7 +39,7 @@ void target_row(const View& view, HoldMemory& hold, Layout& layout) {
         if (ImGui::Button((text + "###" + target.name).c_str())) hold.held = target.held;
         if (on) ImGui::PopStyleColor();
         ImGui::EndDisabled();
-        tip(there ? target.help : "pick an object first");
+        tip(there ? target.help : "Pick an object first: press P, then click it.");
         layout.note("hold", target.name);
     }
 }
@@ -89,7 +89,7 @@ void transformation(View& view, HoldMemory& hold, Layout& layout) {
     ImGui::BeginDisabled(before == Transformation{});
     if (ImGui::Button("Reset")) t = {};
     ImGui::EndDisabled();
-    tip("this one; 'Reset view' or R: all of them");
+    tip("Resets this transformation. 'Reset view' or R resets all.");
     layout.note("reset held");
     if (!(t == before)) set_held(view, hold, t);
 }
@@ -104,7 +104,7 @@ void projection_row(const Scene& scene, View& view, Memory& memory, Layout& layo
     layout.note("perspective");
     follow(check_box_width("Pick objects"), ImGui::GetFontSize());
     if (ImGui::Checkbox("Pick objects", &memory.hold.picking) && !memory.hold.picking) hold_object(memory.hold, none);
-    tip("P: a click on the picture picks what is there; a click on nothing lets go");
+    tip("P: click an object to pick it; click empty space to deselect");
     layout.note("pick");
 
     ImGui::AlignTextToFramePadding();
@@ -126,7 +126,7 @@ void projection_row(const Scene& scene, View& view, Memory& memory, Layout& layo
 void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout) {
     if (!facts.scene || !section("View", memory.open, layout, "view")) return;
     projection_row(*facts.scene, view, memory, layout);
-    ImGui::TextDisabled("mouse and numbers hold");
+    ImGui::TextDisabled("mouse and numbers change");
     target_row(view, memory.hold, layout);
     if (memory.hold.held == Held::object) {
         fitted(facts.object, ImGui::GetContentRegionAvail().x);

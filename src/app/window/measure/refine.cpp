@@ -43,7 +43,7 @@ void Refinement::open_reference() {
     reference_ = open_document(path_, caps_, choose_last, nullptr, options, shown_->files->access());
     note_.clear();
     if (!reference_->runtime || reference_->scene().ladders.size() != shown_->scene().ladders.size())
-        note_ = "The scene can't be read.";
+        note_ = "The scene cannot be read.";
     else if (reference_->diagnostics.errors() > shown_->diagnostics.errors())
         note_ = "With the last rung of every ladder: " + first_error(reference_->diagnostics);
 }
@@ -64,7 +64,7 @@ void Refinement::follow(Document& shown, bool stale, const Stand& stand) {
     if (another) open_reference();
     if (resized || !means_) means_ = std::make_unique<Means>(stand.width, stand.height, caps_.es);
     if (note_.empty() && !(means_->chosen.valid() && means_->reference.valid()))
-        note_ = "There is no memory for pictures in floats.";
+        note_ = "There is not enough memory for pictures in floats.";
     means_->chosen.restart();
     samples_ = 0;
     ++revision_;

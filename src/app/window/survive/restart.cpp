@@ -84,7 +84,8 @@ std::optional<Carried> Restart::carried() const {
     fstat(memory_, &memory);
     for (const std::string& file : carried.recovery.files)
         carried.recovery.edited = carried.recovery.edited || saved_since(file, memory.st_mtim);
-    const char* comes_back = carried.recovery.values.empty() ? "" : ", with what was set by hand as it was last drawn";
+    const char* comes_back =
+        carried.recovery.values.empty() ? "" : ", with the values that were set manually, as last drawn";
     carried.recovery.problem =
         after_.starts_with(of_memory)
             ? fmt::format(
