@@ -1,5 +1,5 @@
 // What snell costs beside a program that was written for one scene alone:
-//     room_pairs [--rounds N] [--json FILE] [--slack FACTOR]   times, in rounds in which everybody takes part
+//     room_pairs [--rounds N] [--json FILE]   times, in rounds in which everybody takes part
 //     room_pairs --count snell|by-hand                        for callgrind: one frame without OpenGL
 // Run in the repository's folder, whose build's programs it finds beside itself.
 #include <malloc.h>
@@ -54,7 +54,6 @@ private:
 
 struct Settings {
     int rounds = 25;
-    double slack = 1;  // on the limits
     std::string json, bin;
 };
 
@@ -79,7 +78,7 @@ void compare_frames(Rooms& rooms, const Settings& settings, int width, int heigh
         constants.add(times[0], times[2]);
     }
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    rows.push_back(sliders.row("frame " + size, goal * settings.slack));
+    rows.push_back(sliders.row("frame " + size, goal));
     rows.push_back(constants.row("frame " + size + ", without sliders by hand", 0));
 }
 
@@ -106,7 +105,7 @@ Row compare_first_pictures(const Settings& settings) {
         if (round % 2) std::swap(first, second);
         pairs.add(first, second);
     }
-    return pairs.row("first picture 512x512, whole process", 1.25 * settings.slack);
+    return pairs.row("first picture 512x512, whole process", 1.25);
 }
 
 void print(const Row& row) {
@@ -175,7 +174,6 @@ int run(std::span<char*> arguments) {
     for (std::size_t i = 1; i + 1 < arguments.size(); i += 2) {
         const std::string_view name = arguments[i], value = arguments[i + 1];
         if (name == "--rounds") settings.rounds = std::max(1, std::atoi(value.data()));
-        if (name == "--slack") settings.slack = std::atof(value.data());
         if (name == "--json") settings.json = value;
         if (name == "--count") {
             Rooms rooms(".");

@@ -172,10 +172,13 @@ TEST_F(Hostile, AKilledProcessLeavesNoHalfPicture) {
     ASSERT_EQ(test::snell("render " + file + " -o " + picture + " " + arguments).status, 0);
     const std::string before = test::bytes_of(picture);
     scene("Color 1 0 0\nBox\n");
+    const auto start = std::chrono::steady_clock::now();
     ASSERT_EQ(test::snell("render " + file + " -o " + at("after.png") + " " + arguments).status, 0);
+    const auto whole = std::chrono::steady_clock::now() - start;
     const std::string after = test::bytes_of(at("after.png"));
     int killed = 0;
-    for (int moment = 0; moment < 50; ++moment) {
+    constexpr int moments = 24;  // most of them near the end, when the file is written
+    for (int moment = 0; moment < moments; ++moment) {
         std::ofstream(picture, std::ios::binary) << before;
         const pid_t child = fork();
         if (child == 0) {
@@ -185,7 +188,7 @@ TEST_F(Hostile, AKilledProcessLeavesNoHalfPicture) {
                   static_cast<char*>(nullptr));
             _exit(127);
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(20 + moment * 2));
+        std::this_thread::sleep_for(whole * (moments / 2 + moment) / (moments * 3 / 2 - 1));
         kill(child, SIGKILL);
         int status = 0;
         waitpid(child, &status, 0);

@@ -104,6 +104,13 @@ TEST(Front, SlowerAndWorseIsDominatedByTheCheapestBetterOne) {
     for (std::size_t i : {0, 1, 3}) EXPECT_EQ(verdicts[i].standing, Standing::front);
 }
 
+TEST(Front, DearerAndNoBetterIsDominated) {
+    Machine machine(5);
+    const auto verdicts = pareto_front(points({.3, .3}, machine.measure({1, 2}, 31)));
+    EXPECT_EQ(verdicts[0].standing, Standing::front);
+    EXPECT_EQ(verdicts[1], (Verdict{Standing::dominated, 0}));
+}
+
 TEST(Front, WorseAtEqualCostSavesNothing) {
     Machine machine(6);
     const auto times = machine.measure({10, 10, 20}, 41);

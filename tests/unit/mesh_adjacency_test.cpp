@@ -1,4 +1,5 @@
 // ObjAdj, ObjPatch and WireObj.
+#include "src/content/mesh/weld.h"
 #include "tests/unit/mesh_obj_check.h"
 
 namespace snell::content {
@@ -77,6 +78,16 @@ TEST(WireObj, DrawsLineElements) {
     const Mesh m = clean(square + "vt .5 .5\nl 1 2 3\nl -1/1 1/1\nl 1 2 # again\n", ObjAs::triangles, true);
     EXPECT_EQ(m.indices.size(), 6u);
     EXPECT_TRUE(has_issue(parse(square + "l 1 9 2\nf 1 2 3\n", ObjAs::triangles, true), "obj-index-out-of-range"));
+}
+
+// Many, so that no two of different hashes meet by chance.
+TEST(Weld, ZeroIsOnePlaceWhateverItsSign) {
+    std::vector<Float3> positions;
+    for (int i = 0; i < 32; ++i)
+        for (const float zero : {0.f, -0.f}) positions.push_back({zero, static_cast<float>(i), zero});
+    const Weld found = weld(positions);
+    EXPECT_EQ(found.places, 32u);
+    for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_EQ(found.place[i], i / 2);
 }
 
 }  // namespace

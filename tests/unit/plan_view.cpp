@@ -30,7 +30,9 @@ TEST(Lens, TheOtherProjectionKeepsWhatLiesAtTheOrigin) {
     EXPECT_FALSE(flat.camera.perspective);
     for (const double at : {-1., .5, 1.5})
         EXPECT_NEAR(on_screen(own, view, at * right).x, on_screen(flat, view, at * right).x, 1e-12);
-    EXPECT_EQ(lens_of(seeing, Projection::perspective, view).camera, seeing) << "it has it";
+    const Lens same = lens_of(seeing, Projection::perspective, view);
+    EXPECT_EQ(same.camera, seeing) << "it has it";
+    EXPECT_EQ(same.shift, glm::dmat4(1));
 
     Camera boxed;
     boxed.perspective = false;

@@ -278,7 +278,8 @@ TEST_F(UiTest, FortySlidersWithLongNamesAtTwiceTheScale) {
 }
 
 TEST(UiNumbers, WhatIsShownReadsBackCloseEnoughToSeeAStep) {
-    for (const auto& [min, max] : {std::pair(0., 1.), {.1, 5.}, {0., 1e-5}, {-1e5, 1e5}, {0., 1e30}, {0., 0.}})
+    for (const auto& [min, max] :
+         {std::pair(0., 1.), {.1, 5.}, {0., 1e-5}, {0., 1e-9}, {-1e5, 1e5}, {0., 1e30}, {0., 0.}})
         for (double at : {0., .137, .5, 1.}) {
             const double value = min + at * (max - min);
             EXPECT_NEAR(std::stod(shown(value, min, max, false)), value, (max - min) * 1e-3 + 1e-30);
