@@ -1,7 +1,9 @@
 // Outputs are looked at before any work, and one that can't be written costs no other.
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "src/content/image/image.h"
 #include "tests/gl/cli_run.h"
 #include "tests/gl/harness.h"
 
@@ -54,6 +56,42 @@ TEST_F(Outputs, OfAccuracyAreLookedAtBeforeItMeasures) {
         }
         EXPECT_FALSE(there("out/other")) << option;
     }
+}
+
+// Whatever a scene reads, by whatever statement, include or rung.
+TEST_F(Outputs, NoFileThatASceneReadsIsOverwritten) {
+    const std::string png = content::encode_png(content::checkerboard(8));
+    const std::map<std::string, std::string> files{
+        {"w.glib", "Ladder WAY dark <light>\nInclude part.glib\n"},
+        {"part.glib",
+         "Ortho -1 1 -1 1\nTexture2D 5 t.png\nCubeMap 6 x+.png x-.png y+.png missing.png z+.png z-.png\nVertex w.vert\n"
+         "Fragment w.frag\nProgram P\nQuadXY 0 .5\nObj m.obj\n"},
+        {"w.vert", "void main() { gl_Position = ftransform(); }\n"},
+        {"w.frag",
+         "#if WAY == WAY_dark\n#  include \"out/inc.inc\"\n#endif\nvoid main() { gl_FragColor = vec4(.4); }\n"},
+        {"out/inc.inc", "#include \"deep\"\n"},
+        {"out/deep.glsl", "#include \"inc.inc\"\n"},
+        {"m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"noise3d.064.tex", "not a picture"},
+        {"t.png", png},
+        {"x-.png", png}};
+    for (const auto& [name, text] : files) folder.write(name, text);
+    for (const auto& [name, text] : files) {
+        if (name.ends_with(".tex")) continue;
+        const bool picture = name.ends_with(".png");
+        std::vector<std::string> commands{"accuracy s.glib w.glib --no-time --size 8x8 --csv out/c -o link/../" + name,
+                                          "render w.glib --size 8x8 -o o.png --json " + name,
+                                          "render s.glib w.glib --size 8x8 -o '{stem}.png' --sheet " + name,
+                                          "render w.glib --size 8x8 -o o.png --stats ./" + name};
+        if (picture) commands.push_back("render w.glib --size 8x8 --skip-existing -o " + name);
+        for (const std::string& command : commands) {
+            const Outcome refused = in_folder(command);
+            EXPECT_EQ(refused.status, 2) << command << ": " << refused.output;
+            EXPECT_TRUE(says(refused, "is read, and would be overwritten")) << command << ": " << refused.output;
+        }
+        EXPECT_EQ(bytes_of(folder.path(name)), text) << name;
+    }
+    for (const char* name : {"o.png", "s.png", "out/c"}) EXPECT_FALSE(there(name)) << name << " was written";
 }
 
 // A link to a file that does not exist yet names that file.

@@ -10,6 +10,8 @@
 #include "src/app/batch/batch.h"
 #include "src/app/batch/render.h"
 #include "src/app/batch/reports.h"
+#include "src/app/open/deadline.h"
+#include "src/app/open/document.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
@@ -62,12 +64,26 @@ bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard
     return true;
 }
 
+// The scenes and, as only a file that exists can be one of theirs, what they read if an output exists.
+std::vector<std::string> files_read(const RenderOptions& options, const Shots& shots,
+                                    std::span<const std::string> outputs) {
+    std::vector<std::string> read = shots.scenes;
+    if (!replace_a_file(outputs)) return read;
+    Deadline deadline(options.timeout);
+    for (const std::string& scene : shots.scenes) {
+        deadline.begin(fmt::format("reading '{}'", scene));
+        const auto files = files_read_by(scene, access_to(scene, options.access, options.grade));
+        read.insert(read.end(), files.begin(), files.end());
+    }
+    return read;
+}
+
 // Said before anything is drawn: a name that can't be written should not cost a rendering.
 Exit ready_outputs(const RenderOptions& options, const Shots& shots, Shard shard) {
     const std::vector<std::string> reports{options.sheet, options.json, options.stats};
     std::vector<std::string> all = shots.files;
     all.insert(all.end(), reports.begin(), reports.end());
-    if (!distinct_outputs(all, shots.scenes)) return exit_usage;
+    if (!distinct_outputs(all, files_read(options, shots, all))) return exit_usage;
     return ready_folders(options, shots, shard) ? check_outputs(reports, {}) : exit_input;
 }
 

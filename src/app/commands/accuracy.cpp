@@ -24,6 +24,7 @@
 #include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/replace.h"
+#include "src/plan/used_files.h"
 
 namespace snell::app {
 
@@ -133,12 +134,13 @@ std::string link_from(const std::string& page, const std::string& file) {
 }
 
 // With as many plots as are known before the measurement.
-Exit look_at_outputs(const AccuracyOptions& options, std::size_t sweeps) {
+Exit look_at_outputs(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read) {
     std::vector<std::string> files{options.html, options.json, options.csv, options.markdown};
     for (std::size_t i = 0; i < sweeps && !options.svg.empty(); ++i) files.push_back(plot_path(options.svg, i));
     for (const std::string& scene : options.scenes)
         if (options.save_quality) files.push_back(quality_path(scene));
-    return check_outputs(files, options.scenes);
+    read.insert(read.end(), options.scenes.begin(), options.scenes.end());
+    return check_outputs(files, read);
 }
 
 // What can't be written costs no other report.
@@ -164,14 +166,17 @@ struct Subject {
     std::vector<Sweep> sweeps;
 };
 
-// Null, with its reasons printed, where there is nothing to measure.
-std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool& errors) {
+// Adds what it may read to `read`. Null, with its reasons printed, where there is nothing to measure.
+std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool& errors,
+                                      std::vector<std::string>& read) {
     auto subject = std::make_unique<Subject>();
     subject->path = path;
     subject->files = std::make_unique<Files>(scene_folder(path), options.access);
     Diagnostics diagnostics;
     if (auto parsed = parse_document(path, *subject->files, subject->sources, diagnostics)) {
         subject->plan = make_plan(std::move(parsed->scene), *subject->files, subject->sources, diagnostics);
+        for (std::string& file : used_files(subject->plan, subject->sources, *subject->files))
+            read.push_back(std::move(file));
         for (const std::string& choice : options.choices)
             choose_rung(subject->plan.rungs, subject->plan.scene, choice, diagnostics);
         subject->sweeps = sweeps_for(options, subject->plan, diagnostics);
@@ -267,10 +272,11 @@ Exit accuracy(const AccuracyOptions& options) {
     const gl::Caps caps = gl::query_caps();
     bool errors = false;
     std::vector<std::unique_ptr<Subject>> subjects;
+    std::vector<std::string> read;
     Work work;
     for (const std::string& path : options.scenes) {
         deadline.begin(fmt::format("reading '{}'", path));
-        if (auto subject = read_subject(path, options, errors)) {
+        if (auto subject = read_subject(path, options, errors, read)) {
             work.sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
             for (const Sweep& sweep : subject->sweeps) work.rungs += sweep.rungs.size();
             if (asks_for_advice(options)) work.rungs += Work::advice_rungs;
@@ -278,7 +284,8 @@ Exit accuracy(const AccuracyOptions& options) {
         }
     }
     if (subjects.empty()) return exit_input;
-    if (const Exit wrong = look_at_outputs(options, std::max<std::size_t>(work.sweeps, 1)); wrong != exit_fine)
+    if (const Exit wrong = look_at_outputs(options, std::max<std::size_t>(work.sweeps, 1), std::move(read));
+        wrong != exit_fine)
         return wrong;
     const std::array<int, 2> window = subjects.front()->plan.scene.window_size;
     const auto [width, height] = options.size.value_or(std::pair(window[0], window[1]));

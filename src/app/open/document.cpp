@@ -9,6 +9,7 @@
 #include "src/app/open/unsampled.h"
 #include "src/gl/debug.h"
 #include "src/plan/plan.h"
+#include "src/plan/used_files.h"
 
 namespace snell {
 
@@ -50,6 +51,16 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
     Parsed parsed = parse(file, sources, include_reader(files), files.limits());
     diagnostics.append(parsed.diagnostics);
     return ParsedDocument{file, std::move(parsed.scene)};
+}
+
+std::vector<std::string> files_read_by(const std::string& path, const Access& access) {
+    Files files(scene_folder(path), access);
+    Sources sources;
+    Diagnostics unheard(access.limits);  // discarded: these are reported when the scene is opened
+    auto parsed = parse_document(path, files, sources, unheard);
+    if (!parsed) return {};
+    const Plan plan = make_plan(std::move(parsed->scene), files, sources, unheard);
+    return used_files(plan, sources, files);
 }
 
 Access access_to(const std::string& path, Access access, bool grade) {

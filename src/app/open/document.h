@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
@@ -35,6 +36,9 @@ struct ParsedDocument {
 // Returns nullopt if the file cannot be read.
 std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
                                              Diagnostics& diagnostics);
+
+// Returns the files that the scene may read; only the scene itself is certain to be read if it has errors.
+std::vector<std::string> files_read_by(const std::string& path, const Access& access);
 
 // Returns `access`; with `grade`, confined to the scene's folder unless `access` sets a folder.
 Access access_to(const std::string& path, Access access, bool grade);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <unordered_map>
@@ -32,6 +33,13 @@ private:
 };
 
 }  // namespace
+
+bool replace_a_file(std::span<const std::string> outputs) {
+    return std::ranges::any_of(outputs, [](const std::string& file) {
+        std::error_code error;
+        return !file.empty() && fs::is_regular_file(file, error);
+    });
+}
 
 bool distinct_outputs(std::span<const std::string> outputs, std::span<const std::string> read) {
     Places places;

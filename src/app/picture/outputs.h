@@ -9,6 +9,9 @@
 
 namespace snell::app {
 
+// Returns true if writing these would replace at least one file.
+bool replace_a_file(std::span<const std::string> outputs);
+
 // Whether some of them are one file, under whatever names, or one of `read`, which is not to be overwritten; says so.
 // Empty names, pipes and devices lose nothing.
 bool distinct_outputs(std::span<const std::string> outputs, std::span<const std::string> read);

@@ -1,0 +1,62 @@
+#include "src/plan/used_files.h"
+
+#include <set>
+#include <utility>
+
+#include "src/plan/identity.h"
+#include "src/plan/locate.h"
+
+namespace snell {
+namespace {
+
+// The names in quotes on the lines with an `include`, once each. Lines that are no directives do no harm.
+std::set<std::string_view> included_names(std::string_view text) {
+    constexpr std::string_view directive = "include";
+    std::set<std::string_view> names;
+    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + directive.size())) {
+        const std::size_t quote = text.find_first_of("\"\n", at);
+        if (quote == text.npos || text[quote] != '"') continue;
+        const std::size_t end = text.find_first_of("\"\n", quote + 1);
+        if (end != text.npos && text[end] == '"') names.insert(text.substr(quote + 1, end - quote - 1));
+    }
+    return names;
+}
+
+// Each file is read once, so that files that include each other end. A list, not a recursion: the chain may be long.
+std::set<std::string> included_files(const Plan& plan, const Sources& sources, const Files& files) {
+    Files reader(files.folder(), files.access());
+    std::vector<std::pair<std::string, std::string_view>> texts;  // by path
+    for (const PlannedProgram& program : plan.programs)
+        for (const glsl::StageInput& stage : program.stages)
+            texts.emplace_back(sources.name(stage.file), sources.text(stage.file));
+    std::set<std::string> found;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const auto [from, text] = texts[i];
+        for (const std::string_view name : included_names(text)) {
+            const std::string path = reader.resolve_beside(from, name, {"glsl"}).path;
+            if (path.empty() || !found.insert(path).second) continue;
+            std::string error;
+            if (const auto inner = reader.read_once(path, error)) texts.emplace_back(path, *inner);
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::string> used_files(const Plan& plan, const Sources& sources, const Files& files) {
+    std::vector<std::string> paths = files.read_paths();
+    const auto add = [&](const std::vector<std::string>& more) { paths.insert(paths.end(), more.begin(), more.end()); };
+    Diagnostics unheard;  // the plan's own diagnostics say the same
+    for (const Texture& texture : plan.scene.textures)
+        if (!texture.files.empty())
+            for (TextureFile& file : locate_texture(texture, files, unheard))
+                if (!file.path.empty()) paths.push_back(std::move(file.path));
+    for (Index mesh = 0; mesh < plan.meshes.size(); ++mesh) add(mesh_identity(plan, mesh, files).files);
+    add(noise_identity(2, plan.scene.noise2d, files).files);
+    add(noise_identity(3, plan.scene.noise3d, files).files);
+    for (const std::string& path : included_files(plan, sources, files)) paths.push_back(path);
+    return paths;
+}
+
+}  // namespace snell
