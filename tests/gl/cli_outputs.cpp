@@ -118,7 +118,7 @@ TEST_F(Outputs, WhereNoFileCanBeMadeIsRefusedBeforeItMeasures) {
         for (const std::string place : {"/proc/x.html", "a"}) {
             const Outcome refused = measure(option + " " + place);
             EXPECT_EQ(refused.status, 1) << option << ' ' << refused.output;
-            EXPECT_TRUE(says(refused, "can't write '" + place + "': " + place + ": ")) << refused.output;
+            EXPECT_TRUE(says(refused, "cannot write '" + place + "': " + place + ": ")) << refused.output;
             EXPECT_FALSE(says(refused, "RMSE")) << option << " was measured: " << refused.output;
         }
     EXPECT_TRUE(fs::is_symlink(folder.path("a")));

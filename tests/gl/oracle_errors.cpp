@@ -138,7 +138,7 @@ constexpr Mistake mistakes[] = {
     {"return type",
      "#version 330 compatibility\nin vec3 vNormal;\nvec3 f() {\n    return gl_Color;\n}\nvoid main() { gl_FragColor = "
      "vec4(f(), 1.); }\n",
-     "demo.frag:4:5 return", "the value returned is no 'vec3'", "says that it returns 'vec3'"},
+     "demo.frag:4:5 return", "the value returned is no 'vec3'", "declares that it returns 'vec3'"},
     {"commas in a for",
      "#version 330 compatibility\nin vec2 vST;\nvoid main() {\n    for (int i = 0, i < 3, i++) gl_FragColor = "
      "vec4(1.);\n}\n",

@@ -29,7 +29,7 @@ void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
     requests.undo_save |= button("Undo", facts.undoable, "Ctrl+Shift+S: restores the file as it was before saving");
     layout.note("undo save");
     follow(button_width("Copy command"));
-    requests.copy_command |= button("Copy command", true, "Copies the 'snell render' command that draws this picture");
+    requests.copy_command |= button("Copy command", true, "Copies the command for this view");
     layout.note("copy command");
     picture_button(requests, layout);
 
