@@ -48,7 +48,8 @@ TEST(ImageFaces, TheFirstFaceDecidesBetweenSidesThatAreEquallyFrequent) {
     EXPECT_EQ(common_side({}), 0);
     const auto issues = check_faces(halves, {"px", "nx", "py", "ny", "pz", "nz"});
     ASSERT_EQ(issues.size(), 3u);
-    EXPECT_NE(issues[0].message.find("(ny) is 32 x 32, but the other faces are 64 x 64"), std::string::npos) << issues[0].message;
+    EXPECT_NE(issues[0].message.find("(ny) is 32 x 32, but the other faces are 64 x 64"), std::string::npos)
+        << issues[0].message;
 }
 
 }  // namespace

@@ -31,7 +31,6 @@ double solid_angle(double s0, double t0, double s1, double t1);
 // directions together is preserved. Enlarging repeats texels. Sums are in double.
 CubeLight resized(const CubeLight& light, int size);
 
-
 // The nine coefficients of radiance of orders 0 to 2, in the order 1, y, z, x, xy, yz, 3z² - 1, xz, x² - y²
 // (Ramamoorthi and Hanrahan 2001). They are weighted by the texels' solid angles, in double, and not windowed, which is
 // right for irradiance.
@@ -53,6 +52,5 @@ std::vector<CubeLight> prefiltered(const CubeLight& light, int size);
 int prefilter_levels(int size);
 // The default size of level 0: the source's, rounded to a power of two, from 16 to `largest`.
 int prefilter_size(int source_size, int largest);
-
 
 }  // namespace snell::content
