@@ -1,0 +1,34 @@
+// Scenes from text, on the bench.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "src/accuracy/measure.h"
+#include "src/app/open/document.h"
+#include "tests/harness/harness.h"
+
+namespace snell::test {
+
+class AccuracyTest : public GlTest {
+protected:
+    // What a scene is read into. Stays for as long as its bench.
+    struct Read {
+        std::unique_ptr<Files> files;
+        Sources sources;
+        Diagnostics diagnostics;
+        Plan plan;
+    };
+
+    accuracy::Bench& bench_of(const std::string& path, int width, int height);
+    accuracy::Bench& bench_of_text(std::string_view scene, int width, int height);
+    const Plan& plan() const { return read->plan; }
+
+    std::unique_ptr<Read> read;
+    std::unique_ptr<accuracy::Bench> bench;
+
+    void TearDown() override;
+};
+
+}  // namespace snell::test

@@ -1,0 +1,203 @@
+// Measurements whose answers are known.
+#include <cmath>
+
+#include "src/accuracy/sweep.h"
+#include "tests/accuracy/gl/common.h"
+
+namespace snell::test {
+namespace {
+
+using namespace accuracy;
+
+class Measure : public AccuracyTest {
+protected:
+    // A rung of WORK k takes k times the arithmetic and is 1/k off. SAME costs what HALF does and is worse; WASTE costs
+    // more than HALF and is worse.
+    void write_ladder() {
+        folder.write("full.vert",
+                     "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
+        folder.write("work.frag", R"(#version 330 compatibility
+uniform float uStep;
+#if WORK == WORK_one
+const int units = 1; const float off = 1.;
+#elif WORK == WORK_half
+const int units = 2; const float off = 1. / 2.;
+#elif WORK == WORK_same
+const int units = 2; const float off = .9;
+#elif WORK == WORK_waste
+const int units = 3; const float off = .8;
+#elif WORK == WORK_quarter
+const int units = 4; const float off = 1. / 4.;
+#else
+const int units = 8; const float off = 0.;
+#endif
+void main() {
+    float x = gl_FragCoord.x;
+    for (int i = 0; i < 250 * units; ++i) x = x * .999 + uStep * sin(x);
+    gl_FragColor = vec4(vec3(.25 + off + 1e-30 * x), 1.);
+}
+)");
+    }
+    static constexpr std::string_view scene =
+        "Ladder WORK <one> half same waste quarter full\nVertex full.vert\nFragment work.frag\n"
+        "Program Work uStep <0. .001 1.>\nQuadXY 0 1\n";
+
+    SweepResult measure_ladder(std::uint64_t seed) {
+        Diagnostics problems;
+        const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {"WORK"}, From::reference, problems);
+        EXPECT_EQ(sweeps.size(), 1U);
+        MeasureOptions options;
+        options.rounds = 15;
+        options.seconds = 2;
+        options.at_least = .5;
+        options.seed = seed;
+        return measure(*bench, sweeps[0], options);
+    }
+};
+
+TEST_F(Measure, LadderOfKnownCostsAndErrorsComesOutRightThreeTimes) {
+    write_ladder();
+    bench_of_text(scene, 64, 64);
+    const double costs[]{1, 2, 2, 3, 4, 8}, errors[]{1, .5, .9, .8, .25, 0};
+    for (std::uint64_t run = 1; run <= 3; ++run) {
+        const SweepResult result = measure_ladder(run);
+        ASSERT_EQ(result.rungs.size(), 6U);
+        for (std::size_t i = 0; i < 6; ++i) {
+            EXPECT_NEAR(result.rungs[i].own.rmse, errors[i], 1e-4);
+            EXPECT_NEAR(result.rungs[i].ratio.middle, costs[i], .1 * costs[i]) << result.rungs[i].name;
+        }
+        if (!result.trusted()) continue;  // the machine is too noisy for a front, and the result says so
+        for (std::size_t i : {0U, 1U, 4U, 5U}) EXPECT_EQ(result.rungs[i].verdict.standing, Standing::front) << i;
+        // 'same' costs what 'half' does: dominated only if noise makes it look dearer. In no run it is on the front.
+        EXPECT_EQ(result.rungs[2].verdict.by, 1U);
+        EXPECT_EQ(result.rungs[3].verdict, (Verdict{Standing::dominated, 1}));
+    }
+}
+
+TEST_F(Measure, StopsWhenToldAndKeepsWhatItHas) {
+    write_ladder();
+    bench_of_text(scene, 64, 64);
+    Diagnostics problems;
+    const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {}, From::reference, problems);
+    int asked = 0;
+    MeasureOptions options;
+    options.stop = [&] { return ++asked > 3; };
+    const SweepResult result = measure(*bench, sweeps.at(0), options);
+    EXPECT_TRUE(result.interrupted);
+    EXPECT_TRUE(result.rungs[0].drawn);
+    EXPECT_FALSE(result.rungs[5].drawn);
+    EXPECT_FALSE(result.trusted());
+}
+
+TEST_F(Measure, PictureOfOneSampleIsWhatRenderDraws) {
+    const std::string_view ball = "Perspective 50\nLookAt 0 0 3  0 0 0  0 1 0\nSphere 1 20 20\n";
+    Bench& b = bench_of_text(ball, 48, 48);
+    const auto one = b.picture({{}, {}});
+    ASSERT_TRUE(one);
+    const auto document = open_file(folder.path() + "/scene.glib");
+    const snell::test::Picture drawn = draw(*document, {.width = 48, .height = 48});
+    for (std::size_t i = 0; i < drawn.rgba.size(); i += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            ASSERT_NEAR(255 * one->rgba[i + c], std::to_integer<int>(drawn.rgba[i + c]), .51) << i;
+}
+
+// The mean of many samples is the covered part of a pixel: of the whole picture it is the disc's area.
+TEST_F(Measure, ManySamplesCoverTheDiscsArea) {
+    const std::string_view ball = "Background 0 0 0\nPerspective 50\nLookAt 0 0 3  0 0 0  0 1 0\nSphere 1 120 120\n";
+    Bench& b = bench_of_text(ball, 40, 40);
+    const auto many = b.picture({{}, {.grid = 8}});
+    ASSERT_TRUE(many);
+    double covered = 0;
+    for (std::size_t i = 0; i < many->rgba.size(); i += 4) covered += static_cast<double>(many->rgba[i]) / 1600;
+    const double radius = std::tan(std::asin(1 / 3.0)) / std::tan(25 * std::acos(-1.0) / 180) / 2;
+    EXPECT_NEAR(covered, std::acos(-1.0) * radius * radius, .002);
+    const auto four = b.picture({{}, {.multisample = 4}});
+    if (!four) GTEST_SKIP() << "no multisampled float targets";
+    EXPECT_LT(compare(*four, *many).rmse, compare(*b.picture({{}, {}}), *many).rmse);
+}
+
+// Facets approach the sphere with the square of their number.
+TEST_F(Measure, TessellationConverges) {
+    folder.write("normal.vert",
+                 "#version 330 compatibility\nout vec3 vN;\nvoid main() { vN = gl_Normal; gl_Position = "
+                 "gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+    folder.write("normal.frag",
+                 "#version 330 compatibility\nin vec3 vN;\nvoid main() { gl_FragColor = vec4(vN, 1.); }\n");
+    bench_of_text(
+        "Background 0 0 0\nPerspective 20\nLookAt 0 0 3  0 0 0  0 1 0\nVertex normal.vert\nFragment "
+        "normal.frag\nProgram "
+        "N\nSphere 1 20 20\n",
+        64, 64);
+    Diagnostics problems;
+    const auto sweeps = knob_sweeps(plan().scene, plan().rungs, {"tessellation"}, From::reference, problems);
+    ASSERT_EQ(sweeps.size(), 1U);
+    MeasureOptions options;
+    options.times = false;
+    const SweepResult result = measure(*bench, sweeps[0], options);
+    EXPECT_EQ(result.rungs[sweeps[0].current].name, "x1");
+    for (std::size_t i = 1; i + 1 < result.rungs.size(); ++i)
+        EXPECT_LT(result.rungs[i].own.rmse, .5 * result.rungs[i - 1].own.rmse) << result.rungs[i].name;
+}
+
+// Errors are told over the pixels that the ladder's draws cover, and degrees where a shader shows directions.
+TEST_F(Measure, RegionIsTheLaddersOwnAndDirectionsAreCompared) {
+    folder.write(
+        "plain.vert",
+        "#version 330 compatibility\nvoid main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+    folder.write("turned.frag", R"(#version 330 compatibility
+void main() {
+#if TURN == TURN_off
+    vec3 d = vec3(sin(radians(10.)), 0., cos(radians(10.)));
+#else
+    vec3 d = vec3(0., 0., 1.);
+#endif
+    gl_FragColor = vec4(abs(d), 1.);
+#if defined(SNELL_OUTPUT) && SNELL_OUTPUT == SNELL_OUTPUT_direction
+    gl_FragColor = vec4(d, 1.);
+#endif
+}
+)");
+    Bench& b = bench_of_text(
+        "Background 0 0 0\nLadder TURN off <right>\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment turned.frag\nProgram "
+        "T\nQuadXY 0 .5\nProgram\nTranslate .75 .75 0\nQuadXY 0 .25\n",
+        64, 64);
+    EXPECT_TRUE(b.has_directions());
+    EXPECT_EQ(b.draws_of(0), (std::vector<bool>{true, false}));
+    Diagnostics problems;
+    const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {}, From::reference, problems);
+    MeasureOptions options;
+    options.times = false;
+    const SweepResult result = measure(b, sweeps.at(0), options);
+    EXPECT_EQ(result.own_pixels, 32U * 32U);
+    ASSERT_TRUE(result.rungs[0].degrees);
+    EXPECT_NEAR(result.rungs[0].degrees->mean, 10, 1e-4);
+    EXPECT_EQ(result.metric, Metric::degrees);
+    EXPECT_TRUE(result.rungs[0].saturated);
+    EXPECT_NEAR(result.rungs[0].own.rmse, 2 * result.rungs[0].whole.rmse, 1e-6) << "a quarter of the picture";
+    EXPECT_EQ(result.rungs[1].degrees->mean, 0);
+}
+
+TEST_F(Measure, LatticeIsEveryCombination) {
+    folder.write("sum.vert", "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
+    // Each error alone shows; both together cancel.
+    folder.write("sum.frag",
+                 "#version 330 compatibility\nvoid main() {\n float v = .5;\n#if A == A_off\n v += .1;\n#endif\n"
+                 "#if B == B_off\n v -= .1;\n#endif\n gl_FragColor = vec4(vec3(v), 1.);\n}\n");
+    Bench& b = bench_of_text(
+        "Ladder A <off> on\nLadder B <off> on\nVertex sum.vert\nFragment sum.frag\nProgram S\nQuadXY 0 1\n", 16, 16);
+    Diagnostics problems;
+    const auto sweeps = lattice_sweep(plan().scene, plan().rungs, {}, problems);
+    MeasureOptions options;
+    options.times = false;
+    const SweepResult result = measure(b, sweeps.at(0), options);
+    ASSERT_EQ(result.rungs.size(), 4U);
+    EXPECT_EQ(result.rungs[1].name, "off on");
+    EXPECT_NEAR(result.rungs[0].own.rmse, 0, 1e-6);
+    EXPECT_NEAR(result.rungs[1].own.rmse, .1, 1e-6);
+    EXPECT_NEAR(result.rungs[2].own.rmse, .1, 1e-6);
+    EXPECT_EQ(sweeps[0].current, 0U);
+    EXPECT_EQ(sweeps[0].reference, 3U);
+}
+
+}  // namespace
+}  // namespace snell::test

@@ -1,0 +1,84 @@
+// A picture that shows nothing of its scene is said to, with the option that shows something.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "tests/cli/run.h"
+#include "tests/scratch.h"
+
+namespace snell::test {
+namespace {
+
+class InView : public testing::Test {
+protected:
+    Outcome render(const std::string& text, const std::string& arguments = {}, const std::string& to = "o.png") {
+        folder.write("s.glib", text);
+        const std::string size = arguments.find("--size") == std::string::npos ? "--size 64x48 " : "";
+        return snell("render " + size + folder.path("s.glib") + " -o '" + folder.path(to) + "' " + arguments);
+    }
+    static bool warns(const Outcome& outcome) { return outcome.output.find("[nothing-in-view]") != std::string::npos; }
+    // The option that the warning names is tried: the warning is gone, and the picture is another.
+    void expect_mended(const std::string& text, const std::string& arguments = {}) {
+        const Outcome first = render(text, arguments);
+        EXPECT_EQ(first.status, 0) << first.output;
+        EXPECT_TRUE(warns(first)) << text << first.output;
+        const std::string empty = bytes_of(folder.path("o.png"));
+        std::smatch option;
+        ASSERT_TRUE(std::regex_search(first.output, option, std::regex("'(--view [^']+)' shows it"))) << first.output;
+        const Outcome second = render(text, arguments + " " + option[1].str());
+        EXPECT_FALSE(warns(second)) << text << option[1] << second.output;
+        EXPECT_NE(bytes_of(folder.path("o.png")), empty) << option[1];
+    }
+    Scratch folder;
+};
+
+// The eye is at the origin, where most scenes have their objects.
+TEST_F(InView, TheOptionShowsWhatIsMissing) {
+    for (const char* scene :
+         {"QuadXY 0 1\n", "Translate 0 0 5\nBox\n", "CullFace back\nSphere .5\n", "Translate 40 -7 30\nTorus\n",
+          "LookAt 0 0 4 0 0 8\nTeapot\n", "Ortho\nTranslate 30 0 -5\nSphere\n", "CullFace back\nSphere 5000\n"})
+        expect_mended(scene);
+}
+
+TEST_F(InView, InEveryContext) {
+    for (const char* context : {"3.3", "es3.0"})
+        expect_mended("Translate 0 0 5\nBox\n", std::string("--context ") + context);
+}
+
+TEST_F(InView, WhatIsInViewIsNotSpokenOf) {
+    folder.write("clear.frag", "void main() { gl_FragColor = vec4(1., 1., 1., 0.); }\n");
+    for (const char* scene : {"LookAt 0 0 4\nSphere 1\n", "Background 1 1 1\nTranslate 0 0 -5\nBox\n",
+                              "Translate 0 0 -5\nFragment clear.frag\nProgram P\nBox\n",
+                              "Translate 0 0 -5\nPointSize 1\nglBegin gl_points\nglVertex 0 0 0\nglEnd\n"})
+        EXPECT_FALSE(warns(render(scene))) << scene << ": a fragment reached the picture, whatever its colour";
+    EXPECT_FALSE(warns(render("Translate 0 0 5\nBox\n", "--quiet")));
+    EXPECT_FALSE(warns(render("Translate 0 0 5\nBox\n", "--frames 2", "o{frame}.png"))) << "one of many may be empty";
+}
+
+// Whatever the eye does, discarded fragments are not seen: no option is promised.
+TEST_F(InView, NothingIsPromisedThatDoesNotShow) {
+    folder.write("gone.frag", "void main() { discard; }\n");
+    const Outcome gone = render("Translate 0 0 -5\nFragment gone.frag\nProgram P\nBox\n");
+    EXPECT_TRUE(warns(gone));
+    EXPECT_EQ(gone.output.find("--view"), std::string::npos) << gone.output;
+    EXPECT_EQ(gone.status, 0);
+}
+
+TEST_F(InView, ASceneWithoutDrawsHasItsOwnWord) {
+    const Outcome none = render("LookAt 0 0 4\n");
+    EXPECT_NE(none.output.find("the scene draws nothing [nothing-drawn]"), std::string::npos) << none.output;
+    const Outcome elsewhere = render("Texture2D 5 8 8\nRenderToTexture 5\nTranslate 0 0 -5\nBox\n");
+    EXPECT_NE(elsewhere.output.find("nothing is drawn to the window [nothing-drawn]"), std::string::npos)
+        << elsewhere.output;
+    const Outcome broken = render("LookAt 0 0 4\nSpher 1\n");
+    EXPECT_EQ(broken.output.find("nothing-drawn"), std::string::npos) << "the error says it";
+}
+
+// Parts of a large picture are asked together.
+TEST_F(InView, APictureOfParts) {
+    EXPECT_FALSE(warns(render("LookAt 0 0 40\nTranslate 12 0 0\nBox\n", "--size 200x130 --tile 64")));
+    EXPECT_TRUE(warns(render("Translate 0 0 5\nBox\n", "--size 200x130 --tile 64")));
+}
+
+}  // namespace
+}  // namespace snell::test

@@ -1,0 +1,176 @@
+// NaN and infinity from wherever a number comes in: an error, or replaced with a warning. One test for each entry of
+// the table in docs/reliability.md.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "src/app/open/snapshots.h"
+#include "tests/cli/run.h"
+#include "tests/harness/harness.h"
+
+namespace snell::test {
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN(),
+                infinite = std::numeric_limits<float>::infinity();
+// Others: SetNotFinite.*
+const std::array<const char*, 3> not_finite{"nan", "-inf", "1e400"};
+
+std::string float_bytes(const std::vector<float>& values) {
+    std::string text(values.size() * sizeof(float), '\0');
+    std::memcpy(text.data(), values.data(), text.size());
+    return text;
+}
+
+// 4 x 4 texels of 1 with one that is not finite.
+std::vector<float> texels(float wrong, int channels) {
+    std::vector<float> values(static_cast<std::size_t>(16 * channels), 1);
+    for (int c = 0; c < std::min(channels, 3); ++c) values[static_cast<std::size_t>(5 * channels + c)] = wrong;
+    return values;
+}
+
+class NonFiniteInput : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        folder.write("a.frag", "uniform float uA;\nvoid main() { gl_FragColor = vec4(uA, 0., 0., 1.); }\n");
+        folder.write("t.frag",
+                     "#version 330 compatibility\nuniform sampler2D uT;\nin vec2 vST;\n"
+                     "void main() { gl_FragColor = texture(uT, vST); }\n");
+        folder.write("v.vert", plain_vertex);
+        folder.write("s.glib", settable);
+    }
+    std::string at(const std::string& name) const { return folder.path(name); }
+    Outcome render(const std::string& arguments) const {
+        return snell("render --size 16x16 --count-non-finite " + at("s.glib") + " -o " + at("o.png") + " " + arguments);
+    }
+    // A scene that is drawn whole, with a warning, and without one pixel that is no number.
+    void expect_replaced(const std::string& text, const std::string& code) {
+        folder.write("s.glib", text);
+        const Outcome outcome = render("");
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        EXPECT_NE(outcome.output.find("[" + code + "]"), std::string::npos) << outcome.output;
+        EXPECT_EQ(outcome.output.find("before they are clamped"), std::string::npos) << outcome.output;
+    }
+    // An error; the rest is drawn, and nothing of it is no number.
+    void expect_refused(const std::string& text) {
+        folder.write("s.glib", text);
+        const Outcome outcome = render("");
+        EXPECT_EQ(outcome.status, 1) << text << outcome.output;
+        const bool told = outcome.output.find("[not-finite]") != std::string::npos ||
+                          outcome.output.find("[number-too-large]") != std::string::npos;
+        EXPECT_TRUE(told) << text << outcome.output;
+        EXPECT_EQ(outcome.output.find("before they are clamped"), std::string::npos) << outcome.output;
+    }
+
+    static constexpr const char* settable = "Fragment a.frag\nProgram P uA <0. .5 1.>\nQuadXY 0. 2.\n";
+    static constexpr const char* textured =
+        "Vertex v.vert\nFragment t.frag\nProgram P uT 5\nOrtho -1 1 -1 1\nQuadXY 0. 1.\n";
+};
+
+TEST_F(NonFiniteInput, NumbersOfTheSceneAreErrors) {
+    for (const std::string word : not_finite) {
+        expect_refused("Fragment a.frag\nProgram P uA " + word + "\nQuadXY 0. 2.\n");
+        expect_refused("Fragment a.frag\nProgram P uA <0. .5 " + word + ">\nQuadXY 0. 2.\n");
+        expect_refused("Translate 0 0 " + word + "\nSphere\n");
+        expect_refused("Color 1 " + word + " 0\nSphere\n");
+    }
+}
+
+TEST_F(NonFiniteInput, OptionsAreRefused) {
+    for (const std::string word : not_finite) {
+        const Outcome set = render("--set uA=" + word);
+        EXPECT_EQ(set.status, 1) << word << set.output;
+        EXPECT_EQ(snell("save " + at("s.glib") + " --set uA=" + word).status, 1) << word;
+        for (const std::string option : {"--time ", "--view x=", "--view scale=", "--fps ", "--timeout "})
+            EXPECT_EQ(render(option + word).status, 2) << option << word;
+        const std::string sweep = "sweep --size 16x16 " + at("s.glib") + " -o " + at("{index}.png");
+        EXPECT_NE(snell(sweep + " --over uA=0," + word).status, 0) << word;
+        EXPECT_NE(snell(sweep + " --over uA=0:" + word + ":3").status, 0) << word;
+    }
+    EXPECT_EQ(bytes_of(at("s.glib")), settable) << "save wrote";
+}
+
+TEST_F(NonFiniteInput, RawTexturesAreMended) {
+    std::array<std::int32_t, 2> sides{4, 4};
+    std::string head(8, '\0');
+    std::memcpy(head.data(), sides.data(), 8);
+    for (const float wrong : {not_a_number, infinite, -infinite}) {
+        folder.write("a.tex", head + float_bytes(texels(wrong, 4)));
+        expect_replaced("Texture2D 5 a.tex\n" + std::string(textured), "image-non-finite");
+    }
+    folder.write("a.tex", head + float_bytes(texels(1e30F, 4)));
+    expect_replaced("Texture2D 5 a.tex\n" + std::string(textured), "image-clamped");
+}
+
+TEST_F(NonFiniteInput, PfmPicturesAreMended) {
+    for (const float wrong : {not_a_number, infinite, -infinite}) {
+        folder.write("a.pfm", "PF\n4 4\n-1.0\n" + float_bytes(texels(wrong, 3)));
+        expect_replaced("Texture2D 5 a.pfm\n" + std::string(textured), "image-non-finite");
+    }
+}
+
+TEST_F(NonFiniteInput, ExrPicturesAreMended) {
+    content::Image image;
+    image.width = image.height = 4;
+    image.channels = 3;
+    image.type = content::PixelType::f32;
+    const std::string pixels = float_bytes(texels(not_a_number, 3));
+    image.pixels.resize(pixels.size());
+    std::memcpy(image.pixels.data(), pixels.data(), pixels.size());
+    ASSERT_EQ(content::write_image(at("a.exr"), image), "");
+    expect_replaced("Texture2D 5 a.exr\n" + std::string(textured), "image-non-finite");
+}
+
+// RGBE can't hold NaN; its largest exponent is beyond what textures hold.
+TEST_F(NonFiniteInput, HdrPicturesAreClamped) {
+    std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 4\n";
+    for (int i = 0; i < 16; ++i) file += i == 5 ? std::string("\xff\xff\xff\xff") : std::string("\x80\x80\x80\x81");
+    folder.write("a.hdr", file);
+    expect_replaced("Texture2D 5 a.hdr\n" + std::string(textured), "image-clamped");
+}
+
+TEST_F(NonFiniteInput, ObjFacesAreLeftOut) {
+    for (const std::string word : not_finite) {
+        folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 " + word + "\nf 1 2 3\nf 2 3 4\n");
+        expect_replaced("Obj a.obj\n", "obj-not-a-number");
+    }
+}
+
+// The window's sliders, snapshots and presets take their numbers by the same way as --set.
+TEST_F(NonFiniteInput, SnapshotsAreNotTaken) {
+    auto document = open_file(at("s.glib"));
+    ASSERT_TRUE(document->runtime);
+    Control* control = document->controls.find(0, "uA");
+    ASSERT_NE(control, nullptr);
+    for (const char* value : {"NaN", "Infinity", "1e400", "null", "1e39", "\"nan\""}) {
+        folder.write("s.snapshots.json", "{\"1\": {\"values\": {\"P.uA\": [" + std::string(value) + "]}}}");
+        const Restored restored = restore_snapshot(1, *document);
+        EXPECT_TRUE(restored.lost == 1 || !restored.error.empty()) << value;
+        EXPECT_EQ(control->value, (std::vector<double>{.5})) << value;
+    }
+    folder.write("s.snapshots.json", "{\"1\": {\"values\": {\"P.uA\": [0.25]}}}");
+    EXPECT_EQ(restore_snapshot(1, *document).error, "");
+    EXPECT_EQ(control->value, (std::vector<double>{.25}));
+}
+
+// They hold names of rungs; numbers in them are only shown.
+TEST_F(NonFiniteInput, QualityFilesAreRefused) {
+    folder.write("s.glib", "Ladder KIND <red> green\n" + std::string(settable));
+    const auto preset = [](const std::string& value) {
+        return R"({"schema": 1, "renderer": "x", "presets": {"fast": {"ladders": ["KIND=green"], "rmse": )" + value +
+               R"(, "ms": 1, "ratio": "1", "settled": true, "trusted": true}}})";
+    };
+    folder.write("s.quality.json", preset("0.5"));
+    EXPECT_EQ(render("--quality fast").status, 0) << render("--quality fast").output;
+    for (const char* value : {"NaN", "Infinity", "1e400", "null"}) {
+        folder.write("s.quality.json", preset(value));
+        EXPECT_EQ(render("--quality fast").status, 1) << value;
+    }
+}
+
+}  // namespace
+}  // namespace snell::test

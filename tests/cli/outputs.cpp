@@ -1,0 +1,201 @@
+// Outputs are looked at before any work, and one that can't be written costs no other.
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "src/content/image/image.h"
+#include "tests/cli/run.h"
+#include "tests/harness/harness.h"
+
+namespace snell::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Outputs : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string error;
+        if (!HeadlessContext::make({}, error)) GTEST_SKIP() << "no graphics: " << error;
+        folder.write("way.frag",
+                     "uniform float uA;\nvoid main() {\n#if WAY == WAY_dark\n  gl_FragColor = vec4(uA);\n#else\n"
+                     "  gl_FragColor = vec4(.4);\n#endif\n}\n");
+        folder.write("s.glib", scene);
+        for (const char* name : {"out", "d.ext"}) fs::create_directory(folder.path(name));
+        fs::create_directory_symlink("out", folder.path("link"));
+        folder.write("out/old.json", "old");
+        fs::create_symlink("out/old.json", folder.path("alias.json"));
+    }
+    // In the folder, as somebody who stands there.
+    Outcome in_folder(const std::string& command) const {
+        return run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + command);
+    }
+    Outcome measure(const std::string& outputs) const {
+        return in_folder("accuracy s.glib --ladders WAY --knobs samples --no-time --size 8x8 " + outputs);
+    }
+    static bool says(const Outcome& outcome, const std::string& text) {
+        return outcome.output.find(text) != std::string::npos;
+    }
+    bool there(const std::string& name) const { return fs::exists(folder.path(name)); }
+
+    const std::string scene =
+        "Ladder WAY dark <light>\nOrtho -1 1 -1 1\nFragment way.frag\nProgram P uA <0. .5 1.>\nQuadXY 0 .5\n";
+    Folder folder;
+};
+
+TEST_F(Outputs, OfAccuracyAreLookedAtBeforeItMeasures) {
+    for (const std::string option : {"-o", "--svg", "--json", "--csv", "--markdown"}) {
+        const std::string other = option == "--csv" ? "--json out/other" : "--csv out/other";
+        for (const std::string place : {"none/r", "out"}) {
+            const Outcome refused = measure(other + " " + option + " " + place);
+            EXPECT_EQ(refused.status, 1) << option << ' ' << refused.output;
+            EXPECT_TRUE(says(refused, place == "out" ? "not a regular file" : "there is no folder none"))
+                << refused.output;
+            EXPECT_FALSE(says(refused, "RMSE")) << option << " was measured: " << refused.output;
+        }
+        EXPECT_FALSE(there("out/other")) << option;
+    }
+}
+
+// Whatever a scene reads, by whatever statement, include or rung.
+TEST_F(Outputs, NoFileThatASceneReadsIsOverwritten) {
+    const std::string png = content::encode_png(content::checkerboard(8));
+    const std::map<std::string, std::string> files{
+        {"w.glib", "Ladder WAY dark <light>\nInclude part.glib\n"},
+        {"part.glib",
+         "Ortho -1 1 -1 1\nTexture2D 5 t.png\nCubeMap 6 x+.png x-.png y+.png missing.png z+.png z-.png\nVertex w.vert\n"
+         "Fragment w.frag\nProgram P\nQuadXY 0 .5\nObj m.obj\n"},
+        {"w.vert", "void main() { gl_Position = ftransform(); }\n"},
+        {"w.frag",
+         "#if WAY == WAY_dark\n#  include \"out/inc.inc\"\n#endif\nvoid main() { gl_FragColor = vec4(.4); }\n"},
+        {"out/inc.inc", "#include \"deep\"\n"},
+        {"out/deep.glsl", "#include \"inc.inc\"\n"},
+        {"m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"noise3d.064.tex", "not a picture"},
+        {"t.png", png},
+        {"x-.png", png}};
+    for (const auto& [name, text] : files) folder.write(name, text);
+    for (const auto& [name, text] : files) {
+        if (name.ends_with(".tex")) continue;
+        const bool picture = name.ends_with(".png");
+        std::vector<std::string> commands{"accuracy s.glib w.glib --no-time --size 8x8 --csv out/c -o link/../" + name,
+                                          "render w.glib --size 8x8 -o o.png --json " + name,
+                                          "render s.glib w.glib --size 8x8 -o '{stem}.png' --sheet " + name,
+                                          "render w.glib --size 8x8 -o o.png --stats ./" + name};
+        if (picture) commands.push_back("render w.glib --size 8x8 --skip-existing -o " + name);
+        for (const std::string& command : commands) {
+            const Outcome refused = in_folder(command);
+            EXPECT_EQ(refused.status, 2) << command << ": " << refused.output;
+            EXPECT_TRUE(says(refused, "is read, and would be overwritten")) << command << ": " << refused.output;
+        }
+        EXPECT_EQ(bytes_of(folder.path(name)), text) << name;
+    }
+    for (const char* name : {"o.png", "s.png", "out/c"}) EXPECT_FALSE(there(name)) << name << " was written";
+}
+
+// A link to a file that does not exist yet names that file.
+TEST_F(Outputs, OneFileThroughADanglingLinkIsRefused) {
+    fs::create_symlink("notyet.csv", folder.path("l1"));
+    fs::create_symlink("../l1", folder.path("out/l2"));
+    for (const std::string same :
+         {"--json l1 --csv notyet.csv", "--csv notyet.csv --json link/l2", "-o l1 --svg out/l2"}) {
+        const Outcome refused = measure(same);
+        EXPECT_EQ(refused.status, 2) << same << ": " << refused.output;
+        EXPECT_FALSE(says(refused, "RMSE")) << same << " was measured";
+    }
+    EXPECT_FALSE(there("notyet.csv"));
+    EXPECT_EQ(measure("--csv out/l2").status, 0);
+    EXPECT_TRUE(fs::is_symlink(folder.path("l1")) && fs::is_symlink(folder.path("out/l2")));
+    EXPECT_GT(bytes_of(folder.path("notyet.csv")).size(), 50U);
+}
+
+// Permissions alone don't tell, least of all for root.
+TEST_F(Outputs, WhereNoFileCanBeMadeIsRefusedBeforeItMeasures) {
+    fs::create_symlink("b", folder.path("a"));
+    fs::create_symlink("a", folder.path("b"));
+    for (const std::string option : {"-o", "--json", "--csv", "--markdown", "--svg"})
+        for (const std::string place : {"/proc/x.html", "a"}) {
+            const Outcome refused = measure(option + " " + place);
+            EXPECT_EQ(refused.status, 1) << option << ' ' << refused.output;
+            EXPECT_TRUE(says(refused, "cannot write '" + place + "': " + place + ": ")) << refused.output;
+            EXPECT_FALSE(says(refused, "RMSE")) << option << " was measured: " << refused.output;
+        }
+    EXPECT_TRUE(fs::is_symlink(folder.path("a")));
+    for (const std::string option : {"-o", "--json", "--csv", "--markdown", "--svg"})
+        EXPECT_EQ(measure(option + " ''").status, 2) << option;
+    for (const std::string option : {"--json", "--sheet", "--stats"})
+        EXPECT_EQ(in_folder("render s.glib -o o.png " + option + " ''").status, 2) << option;
+    EXPECT_FALSE(there("o.png"));
+}
+
+TEST_F(Outputs, OneFileForTwoReportsIsRefused) {
+    for (const std::string& same : std::vector<std::string>{
+             "-o same --json same", "-o same --csv ./same", "-o out/same --csv link/same", "--svg same --markdown same",
+             "--json out/old.json --csv alias.json", "-o out/../same --csv same", "--svg p.svg --json p-2.svg",
+             "--json s.glib", "--csv ../" + fs::path(folder.path()).filename().string() + "/s.glib"}) {
+        const Outcome refused = measure(same);
+        EXPECT_EQ(refused.status, 2) << same << ": " << refused.output;
+        EXPECT_FALSE(says(refused, "RMSE")) << same << " was measured";
+    }
+    for (const char* name : {"same", "out/same", "p.svg", "p-2.svg"}) EXPECT_FALSE(there(name)) << name;
+    EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
+    EXPECT_EQ(bytes_of(folder.path("out/old.json")), "old");
+    EXPECT_EQ(measure("--json /dev/null --csv /dev/null").status, 0) << "nothing is lost there";
+}
+
+// The page is larger than what the disk takes, the others are smaller.
+TEST_F(Outputs, AReportThatFailsCostsNoOther) {
+    const Outcome full = run("cd '" + folder.path() +
+                             "' && ulimit -f 8 && exec " SNELL_BIN
+                             "/snell accuracy s.glib --ladders WAY --no-time --size 64x64 -o r.html "
+                             "--json r.json --csv r.csv --svg r.svg --markdown r.md");
+    EXPECT_EQ(full.status, 1) << full.output;
+    EXPECT_TRUE(says(full, "cannot write 'r.html': ")) << full.output;
+    EXPECT_FALSE(there("r.html"));
+    EXPECT_TRUE(nlohmann::json::accept(bytes_of(folder.path("r.json"))));
+    for (const char* name : {"r.csv", "r.svg", "r.md"}) EXPECT_GT(bytes_of(folder.path(name)).size(), 50U) << name;
+}
+
+TEST_F(Outputs, PlotsAreNumberedBeforeTheirExtension) {
+    const std::array<std::array<const char*, 3>, 4> plots{{{"./p", "p", "p-2"},
+                                                           {"d.ext/p", "d.ext/p", "d.ext/p-2"},
+                                                           {"d.ext/q.svg", "d.ext/q.svg", "d.ext/q-2.svg"},
+                                                           {"a.b.svg", "a.b.svg", "a.b-2.svg"}}};
+    for (const auto& [option, first, second] : plots) {
+        const Outcome outcome = measure("--svg " + std::string(option));
+        EXPECT_EQ(outcome.status, 0) << option << ": " << outcome.output;
+        for (const char* name : {first, second}) EXPECT_TRUE(bytes_of(folder.path(name)).starts_with("<svg")) << name;
+    }
+}
+
+TEST_F(Outputs, PagesNameTheirPlots) {
+    for (const std::string& page : {std::string("out/page.md"), folder.path("out/page.md")}) {
+        const Outcome outcome = in_folder(
+            "accuracy s.glib --ladders WAY --reps 7 --budget 1 --size 8x8 --svg ./p.svg "
+            "--markdown " +
+            page);
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        EXPECT_NE(bytes_of(folder.path("out/page.md")).find("(../p.svg)"), std::string::npos) << page;
+    }
+}
+
+TEST_F(Outputs, OfPicturesAreLookedAtBeforeAnythingIsDrawn) {
+    const std::string sweep = "sweep s.glib --over uA=0,1 --size 8x8 -o 'out/{uA}.png' ";
+    for (const char* same : {"--json r --sheet r", "--json r --stats ./r", "--sheet out/1.png", "--sheet link/1.png",
+                             "--json s.glib", "--json out/old.json --stats alias.json"})
+        EXPECT_EQ(in_folder(sweep + same).status, 2) << same;
+    for (const std::string option : {"--json", "--sheet", "--stats"})
+        for (const char* place : {" none/r", " out"})
+            EXPECT_EQ(in_folder(sweep + option + place).status, 1) << option << place;
+    EXPECT_EQ(in_folder("render s.glib -o out/0.png --size 8x8 --json out/../out/0.png").status, 2);
+    EXPECT_FALSE(there("out/0.png")) << "something was drawn";
+    EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
+    const Outcome fine = in_folder(sweep + "--json r.json --sheet r.png --stats r.txt");
+    EXPECT_EQ(fine.status, 0) << fine.output;
+    EXPECT_TRUE(there("out/0.png") && there("r.json") && there("r.png") && there("r.txt"));
+}
+
+}  // namespace
+
+}  // namespace snell::test

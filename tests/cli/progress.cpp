@@ -1,0 +1,115 @@
+// The bar of a load that takes long: on a terminal, and nowhere else.
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+
+#include "src/app/open/progress.h"
+#include "tests/cli/run.h"
+#include "tests/scratch.h"
+
+namespace snell::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Stage = LoadProgress::Stage;
+
+TEST(Progress, IsDueAfterHalfASecondAndThenAFewTimesASecond) {
+    Patience patience;
+    const Patience::Clock::time_point start{};
+    EXPECT_FALSE(patience.due({Stage::programs, "", 0, 3}, start));
+    EXPECT_FALSE(patience.due({Stage::files, "", 1, 3}, start + 499ms));
+    EXPECT_TRUE(patience.due({Stage::files, "", 1, 3}, start + 501ms));
+    EXPECT_FALSE(patience.due({Stage::files, "", 2, 3}, start + 520ms));
+    EXPECT_TRUE(patience.due({Stage::draws, "", 0, 3}, start + 560ms));
+    EXPECT_FALSE(patience.due({Stage::programs, "", 0, 3}, start + 2s)) << "another load";
+    EXPECT_TRUE(patience.due({Stage::programs, "", 1, 3}, start + 2600ms));
+}
+
+TEST(Progress, ALineFitsItsTerminalInWholeCharacters) {
+    const LoadProgress half{Stage::files, "w\xC3\xA4nde.png", 2, 4};
+    EXPECT_EQ(progress_line(half, 80), "snell [##########..........] reading files: 2 of 4 (w\xC3\xA4nde.png)");
+    for (std::size_t columns = 1; columns < 70; ++columns) {
+        const std::string line = progress_line(half, columns);
+        EXPECT_LT(line.size(), columns);
+        EXPECT_TRUE(line.empty() || line.back() != '\xC3') << columns;
+    }
+    EXPECT_EQ(progress_line({Stage::files, "evil\x1b[2J", 0, 1}, 80).find('\x1b'), std::string::npos);
+}
+
+// What the program writes to a terminal, and how long it took.
+std::pair<std::string, double> on_terminal(const std::string& arguments) {
+    int terminal = -1;
+    winsize size{24, 80, 0, 0};
+    const auto start = std::chrono::steady_clock::now();
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+    if (child == 0) {
+        setenv("TERM", "xterm", 1);
+        unsetenv("DISPLAY");
+        execl("/bin/sh", "sh", "-c", (SNELL_BIN "/snell " + arguments).c_str(), nullptr);
+        _exit(127);
+    }
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (ssize_t n; (n = read(terminal, buffer.data(), buffer.size())) > 0;)
+        text.append(buffer.data(), static_cast<std::size_t>(n));
+    close(terminal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {text, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
+class ProgressLines : public testing::Test {
+protected:
+    void SetUp() override {
+        folder.write("noise.vert", "void main() { gl_Position = ftransform(); }\n");
+        folder.write("noise.frag",
+                     "uniform sampler3D Noise3;\nvoid main() { gl_FragColor = texture3D(Noise3, vec3(.5)); }\n");
+        folder.write("slow.glib", scene(320));
+        folder.write("quick.glib", scene(16));
+    }
+    static std::string scene(int size) {
+        return "Noise3D " + std::to_string(size) + "\nVertex noise.vert\nFragment noise.frag\nProgram N\nQuadXY -2\n";
+    }
+    std::string render(const std::string& stem) const {
+        return "render " + folder.path(stem + ".glib") + " --size 16x16 --timeout 0 -o " + folder.path(stem + ".png");
+    }
+    Scratch folder;
+};
+
+TEST_F(ProgressLines, ASlowLoadHasABarOnATerminalThatIsGoneAfterwards) {
+    const auto [text, seconds] = on_terminal(render("slow"));
+    if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;
+    if (seconds < .8) GTEST_SKIP() << "this machine is too fast for the test: " << seconds << " s";
+    EXPECT_NE(text.find("reading files: 0 of 1 (noise3d.320.tex)"), std::string::npos) << text;
+    EXPECT_TRUE(text.ends_with("\r\x1b[K")) << text;
+}
+
+TEST_F(ProgressLines, TimingFramesHasABarToo) {
+    const auto [text, seconds] =
+        on_terminal("explain " + folder.path("quick.glib") + " --size 16x16 --reps 10000 --timeout 1.5");
+    if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;
+    if (text.find("[timeout]") != std::string::npos) GTEST_SKIP() << "this machine is busy";
+    EXPECT_NE(text.find("] timing frames: round "), std::string::npos) << text;
+    EXPECT_LT(text.rfind("timing frames"), text.rfind("\r\x1b[K")) << "it is gone in the end";
+    EXPECT_LT(text.rfind("\r\x1b[K"), text.find("PAYS FOR")) << text;
+}
+
+TEST_F(ProgressLines, AQuickLoadHasNone) {
+    const auto [text, seconds] = on_terminal(render("quick"));
+    if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;
+    if (seconds > .5) GTEST_SKIP() << "this machine is busy";
+    EXPECT_EQ(text, "");
+}
+
+TEST_F(ProgressLines, APipeGetsNone) {
+    const Outcome outcome = snell(render("slow"));
+    if (outcome.output.find("no graphics") != std::string::npos) GTEST_SKIP() << outcome.output;
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(outcome.status, 0);
+}
+
+}  // namespace
+}  // namespace snell::test

@@ -1,0 +1,160 @@
+// `snell accuracy` as a user runs it.
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/harness/harness.h"
+
+namespace snell::test {
+namespace {
+
+class Accuracy : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        if (!context) return;
+        folder.write("lit.vert",
+                     "#version 330 compatibility\nout vec3 vN;\nvoid main() { vN = gl_Normal; gl_Position = "
+                     "gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+        folder.write("lit.frag",
+                     "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = abs(vN.z);\n#if SHADE == "
+                     "SHADE_cheap\n c = .9 * c;\n#endif\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
+        scene = folder.write("scene.glib",
+                             "Ladder SHADE <cheap> exact\nVertex lit.vert\nFragment lit.frag\nProgram Lit\n"
+                             "Ortho -1.5 1.5 -1.5 1.5\nLookAt 0 0 3 0 0 0 0 1 0\nSphere 1 30 30\n");
+    }
+
+    int run(const std::string& arguments, const std::string& before = "") {
+        const std::string command = before + SNELL_BIN "/snell accuracy " + scene + " " + arguments + " > " +
+                                    folder.path("out.txt") + " 2> " + folder.path("err.txt");
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    std::string text(const std::string& name) {
+        std::ifstream file(folder.path(name));
+        std::stringstream all;
+        all << file.rdbuf();
+        return all.str();
+    }
+
+    std::string scene;
+};
+
+TEST_F(Accuracy, WritesEveryFormat) {
+    ASSERT_EQ(
+        run("--size 64x64 --reps 9 --budget 8 --ladders SHADE --knobs samples -o " + folder.path("r.html") + " --svg " +
+            folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),
+        0)
+        << text("err.txt");
+    const auto json = nlohmann::json::parse(text("r.json"));
+    ASSERT_EQ(json["ladders"].size(), 2U);
+    const auto& shade = json["ladders"][0];
+    EXPECT_EQ(shade["ladder"], "SHADE");
+    EXPECT_EQ(shade["rungs"][0]["is_current"], true);
+    EXPECT_EQ(shade["rungs"][1]["own"]["rmse"], 0);
+    EXPECT_GT(shade["rungs"][0]["own"]["rmse"], .01);
+    EXPECT_GE(shade["rungs"][0]["n_rounds"], 9);
+    EXPECT_FALSE(json["gl"]["renderer"].get<std::string>().empty());
+    EXPECT_EQ(json["scene"]["size"], (std::vector<int>{64, 64}));
+    // The shader's brightness is a tenth off, over the ball; its square's mean over a disc is 1/2.
+    EXPECT_NEAR(shade["rungs"][0]["own"]["rmse"].get<double>(), .1 * std::sqrt(.5), .005);
+
+    std::istringstream csv(text("r.csv"));
+    std::string line;
+    std::getline(csv, line);
+    const auto columns = std::count(line.begin(), line.end(), ',');
+    for (const char* name : {"cpu_ms_median", "aa_control_ratio", "wall_cv", "cliff", "ref_residual", "renderer",
+                             "width", "reps", "date", "load_before", "machine", "tuple", "from"})
+        EXPECT_NE(("," + line + ",").find(std::string(",") + name + ","), std::string::npos) << name;
+    int rows = 0;
+    for (; std::getline(csv, line); ++rows) EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns);
+    EXPECT_EQ(rows, 2 + 6);
+
+    const std::string html = text("r.html");
+    EXPECT_NE(html.find("<svg"), std::string::npos);
+    EXPECT_EQ(html.find("<script"), std::string::npos);
+    EXPECT_EQ(html.find("src=\"http"), std::string::npos) << "nothing comes over a network";
+    EXPECT_NE(html.find("data:image/png;base64,iVBOR"), std::string::npos);
+    EXPECT_TRUE(text("p.svg").starts_with("<svg"));
+    EXPECT_TRUE(text("p-2.svg").starts_with("<svg"));
+}
+
+TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
+    EXPECT_EQ(run("--size 200x200 --reps 5000 --budget 60 --ladders SHADE --json " + folder.path("r.json"),
+                  "timeout --foreground -s INT 3 "),  // else it comes twice, and the second ends it
+              124)                                    // of `timeout`, which waited for the end
+        << text("err.txt");
+    const auto json = nlohmann::json::parse(text("r.json"));
+    EXPECT_EQ(json["ladders"][0]["interrupted"], true);
+    EXPECT_EQ(json["ladders"][0]["rungs"][0]["drawn"], true);
+}
+
+// A second Ctrl-C does not wait for what was measured: each file is the old one, or whole.
+TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
+    int killed = 0;
+    for (const char* between : {"0", ".02", ".1"}) {
+        folder.write("r.html", "old");
+        folder.write("r.json", "old");
+        const std::string measure = std::string(SNELL_BIN "/snell accuracy ") + scene +
+                                    " --size 900x900 --reps 5000 --budget 60 --ladders SHADE -o " +
+                                    folder.path("r.html") + " --json " + folder.path("r.json") + " > " +
+                                    folder.path("out.txt") + " 2> " + folder.path("err.txt");
+        const std::string interrupt =
+            " & p=$!; sleep .7; kill -INT $p; sleep " + std::string(between) + "; kill -INT $p 2>/dev/null; wait $p";
+        const int status = std::system((measure + interrupt).c_str());
+        killed += WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT ? 1 : 0;
+        const std::string html = text("r.html"), json = text("r.json");
+        EXPECT_TRUE(html == "old" || html.find("</html>") != std::string::npos) << html.size() << " bytes";
+        EXPECT_TRUE(json == "old" || nlohmann::json::accept(json)) << json.size() << " bytes";
+    }
+    EXPECT_GT(killed, 0) << "the second one ends the program";
+}
+
+TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
+    const std::string quick = "--size 64x64 --reps 7 --budget 2 ";
+    ASSERT_EQ(run(quick + "--error 0.01"), 0) << text("err.txt");
+    EXPECT_NE(text("out.txt").find("--ladder SHADE=exact\n"), std::string::npos) << text("out.txt");
+    ASSERT_EQ(run(quick + "--within 0.0001ms"), 0);
+    EXPECT_NE(text("out.txt").find("nothing that was measured is; the nearest is SHADE="), std::string::npos);
+    EXPECT_EQ(run("--within soon"), 2);
+    EXPECT_EQ(run("--within 5ms --no-time"), 2) << "what is not timed has no cost";
+}
+
+// Presets are found by measurement, kept beside the scene, and said when they are used; what is typed wins.
+TEST_F(Accuracy, PresetsAreMeasuredKeptAndSaid) {
+    const auto render = [&](const std::string& arguments, const std::string& picture) {
+        const std::string command = SNELL_BIN "/snell render " + scene + " --size 64x64 -o " + folder.path(picture) +
+                                    " " + arguments + " 2> " + folder.path("err.txt");
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    };
+    EXPECT_EQ(render("--quality exact", "none.png"), 1) << "nothing was measured yet";
+    EXPECT_NE(text("err.txt").find("--save-quality"), std::string::npos) << text("err.txt");
+    ASSERT_EQ(run("--size 64x64 --reps 7 --budget 2 --save-quality"), 0) << text("err.txt");
+    ASSERT_EQ(render("--quality exact", "exact.png"), 0) << text("err.txt");
+    EXPECT_NE(text("err.txt").find("quality exact: SHADE=exact"), std::string::npos) << text("err.txt");
+    ASSERT_EQ(render("", "plain.png") + render("--ladder SHADE=exact", "typed.png") +
+                  render("--quality exact --ladder SHADE=cheap", "cheap.png"),
+              0);
+    EXPECT_EQ(text("exact.png"), text("typed.png"));
+    EXPECT_EQ(text("cheap.png"), text("plain.png"));
+    EXPECT_NE(text("exact.png"), text("plain.png"));
+    folder.write("scene.glib", text("scene.glib").replace(text("scene.glib").find("exact"), 5, "right"));
+    EXPECT_EQ(render("--quality exact", "stale.png"), 1);
+    EXPECT_NE(text("err.txt").find("stale-quality"), std::string::npos) << text("err.txt");
+}
+
+TEST_F(Accuracy, UnknownNamesAreErrors) {
+    EXPECT_EQ(run("--ladders SHAD --no-time"), 1);
+    EXPECT_NE(text("err.txt").find("did you mean 'SHADE'?"), std::string::npos) << text("err.txt");
+    EXPECT_EQ(run("--knobs sample --no-time"), 1);
+    EXPECT_NE(text("err.txt").find("tessellation"), std::string::npos);
+    EXPECT_EQ(run("--from here"), 2);
+}
+
+}  // namespace
+}  // namespace snell::test

@@ -1,0 +1,178 @@
+// `snell explain`: its JSON has its keys, and says of a scene what is true of it.
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "src/app/commands/explain.h"
+#include "tests/cli/run.h"
+#include "tests/harness/harness.h"
+#include "tests/sanitized.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+class Explain : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string error;
+        if (!HeadlessContext::make({}, error)) GTEST_SKIP() << "no graphics: " << error;
+        folder.write("plain.vert", plain_vertex);
+        folder.write("texture.frag", texture_fragment);
+        folder.write("clock.frag", "uniform float Timer;\nvoid main() { gl_FragColor = vec4(Timer, 0., 0., 1.); }\n");
+        for (int i = 0; i < 20; ++i)
+            folder.write("t" + std::to_string(i) + ".bmp", bmp(8, 4, std::vector<std::array<int, 3>>(32, {i, 90, 30})));
+    }
+    json explain(const std::string& scene, const std::string& flags = "--no-time") {
+        folder.write("scene.glib", scene);
+        const Outcome outcome = snell("explain " + folder.path("scene.glib") + " --json --size 32x32 " + flags);
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        return json::parse(outcome.output, nullptr, false);
+    }
+    static std::vector<json> of_kind(const json& report, const std::string& kind) {
+        std::vector<json> result;
+        for (const json& paid : report["pays"])
+            if (paid["kind"] == kind) result.push_back(paid);
+        return result;
+    }
+    static bool has(const json& list, const std::string& name) {
+        return std::ranges::any_of(list, [&](const json& entry) { return entry["name"] == name; });
+    }
+    Folder folder;
+};
+
+const std::string two_of_twenty = [] {
+    std::string scene;
+    for (int i = 0; i < 20; ++i) scene += "Texture2D " + std::to_string(i) + " t" + std::to_string(i) + ".bmp\n";
+    return scene +
+           "Ortho -1 1 -1 1\nVertex plain.vert\nFragment texture.frag\nProgram A uUnit 4 uGone 3\n"
+           "QuadXY\nProgram B uUnit 9\nQuadXY\n";
+}();
+
+TEST_F(Explain, SaysWhatIsPaidForAndWhy) {
+    const json report = explain(two_of_twenty);
+    const std::vector<json> images = of_kind(report, "image");
+    ASSERT_EQ(images.size(), 2U);
+    EXPECT_EQ(images[0]["name"], "Texture2D 4 t4.bmp 8x4");
+    EXPECT_EQ(images[0]["why"], "read by uUnit of A");
+    EXPECT_EQ(images[0]["at"]["line"], 5);
+    EXPECT_EQ(images[0]["bytes"], 8 * 4 * 4);
+    EXPECT_EQ(images[1]["at"]["line"], 10);
+    EXPECT_EQ(of_kind(report, "program").size(), 2U);
+    EXPECT_EQ(of_kind(report, "mesh").size(), 1U) << "one quad for both draws";
+    ASSERT_EQ(of_kind(report, "pass").size(), 1U);
+    EXPECT_EQ(of_kind(report, "pass")[0]["draws"], 2);
+    EXPECT_EQ(report["unused"].size(), 18U + 1U);
+    EXPECT_TRUE(has(report["unused"], "uGone of A"));
+    for (const char* name : {"Timer", "Noise2, Noise3", "mipmaps", "off-screen targets"})
+        EXPECT_TRUE(has(report["not_paid"], name)) << name;
+    EXPECT_FALSE(has(report["not_paid"], "blending")) << "the images might have alpha";
+    EXPECT_TRUE(has(explain("Ortho -1 1 -1 1\nQuadXY\n")["not_paid"], "blending"));
+    EXPECT_EQ(report["counters"]["load"]["images_decoded"], 2);
+    EXPECT_EQ(report["counters"]["frame"]["draws"], 2);
+    EXPECT_EQ(report["counters"]["frame"]["uniform_uploads"], 0);
+}
+
+TEST_F(Explain, WhatIsCalledForIsNotSaidToBeSaved) {
+    const std::string scene =
+        "Texture2D 5 8 8\nFilter mipmap\nTexture2D 6 t1.bmp\nOrtho -1 1 -1 1\nRenderToTexture 5\n"
+        "Color 1 0 0 .5\nQuadXY\nRenderToTexture\nVertex plain.vert\nFragment texture.frag\n"
+        "Program A uUnit 5\nQuadXY\nProgram B uUnit 6\nQuadXY\nFragment clock.frag\nProgram C\n"
+        "QuadXY\n";
+    const json report = explain(scene);
+    for (const char* name : {"Timer", "mipmaps", "blending", "off-screen targets"})
+        EXPECT_FALSE(has(report["not_paid"], name)) << name;
+    EXPECT_EQ(report["redraw"], "all the time: C read the clock");
+    EXPECT_EQ(of_kind(report, "target").size(), 1U);
+    EXPECT_EQ(of_kind(report, "pass").size(), 2U);
+}
+
+// Every key that others may rely on, with its type.
+TEST_F(Explain, ItsJsonHasItsKeys) {
+    const json report = explain(two_of_twenty, "--reps 3");
+    EXPECT_EQ(report["schema"], 1);
+    for (const char* key : {"scene", "renderer", "gl", "clock", "redraw"}) EXPECT_TRUE(report[key].is_string()) << key;
+    EXPECT_EQ(report["size"], json::array({32, 32}));
+    EXPECT_EQ(report["rounds"], 3);
+    for (const char* key : {"cpu_ms", "wall_ms", "spread_ms"}) EXPECT_TRUE(report["frame"][key].is_number()) << key;
+    EXPECT_TRUE(report["frame"].contains("gpu_ms"));
+    for (const json& paid : report["pays"]) {
+        for (const char* key : {"kind", "name", "why"}) EXPECT_TRUE(paid[key].is_string()) << paid;
+        EXPECT_TRUE(paid["bytes"].is_number_unsigned()) << paid;
+        EXPECT_TRUE(paid["load_ms"].is_number() || paid["load_ms"].is_null()) << paid;
+        EXPECT_TRUE(paid["frame"].is_object() || paid["frame"].is_null()) << paid;
+        EXPECT_TRUE(paid["at"].is_null() || (paid["at"]["file"].is_string() && paid["at"]["line"].is_number())) << paid;
+    }
+    EXPECT_TRUE(of_kind(report, "pass").at(0)["frame"]["cpu_ms"].is_number());
+    for (const char* key : {"not_paid", "unused", "lints"}) EXPECT_TRUE(report[key].is_array()) << key;
+    for (const char* when : {"load", "frame"})
+        for (const CounterName& counter : counter_names())
+            EXPECT_TRUE(report["counters"][when][std::string(counter.name)].is_number_unsigned()) << counter.name;
+    EXPECT_TRUE(explain(two_of_twenty)["clock"].is_null()) << "not timed";
+}
+
+TEST_F(Explain, TextSaysTheSame) {
+    folder.write("scene.glib", two_of_twenty);
+    const Outcome outcome = snell("explain " + folder.path("scene.glib") + " --reps 3 --size 32x32");
+    EXPECT_EQ(outcome.status, 0);
+    for (const char* words : {"PAYS FOR", "Texture2D 4 t4.bmp 8x4", "scene.glib:5: read by uUnit of A", "NOT PAID FOR",
+                              "DECLARED BUT UNUSED", "no draw samples it"})
+        EXPECT_NE(outcome.output.find(words), std::string::npos) << words << "\n" << outcome.output;
+    EXPECT_EQ(snell("explain " + folder.path("nothing.glib")).status, 1);
+}
+
+// All rounds would take minutes. Where the machine is so busy that there is no time for a frame, it is ended.
+TEST_F(Explain, TheWholeOfItEndsInTime) {
+    const auto start = std::chrono::steady_clock::now();
+    folder.write("scene.glib", two_of_twenty + "Sphere 1 200 200\n");
+    const Outcome outcome =
+        snell("explain " + folder.path("scene.glib") + " --json --size 32x32 --reps 10000 --timeout 1.5");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10) * patience);
+    if (outcome.status == 4) GTEST_SKIP() << "this machine is busy: " << outcome.output;
+    const json report = json::parse(outcome.output, nullptr, false);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_GE(report["rounds"], 1) << outcome.output;
+    EXPECT_LT(report["rounds"], 10000);
+}
+
+class FramesInTime : public GlTest {};
+
+TEST_F(FramesInTime, AreFewerWhereTheyAreExpensive) {
+    auto document = open("Ortho -1 1 -1 1\nQuadXY\nSphere .5\n");
+    const gl::Target target = gl::make_target(32, 32, 1);
+    const View view;
+    const Frame frame{.time = 0, .view = view, .controls = document->controls};
+    const Surface surface{target.framebuffer.get(), 32, 32};
+    document->runtime->draw(frame, surface);
+    app::ExplainReport report;
+    report.caps = caps;
+    report.explanation = document->runtime->explain();
+    const auto time = [&](const app::Timing& timing) {
+        app::time_frames(report, *document->runtime, frame, surface, timing);
+    };
+    const auto timed_parts = [&] {
+        return std::ranges::count_if(report.explanation.paid, [](const auto& paid) { return paid.frame.has_value(); });
+    };
+    time({31, 1000, 2000, nullptr});
+    EXPECT_EQ(report.clock, "") << "a frame takes longer than there is time";
+    // The first frame takes all of it.
+    int told = 0;
+    const auto slow = [&](int, double) {
+        ++told;
+        std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    };
+    time({31, 500, 0, slow});
+    EXPECT_EQ(told, 1);
+    EXPECT_EQ(report.rounds, 1);
+    EXPECT_GT(report.frame.wall, 0);
+    EXPECT_EQ(timed_parts(), 0);
+    EXPECT_NE(app::explain_text(report, document->sources).find("1 rounds of 31: time was up"), std::string::npos);
+    time({3, 20e3, 0, nullptr});
+    EXPECT_EQ(report.rounds, 3);
+    EXPECT_GT(timed_parts(), 0);
+}
+
+}  // namespace
+}  // namespace snell::test

@@ -1,0 +1,18 @@
+// Scenes of the plain shaders, which stand in the test's folder.
+#pragma once
+
+#include "tests/harness/harness.h"
+
+namespace snell::test {
+
+class PlainTest : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        folder.write("plain.vert", plain_vertex);
+        folder.write("color.frag", color_fragment);
+        folder.write("texture.frag", texture_fragment);
+    }
+};
+
+}  // namespace snell::test

@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tests/hard_case.h"
+#include "tests/library/common.h"
+#include "tests/oracle/optics/fresnel.h"
+#include "tests/oracle/optics/refraction.h"
+
+namespace snell::test {
+namespace {
+
+using namespace optics;
+
+class LibraryFresnel : public LibraryTest {};
+
+constexpr std::string_view include = "#include <snell/fresnel.glsl>\n";
+
+// a = (c, n1, n2): both sides of eight materials, cosines denser toward grazing and next to the critical angle.
+std::vector<Arguments> incidences() {
+    std::vector<Arguments> out;
+    for (float n : {1.0003F, 1.31F, 1.33F, 1.47F, 1.52F, 2.16F, 2.42F, 2.69F})
+        for (int i = 0; i <= 200; ++i) {
+            const float t = static_cast<float>(i) / 200, c = t * t;
+            out.push_back({{c, 1, n, 0}, {}, {}});
+            out.push_back({{c, n, 1, 0}, {}, {}});
+        }
+    return out;
+}
+
+// The largest distance of results from the truth at any cosine within `ulps` roundings of the argument: at the
+// critical angle the slope is infinite, so a perfect routine in float is 1e-4 to 1e-3 away.
+template <class Truth>
+double worst(const std::vector<Arguments>& arguments, const std::vector<glm::vec4>& results, Truth truth,
+             int ulps = 4) {
+    double worst = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const glm::dvec4 a(arguments[i].a);
+        double low = 1e9, high = -1e9;
+        for (int k = -ulps; k <= ulps; ++k) {
+            const double value = truth(a.x + k * 6e-8, a.y, a.z);
+            low = std::min(low, value), high = std::max(high, value);
+        }
+        const double r = results[i].x;
+        worst = std::isnan(r) ? 1e9 : std::max({worst, low - r, r - high});
+    }
+    return worst;
+}
+
+TEST_P(LibraryFresnel, ExactAgreesWithTheOracle) {
+    const auto arguments = incidences();
+    ASSERT_GE(arguments.size(), 1000U);
+    const auto results = run(include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments);
+    EXPECT_LT(worst(arguments, results, fresnel), 3e-6);
+    const auto polarised =
+        run(include, "vec2 f = snellFresnelPolarised(a.x, a.y, a.z); return vec4(f.y, f.x, 0., 0.);", arguments);
+    EXPECT_LT(
+        worst(arguments, polarised, [](double c, double n1, double n2) { return fresnel_polarised(c, n1, n2).p; }),
+        3e-6);
+}
+
+TEST_P(LibraryFresnel, RungsAgreeWithTheOracle) {
+    const auto arguments = incidences();
+    const auto check = [&](const char* body, double (*truth)(double, double, double)) {
+        EXPECT_LT(worst(arguments, run(include, body, arguments), truth), 1e-5) << body;
+    };
+    check("return vec4(snellFresnelF0(a.y, a.z));",
+          [](double, double n1, double n2) { return normal_reflectance(n1, n2); });
+    check("return vec4(snellFresnelOneMinusCos(a.x));",
+          [](double c, double, double) { return 1 - std::clamp(c, 0., 1.); });
+    check("return vec4(snellFresnelSchlick2(a.x, snellFresnelF0(a.y, a.z)));",
+          [](double c, double n1, double n2) { return schlick(c, normal_reflectance(n1, n2), 2); });
+    check("return vec4(snellFresnelCg(a.x, .3, 2., 2.));",
+          [](double c, double, double) { return cg_fresnel(c, .3, 2, 2); });
+    check("return vec4(snellFresnelCg(a.x, .048, .848, 4.55));",
+          [](double c, double, double) { return cg_fresnel(c, .048, .848, 4.55); });
+    check("return vec4(snellFresnelSchlick5(a.x, snellFresnelF0(a.y, a.z)));",
+          [](double c, double n1, double n2) { return schlick(c, normal_reflectance(n1, n2)); });
+    check("return vec4(snellFresnelSchlick(a.x, a.y, a.z));", schlick_dielectric);
+    check("return vec4(snellFresnelGaussian(a.x, a.y, a.z));", gaussian_dielectric);
+}
+
+TEST_P(LibraryFresnel, MetalsAgreeWithTheOracle) {
+    std::vector<Arguments> arguments;
+    for (float n1 : {1.0F, 1.33F})
+        for (float eta : {0.04F, 0.14F, 0.43F, 1.02F, 1.5F, 3.2F})
+            for (float k : {0.0F, 0.01F, 1.9F, 4.5F, 12.0F})
+                for (int i = 0; i <= 40; ++i) arguments.push_back({{static_cast<float>(i) / 40, n1, eta, k}, {}, {}});
+    ASSERT_GE(arguments.size(), 1000U);
+    const auto results = run(include, "return vec4(snellFresnelConductor(a.x, a.y, a.z, a.w));", arguments);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const glm::vec4 a = arguments[i].a;
+        double nearest = 1;
+        for (int ulps = -4; ulps <= 4; ++ulps)
+            nearest = std::min(nearest, std::abs(fresnel_conductor(a.x + ulps * 6e-8, a.y, a.z, a.w) - results[i].x));
+        EXPECT_LT(nearest, 1e-4) << a.x << " " << a.y << " " << a.z << " " << a.w;
+    }
+}
+
+// Whatever goes in, a reflectance comes out.
+TEST_P(LibraryFresnel, SpecialValuesGiveReflectances) {
+    const auto arguments = special_arguments(20000);
+    for (const char* body :
+         {"return vec4(snellFresnelExact(a.x, a.y, a.z));", "return vec4(snellFresnelSchlick(a.x, a.y, a.z));",
+          "return vec4(snellFresnelGaussian(a.x, a.y, a.z));", "return vec4(snellFresnelF0(a.y, a.z));",
+          "return vec4(snellFresnelCg(a.x, .3, 2., a.y));", "return vec4(snellFresnelConductor(a.x, a.y, a.z, a.w));",
+          "vec2 f = snellFresnelPolarised(a.x, a.y, a.z); return vec4(f.xyxy);"}) {
+        int bad = 0;
+        const auto results = run(include, body, arguments);
+        for (const glm::vec4& r : results) bad += !(r.x >= 0 && r.x <= 1 && r.y >= 0 && r.y <= 1);
+        EXPECT_EQ(bad, 0) << body;
+    }
+    const auto out_of_range = [&](std::string_view before, std::string_view body, const std::vector<Arguments>& with) {
+        const auto out = run(before, body, with);
+        return static_cast<double>(
+            std::count_if(out.begin(), out.end(), [](const glm::vec4& r) { return !(r.x >= 0 && r.x <= 1); }));
+    };
+    hard_case({"70", "reflectances of anything lie in [0,1]; naive: Schlick as printed", "of 20000 out of [0,1]", 0,
+               out_of_range(include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", arguments),
+               out_of_range("", "return vec4(.04 + .96 * pow(1. - a.x, 5.));", arguments)});
+    std::vector<Arguments> rounded, odd;
+    for (int i = 0; i < 100; ++i) rounded.push_back({{1 + static_cast<float>(i) * 3.6e-9F, 1, 1.5F, 0}, {}, {}});
+    hard_case({"7", "dot products of unit vectors are up to 1 + 3.6e-7; naive: pow(1. - dot, 5.)",
+               "of 100 out of [0,1]", 0,
+               out_of_range(include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", rounded),
+               out_of_range("", "return vec4(.04 + .96 * pow(1. - a.x, 5.));", rounded)});
+    for (const float x : {0.0F, -0.1F, -0.5F})
+        for (const float power : {0.0F, -1.0F, 1.55F}) odd.push_back({{1 - x, power, 0, 0}, {}, {}});
+    hard_case({"8", "pow(0, 0), pow(0, -1), pow(-.5, 1.55) are undefined; naive: pow() of the same",
+               "of 9 out of [0,1]", 0, out_of_range(include, "return vec4(snellFresnelCg(a.x, 0., 1., a.y));", odd),
+               out_of_range("", "return vec4(pow(1. - a.x, a.y));", odd)});
+}
+
+TEST_P(LibraryFresnel, PowersAreMultiplied) {
+    std::vector<Arguments> arguments;
+    for (int i = 1; i <= 5000; ++i) arguments.push_back({{static_cast<float>(i) / 5000, 0, 0, 0}, {}, {}});
+    const auto ulps = [&](std::string_view before, std::string_view body) {
+        double worst = 0;
+        const auto out = run(before, body, arguments);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const double x = static_cast<double>(arguments[i].a.x), truth = x * x * x * x * x;
+            worst = std::max(worst, std::abs(static_cast<double>(out[i].x) - truth) / truth * 8388608.0);
+        }
+        return worst;
+    };
+    hard_case({"A21", "the fifth power of Schlick's form: multiplied; naive: pow(x, 5.)", "units of the last place", 3,
+               ulps(include, "return vec4(snellPow5(a.x));"), ulps("", "return vec4(pow(a.x, 5. + b.x));")});
+}
+
+TEST_P(LibraryFresnel, EveryRungIsMonotone) {
+    std::vector<Arguments> arguments;
+    for (int i = 0; i <= 2000; ++i)
+        arguments.push_back({{std::cos(static_cast<float>(i) * 1.5707963F / 2000), 1, 1.52F, 0}, {}, {}});
+    for (const char* body :
+         {"return vec4(snellFresnelExact(a.x, a.y, a.z));", "return vec4(snellFresnelSchlick(a.x, a.y, a.z));",
+          "return vec4(snellFresnelGaussian(a.x, a.y, a.z));", "return vec4(snellFresnelOneMinusCos(a.x));",
+          "return vec4(snellFresnelCg(a.x, .3, 2., 2.));", "return vec4(snellFresnelSchlick2(a.x, .0426));"}) {
+        float before = 0;
+        for (const glm::vec4& r : run(include, body, arguments)) {
+            EXPECT_GE(r.x, before - 2e-6F) << body;
+            EXPECT_LE(r.x, 1.0F) << body;
+            before = r.x;
+        }
+    }
+}
+
+// What is reflected one way is reflected the other way. Flat rays come back next to the critical
+// angle, where a rounding of the cosine is 3e-4 of the reflectance.
+TEST_P(LibraryFresnel, ExactIsReciprocal) {
+    std::vector<Arguments> arguments;
+    for (float n : {1.33F, 1.52F, 2.42F})
+        for (int i = 1; i <= 400; ++i) arguments.push_back({{static_cast<float>(i) / 400, 1, n, 0}, {}, {}});
+    const auto results = run(include,
+                             "float t = snellCosTransmitted(a.x, a.y, a.z);"
+                             "return vec4(snellFresnelExact(a.x, a.y, a.z), snellFresnelExact(t, a.z, a.y), 0., 0.);",
+                             arguments);
+    for (std::size_t i = 0; i < results.size(); ++i)
+        EXPECT_NEAR(results[i].x, results[i].y, arguments[i].a.x < 0.05F ? 3e-4 : 3e-5) << arguments[i].a.x;
+}
+
+SNELL_IN_ALL_DIALECTS(LibraryFresnel);
+
+}  // namespace
+}  // namespace snell::test

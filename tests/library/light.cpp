@@ -1,0 +1,298 @@
+// Irradiance, dispersion and noise of the library, and that all of it compiles wherever it must.
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <random>
+#include <sstream>
+
+#include "tests/library/common.h"
+#include "tests/oracle/optics/color.h"
+#include "tests/oracle/optics/cube.h"
+#include "tests/oracle/optics/dispersion.h"
+#include "tests/oracle/optics/glass.h"
+#include "tests/oracle/optics/irradiance.h"
+#include "tests/oracle/optics/refraction.h"
+#include "tests/oracle/optics/sphere.h"
+
+namespace snell::test {
+namespace {
+
+using namespace optics;
+
+class LibraryLight : public LibraryTest {};
+
+glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
+
+glm::dvec3 walls(const glm::dvec3& d) {
+    const glm::dvec3 a = glm::abs(d);
+    if (a.x >= a.y && a.x >= a.z) return d.x > 0 ? glm::dvec3(0.9, 0.3, 0.3) : glm::dvec3(0.3, 0.9, 0.3);
+    if (a.y >= a.z) return d.y > 0 ? glm::dvec3(0.9) : glm::dvec3(0.4);
+    return d.z > 0 ? glm::dvec3(0.3, 0.3, 0.9) : glm::dvec3(0.8, 0.8, 0.2);
+}
+
+std::vector<Arguments> normals(int count) {
+    std::vector<Arguments> out;
+    for (const glm::dvec3& n : unit_vectors(count)) out.push_back({{glm::vec3(n), 0}, {}, {}});
+    return out;
+}
+
+std::string coefficients(const Harmonics9& c) {
+    std::string text = "vec3 sh[9];\n";
+    for (std::size_t i = 0; i < 9; ++i) {
+        text += "sh[" + std::to_string(i) + "] = vec3(";
+        for (int k = 0; k < 3; ++k) text += std::to_string(c[i][k]) + (k < 2 ? ", " : ");\n");
+    }
+    return text;
+}
+
+TEST_P(LibraryLight, HarmonicsAgreeWithTheOracle) {
+    const Radiance sun = [](const glm::dvec3& d) { return glm::dvec3(d.y > 0.99 ? 100 : 0.1, 0.2, d.x * d.z + 1); };
+    const Harmonics9 c = project(sun, 32);
+    const auto arguments = normals(1500);
+    for (int order = 0; order <= 2; ++order) {
+        const auto results = run(
+            "#include <snell/irradiance.glsl>\n",
+            coefficients(c) + "return vec4(snellIrradianceHarmonics(sh, a.xyz, " + std::to_string(order) + "), 0.);",
+            arguments);
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            EXPECT_LT(glm::length(vec(results[i]) - irradiance(c, vec(arguments[i].a), order)), 1e-5) << order;
+    }
+}
+
+TEST_P(LibraryLight, QuadratureApproachesTheOracle) {
+    set_cube([](const glm::dvec3& d) { return glm::vec3(walls(d)); }, 32);
+    const auto arguments = normals(1000);
+    double before = 1;
+    for (int count : {16, 64, 256, 1024}) {
+        const auto results =
+            run("#include <snell/irradiance.glsl>\n",
+                "return vec4(snellIrradianceQuadrature(cube, a.xyz, " + std::to_string(count) + "), 0.);", arguments);
+        double squares = 0;
+        for (std::size_t i = 0; i < arguments.size(); i += 20) {
+            const glm::dvec3 off = vec(results[i]) - irradiance(walls, vec(arguments[i].a), 32);
+            squares += glm::dot(off, off) / 150;
+        }
+        EXPECT_LT(std::sqrt(squares), before) << count;
+        before = std::sqrt(squares);
+    }
+    EXPECT_LT(before, 0.006);
+}
+
+TEST_P(LibraryLight, CosineDirectionsLieOnTheHemisphere) {
+    std::vector<Arguments> arguments = normals(300);
+    for (float z : {1.0F, -1.0F}) arguments.push_back({{0, 0, z, 0}, {}, {}});
+    for (int i : {0, 1, 17, 63}) {
+        const auto results =
+            run("#include <snell/irradiance.glsl>\n",
+                "return vec4(snellCosineDirection(a.xyz, " + std::to_string(i) + ", 64), 0.);", arguments);
+        for (std::size_t k = 0; k < arguments.size(); ++k) {
+            EXPECT_NEAR(glm::length(vec(results[k])), 1, 1e-5);
+            EXPECT_NEAR(glm::dot(vec(results[k]), vec(arguments[k].a)), std::sqrt(1 - (i + 0.5) / 64), 1e-5);
+        }
+    }
+}
+
+// Every number of the table of bands, from the matching functions.
+TEST_P(LibraryLight, BandsAgreeWithTheOracle) {
+    std::vector<Arguments> arguments;
+    std::vector<Band> truth;
+    for (int count : {4, 6, 8, 16, 32, 64})
+        for (const Band& band : spectral_bands(count)) {
+            arguments.push_back({{static_cast<float>(arguments.size()), static_cast<float>(count), 0, 0}, {}, {}});
+            truth.push_back(band);
+        }
+    const auto bands = run("#include <snell/bands.glsl>\n", "return SNELL_BANDS[int(a.x)];", arguments);
+    const auto places = run("#include <snell/bands.glsl>\n",
+                            "int n = int(a.y); return vec4(float(snellBandFirst(n)), float(snellBandCount(n)), "
+                            "float(snellBandCount(n - 1)), float(snellBandCount(1000)));",
+                            arguments);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        EXPECT_LT(glm::length(vec(bands[i]) - truth[i].rgb), 1e-6) << i;
+        EXPECT_NEAR(bands[i].w, truth[i].nanometres, 1e-3) << i;
+        EXPECT_EQ(places[i].y, arguments[i].a.y);
+        EXPECT_LE(places[i].x, static_cast<float>(i));
+        EXPECT_GT(places[i].x + places[i].y, static_cast<float>(i));
+        EXPECT_EQ(places[i].z, places[i].y);
+        EXPECT_EQ(places[i].w, 64);
+    }
+}
+
+// a = I, b = N of rays that meet a ball.
+std::vector<Arguments> impacts() {
+    std::vector<Arguments> out;
+    const auto directions = unit_vectors(2400);
+    for (std::size_t i = 0; i + 1 < directions.size(); i += 2) {
+        const double side = glm::dot(directions[i], directions[i + 1]) > 0 ? -1 : 1;
+        out.push_back({{glm::vec3(side * directions[i + 1]), 0}, {glm::vec3(directions[i]), 0}, {}});
+    }
+    return out;
+}
+
+const Cauchy flint = cauchy_from_abbe(1.78472, 25.68);
+std::string digits(double value) {
+    std::ostringstream out;
+    out << std::setprecision(9) << std::showpoint << value;
+    return out.str();
+}
+const std::string flint_text = digits(flint.a) + ", " + digits(flint.b);
+
+TEST_P(LibraryLight, DispersionAgreesWithTheOracle) {
+    constexpr int size = 64;
+    const auto smooth = [](const glm::dvec3& d) { return glm::vec3(0.5 + 0.5 * d); };
+    set_cube(smooth, size);
+    const auto arguments = impacts();
+    ASSERT_GE(arguments.size(), 1000U);
+    for (int count : {4, 16, 64}) {
+        const auto results = run("#include <snell/dispersion.glsl>\n",
+                                 "return vec4(snellDisperseSphere(cube, a.xyz, b.xyz, 1., " + flint_text + ", " +
+                                     std::to_string(count) + "), 0.);",
+                                 arguments);
+        const auto bands = spectral_bands(count);
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            glm::dvec3 truth(0);
+            for (const Band& band : bands) {
+                const auto light =
+                    through_sphere(vec(arguments[i].a), vec(arguments[i].b), 1, flint.index(band.nanometres));
+                if (light.exits.size() > 1) truth += band.rgb * glm::dvec3(smooth(light.exits[1].direction));
+            }
+            EXPECT_LT(glm::length(vec(results[i]) - truth), 0.08) << i;  // two texels of the map
+        }
+    }
+}
+
+TEST_P(LibraryLight, IndicesAgreeWithTheOracle) {
+    std::vector<Arguments> arguments;
+    for (int i = 0; i <= 1000; ++i) arguments.push_back({{static_cast<float>(200 + i), 0, 0, 0}, {}, {}});
+    const auto results =
+        run("#include <snell/dispersion.glsl>\n",
+            "return vec4(snellCauchy(" + flint_text + ", a.x), snellCauchyRgb(" + flint_text + "));", arguments);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        EXPECT_NEAR(results[i].x, flint.index(arguments[i].a.x), 2e-6);
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(results[i][k + 1], flint.index(rgb_wavelengths[k]), 2e-6);
+    }
+    EXPECT_LT(results[0].y, results[0].w) << "blue is bent most";
+}
+
+TEST_P(LibraryLight, SellmeierAgreesWithTheOracle) {
+    std::vector<Arguments> arguments;
+    for (int i = 0; i <= 1000; ++i) arguments.push_back({{static_cast<float>(370 + 0.73 * i), 0, 0, 0}, {}, {}});
+    const auto results = run("#include <snell/dispersion.glsl>\n",
+                             "return vec4(snellSellmeier(vec3(1.73759695, .313747346, 1.89878101), "
+                             "vec3(.013188707, .0623068142, 155.23629), a.x), "
+                             "snellSellmeier(vec3(1.03961212, .231792344, 1.01046945), "
+                             "vec3(.00600069867, .0200179144, 103.560653), a.x), 0., 0.);",
+                             arguments);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        EXPECT_NEAR(results[i].x, find_glass("SF11")->index(arguments[i].a.x), 2e-6);
+        EXPECT_NEAR(results[i].y, find_glass("BK7")->index(arguments[i].a.x), 2e-6);
+    }
+    for (const glm::vec4& r :
+         run("#include <snell/dispersion.glsl>\n",
+             "return vec4(snellSellmeier(vec3(1.7, .31, 1.9), vec3(.013, .062, 155.), a.x));", special_arguments(2000)))
+        EXPECT_TRUE(r.x >= 1.0F && r.x < 3.0F) << r.x;
+}
+
+// Hard case 26: without spread all methods are one lookup; 27: a channel past its critical angle sees the mirror image.
+TEST_P(LibraryLight, DispersionWithoutSpreadIsOneLookup) {
+    set_cube([](const glm::dvec3& d) { return glm::vec3(0.5 + 0.5 * d); }, 64);
+    const auto arguments = impacts();
+    constexpr std::string_view include = "#include <snell/dispersion.glsl>\n";
+    const auto one = run(include, "return texture(cube, snellRefractSphere(a.xyz, b.xyz, 1., 1.5));", arguments);
+    for (const char* body :
+         {"return vec4(snellDisperseSphere(cube, a.xyz, b.xyz, 1., 1.5, 0., 16), 1.);",
+          "return vec4(snellDisperseSphereRgb(cube, a.xyz, b.xyz, 1., snellCauchyRgb(1.5, 0.)), 1.);"})
+        EXPECT_EQ(run(include, body, arguments), one) << body;
+    const auto surface = run(include, "return texture(cube, snellRefractSingle(a.xyz, b.xyz, 1., 1.5));", arguments);
+    EXPECT_EQ(run(include, "return vec4(snellDisperseSurfaceRgb(cube, a.xyz, b.xyz, 1., vec3(1.5)), 1.);", arguments),
+              surface);
+}
+
+TEST_P(LibraryLight, AChannelPastItsCriticalAngleSeesTheMirrorImage) {
+    set_cube([](const glm::dvec3& d) { return glm::vec3(0.5 + 0.5 * d); }, 64);
+    const auto arguments = impacts();
+    const auto results =
+        run("#include <snell/dispersion.glsl>\n",
+            "vec3 i = normalize(vec3(.72, 0., -.69));\n"
+            "vec3 both = snellDisperseSurfaceRgb(cube, i, vec3(0., 0., 1.), 1.5, vec3(1.2, 1.2, 1.));\n"
+            "vec3 mirrored = texture(cube, snellReflect(i, vec3(0., 0., 1.))).rgb;\n"
+            "vec3 bent = texture(cube, snellRefractSingle(i, vec3(0., 0., 1.), 1.5, 1.2)).rgb;\n"
+            "return vec4(both - vec3(bent.rg, mirrored.b), abs(bent.b - mirrored.b));",
+            arguments);
+    EXPECT_EQ(glm::length(vec(results[0])), 0);
+    EXPECT_GT(results[0].w, 0.1F);
+}
+
+// Gradient noise as its sources define it: the hash pcg3d, Perlin's twelve directions and quintic fade.
+double gradient_noise(const glm::dvec3& p) {
+    const glm::ivec3 cell(glm::floor(p));
+    const glm::dvec3 f = p - glm::floor(p), fade = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+        glm::uvec3 v = glm::uvec3(cell + step) * 1664525U + 1013904223U;
+        for (int round = 0; round < 2; ++round) {
+            v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
+            if (round == 0) v ^= v >> 16U;
+        }
+        const unsigned edge = v.x >> 28U;
+        const glm::dvec3 off = f - glm::dvec3(step), weight = glm::mix(1.0 - fade, fade, glm::dvec3(step));
+        const double a = edge < 8 ? off.x : off.y, b = edge < 4 ? off.y : edge == 12 || edge == 14 ? off.x : off.z;
+        sum += weight.x * weight.y * weight.z * ((edge & 1U ? -a : a) + (edge & 2U ? -b : b));
+    }
+    return sum;
+}
+
+TEST_P(LibraryLight, NoiseAgreesWithItsDefinition) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> any(-50, 50);
+    std::vector<Arguments> arguments;
+    for (int i = 0; i < 4000; ++i) {
+        const glm::vec3 p(any(random), any(random), any(random));
+        arguments.push_back({{p, 0}, {glm::floor(p), 0}, {}});
+    }
+    const auto results = run("#include <snell/noise.glsl>\n",
+                             "return vec4(snellNoise(a.xyz), snellNoise(a.xyz + vec3(1e-3, 0., 0.)), "
+                             "snellNoise(b.xyz), snellFractalNoise(a.xyz, 5));",
+                             arguments);
+    double mean = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const glm::vec4& r = results[i];
+        EXPECT_NEAR(r.x, gradient_noise(vec(arguments[i].a)), 1e-5);
+        EXPECT_TRUE(std::abs(r.x) <= 1 && std::abs(r.w) <= 1);
+        EXPECT_LT(std::abs(r.x - r.y), 5e-3) << "not smooth";
+        EXPECT_EQ(r.z, 0) << "at integers";
+        mean += r.x / 4000;
+    }
+    EXPECT_NEAR(mean, 0, 0.02);
+    int bad = 0;
+    for (const glm::vec4& r :
+         run("#include <snell/noise.glsl>\n",
+             "return vec4(snellNoise(a.xyz), snellFractalNoise(b.xyz, int(clamp(c.w, -9., 9.))), 0., 0.);",
+             special_arguments(10000)))
+        bad += !(std::abs(r.x) <= 1 && std::abs(r.y) <= 1);
+    EXPECT_EQ(bad, 0);
+}
+
+TEST_P(LibraryLight, CompilesWhereverItMust) {
+    const bool es = GetParam().request.es;
+    const std::vector<const char*> versions =
+        es                                 ? std::vector{"#version 300 es", "#version 310 es", "#version 320 es"}
+        : GetParam().request.version == 33 ? std::vector{"#version 330 core"}
+                                           : std::vector{"#version 330 core", "#version 410 core", "#version 450 core"};
+    for (const char* version : versions) {
+        std::string all;
+        for (const char* file :
+             {"core", "fresnel", "refraction", "environment", "bands", "dispersion", "irradiance", "noise", "ray"}) {
+            const std::string include = "#include <snell/" + std::string(file) + ".glsl>\n";
+            EXPECT_TRUE(compiles(version, include)) << file;
+            EXPECT_TRUE(compiles(version, include + include)) << file << " twice";
+            all += include;
+        }
+        EXPECT_TRUE(compiles(version, all)) << "together";
+    }
+}
+
+SNELL_IN_ALL_DIALECTS(LibraryLight);
+
+}  // namespace
+}  // namespace snell::test

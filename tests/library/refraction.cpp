@@ -1,0 +1,228 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tests/hard_case.h"
+#include "tests/library/common.h"
+#include "tests/oracle/optics/refraction.h"
+#include "tests/oracle/optics/sphere.h"
+
+namespace snell::test {
+namespace {
+
+using namespace optics;
+
+class LibraryRefraction : public LibraryTest {};
+
+constexpr std::string_view include = "#include <snell/refraction.glsl>\n";
+
+glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
+
+// a = (I, n1), b = (N, n2), lengths from .01 to 100, from both sides.
+std::vector<Arguments> meetings() {
+    const auto directions = unit_vectors(4000);
+    std::vector<Arguments> out;
+    const float indices[] = {1.0F, 1.0003F, 1.33F, 1.5F, 2.42F};
+    for (std::size_t i = 0; i + 1 < directions.size(); i += 2) {
+        const auto length = static_cast<float>(std::pow(10.0, static_cast<double>(i % 41) / 10 - 2));
+        const glm::vec3 incident = glm::vec3(directions[i]) * length, normal = glm::vec3(directions[i + 1]) / length;
+        out.push_back({{incident, indices[i / 2 % 5]}, {normal, indices[i / 10 % 5]}, {}});
+    }
+    return out;
+}
+
+TEST_P(LibraryRefraction, DirectionsAgreeWithTheOracle) {
+    const auto arguments = meetings();
+    ASSERT_GE(arguments.size(), 1000U);
+    const auto refracted = run(
+        include, "vec3 T; bool through = snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, through ? 1. : 0.);",
+        arguments);
+    const auto mirrored = run(include, "return vec4(snellReflect(a.xyz, b.xyz), 1.);", arguments);
+    const auto by_glsl = run("", "return vec4(reflect(a.xyz, b.xyz), 1.);", arguments);
+    double worst = 0, worst_by_glsl = 0;
+    int compared = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const Arguments& in = arguments[i];
+        const auto truth = meet(vec(in.a), vec(in.b), in.a.w, in.b.w);
+        ASSERT_TRUE(truth);
+        EXPECT_NEAR(glm::length(vec(refracted[i])), 1, 1e-6);
+        worst = std::max(worst, angle_between(vec(mirrored[i]), truth->reflected));
+        worst_by_glsl = std::max(worst_by_glsl, angle_between(vec(by_glsl[i]), truth->reflected));
+        // Within a few roundings of the critical angle either answer is right.
+        const double k = transmitted_cos2(truth->cos_incident, truth->n1, truth->n2);
+        if (std::abs(k) < 1e-5) continue;
+        EXPECT_EQ(refracted[i].w == 0.0F, truth->total) << i;
+        EXPECT_LT(angle_between(vec(refracted[i]), truth->transmitted), 1e-6 / std::sqrt(std::abs(k)) + 1e-6) << i;
+        ++compared;
+    }
+    EXPECT_GE(compared, 1000);
+    hard_case({"5", "vectors of length .01 to 100: the mirrored direction; naive: reflect()", "rad", 2e-6, worst,
+               worst_by_glsl});
+}
+
+TEST_P(LibraryRefraction, EqualIndicesChangeNothing) {
+    std::vector<Arguments> arguments;
+    for (int i = 0; i < 1000; ++i) {
+        const double c = std::pow(10.0, -4.0 * i / 1000);
+        arguments.push_back({{std::sqrt((1 - c) * (1 + c)), 0, -c, 1.4F}, {0, 0, 1, 1.4F}, {}});
+    }
+    const auto results =
+        run(include, "vec3 T; snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, 1.);", arguments);
+    const auto naive = run("", "return vec4(refract(a.xyz, b.xyz, a.w / b.w), 1.);", arguments);
+    double worst = 0, worst_naive = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        worst = std::max(worst, angle_between(vec(results[i]), vec(arguments[i].a)));
+        worst_naive = std::max(worst_naive, angle_between(vec(naive[i]), vec(arguments[i].a)));
+    }
+    hard_case({"3", "equal indices turn no ray, down to grazing incidence; naive: refract()", "rad", 2e-7, worst,
+               worst_naive});
+}
+
+// No meaningless input gives a direction that is not one.
+TEST_P(LibraryRefraction, SpecialValuesGiveDirections) {
+    const auto arguments = special_arguments(20000);
+    const char* bodies[] = {"vec3 T; snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, 1.);",
+                            "return vec4(snellRefractSingle(a.xyz, b.xyz, a.w, b.w), 1.);",
+                            "return vec4(snellRefractSphere(a.xyz, b.xyz, a.w, b.w), 1.);",
+                            "return vec4(snellNormalize(a.xyz, vec3(0., 0., 1.)), 1.);"};
+    const auto no_direction = [](const glm::vec4& r) { return !finite(r) || std::abs(glm::length(vec(r)) - 1) > 1e-5; };
+    const auto count = [&](std::string_view before, std::string_view body, const std::vector<Arguments>& with) {
+        const auto out = run(before, body, with);
+        return static_cast<double>(std::count_if(out.begin(), out.end(), no_direction));
+    };
+    for (const char* body : bodies) EXPECT_EQ(count(include, body, arguments), 0) << body;
+    // Good vectors, and ratios that mean nothing.
+    std::vector<Arguments> ratios;
+    for (const glm::dvec3& d : unit_vectors(200))
+        for (const float eta : {0.0F, -0.0F, -0.66F, 1e20F, HUGE_VALF, std::nanf("")})
+            ratios.push_back({{glm::vec3(d), eta}, {0, 0, d.z > 0 ? -1 : 1, 1}, {}});
+    ratios.push_back({{0, 0, -1, 1e20F}, {0, 0, 1, 1}, {}});
+    hard_case({"4", "eta of 0, -0, -.66, 1e20, infinity, NaN; naive: refract()", "of 1201 that are no direction", 0,
+               count(include, bodies[0], ratios), count("", "return vec4(refract(a.xyz, b.xyz, a.w), 1.);", ratios)});
+    // refract() of a vector of zero looks like a direction: what goes in has to be looked at.
+    const std::vector<Arguments> zeros = {{{0, 0, 0, 1}, {0, 0, 1, 1.5F}, {}}, {{0, 0, -1, 1}, {0, 0, 0, 1.5F}, {}}};
+    const char* turned = "vec3 T; snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, 1.);";
+    hard_case({"A12", "refract() of I = 0 or of N = 0 gives (0,0,-.75), (0,0,-.67)", "of 2 that are no direction", 0,
+               count(include, turned, zeros), count("", "return vec4(refract(a.xyz, b.xyz, a.w / b.w), 1.);", zeros)});
+    const std::vector<Arguments> huge = {{{0, 0, -1, 1e20F}, {0, 0, 1, 1}, {}}};
+    hard_case({"A13", "eta of 1e20 at normal incidence: inf · 0, or -0", "of 1 that is no direction", 0,
+               count(include, turned, huge), count("", "return vec4(refract(a.xyz, b.xyz, a.w / b.w), 1.);", huge)});
+    int bad = 0;
+    for (const glm::vec4& r : run(include, "return vec4(snellReflect(a.xyz, b.xyz), 1.);", arguments))
+        bad += !finite(r);
+    EXPECT_EQ(bad, 0);
+    int naive = 0;
+    for (const glm::vec4& r :
+         run("", "return vec4(refract(normalize(a.xyz), normalize(b.xyz), a.w / b.w), 1.);", arguments))
+        naive += !finite(r);
+    EXPECT_GT(naive, 2000);
+}
+
+// A slab lets out what it let in, at every angle.
+TEST_P(LibraryRefraction, WhatEnteredASlabLeavesIt) {
+    std::vector<Arguments> arguments;
+    for (float n : {1.0003F, 1.33F, 1.5F, 2.42F})
+        for (int i = 0; i < 500; ++i) {
+            const double c = std::pow(10.0, -5.0 * i / 500);
+            arguments.push_back({{std::sqrt((1 - c) * (1 + c)), 0, -c, 1}, {0, 0, 1, n}, {}});
+        }
+    const auto results = run(include,
+                             "vec3 T, U; bool entered = snellRefract(a.xyz, b.xyz, a.w, b.w, T);\n"
+                             "bool left = snellRefract(T, -b.xyz, a.w, b.w, U);\n"
+                             "return vec4(U, entered && left ? 1. : 0.);",
+                             arguments);
+    const auto by_glsl = run("",
+                             "vec3 T = refract(a.xyz, b.xyz, a.w / b.w), U = refract(T, b.xyz, b.w / a.w);\n"
+                             "return vec4(U, dot(U, U));",
+                             arguments);
+    int caught = 0, caught_by_glsl = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        caught += results[i].w == 0.0F;
+        caught_by_glsl += by_glsl[i].w == 0.0F;
+        EXPECT_LT(angle_between(vec(results[i]), vec(arguments[i].a)), 3e-3) << i;
+    }
+    hard_case({"2", "a slab lets out what it let in, however flat; naive: refract() twice, with eta and 1 / eta",
+               "of 2000 rays caught", 0, static_cast<double>(caught), static_cast<double>(caught_by_glsl)});
+}
+
+std::vector<Arguments> impacts() {
+    std::vector<Arguments> out;
+    const auto directions = unit_vectors(3000);
+    const float indices[] = {1.31F, 1.5F, 2.42F};
+    for (std::size_t i = 0; i + 1 < directions.size(); i += 2) {
+        const glm::dvec3 n = directions[i],
+                         d = glm::dot(directions[i + 1], n) > 0 ? -directions[i + 1] : directions[i + 1];
+        out.push_back({{glm::vec3(d), 1}, {glm::vec3(n), indices[i / 2 % 3]}, {}});
+    }
+    return out;
+}
+
+TEST_P(LibraryRefraction, TheSphereAgreesWithTheOracle) {
+    const auto arguments = impacts();
+    ASSERT_GE(arguments.size(), 1000U);
+    const auto results = run(include, "return vec4(snellRefractSphere(a.xyz, b.xyz, a.w, b.w), 1.);", arguments);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const auto truth = through_sphere(vec(arguments[i].a), vec(arguments[i].b), 1, arguments[i].b.w);
+        if (truth.exits.size() < 2) continue;
+        EXPECT_LT(angle_between(vec(results[i]), truth.exits[1].direction), 3e-6) << i;
+    }
+}
+
+TEST_P(LibraryRefraction, EveryOrderAgreesWithTheOracle) {
+    const auto arguments = impacts();
+    for (int order : {0, 1, 2, 3, 5, 8, 16}) {
+        const std::string walk =
+            "SnellSphere s = snellSphereBegin(a.xyz, b.xyz, a.w, b.w); float steps = 0.;\n"
+            "for (int i = 0; i < " +
+            std::to_string(order) + "; ++i) if (snellSphereNext(s)) steps += 1.;\n";
+        const auto out = run(include, walk + "return vec4(s.direction, s.energy);", arguments);
+        const auto state = run(include, walk + "return vec4(s.normal, s.inside);", arguments);
+        const auto steps = run(include, walk + "return vec4(steps);", arguments);
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            const auto truth = through_sphere(vec(arguments[i].a), vec(arguments[i].b), 1, arguments[i].b.w, order);
+            const auto last = static_cast<std::size_t>(steps[i].x);
+            ASSERT_LE(std::abs(static_cast<int>(last) + 1 - static_cast<int>(truth.exits.size())), 1);
+            if (last + 1 != truth.exits.size()) continue;  // the end of the series, within a rounding
+            const Exit& exit = truth.exits[last];
+            EXPECT_LT(angle_between(vec(out[i]), exit.direction), 5e-6 * (order + 1)) << "order " << order;
+            EXPECT_LT(angle_between(vec(state[i]), exit.normal), 5e-6 * (order + 1)) << "order " << order;
+            EXPECT_NEAR(out[i].w, exit.energy, 1e-4) << "order " << order;
+            EXPECT_NEAR(state[i].w, truth.inside, 1e-4) << "order " << order;
+        }
+    }
+}
+
+// All the light is accounted for, and the series ends by itself.
+TEST_P(LibraryRefraction, TheSphereKeepsTheLight) {
+    auto arguments = impacts();
+    for (const Arguments& special : special_arguments(3000)) arguments.push_back(special);
+    const auto results =
+        run(include,
+            "SnellSphere s = snellSphereBegin(a.xyz, b.xyz, a.w, b.w);\n"
+            "float sum = s.energy, count = 0.;\n"
+            "for (int i = 0; i < 1000; ++i) { if (!snellSphereNext(s)) break; sum += s.energy; count += 1.; }\n"
+            "return vec4(sum, s.inside, count, dot(s.direction, s.direction));",
+            arguments);
+    double lost = 0, longest = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        ASSERT_TRUE(finite(results[i])) << i;
+        lost = std::max(lost, std::abs(1.0 - results[i].x - results[i].y));
+        longest = std::max(longest, static_cast<double>(results[i].z));
+        EXPECT_NEAR(results[i].w, 1, 1e-5) << i;
+    }
+    const auto schlick = run("#include <snell/fresnel.glsl>\n",
+                             "float cosine = clamp(-dot(a.xyz, b.xyz), 0., 1.);\n"
+                             "return vec4(abs(snellFresnelExact(cosine, 1., b.w) - snellFresnelSchlick5(cosine, "
+                             "snellFresnelF0(1., b.w))));",
+                             impacts());
+    double most = 0;
+    for (const glm::vec4& r : schlick) most = std::max(most, static_cast<double>(r.x));
+    hard_case({"11",
+               "all light of a ball is accounted for: all exits and what is left; naive: Schlick with exact Fresnel",
+               "of the light", 2e-6, lost, most});
+    hard_case({"15", "the series of inner bounces ends, a thousand asked for", "bounces", 32, longest, std::nullopt});
+}
+
+SNELL_IN_ALL_DIALECTS(LibraryRefraction);
+
+}  // namespace
+}  // namespace snell::test

@@ -1,0 +1,105 @@
+// Loops that go on and on: told where their rounds are known, and only there.
+#include "tests/lint/help.h"
+
+namespace snell::lint {
+namespace {
+
+Linted looping(const std::string& statements, std::string_view values = "", const std::string& declarations = "") {
+    return lint_fragment("uniform int uN, uM;\nuniform float uX;\n" + declarations + "void main() {\nfloat x = 0.;\n" +
+                             statements + "\ngl_FragColor = vec4(x);\n}\n",
+                         values);
+}
+
+bool told(const Linted& linted) { return linted.has(Rule::many_rounds); }
+
+TEST(LintLoops, TooManyRounds) {
+    for (const char* loop :
+         {"for (int i = 0; i < 70000; ++i) x += 1.;", "for (int i = 0; i <= 65535; i++) { x += 1.; }",
+          "for (int i = 140000; i > 0; i -= 2) x += 1.;", "for (float f = 0.; f < 7000.; f += .1) x += f;",
+          "for (int i = -40000; i < 40000; i += 1) x += 1.;", "int i; for (i = 0; i < 70000; ++i) x += 1.;",
+          "for (int i = 0; i < 70000; ++i) x += float(i);", "int i = 0; while (i < 70000) { x += 1.; ++i; }",
+          "int i = 70000; while (i > 0) { i -= 1; x += float(i); }",
+          "int i = 0; do { x += 1.; i++; } while (i < 70000);", "int i = 0; do ++i; while (i <= 65535);",
+          "int i = 0; for (; i < 140000;) { ++i; x += 1.; ++i; }"}) {
+        const Linted bad = looping(loop);
+        EXPECT_TRUE(told(bad)) << loop << bad.text();
+        EXPECT_EQ(bad.at("many-rounds").size(), 1U);
+    }
+    const Linted bad = looping("for (int i = 0; i < 70000; ++i) x += 1.;");
+    EXPECT_EQ(bad.at("many-rounds").front(), "for (int i = 0; i < 70000; ++i)");
+    EXPECT_NE(bad.text().find("about 70001 times"), std::string::npos) << bad.text();
+}
+
+TEST(LintLoops, LoopsInLoopsAndOneAfterTheOther) {
+    EXPECT_TRUE(told(looping("for (int i = 0; i < 300; ++i) for (int k = 0; k < 300; ++k) x += 1.;")));
+    EXPECT_FALSE(told(looping("for (int i = 0; i < 200; ++i) for (int k = 0; k < 300; ++k) x += 1.;")));
+    const std::string one = "for (int i = 0; i < 40000; ++i) x += 1.;";
+    EXPECT_FALSE(told(looping(one)));
+    EXPECT_TRUE(told(looping(one + "\n" + one)));
+    EXPECT_TRUE(told(looping("for (int i = 0; i < 300; ++i) x += far(x);", "",
+                             "float far(float y) { for (int k = 0; k < 300; ++k) y += 1.; return y; }\n")));
+    EXPECT_TRUE(
+        told(looping("for (int i = 0; i < n; ++i) for (int k = 0; k < n; ++k) x += 1.;", "", "const int n = 300;\n")));
+}
+
+TEST(LintLoops, BoundsThatTheSceneSets) {
+    const std::string loop = "for (int i = 0; i < uN; ++i) x += 1.;";
+    EXPECT_TRUE(told(looping(loop, "uN 70000")));
+    EXPECT_FALSE(told(looping(loop, "uN 60000")));
+    EXPECT_TRUE(told(looping(loop, "uN <1 10 100000>"))) << "the slider goes there";
+    EXPECT_FALSE(told(looping(loop, "uN <1 10 1000>")));
+    EXPECT_FALSE(told(looping(loop))) << "nothing is known";
+    const std::string square = "for (int i = 0; i < uN; ++i) for (int k = 0; k < uN; ++k) x += 1.;";
+    EXPECT_TRUE(told(looping(square, "uN <1 10 300>")));
+    EXPECT_FALSE(told(looping(square, "uN <1 10 200>")));
+}
+
+TEST(LintLoops, LoopsThatCountWithin) {
+    EXPECT_TRUE(told(looping("int i = 0; while (i < uN) { x += 1.; ++i; }", "uN <1 10 100000>")));
+    EXPECT_TRUE(told(looping("int i = 0; do { for (int k = 0; k < 300; ++k) x += 1.; ++i; } while (i < 300);")));
+    EXPECT_FALSE(told(looping("int i = 0; do { x += 1.; ++i; } while (i < 60000);")));
+    EXPECT_FALSE(told(looping("int i = 0; while (i < 60000) { x += 1.; ++i; }")));
+}
+
+TEST(LintLoops, ABreakLeavesItsOwnLoopAlone) {
+    EXPECT_TRUE(told(looping("while (true) { for (int k = 0; k < 3; ++k) { if (x > uX) break; x += 1.; } }")));
+    EXPECT_TRUE(told(looping("for (;;) { int k = 0; do { if (x > uX) break; } while (k < uM); }")));
+    EXPECT_TRUE(told(looping("for (int i = 0; i < 70000; ++i) switch (uM) { case 1: x += 1.; break; }")));
+    EXPECT_FALSE(told(looping("while (true) { for (int k = 0; k < 3; ++k) x += 1.; if (x > uX) break; }")));
+    EXPECT_FALSE(told(looping("while (true) for (int k = 0; k < 3; ++k) if (x > uX) discard;")));
+}
+
+TEST(LintLoops, WithoutAnEnd) {
+    EXPECT_TRUE(told(looping("do x += 1.; while (true);")));
+    EXPECT_TRUE(told(looping("while (true) x += 1.;")));
+    EXPECT_TRUE(told(looping("for (;;) { x += 1.; }")));
+    EXPECT_TRUE(told(looping("for (int i = 0; true; ++i) x += 1.;")));
+    EXPECT_NE(looping("while (true) x += 1.;").text().find("for ever"), std::string::npos);
+}
+
+TEST(LintLoops, WhatMayEndEarlierIsNotKnown) {
+    for (const char* loop : {"while (true) { x += 1.; if (x > uX) break; }",
+                             "for (int i = 0; i < 100000; ++i) { x += uX; if (x > 3.) break; }",
+                             "for (int i = 0; i < 100000; ++i) { x += uX; if (x > 3.) discard; }",
+                             "for (int i = 0; i < 100000; ++i) { ++i; i *= 2; }",
+                             "for (int i = 0; i < 100000; ++i) { if (x > uX) i = 100000; else x += 1.; }",
+                             "for (int i = 0; i < 100000; i += uM) x += 1.;",
+                             "for (int i = uM; i < uN; ++i) x += 1.;",
+                             "while (x < uX) x += 1.;",
+                             "do x += 1.; while (x < uX);",
+                             "for (int i = 0; i < 8; ++i) for (int k = 0; k < 8; ++k) x += 1.;",
+                             "int i = 0; while (i < 70000) { if (x > uX) ++i; x += 1.; }",
+                             "int i = 0; while (i < 70000) { if (x > uX) continue; ++i; }",
+                             "int i = 0; while (i < 70000) { ++i; if (x > uX) break; }",
+                             "int i = 0; do { ++i; if (x > uX) return; } while (i < 70000);",
+                             "int i = 0; do { ++i; i = i * 2; } while (i < 70000);",
+                             "int i = 0; do { --i; } while (i < 70000);",
+                             "int i = 0; while (i < 70000) { for (int k = 0; k < uM; ++k) ++i; }",
+                             "do { x += 1.; if (x > uX) break; } while (true);",
+                             "for (int i = 0; i > 100000; ++i) x += 1.;",
+                             "for (float f = 0.; f < 1.; f += .01) x += f;"})
+        EXPECT_FALSE(told(looping(loop))) << loop << looping(loop).text();
+}
+
+}  // namespace
+}  // namespace snell::lint

@@ -1,0 +1,183 @@
+// Lints of shaders: each fires where it must, at the right place, and is silent where nothing is known to be wrong.
+#include "tests/lint/help.h"
+
+namespace snell::lint {
+namespace {
+
+using Places = std::vector<std::string>;
+
+// A fragment shader of `body` in main, with the varyings, a cube map and some uniforms.
+Linted body(std::string_view statements, std::string_view values = "", std::string_view declarations = "") {
+    return lint_fragment("in vec3 vN, vE;\nuniform samplerCube uSky;\nuniform float uEta, uX;\n" +
+                             std::string(declarations) + "void main() {\n" + std::string(statements) + "\n}\n",
+                         "uSky 6 " + std::string(values), "CubeMap 6 sky.hdr");
+}
+
+constexpr std::string_view unit_vectors = "vec3 n = normalize(vN), e = normalize(vE);\n";
+
+void expect_silent(const Linted& linted) { EXPECT_TRUE(linted.found.empty()) << linted.text(); }
+
+TEST(LintUnit, InterpolatedVectors) {
+    const Linted bad = body("gl_FragColor = texture(uSky, refract(vE, vN, .66));");
+    EXPECT_EQ(bad.at("unnormalised-direction"), (Places{"vE", "vN"})) << bad.text();
+    EXPECT_EQ(bad.place("unnormalised-direction"), "a.frag:5:38");
+    EXPECT_NE(bad.text().find("docs/teaching.md#directions-of-unit-length"), std::string::npos);
+    expect_silent(body("gl_FragColor = texture(uSky, refract(normalize(vE), normalize(vN), .66));"));
+}
+
+TEST(LintUnit, ByWayOfVariablesAndFunctions) {
+    EXPECT_EQ(body("vec3 n = vN; n = -n;\ngl_FragColor = texture(uSky, reflect(normalize(vE), n));")
+                  .at("unnormalised-direction"),
+              Places{"n"});
+    const std::string_view helper = "vec3 look(vec3 d, vec3 m) { return texture(uSky, reflect(d, m)).rgb; }\n";
+    EXPECT_EQ(body("gl_FragColor.rgb = look(vE, vN);", "", helper).at("unnormalised-direction"), Places{"m"});
+    expect_silent(body("gl_FragColor.rgb = look(vE, normalize(vN));", "", helper));
+    expect_silent(body("vec3 n = vN; n = normalize(n);\ngl_FragColor = texture(uSky, reflect(vE, n));"));
+}
+
+TEST(LintUnit, SumsOfVectors) {
+    EXPECT_EQ(body("vec3 n = normalize(vN) + vec3(.1, 0., 0.);\ngl_FragColor = texture(uSky, reflect(vE, n));")
+                  .at("unnormalised-direction"),
+              Places{"n"});
+    // The mirror's own formula has unit length, and a uniform may have it.
+    expect_silent(
+        body("vec3 n = normalize(vN), e = normalize(vE);\nvec3 r = e - 2. * dot(e, n) * n;\n"
+             "gl_FragColor = texture(uSky, refract(r, n, .66));"));
+    expect_silent(body("gl_FragColor = texture(uSky, reflect(vE, uAxis));", "uAxis 0. 1. 0.", "uniform vec3 uAxis;\n"));
+}
+
+TEST(LintUnit, UnknownWhereBranchesDiffer) {
+    expect_silent(body("vec3 n = vN; if (uX > 0.) n = normalize(vN);\ngl_FragColor = texture(uSky, reflect(vE, n));"));
+    expect_silent(
+        body("vec3 n = vN; for (int i = 0; i < 2; ++i) n = normalize(n);\n"
+             "gl_FragColor = texture(uSky, reflect(vE, n));"));
+    EXPECT_EQ(body("vec3 n = vN; if (!gl_FrontFacing) n = -n;\ngl_FragColor = texture(uSky, reflect(vE, n));")
+                  .at("unnormalised-direction"),
+              Places{"n"});
+}
+
+TEST(LintRatio, AnIndexForEta) {
+    const std::string lit = std::string(unit_vectors) + "gl_FragColor = texture(uSky, refract(e, n, uEta));";
+    const Linted bad = body(lit, "uEta <.1 1.5 5.>");
+    EXPECT_EQ(bad.at("index-as-ratio"), Places{"uEta"}) << bad.text();
+    EXPECT_EQ(bad.place("index-as-ratio"), "a.frag:6:44");
+    expect_silent(body(lit, "uEta <.1 .66 5.>"));
+    expect_silent(body(std::string(unit_vectors) + "gl_FragColor = texture(uSky, refract(e, n, 1. / uEta));",
+                       "uEta <1. 1.5 5.>"));
+    EXPECT_EQ(
+        body(std::string(unit_vectors) + "const float IOR = 1.5;\ngl_FragColor = texture(uSky, refract(e, n, IOR));")
+            .at("index-as-ratio"),
+        Places{"IOR"});
+}
+
+TEST(LintRatio, LightThatLeavesIsRight) {
+    expect_silent(body(std::string(unit_vectors) +
+                           "vec3 t = refract(e, n, 1. / uEta);\nvec3 o = refract(t, -n, uEta);\n"
+                           "gl_FragColor = texture(uSky, o);",
+                       "uEta <1. 1.5 5.>"));
+}
+
+TEST(LintShadow, ALocalOfAUniformsName) {
+    const Linted bad = body("float uX = 1.;\ngl_FragColor = vec4(uX);", "uX <0. .5 1.>");
+    EXPECT_EQ(bad.at("shadowed-uniform"), Places{"uX"}) << bad.text();
+    EXPECT_EQ(bad.place("shadowed-uniform"), "a.frag:5:7");
+    expect_silent(body("gl_FragColor = vec4(half(2.));", "", "float half(float uX) { return .5 * uX; }\n"));
+    expect_silent(body("float x = uX;\ngl_FragColor = vec4(x);"));
+}
+
+TEST(LintPow, OfANegativeBase) {
+    EXPECT_EQ(body(std::string(unit_vectors) + "gl_FragColor = vec4(pow(dot(n, e), 8.));").at("pow-of-negative"),
+              Places{"dot(n, e)"});
+    EXPECT_EQ(body("gl_FragColor = vec4(pow(sin(vN.x), 2.));").at("pow-of-negative"), Places{"sin(vN.x)"});
+    EXPECT_EQ(body("gl_FragColor = vec4(pow(uX, 2.));", "uX <-1. .5 1.>").at("pow-of-negative"), Places{"uX"});
+    EXPECT_EQ(body("gl_FragColor = vec4(pow(vN.x - uX, 2.));").at("pow-of-negative"), Places{"vN.x - uX"});
+}
+
+TEST(LintPow, OfAQuotientOfSliders) {
+    const std::string_view f0 = "gl_FragColor = vec4(pow((1. - uEta) / (1. + uEta), 2.));";
+    EXPECT_EQ(body(f0, "uEta <.1 1.1 5.>").at("pow-of-negative"), Places{"(1. - uEta) / (1. + uEta)"});
+    expect_silent(body(f0, "uEta <.1 .66 1.>"));
+    expect_silent(body("float r = (1. - uEta) / (1. + uEta);\ngl_FragColor = vec4(r * r);", "uEta <.1 1.1 5.>"));
+}
+
+// Two unit vectors' product exceeds 1 by a rounding: not a number in a pixel here and there.
+TEST(LintPow, ByRounding) {
+    const Linted bad = body(std::string(unit_vectors) + "gl_FragColor = vec4(pow(1. - max(dot(n, -e), 0.), 5.));");
+    EXPECT_EQ(bad.at("pow-of-negative").size(), 1U) << bad.text();
+    EXPECT_NE(bad.text().find("by rounding"), std::string::npos);
+    expect_silent(body(std::string(unit_vectors) + "gl_FragColor = vec4(pow(clamp(1. - dot(n, -e), 0., 1.), 5.));"));
+    expect_silent(body(std::string(unit_vectors) + "gl_FragColor = vec4(pow(1. - clamp(dot(n, -e), 0., 1.), 5.));"));
+}
+
+TEST(LintPow, OfWhatIsBoundedOrUnknown) {
+    expect_silent(body(std::string(unit_vectors) + "gl_FragColor = vec4(pow(max(dot(n, e), 0.), 8.));"));
+    expect_silent(body("gl_FragColor = pow(texture(uSky, vN), vec4(1. / 2.2));"));
+    expect_silent(body("gl_FragColor = vec4(pow(sin(vN.x) * .5 + .5, 2.));"));
+    expect_silent(body("gl_FragColor = vec4(pow(length(vN), uX));", "uX <0. 1. 5.>"));
+    expect_silent(body(std::string(unit_vectors) +
+                       "float d = dot(n, e); float s = 0.;\nif (d > 0.) s = pow(d, 8.);\ngl_FragColor = vec4(s);"));
+    expect_silent(
+        body(std::string(unit_vectors) + "float d = dot(n, e);\ngl_FragColor = vec4(d > 0. ? pow(d, 8.) : 0.);"));
+    expect_silent(body(std::string(unit_vectors) +
+                       "float d = dot(n, e);\nif (d < 0.) discard;\ngl_FragColor = vec4(pow(d, 8.));"));
+}
+
+TEST(LintSchlick, TheSign) {
+    const auto shader = [](std::string_view base) {
+        return body(std::string(unit_vectors) + "float c = clamp(" + std::string(base) +
+                    ", 0., 2.);\ngl_FragColor = mix(texture(uSky, refract(e, n, .66)), texture(uSky, reflect(e, n)), "
+                    "pow(c, 5.));");
+    };
+    EXPECT_EQ(shader("1. + dot(-e, n)").at("schlick-sign"), Places{"pow(c, 5.)"});
+    EXPECT_EQ(shader("1. - dot(n, e)").at("schlick-sign"), Places{"pow(c, 5.)"});
+    expect_silent(shader("1. - dot(-e, n)"));
+    expect_silent(shader("1. + dot(e, n)"));
+}
+
+TEST(LintDispersion, TheOrderOfColours) {
+    const auto shader = [](std::string_view red, std::string_view blue) {
+        return body(std::string(unit_vectors) + "vec3 r = refract(e, n, uEta" + std::string(red) +
+                        "), b = refract(e, n, uEta" + std::string(blue) +
+                        ");\ngl_FragColor = vec4(texture(uSky, r).r, 0., texture(uSky, b).b, 1.);",
+                    "uEta <.1 .66 1.>");
+    };
+    EXPECT_TRUE(shader("", " + .02").has(Rule::dispersion_order));
+    EXPECT_TRUE(shader(" - .02", " + .02").has(Rule::dispersion_order));
+    expect_silent(shader(" + .02", " - .02"));
+    expect_silent(shader("", ""));
+}
+
+TEST(LintUnread, AComputedReflectance) {
+    const Linted bad = body(std::string(unit_vectors) +
+                            "float schlick = .04 + .96 * pow(clamp(1. - dot(-e, n), 0., 1.), 5.);\n"
+                            "gl_FragColor = texture(uSky, reflect(e, n)) * .04;");
+    EXPECT_EQ(bad.at("never-read"), Places{"schlick"}) << bad.text();
+    EXPECT_EQ(bad.place("never-read"), "a.frag:6:7");
+    // Another setting of the macro reads it.
+    expect_silent(body("float s = pow(uX, 5.);\n#ifdef SHOW\ngl_FragColor = vec4(s);\n#endif\n", "uX <0. .5 1.>"));
+}
+
+TEST(LintPlaces, InIncludedFilesAndNotInTheLibrary) {
+    const std::string_view vert = "out vec3 vN; void main() { vN = gl_Normal; gl_Position = ftransform(); }\n";
+    const Linted own =
+        lint("Vertex a.vert\nFragment a.frag\nProgram A\nSphere\n",
+             {{"a.vert", vert},
+              {"a.frag", "in vec3 vN;\n#include \"mine.glsl\"\nvoid main() { gl_FragColor = vec4(f(vN), 1.); }\n"},
+              {"mine.glsl", "// mine\nvec3 f(vec3 n) { return reflect(vec3(0., 0., 1.), n); }\n"}});
+    EXPECT_EQ(own.place("unnormalised-direction"), "mine.glsl:2:51") << own.text();
+    const Linted library =
+        body("gl_FragColor = texture(uSky, snellReflect(vE, vN)) * snellFresnelSchlick(dot(vN, vE), 1., 1.5);", "",
+             "#include <snell/core.glsl>\n#include <snell/fresnel.glsl>\n");
+    expect_silent(library);
+}
+
+TEST(LintTotal, StandsAnything) {
+    for (const std::string_view text :
+         {"void main() { if (", "void main() { for (;;", "void main() { x = y[", "void main() { f(f(f(",
+          "float f() { return f(); }\nvoid main() { f(); }", "void main() { pow(; }", "#define A A\nvoid main() { A; }",
+          "void main() { reflect(vN); }", "void", "}{", ""})
+        (void)lint_fragment(text).text();
+}
+
+}  // namespace
+}  // namespace snell::lint

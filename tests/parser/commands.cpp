@@ -1,0 +1,235 @@
+// The table: what it promises, and that a malformed row does not compile.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "parser/commands/commands.h"
+#include "tests/oracle/scene/print.h"
+#include "tests/parser/support.h"
+#include "tests/scratch.h"
+
+namespace snell::test {
+namespace {
+
+constexpr Signature scale = "s | sx sy sz=-.5";
+static_assert(scale.count == 2 && scale.parameter_count(0) == 1 && scale.parameter_count(1) == 3);
+static_assert(scale.parameter(1, 2).default_value == -.5 && scale.parameter(1, 2).optional);
+static_assert(!scale.parameter(1, 1).optional);
+constexpr Signature kinds = "a:int b:path c:vec3 d:on/off=off e:name? f:int...";
+static_assert(kinds.parameter(0, 0).kind == ArgumentKind::integer && kinds.parameter(0, 2).kind == ArgumentKind::vec3);
+static_assert(kinds.parameter(0, 3).kind == ArgumentKind::choice && kinds.parameter(0, 3).default_text == "off");
+static_assert(kinds.parameter(0, 5).repeated);
+static_assert(Signature(" | a").count == 2 && Signature(" | a").parameter_count(0) == 0);
+static_assert(Signature("").count == 1);
+
+// Whether a constant of this signature compiles. The compiler is asked: the error must come at compile time.
+bool compiles(const std::string& signature) {
+    const Scratch folder;
+    const std::string source =
+        folder.write("signature.cpp", "#include \"parser/commands/signature.h\"\nconstexpr snell::Signature s = \"" +
+                                          signature + "\";\n");
+    const std::string command = "c++ -std=c++20 -fsyntax-only -I'" SNELL_ROOT "' '" + source + "' 2>/dev/null";
+    return std::system(command.c_str()) == 0;
+}
+
+TEST(Signature, MalformedOnesDoNotCompile) {
+    if (std::system("c++ --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no compiler here to refuse them";
+    ASSERT_TRUE(compiles("a b:int=5 c:path?"));
+    for (const char* bad : {"a:flaot", "a:int=", "a=x", "a=1.2.3", "a=1 b", "a... b", "a:rest b", "a a", "5a", "a:on/",
+                            "a:on/off=maybe", "a:path=x", "a | b | c | d", "a!", "a b c d e f g h i j k l m"})
+        EXPECT_FALSE(compiles(bad)) << bad;
+}
+
+TEST(Commands, EachHasANameADocumentationAndAHandler) {
+    std::set<std::string> names;
+    for (const Command& c : commands()) {
+        EXPECT_GT(c.doc.size(), 10u) << c.name;
+        EXPECT_EQ(c.doc.back(), '.') << c.name;
+        EXPECT_NE(c.handler, nullptr) << c.name;
+        EXPECT_TRUE(names.insert(std::string(c.name)).second) << c.name;
+        EXPECT_TRUE(c.alias.empty() || names.insert(std::string(c.alias)).second) << c.alias;
+    }
+}
+
+TEST(Commands, AreFoundInAnyCaseAndByAlias) {
+    for (const Command& c : commands()) {
+        std::string upper(c.name), lower(c.name);
+        for (char& x : upper) x = static_cast<char>(std::toupper(x));
+        for (char& x : lower) x = static_cast<char>(std::tolower(x));
+        for (const std::string_view word :
+             {c.name, c.alias.empty() ? c.name : c.alias, std::string_view(upper), std::string_view(lower)})
+            EXPECT_EQ(find_command(word), &c) << word;
+    }
+    for (const char* none : {"", "Spher", "Spheree", "a", "#", "\x01", "glVertexglVertexglVertexglVertex"})
+        EXPECT_EQ(find_command(none), nullptr) << none;
+}
+
+TEST(Commands, EveryCommandOfTheLanguageIsThere) {
+    for (const char* name : {"WindowSize",
+                             "Ortho",
+                             "Perspective",
+                             "Persp",
+                             "LookAt",
+                             "Background",
+                             "Clear",
+                             "Translate",
+                             "Rotate",
+                             "Scale",
+                             "PushMatrix",
+                             "TransformBegin",
+                             "PopMatrix",
+                             "TransformEnd",
+                             "Sphere",
+                             "Torus",
+                             "Cone",
+                             "Cylinder",
+                             "Box",
+                             "Cube",
+                             "Teapot",
+                             "DiskXY",
+                             "QuadXY",
+                             "QuadXZ",
+                             "QuadYZ",
+                             "QuadBox",
+                             "Soccerball",
+                             "PointCloud",
+                             "JitterCloud",
+                             "Xarrow",
+                             "WireSphere",
+                             "WireTorus",
+                             "WireCone",
+                             "WireCylinder",
+                             "WireBox",
+                             "WireTeapot",
+                             "WireObj",
+                             "Obj",
+                             "ObjAdj",
+                             "ObjPatch",
+                             "LinesAdjacency",
+                             "Triangles",
+                             "Shp",
+                             "glBegin",
+                             "glVertex",
+                             "glEnd",
+                             "glColor",
+                             "glNormal",
+                             "glTexCoord",
+                             "NumPatchVertices",
+                             "Color",
+                             "LineWidth",
+                             "PointSize",
+                             "PointSizeMode",
+                             "Flat",
+                             "Smooth",
+                             "Texture1D",
+                             "Texture2D",
+                             "Texture3D",
+                             "CubeMap",
+                             "Noise2D",
+                             "Noise3D",
+                             "Clamp",
+                             "RenderToTexture",
+                             "Vertex",
+                             "TessControl",
+                             "TessEvaluation",
+                             "Geometry",
+                             "Fragment",
+                             "GeometryInput",
+                             "GeometryOutput",
+                             "Program",
+                             "GSTAP",
+                             "Timer",
+                             "MessageBox",
+                             "Verbose"}) {
+        ASSERT_NE(find_command(name), nullptr) << name;
+        EXPECT_FALSE(find_command(name)->addition) << name;
+    }
+    for (const char* name : {"Blend", "Filter", "CullFace", "DepthTest", "DepthWrite", "Wireframe", "RenderToCube",
+                             "Irradiance", "Prefilter", "Ladder", "Include"}) {
+        ASSERT_NE(find_command(name), nullptr) << name;
+        EXPECT_TRUE(find_command(name)->addition) << name;
+    }
+}
+
+TEST(Commands, JsonSaysWhatTheTableSays) {
+    const nlohmann::json all = nlohmann::json::parse(commands_json());
+    ASSERT_EQ(all.size(), commands().size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Command& c = commands()[i];
+        EXPECT_EQ(all[i]["name"], std::string(c.name));
+        EXPECT_EQ(all[i]["doc"], std::string(c.doc));
+        EXPECT_EQ(all[i]["signature"], std::string(c.signature.text));
+        EXPECT_EQ(all[i]["addition"], c.addition);
+        EXPECT_EQ(all[i]["arguments"].size(), c.signature.count);
+        EXPECT_EQ(all[i]["aliases"].size(), c.alias.empty() ? 0u : 1u);
+    }
+    const auto sphere = *std::find_if(all.begin(), all.end(), [](const auto& c) { return c["name"] == "Sphere"; });
+    EXPECT_EQ(sphere["arguments"][0][1]["kind"], "int");
+    EXPECT_EQ(sphere["arguments"][0][1]["default"], 60);
+}
+
+// An argument that any command accepts in the i-th place.
+std::string sample(const Parameter& p, std::size_t i) {
+    switch (p.kind) {
+        case ArgumentKind::number:
+            return std::to_string(i) + ".5";
+        case ArgumentKind::integer:
+            return "5";
+        case ArgumentKind::path:
+            return "file.ext";
+        case ArgumentKind::name:
+            return p.name == "topology" ? "gl_lines" : "Name";
+        case ArgumentKind::choice:
+            return std::string(p.choices.substr(0, p.choices.find('/')));
+        case ArgumentKind::vec3:
+            return "[1 2 3]";
+        case ArgumentKind::uniforms:
+            return "uA <0. .5 1.>";
+        case ArgumentKind::rest:
+            return "some text";
+    }
+    return "";
+}
+
+bool expected(const Diagnostic& d) {
+    // Commands that come in pairs, or take few numbers.
+    for (const char* code : {"unbalanced-pop", "unclosed-push", "unbalanced-end", "unclosed-begin", "outside-begin",
+                             "include-unavailable", "faces-per-frame", "size-out-of-range", "ladder-without-rungs"})
+        if (d.code == code) return true;
+    return false;
+}
+
+TEST(Commands, EachIsReadInFullAndWithItsDefaults) {
+    for (const Command& c : commands()) {
+        for (std::size_t a = 0; a < c.signature.count; ++a) {
+            std::string full(c.name), least(c.name);
+            for (std::size_t i = 0; i < c.signature.parameter_count(a); ++i) {
+                const Parameter& p = c.signature.parameter(a, i);
+                full += " " + sample(p, i);
+                if (!p.optional) least += " " + sample(p, i);
+            }
+            // Rotate by its defaults has no axis; what is drawn to must be there.
+            if (c.name == "Rotate") least = full;
+            for (const std::string& statement : {full, least}) {
+                const Read r = read("Texture2D 5 64 64\nCubeMap 5 64\n" + statement + "\nSphere\n");
+                for (const Diagnostic& d : r.diagnostics())
+                    EXPECT_TRUE(expected(d)) << statement << "\n" << render(d, r.sources);
+                EXPECT_GE(r.scene().draws.size(), 1u);
+                EXPECT_EQ(difference(r.scene(), read(print_scene(r.scene())).scene()), "") << statement;
+            }
+        }
+    }
+}
+
+TEST(Commands, EachHasItsCaseAndItsPicture) {
+    for (const Command& c : commands()) {
+        EXPECT_TRUE(std::filesystem::exists(SNELL_ROOT "/tests/cases/" + std::string(c.name) + ".glib")) << c.name;
+        EXPECT_TRUE(std::filesystem::exists(SNELL_ROOT "/docs/images/" + std::string(c.name) + ".png")) << c.name;
+    }
+}
+
+}  // namespace
+}  // namespace snell::test

@@ -1,0 +1,69 @@
+// The pictures of docs/language.md are the cases, drawn. To draw them anew, after looking at what changed:
+//   SNELL_UPDATE_PICTURES=1 ./build/release/bin/pictures_tests --gtest_filter='Pictures.*'
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "parser/commands/commands.h"
+#include "src/content/image/image.h"
+#include "tests/harness/harness.h"
+
+namespace snell::test {
+
+namespace {
+
+constexpr int side = 160;
+
+class Pictures : public GlTest {};
+
+content::Image rgb(const Picture& picture) {
+    content::Image image;
+    image.width = picture.width;
+    image.height = picture.height;
+    image.channels = 3;
+    image.pixels.resize(picture.rgba.size() / 4 * 3);
+    for (size_t i = 0; i < picture.rgba.size() / 4; ++i) std::memcpy(&image.pixels[i * 3], &picture.rgba[i * 4], 3);
+    return image;
+}
+
+content::Image stored(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    auto result = content::decode_image(path, bytes);
+    return result.image ? *result.image : content::Image{};
+}
+
+TEST_F(Pictures, ShowWhatTheCasesDraw) {
+    const bool update = std::getenv("SNELL_UPDATE_PICTURES") != nullptr;
+    for (const Command& command : commands()) {
+        SCOPED_TRACE(command.name);
+        auto document = open_file(SNELL_ROOT "/tests/cases/" + std::string(command.name) + ".glib");
+        expect_clean(*document);
+        const content::Image image = rgb(draw(*document, {.width = side, .height = side, .samples = 4, .time = 1.3}));
+        const std::string path = SNELL_ROOT "/docs/images/" + std::string(command.name) + ".png";
+        if (update) {
+            EXPECT_EQ(content::write_image(path, image), "");
+            continue;
+        }
+        const content::Image old = stored(path);
+        ASSERT_EQ(old.pixels.size(), image.pixels.size()) << "no picture, or of another size: " << path;
+        int far = 0;
+        double squares = 0;
+        for (size_t i = 0; i < image.pixels.size(); ++i) {
+            const int difference = std::to_integer<int>(image.pixels[i]) - std::to_integer<int>(old.pixels[i]);
+            far += std::abs(difference) > 2;
+            squares += difference * difference;
+        }
+        // Correct drivers differ in isolated pixels, by much; on the whole, by little.
+        const double count = static_cast<double>(image.pixels.size());
+        EXPECT_LE(far / count, .005);
+        EXPECT_LE(std::sqrt(squares / count) / 255, .02);
+    }
+}
+
+}  // namespace
+
+}  // namespace snell::test

@@ -1,0 +1,193 @@
+// Further sentences of the language, each as a picture.
+#include "src/content/image/image.h"
+#include "tests/harness/plain.h"
+
+namespace snell::test {
+
+namespace {
+
+const Pixel red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255}, white{255, 255, 255, 255};
+
+class Language : public PlainTest {
+protected:
+    static constexpr std::string_view square = "Ortho -1 1 -1 1\nBackground 0 0 0\n";
+};
+
+TEST_F(Language, AGeometryShaderThatTakesOtherPrimitivesIsAnError) {
+    folder.write(
+        "lines.geom",
+        "#version 330 compatibility\nlayout(lines) in;\nlayout(line_strip, max_vertices = 2) out;\nvoid main() "
+        "{ for (int i = 0; i < 2; i++) { gl_Position = gl_in[i].gl_Position; EmitVertex(); } EndPrimitive(); }\n");
+    folder.write("one.frag", "void main() { gl_FragColor = vec4(1.); }\n");
+    auto document = open(
+        "Vertex plain.vert\nGeometry lines.geom\nFragment one.frag\nProgram L\nSphere\nGeometry\nFragment one.frag\n"
+        "Program M\nOrtho -1 1 -1 1\nQuadXY\n");
+    EXPECT_TRUE(has(*document, "geometry-input"));
+    EXPECT_TRUE(near(draw(*document).center(), white));  // the stage is unset: M draws
+}
+
+TEST_F(Language, PatchesNeedTessellation) {
+    auto document =
+        open("NumPatchVertices 3\nglBegin gl_patches\nglVertex 0 0 0\nglVertex 1 0 0\nglVertex 0 1 0\nglEnd\n");
+    EXPECT_TRUE(has(*document, "patches-without-tessellation"));
+    draw(*document);
+}
+
+TEST_F(Language, ASolidMayBeTessellated) {
+    folder.write("p.vert", "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n");
+    folder.write(
+        "p.tcs",
+        "#version 400 compatibility\nlayout(vertices = 3) out;\nvoid main() { gl_out[gl_InvocationID].gl_Position "
+        "= gl_in[gl_InvocationID].gl_Position; gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = "
+        "gl_TessLevelOuter[2] = gl_TessLevelInner[0] = 2.; }\n");
+    folder.write("p.tes",
+                 "#version 400 compatibility\nlayout(triangles) in;\nvoid main() { gl_Position = "
+                 "gl_ModelViewProjectionMatrix * (gl_TessCoord.x * gl_in[0].gl_Position + gl_TessCoord.y * "
+                 "gl_in[1].gl_Position + gl_TessCoord.z * gl_in[2].gl_Position); }\n");
+    folder.write("one.frag", "void main() { gl_FragColor = vec4(1.); }\n");
+    const Picture picture =
+        draw(std::string(square) +
+             "Vertex p.vert\nTessControl p.tcs\nTessEvaluation p.tes\nFragment one.frag\nProgram T\nQuadXY 0 .5\n");
+    EXPECT_EQ(picture.count(white), 32 * 32);
+}
+
+TEST_F(Language, TheUnitsOfSamplersMayBeWrittenInAnyWay) {
+    folder.write("red.bmp", bmp(1, 1, {{255, 0, 0}}));
+    folder.write("green.bmp", bmp(1, 1, {{0, 255, 0}}));
+    folder.write(
+        "two.frag",
+        "#version 330 compatibility\nuniform sampler2D uTex[2];\nin vec2 vST;\nvoid main() { gl_FragColor = vST.s "
+        "< .5 ? texture(uTex[0], vST) : texture(uTex[1], vST); }\n");
+    const std::string start = std::string(square) + "Texture2D 5 red.bmp\nTexture2D 6 green.bmp\nVertex plain.vert\n";
+    EXPECT_TRUE(near(draw(start + "Fragment texture.frag\nProgram T uUnit <0 6 9>\nQuadXY\n").center(), green));
+    for (const char* units : {"uTex [5 6]", "uTex[0] 5 uTex[1] 6"}) {
+        const Picture picture = draw(start + "Fragment two.frag\nProgram T " + units + "\nQuadXY\n");
+        EXPECT_TRUE(near(picture.at(16, 32), red)) << units;
+        EXPECT_TRUE(near(picture.at(48, 32), green)) << units;
+    }
+}
+
+TEST_F(Language, AMissingImageIsACheckerboardAndAnError) {
+    auto document = open(std::string(square) +
+                         "Texture2D 6 none.bmp\nVertex plain.vert\nFragment texture.frag\nProgram T uUnit 6\nQuadXY\n");
+    EXPECT_TRUE(has(*document, "file-not-found"));
+    const Picture picture = draw(*document);
+    EXPECT_GT(picture.count({255, 0, 255, 255}, 60), 64 * 64 / 4);
+}
+
+TEST_F(Language, ACorruptCubeFaceIsAChecker) {
+    for (const char* face : {"px", "nx", "py", "ny", "pz"})
+        folder.write(std::string(face) + ".bmp", bmp(2, 2, {{0, 255, 0}, {0, 255, 0}, {0, 255, 0}, {0, 255, 0}}));
+    folder.write("nz.bmp", "BM this is no picture");
+    folder.write(
+        "cube.vert",
+        "out vec3 d;\nvoid main() { d = gl_Vertex.xyz; gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+    folder.write("cube.frag",
+                 "uniform samplerCube uCube;\nin vec3 d;\nvoid main() { gl_FragColor = texture(uCube, d); }\n");
+    const std::string scene =
+        "CubeMap 6 px.bmp nx.bmp py.bmp ny.bmp pz.bmp nz.bmp\nVertex cube.vert\nFragment cube.frag\nProgram C uCube "
+        "6\nPerspective 80\n";
+    auto good = open(scene + "LookAt 0 0 0 1 0 0 0 1 0\nBox 4 4 4\n");
+    EXPECT_TRUE(good->diagnostics.has_errors());
+    EXPECT_TRUE(near(draw(*good).center(), green));
+    auto bad = open(scene + "LookAt 0 0 0 0 0 -1 0 1 0\nBox 4 4 4\n");
+    EXPECT_LT(draw(*bad).count(green), 64 * 64 / 4);
+}
+
+TEST_F(Language, APanoramaIsACubeMap) {
+    // Columns: the left half of an equirectangular picture shows -X, the right half +X; its centre is -Z.
+    std::vector<std::array<int, 3>> pixels;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x)
+            pixels.push_back(x < 32 ? std::array<int, 3>{255, 0, 0} : std::array<int, 3>{0, 255, 0});
+    folder.write("pano.bmp", bmp(64, 32, pixels));
+    folder.write(
+        "cube.vert",
+        "out vec3 d;\nvoid main() { d = gl_Vertex.xyz; gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+    folder.write("cube.frag",
+                 "uniform samplerCube uCube;\nin vec3 d;\nvoid main() { gl_FragColor = texture(uCube, d); }\n");
+    const std::string scene =
+        "CubeMap 6 pano.bmp\nVertex cube.vert\nFragment cube.frag\nProgram C uCube 6\nPerspective 60\nLookAt 0 0 0 ";
+    EXPECT_TRUE(near(draw(scene + "-1 0 0 0 1 0\nBox 4 4 4\n").center(), red));
+    EXPECT_TRUE(near(draw(scene + "1 0 0 0 1 0\nBox 4 4 4\n").center(), green));
+}
+
+TEST_F(Language, AnIncludedSceneStandsWhereItIsNamed) {
+    folder.write("parts/red.glib", "Color 1 0 0\nInclude green.glib\nQuadXY .1 .5\n");
+    folder.write("parts/green.glib", "Translate .5 0 0\n");
+    const Picture picture = draw(std::string(square) + "Include parts/red.glib\n");
+    EXPECT_TRUE(near(picture.at(48, 32), red));
+    EXPECT_FALSE(near(picture.at(10, 32), red));
+}
+
+TEST_F(Language, ColoursOfVerticesAndOfDraws) {
+    EXPECT_TRUE(near(draw(std::string(square) + "Color [0. 1. 0.]\nQuadXY\n").center(), green));
+    const Picture picture = draw(
+        std::string(square) +
+        "Color 0 1 0\nglBegin gl_triangles\nglColor 1 0 0\nglVertex -3 -1 0\nglVertex 3 -1 0\nglVertex 0 5 0\nglEnd\n");
+    EXPECT_TRUE(near(picture.center(), red));
+}
+
+TEST_F(Language, TheNoiseOfTheSceneIsItsFileWhereThereIsOne) {
+    std::string tex("\x02\0\0\0\x02\0\0\0", 8);
+    for (int i = 0; i < 4; ++i) tex += std::string("\0\0\xff\xff", 4);
+    folder.write("noise2d.002.tex", tex);
+    folder.write("noise.frag",
+                 "uniform sampler2D Noise2;\nvoid main() { gl_FragColor = texture(Noise2, vec2(.3)); }\n");
+    const std::string program = "Blend off\nVertex plain.vert\nFragment noise.frag\nProgram N\nQuadXY\n";
+    EXPECT_TRUE(near(draw(std::string(square) + "Noise2D 2\n" + program).center(), blue));
+    EXPECT_TRUE(near(draw(std::string(square) + program).center(), {127, 127, 127, 255}, 60));
+    // A texture of the scene's own on that unit wins.
+    folder.write("red.bmp", bmp(1, 1, {{255, 0, 0}}));
+    EXPECT_TRUE(near(draw(std::string(square) + "Texture2D 2 red.bmp\n" + program).center(), red));
+}
+
+TEST_F(Language, TheSoccerballTellsItsFaces) {
+    folder.write(
+        "face.frag",
+        "uniform int FaceIndex;\nvoid main() { gl_FragColor = FaceIndex < 12 ? vec4(0., 0., 1., 1.) : vec4(1.); }\n");
+    auto document = open(
+        "Background 0 0 0\nOrtho -1 1 -1 1\nLookAt 0 0 5 0 0 0 0 1 0\nVertex plain.vert\nFragment face.frag\nProgram "
+        "F\nSoccerball\n");
+    expect_clean(*document);
+    const Picture picture = draw(*document, {.width = 256, .height = 256});
+    EXPECT_EQ(document->runtime->counters().draws, 32U);
+    const double covered = picture.count(white) + picture.count(blue);
+    // Twelve pentagons cover 28.6 % of the ball; of a disc seen from one side somewhat more or less.
+    EXPECT_NEAR(picture.count(blue) / covered, .286, .1);
+}
+
+TEST_F(Language, ScaleZeroAndMirrorsDrawNothingWrong) {
+    folder.write("n.vert",
+                 "out vec3 n;\nvoid main() { n = gl_NormalMatrix * gl_Normal; gl_Position = "
+                 "gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+    folder.write("n.frag",
+                 "in vec3 n;\nvoid main() { gl_FragColor = vec4(normalize(n).z > .9 ? 1. : 0., any(isnan(n)) ? 1. : "
+                 "0., gl_FrontFacing ? 1. : 0., 1.); }\n");
+    const std::string scene =
+        std::string(square) + "LookAt 0 0 5 0 0 0 0 1 0\nVertex n.vert\nFragment n.frag\nProgram N\n";
+    EXPECT_TRUE(near(draw(scene + "Sphere\n").center(), {255, 0, 255, 255}));
+    // Mirrored: normals stay outward.
+    EXPECT_EQ(draw(scene + "Scale -1 1 1\nSphere\n").center()[0], 255);
+    EXPECT_EQ(draw(scene + "Scale 1e-20\nScale 1e20\nSphere\n").center()[0], 255);
+    for (const char* scale : {"Scale 0", "Scale 1 1 0", "Scale 1e-30", "Scale 1 0 1"}) {
+        auto document = open(scene + scale + "\nSphere\n");
+        EXPECT_EQ(draw(*document).count({0, 255, 0, 255}), 0) << scale;
+    }
+}
+
+TEST_F(Language, AProgramWithoutAFragmentShaderShowsItsColour) {
+    const Picture picture = draw(std::string(square) + "Color 0 1 0\nVertex plain.vert\nProgram V\nQuadXY\n");
+    EXPECT_TRUE(near(picture.center(), green));
+}
+
+TEST_F(Language, ProgramWithoutArgumentsIsTheBuiltInOne) {
+    const Picture picture =
+        draw(std::string(square) +
+             "Vertex plain.vert\nFragment color.frag\nProgram C uColor [1. 0. 0. 1.]\nColor 0 0 1\nProgram\nQuadXY\n");
+    EXPECT_TRUE(near(picture.center(), blue));
+}
+
+}  // namespace
+
+}  // namespace snell::test

@@ -1,0 +1,147 @@
+// Directives, macros, includes, odd characters; and that lines stay where the user wrote them.
+#include "tests/translator/translate_help.h"
+
+namespace snell::glsl::test {
+namespace {
+
+// The user's line that the driver will name for `part`.
+int line_of(const std::string& text, std::string_view part) {
+    int line = 1;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t end = std::min(text.find('\n', i), text.size());
+        const std::string_view row(text.data() + i, end - i);
+        if (row.find(part) != std::string_view::npos) return line;
+        ++line;
+        if (row.starts_with("#line ")) line = std::atoi(row.data() + 6);
+        i = end + 1;
+    }
+    return 0;
+}
+
+TEST(GlslPreprocess, LinesStay) {
+    const std::string body =
+        "uniform float u;\nfloat g = u;\n\nvoid main()\n{\n    gl_FragColor = vec4(g, texture2D_here, 1., 1.);\n}\n";
+    for (const std::string& head : {std::string(), std::string("#version 330 compatibility\n"),
+                                    std::string("// hello\n\n#version 120\n#extension GL_EXT_gpu_shader4 : enable\n")})
+        for (const Target& target : {core450, core330, es320}) {
+            const std::string text = head + body;
+            const Translated t = fragment(text, target);
+            EXPECT_EQ(line_of(t.text(Stage::fragment), "texture2D_here"), line_of(text, "texture2D_here"))
+                << t.text(Stage::fragment);
+        }
+}
+
+TEST(GlslPreprocess, ConditionsOnTheVersionAreJudgedAsTheUserMeantThem) {
+    const Translated t = fragment(
+        "#version 120\n#if __VERSION__ >= 130\nin vec2 v; out vec4 c;\n#else\nvarying vec2 v;\n#define c "
+        "gl_FragColor\n#endif\n"
+        "void main() { c = vec4(v, 0., 1.); }\n");
+    EXPECT_FALSE(t.has(Stage::fragment, "out vec4 c"));
+    EXPECT_TRUE(t.has(Stage::fragment, "snell_FragColor"));
+    std::string log;
+    EXPECT_TRUE(reference_accepts(t.translation, log)) << log << t.text(Stage::fragment);
+}
+
+TEST(GlslPreprocess, MacrosThatHideLegacyNames) {
+    expect_valid(
+        {{Stage::vertex,
+          "#define POS gl_Vertex\n#define XFORM(v) (gl_ModelViewProjectionMatrix * (v))\n#define OUT varying\nOUT vec3 "
+          "n;\n"
+          "void main() { n = gl_Normal; gl_Position = XFORM(POS); }"},
+         {Stage::fragment,
+          "#define SAMPLE(s, c) texture2D(s, (c).xy)\n#define HALF 1 / 2.\n#define LONG(a, \\\n  b) ((a) + "
+          "(b))\nvarying vec3 n; uniform sampler2D t;\n"
+          "float f(float x) { return LONG(x, HALF); }\nvoid main() { gl_FragColor = SAMPLE(t, n) * f(n.x); }"}});
+}
+
+TEST(GlslPreprocess, MacrosThatRedefineTheLanguage) {
+    expect_valid({{Stage::fragment,
+                   "#define texture texture2D\n#define half float\nuniform sampler2D t;\n#define CAT(a, b) a##b\n"
+                   "void main() { half CAT(x, 1) = 1.; gl_FragColor = texture(t, vec2(x1)); }"}});
+}
+
+TEST(GlslPreprocess, OddCharacters) {
+    const std::string text =
+        "\xEF\xBB\xBF#version 330 compatibility\r\nvoid main()\r\n{\r\n\xC2\xA0\xC2\xA0gl_FragColor\xC2\xA0= vec4(1.); "
+        "// na\xEFve\r\n}\r\n";
+    const Translated t = fragment(text);
+    EXPECT_EQ(t.count("odd-blank"), 1);
+    std::string log;
+    EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
+    EXPECT_EQ(fragment("\xEF\xBB\xBFvoid main() { gl_FragColor = vec4(1.); }").count("odd-blank"), 0);
+    expect_valid({{Stage::fragment, "void main()\r{\r gl_FragColor = vec4(1.);\r}"}});
+}
+
+TEST(GlslPreprocess, Includes) {
+    Options options;
+    options.target = core450;
+    options.include = [](std::string_view, std::string_view name, bool angle) -> std::optional<IncludeText> {
+        if (name == "lit.glsl" && !angle)
+            return IncludeText{"lit.glsl", "#include \"deep.glsl\"\nfloat lit(float x) { return deep(x) * lost; }\n"};
+        if (name == "deep.glsl") return IncludeText{"deep.glsl", "float deep(float x) { return x; }\n"};
+        if (name == "loop.glsl") return IncludeText{"loop.glsl", "#include \"loop.glsl\"\n"};
+        return std::nullopt;
+    };
+    Translated t;
+    translate_texts(
+        t,
+        {{Stage::fragment,
+          "#version 330 compatibility\n#include \"lit.glsl\"\nvoid main() { gl_FragColor = vec4(lit(missing)); }\n"}},
+        options);
+    const StageOutput& out = t.translation.stages.back();
+    ASSERT_EQ(out.files.size(), 3u);
+    EXPECT_EQ(t.sources.name(out.files[1]), "lit.glsl");
+    EXPECT_EQ(t.sources.name(out.files[2]), "deep.glsl");
+    EXPECT_EQ(line_of(out.text, "missing"), 3);
+    EXPECT_EQ(line_of(out.text, "lost"), 2);
+    Translated loop;
+    translate_texts(loop, {{Stage::fragment, "#include \"loop.glsl\"\nvoid main() {}\n"}}, options);
+    EXPECT_EQ(loop.count("include-cycle"), 1);
+    Translated missing;
+    translate_texts(missing,
+                    {{Stage::fragment, "#if 0\n#include \"no.glsl\"\n#endif\n#include <none>\nvoid main() {}\n"}},
+                    options);
+    EXPECT_EQ(missing.count("missing-include"), 1);
+    EXPECT_FALSE(missing.translation.ok);
+}
+
+TEST(GlslPreprocess, DefinesFromOutsideWin) {
+    Options options;
+    options.target = core450;
+    options.defines = {{"FRESNEL", "2"}, {"FRESNEL_exact", "2"}, {"UNUSED", "1"}};
+    Translated t;
+    translate_texts(t,
+                    {{Stage::fragment,
+                      "void main() {\n#if FRESNEL == FRESNEL_exact\ngl_FragColor = vec4(.25);\n#else\ngl_FragColor = "
+                      "vec4(.75);\n#endif\n}\n"}},
+                    options);
+    EXPECT_TRUE(t.has(Stage::fragment, "#define FRESNEL 2"));
+    std::string log;
+    EXPECT_TRUE(reference_accepts(t.translation, log)) << log;
+    Translated plain;
+    translate_texts(plain, {{Stage::fragment, "void main() { gl_FragColor = vec4(1.); }\n"}}, options);
+    EXPECT_FALSE(plain.has(Stage::fragment, "#define"));
+}
+
+TEST(GlslPreprocess, HostileMacrosEnd) {
+    std::string bomb = "#define A0 x x x x x x x x x x\n";
+    for (int n = 1; n < 30; ++n)
+        bomb += "#define A" + std::to_string(n) + " A" + std::to_string(n - 1) + " A" + std::to_string(n - 1) + " A" +
+                std::to_string(n - 1) + "\n";
+    const Translated t = fragment(bomb + "void main() { A29; }\n");
+    EXPECT_FALSE(t.translation.ok);
+    EXPECT_GE(t.count("macro-too-large"), 1);
+    EXPECT_TRUE(
+        fragment("#define F F\n#define G(x) G(x)\nvoid main() { float F = 1., G = F; gl_FragColor = vec4(F + G); }")
+            .translation.ok);
+}
+
+TEST(GlslPreprocess, BrokenConditionals) {
+    EXPECT_EQ(fragment("#ifdef X\n#else\nvoid main() { gl_FragColor = vec4(1.); }\n").count("unterminated-conditional"),
+              1);
+    EXPECT_EQ(fragment("#endif\nvoid main() {}\n").count("stray-conditional"), 1);
+    expect_valid({{Stage::fragment, "#if 1\nvoid main() { gl_FragColor = vec4(1.); }\n"}});
+}
+
+}  // namespace
+}  // namespace snell::glsl::test

@@ -1,0 +1,82 @@
+#include "tests/translator/translate_help.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/scratch.h"
+
+namespace snell::glsl::test {
+
+const std::string& Translated::text(Stage stage) const {
+    static const std::string none;
+    for (const StageOutput& s : translation.stages)
+        if (s.stage == stage) return s.text;
+    return none;
+}
+
+int Translated::count(std::string_view code) const {
+    return static_cast<int>(std::count_if(diagnostics.items().begin(), diagnostics.items().end(),
+                                          [&](const Diagnostic& d) { return d.code == code; }));
+}
+
+bool Translated::uniform_default(std::string_view name, const std::vector<double>& values) const {
+    return std::any_of(translation.defaults.begin(), translation.defaults.end(),
+                       [&](const UniformDefault& d) { return d.name == name && d.values == values; });
+}
+
+void translate_texts(Translated& out, const Texts& texts, const Options& options) {
+    std::vector<StageInput> inputs;
+    for (const auto& [stage, text] : texts) {
+        StageInput input;
+        input.stage = stage;
+        input.file = out.sources.add("stage" + std::to_string(static_cast<int>(stage)), text);
+        input.reference = {input.file, 0, 0};
+        inputs.push_back(input);
+    }
+    out.translation = translate(inputs, out.sources, options, out.diagnostics);
+}
+
+Translated translated(const Texts& texts, const Target& target) {
+    Translated out;
+    Options options;
+    options.target = target;
+    translate_texts(out, texts, options);
+    return out;
+}
+
+Translated fragment(const std::string& text, const Target& target) {
+    return translated({{Stage::fragment, text}}, target);
+}
+
+Translated vertex(const std::string& text, const Target& target) { return translated({{Stage::vertex, text}}, target); }
+
+bool reference_accepts(const Translation& translation, std::string& log) {
+    static const bool installed = std::system("command -v glslangValidator > /dev/null 2>&1") == 0;
+    if (!installed) return true;
+    constexpr const char* extensions[] = {"vert", "tesc", "tese", "geom", "frag"};
+    const Scratch folder;
+    std::string command = "glslangValidator -l";
+    for (const StageOutput& s : translation.stages)
+        command += " " + folder.write(std::string("stage.") + extensions[static_cast<int>(s.stage)], s.text);
+    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    char buffer[1024];
+    while (pipe && std::fgets(buffer, sizeof buffer, pipe)) log += buffer;
+    return pipe && pclose(pipe) == 0;
+}
+
+void expect_valid(const Texts& texts, const std::vector<Target>& targets) {
+    for (const Target& target : targets) {
+        SCOPED_TRACE(std::to_string(target.version) + (target.es ? " es" : " core"));
+        const Translated first = translated(texts, target);
+        EXPECT_TRUE(first.translation.ok);
+        std::string log;
+        EXPECT_TRUE(reference_accepts(first.translation, log)) << log << first.text(texts.front().first);
+        Texts again;
+        for (const StageOutput& s : first.translation.stages) again.emplace_back(s.stage, s.text);
+        const Translated second = translated(again, target);
+        for (const auto& [stage, text] : again) EXPECT_EQ(second.text(stage), text);
+    }
+}
+
+}  // namespace snell::glsl::test

@@ -1,0 +1,144 @@
+// The accuracy panel and the list of costs, judged by what becomes of the input and by the colours and numbers shown.
+#include "src/ui/panels/accuracy.h"
+
+#include "src/ui/panels/costs.h"
+#include "tests/ui/screen.h"
+
+namespace snell::ui {
+namespace {
+
+class AccuracyPanel : public UiTest {
+protected:
+    AccuracyPanel() {
+        Ladder ladder;
+        ladder.name = "FRESNEL";
+        ladder.rungs = {"f0", "schlick", "exact"};
+        ladder.current = 1;
+        scene_.ladders.push_back(ladder);
+        controls_.rungs = {1};
+        values_.samples = values_.wanted = 16;
+        values_.points = {{.name = "schlick", .rung = 1, .milliseconds = 2, .error = .01, .chosen = true},
+                          {.name = "exact", .rung = 2, .milliseconds = 3, .error = 0}};
+    }
+    void open() {
+        memory_.accuracy.open = true;
+        facts_.accuracy = &values_;
+    }
+
+    AccuracyFacts values_;
+};
+
+TEST_F(AccuracyPanel, IsThereForScenesWithLaddersAndClosedAtFirst) {
+    EXPECT_TRUE(has("accuracy"));
+    EXPECT_FALSE(memory_.accuracy.open);
+    EXPECT_FALSE(has("accuracy.plot"));
+    scene_.ladders.clear();
+    controls_.rungs.clear();
+    EXPECT_FALSE(has("accuracy"));
+    frame({key(Key::a, true)});
+    EXPECT_FALSE(memory_.accuracy.open) << "the key has no effect either";
+}
+
+TEST_F(AccuracyPanel, OpensByAClickAndByAKey) {
+    click(place("accuracy"));
+    EXPECT_TRUE(memory_.accuracy.open);
+    facts_.accuracy = &values_;
+    EXPECT_TRUE(has("accuracy.plot"));
+    frame({key(Key::a, true)});
+    frame({key(Key::a, false)});
+    EXPECT_FALSE(memory_.accuracy.open);
+    frame({key(Key::a, true)});
+    EXPECT_TRUE(memory_.accuracy.open);
+}
+
+TEST_F(AccuracyPanel, AClickInItsTableChoosesARung) {
+    open();
+    click(place("accuracy.rung.exact"), MouseButton::left, .1);
+    EXPECT_EQ(controls_.rungs, Rungs{2});
+}
+
+TEST_F(AccuracyPanel, AsksForAMeasurementOnce) {
+    open();
+    const Rect button = place("accuracy.measure");
+    frame({move(button.x + button.width / 2, button.y + button.height / 2)});
+    frame({this->button(true)});
+    EXPECT_FALSE(requests_.measure);
+    frame({this->button(false)});
+    EXPECT_TRUE(requests_.measure);
+    frame();
+    EXPECT_FALSE(requests_.measure);
+}
+
+TEST_F(AccuracyPanel, WithoutAReferenceThereIsNothingToMeasure) {
+    open();
+    values_.note = "The files have errors.";
+    const Rect button = place("accuracy.measure");
+    frame({move(button.x + button.width / 2, button.y + button.height / 2)});
+    frame({this->button(true)});
+    frame({this->button(false)});
+    EXPECT_FALSE(requests_.measure);
+}
+
+TEST_F(AccuracyPanel, TheDividerIsDraggedAndTheSceneIsNot) {
+    open();
+    memory_.accuracy.show = AccuracyMemory::Show::split;
+    const Rect divider = place("accuracy.divider"), scene = memory_.scene;
+    EXPECT_NEAR(divider.x + divider.width / 2, scene.x + scene.width / 2, 1);
+    frame({move(divider.x + divider.width / 2, 300)});
+    frame({button(true)});
+    frame({move(scene.x + scene.width * .25, 320)});
+    frame({move(scene.x + scene.width * .25, 330)});
+    frame({button(false)});
+    EXPECT_NEAR(memory_.accuracy.divider, .25, .01);
+    EXPECT_EQ(view_.scene, Transformation{});
+    memory_.accuracy.show = AccuracyMemory::Show::picture;
+    EXPECT_FALSE(has("accuracy.divider"));
+}
+
+// Luminance tells them apart in print and for every eye.
+TEST(Heat, GetsLighterAllTheWay) {
+    double last = -1;
+    for (int i = 0; i <= 100; ++i) {
+        const Heat color = heat(i / 100.);
+        const double luminance = .2126 * color.red + .7152 * color.green + .0722 * color.blue;
+        EXPECT_GT(luminance, last) << i;
+        last = luminance;
+    }
+    EXPECT_EQ(heat(-1).red, heat(0).red);
+    EXPECT_EQ(heat(2).red, heat(1).red);
+    EXPECT_EQ(heat(NAN).green, heat(1).green) << "what is no number is as wrong as can be";
+}
+
+TEST(Texts, AreShort) {
+    EXPECT_EQ(error_text(0), "0");
+    EXPECT_EQ(error_text(.0031415), ".0031");
+    EXPECT_EQ(error_text(1.25), "1.2");
+    EXPECT_EQ(milliseconds_text(1.234), "1.23 ms");
+    EXPECT_EQ(milliseconds_text(12.34), "12.3 ms");
+    EXPECT_EQ(milliseconds_text(123.4), "123 ms");
+    EXPECT_EQ(bytes_text(999), "999 B");
+    EXPECT_EQ(bytes_text(4096), "4.1 kB");
+    EXPECT_EQ(bytes_text(12600000), "13 MB");
+}
+
+class CostsPanel : public UiTest {
+protected:
+    Explanation explanation_;
+};
+
+TEST_F(CostsPanel, FoldsWhatIsPaidForByKind) {
+    explanation_.paid.push_back({.kind = Explanation::Kind::image, .name = "wall.bmp", .why = "read", .bytes = 4096});
+    explanation_.paid.push_back({.kind = Explanation::Kind::mesh, .name = "Sphere", .why = "drawn", .bytes = 100});
+    explanation_.unpaid.push_back({"Noise3", "inactive"});
+    click(place("costs"));
+    ASSERT_TRUE(memory_.costs);
+    facts_.explanation = &explanation_;
+    EXPECT_TRUE(has("costs.Images"));
+    EXPECT_TRUE(has("costs.Meshes"));
+    EXPECT_TRUE(has("costs.Not loaded"));
+    EXPECT_FALSE(has("costs.Noise")) << "none of it";
+    EXPECT_FALSE(has("costs.Declared but unused"));
+}
+
+}  // namespace
+}  // namespace snell::ui

@@ -1,0 +1,249 @@
+// Files and looks in the window: the browser, links to the editor, sizes of letters.
+#include <algorithm>
+#include <cmath>
+
+#include "src/ui/kit/excerpt.h"
+#include "src/ui/labels.h"
+#include "src/ui/panels/files.h"
+#include "tests/ui/screen.h"
+
+namespace snell::ui {
+namespace {
+
+class FilePanels : public UiTest {
+protected:
+    FilePanels() {
+        listing_.folder = "/home/ann/scenes";
+        listing_.home = "/home/ann";
+        listing_.entries = {{"glass", "/home/ann/scenes/glass", true, "", ""},
+                            {"ball.glib", "/home/ann/scenes/ball.glib", false, "1 kB", ""},
+                            {"Room.glib", "/home/ann/scenes/Room.glib", false, "1 kB", ""}};
+        facts_.listing = &listing_;
+        facts_.recent = recent_;
+        facts_.editor = "vi";
+    }
+    void press(Key which, Modifiers modifiers = {}) {
+        frame({{.kind = Event::Kind::key, .key = which, .down = true, .modifiers = modifiers}});
+        const Requests asked = requests_;
+        frame({key(which, false)});
+        if (requests_.open.empty()) requests_.open = asked.open;
+        requests_.browse |= asked.browse;
+    }
+    void write(const std::string& text) {
+        std::vector<Event> events;
+        for (char c : text) events.push_back({.kind = Event::Kind::text, .text = static_cast<char32_t>(c)});
+        frame(events);
+        frame();
+    }
+    void open() {
+        click(place("open"));
+        place("browser.name");
+    }
+    // What was asked for by the last click, which spans several frames.
+    Requests click_asks(const std::string& name, bool twice = false) {
+        const Rect at = place(name);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        Requests asked;
+        const auto step = [&](bool down) {
+            frame({button(down)});
+            if (!requests_.open.empty()) asked.open = requests_.open;
+            if (!requests_.edit.file.empty()) asked.edit = requests_.edit;
+            asked.browse |= requests_.browse;
+        };
+        step(true);
+        step(false);
+        if (twice) {
+            step(true);
+            step(false);
+        }
+        frame({}, 1);
+        return asked;
+    }
+
+    Listing listing_;
+    std::vector<std::string> recent_{"/x/old.glib"};
+};
+
+TEST_F(FilePanels, TheBrowserOpensWhatIsTyped) {
+    press(Key::o, {.ctrl = true});
+    EXPECT_TRUE(memory_.browser.open);
+    EXPECT_TRUE(requests_.browse);
+    EXPECT_TRUE(has("browser.entry.ball.glib"));
+    write("roo");
+    EXPECT_FALSE(has("browser.entry.ball.glib")) << "only what contains it, in any case";
+    EXPECT_TRUE(has("browser.entry.Room.glib"));
+    press(Key::enter);
+    EXPECT_EQ(requests_.open, "/home/ann/scenes/Room.glib");
+    EXPECT_FALSE(memory_.browser.open);
+}
+
+TEST_F(FilePanels, TheBrowserIsUsedWithArrowsToo) {
+    open();
+    press(Key::down);
+    press(Key::down);
+    EXPECT_EQ(memory_.browser.chosen, 2u);
+    press(Key::down);
+    EXPECT_EQ(memory_.browser.chosen, 2u) << "the last one";
+    press(Key::up);
+    press(Key::up);
+    press(Key::enter);
+    EXPECT_TRUE(requests_.browse);
+    EXPECT_EQ(memory_.browser.folder, "/home/ann/scenes/glass");
+    EXPECT_TRUE(memory_.browser.open);
+    press(Key::backspace);
+    EXPECT_EQ(memory_.browser.folder, "/home/ann") << "up from what is listed";
+    press(Key::escape);
+    EXPECT_FALSE(memory_.browser.open);
+    EXPECT_FALSE(has("browser.name"));
+    EXPECT_EQ(requests_.open, "");
+}
+
+TEST_F(FilePanels, TheBrowserTakesPaths) {
+    open();
+    write("../other/x.glib");
+    press(Key::enter);
+    EXPECT_EQ(requests_.open, "/home/ann/scenes/../other/x.glib");
+    open();
+    write("~/y.glib");
+    press(Key::enter);
+    EXPECT_EQ(requests_.open, "~/y.glib");
+}
+
+TEST_F(FilePanels, TheBrowserOpensWhatIsClickedTwice) {
+    open();
+    EXPECT_EQ(click_asks("browser.entry.ball.glib").open, "");
+    EXPECT_TRUE(memory_.browser.open) << "once only chooses";
+    EXPECT_EQ(click_asks("browser.entry.ball.glib", true).open, "/home/ann/scenes/ball.glib");
+    open();
+    EXPECT_TRUE(click_asks("browser.folder.ann").browse);
+    EXPECT_EQ(memory_.browser.folder, "/home/ann");
+    EXPECT_EQ(click_asks("browser.recent.old.glib").open, "/x/old.glib");
+    EXPECT_FALSE(memory_.browser.open);
+}
+
+TEST_F(FilePanels, KeysOfTheBrowserAreNoCommands) {
+    open();
+    click(place("browser.entry.ball.glib"));  // the field for the name has no keys now
+    press(Key::h);
+    EXPECT_TRUE(memory_.panel);
+    press(Key::f5);
+    EXPECT_FALSE(requests_.reload);
+}
+
+TEST_F(FilePanels, AnErrorIsALinkToItsPlace) {
+    const std::vector<Problem> problems{{Severity::error, "scene-unreadable: nowhere\n", {}},
+                                        {Severity::error, "a.frag:12:3: error: no\n", {"/s/a.frag", 12, 3}}};
+    facts_.problems = problems;
+    EXPECT_FALSE(has("problem.0")) << "what has no place leads nowhere";
+    const Requests asked = click_asks("problem.1");
+    EXPECT_EQ(asked.edit.file, "/s/a.frag");
+    EXPECT_EQ(asked.edit.line, 12);
+    EXPECT_EQ(asked.edit.column, 3);
+}
+
+TEST_F(FilePanels, FilesInUseAreLinksToo) {
+    const std::vector<FileRow> files{{"room.glib", "/s/room.glib"}, {"glass.frag", "/s/glass.frag"}};
+    facts_.files = files;
+    EXPECT_FALSE(has("file.glass.frag"));
+    click(place("files"));
+    EXPECT_EQ(click_asks("file.glass.frag").edit.file, "/s/glass.frag");
+    EXPECT_TRUE(memory_.open.contains("Files")) << "to be open in the next run as well";
+}
+
+TEST_F(FilePanels, LettersGrowAndShrink) {
+    press(Key::plus, {.ctrl = true});
+    EXPECT_FLOAT_EQ(memory_.zoom, 1.1F);
+    press(Key::minus, {.ctrl = true});
+    press(Key::minus, {.ctrl = true});
+    EXPECT_FLOAT_EQ(memory_.zoom, .9F);
+    press(Key::zero, {.ctrl = true});
+    EXPECT_FLOAT_EQ(memory_.zoom, 1);
+    press(Key::plus);
+    EXPECT_FLOAT_EQ(memory_.zoom, 1) << "not without Ctrl";
+    float zoom = 1;
+    for (int i = 0; i < 30; ++i) zoom = next_zoom(zoom, 1);
+    EXPECT_FLOAT_EQ(zoom, 3);
+    for (int i = 0; i < 30; ++i) zoom = next_zoom(zoom, -1);
+    EXPECT_FLOAT_EQ(zoom, .5F);
+    EXPECT_FLOAT_EQ(next_zoom(1.03F, 1), 1.1F);
+}
+
+TEST_F(FilePanels, ThePanelGrowsWithTheLetters) {
+    add_slider("uEta", 0, .5, 1);
+    frame();
+    const float before = screen_.width - memory_.scene.width;
+    EXPECT_FLOAT_EQ(before, 352);
+    screen_.scale = 1.5F;
+    frame();
+    EXPECT_FLOAT_EQ(screen_.width - memory_.scene.width, 1.5F * before);
+}
+
+TEST_F(FilePanels, DarkIsDark) {
+    screen_.theme = Theme::dark;
+    frame();
+    EXPECT_LT(palette().panel.x, .2F);
+    EXPECT_GT(palette().text.x, .8F);
+    screen_.theme = Theme::light;
+    frame();
+    EXPECT_GT(palette().panel.x, .9F);
+}
+
+// Of both themes: what is read stands out by at least the ratio that WCAG 2 asks of text (of large text for what is
+// dimmed).
+TEST(Themes, AreLegible) {
+    const auto linear = [](float v) { return v <= .04045F ? v / 12.92F : std::pow((v + .055F) / 1.055F, 2.4F); };
+    const auto luminance = [&](const ImVec4& c) {
+        return .2126F * linear(c.x) + .7152F * linear(c.y) + .0722F * linear(c.z);
+    };
+    const auto ratio = [&](const ImVec4& a, const ImVec4& b) {
+        const float x = luminance(a) + .05F, y = luminance(b) + .05F;
+        return std::max(x, y) / std::min(x, y);
+    };
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        const Palette& p = palette_of(theme);
+        for (const ImVec4& under : {p.panel, p.track, p.header, p.popup}) {
+            EXPECT_GE(ratio(p.text, under), 7);
+            EXPECT_GE(ratio(p.dim, under), 3);
+            EXPECT_GE(ratio(p.error_text, under), 4.5F);
+            EXPECT_GE(ratio(p.warning_text, under), 4.5F);
+        }
+        for (const ImVec4& over : {p.problem_text, p.error, p.warning, p.link})
+            EXPECT_GE(ratio(over, p.problem_background), 4.5F);
+        EXPECT_GE(ratio(p.accent, p.panel), 3);
+    }
+}
+
+TEST(Excerpts, KeepTheCaretsUnderWhatTheyMean) {
+    const std::string long_line = "   12 | " + std::string(60, 'a') + "WRONG" + std::string(60, 'b');
+    const std::string carets = "      | " + std::string(60, ' ') + "^~~~~";
+    for (std::size_t columns : {20u, 30u, 50u, 80u}) {
+        const Excerpt part = excerpt(long_line, carets, columns);
+        const std::size_t at = part.carets.find('^');
+        // Characters, not bytes: dots are three of these.
+        std::string plain = part.source;
+        for (std::size_t dots; (dots = plain.find("\u2026")) != std::string::npos;) plain.replace(dots, 3, ".");
+        ASSERT_LT(at, plain.size()) << columns;
+        EXPECT_EQ(plain[at], 'W') << columns << part.source << part.carets;
+        EXPECT_LE(plain.size(), columns);
+        EXPECT_EQ(plain.substr(0, 8), "   12 | ");
+    }
+    EXPECT_EQ(excerpt(long_line, carets, 1000).source, long_line);
+    EXPECT_EQ(excerpt("   12 | x", "      | ^", 3).source, "   12 | x") << "no room at all: left alone";
+}
+
+TEST(Labels, OfALongOneTheNameGivesWay) {
+    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass : uRe\u2026 =     1.1000");
+    EXPECT_EQ(cut_name("a = 1", 2), "\u2026 = 1");
+}
+
+TEST(Crumbs, LeadToTheirFolders) {
+    const std::vector<Crumb> all = crumbs("/home/ann//x");
+    ASSERT_EQ(all.size(), 4u);
+    EXPECT_EQ(all[0].path, "/");
+    EXPECT_EQ(all[2].name, "ann");
+    EXPECT_EQ(all[2].path, "/home/ann");
+    EXPECT_TRUE(crumbs("").empty());
+}
+
+}  // namespace
+}  // namespace snell::ui

@@ -1,0 +1,164 @@
+// What is kept and saved: buttons and keys become requests, fields become numbers.
+#include <cmath>
+
+#include "tests/ui/screen.h"
+
+namespace snell::ui {
+
+namespace {
+
+class UiKeep : public UiTest {
+protected:
+    // The requests of the frame in which the button went up.
+    Requests clicked(const std::string& widget, Modifiers modifiers = {}) {
+        const Rect at = place(widget);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        if (modifiers.ctrl)
+            frame({{.kind = Event::Kind::key, .key = Key::other, .down = true, .modifiers = modifiers}});
+        frame({button(true, MouseButton::left, modifiers)});
+        const Requests down = requests_;
+        frame({button(false, MouseButton::left, modifiers)});
+        const Requests up = requests_;
+        if (modifiers.ctrl) frame({{.kind = Event::Kind::key, .key = Key::other, .down = false}});
+        return down.picture == PictureRequest::none ? up : down;
+    }
+    Requests pressed(Key which, Modifiers modifiers = {}) {
+        frame({{.kind = Event::Kind::key, .key = which, .down = true, .modifiers = modifiers}});
+        const Requests requests = requests_;
+        frame({{.kind = Event::Kind::key, .key = which, .down = false}});
+        return requests;
+    }
+    static Key digit(int number) { return static_cast<Key>(static_cast<int>(Key::one) + number - 1); }
+};
+
+TEST_F(UiKeep, EveryDigitIsASnapshot) {
+    for (int number = 1; number <= snapshot_count; ++number) {
+        EXPECT_EQ(pressed(digit(number)).restore_snapshot, number);
+        EXPECT_EQ(pressed(digit(number)).store_snapshot, 0);
+        EXPECT_EQ(pressed(digit(number), {.ctrl = true}).store_snapshot, number);
+        EXPECT_EQ(pressed(digit(number), {.ctrl = true}).restore_snapshot, 0);
+    }
+    EXPECT_EQ(pressed(Key::zero).restore_snapshot, 0);
+}
+
+TEST_F(UiKeep, SnapshotButtonsStoreWhatIsNotThereAndRestoreWhatIs) {
+    facts_.snapshots[4] = true;
+    EXPECT_EQ(clicked("snapshot 3").store_snapshot, 3);
+    const Requests there = clicked("snapshot 4");
+    EXPECT_EQ(there.restore_snapshot, 4);
+    EXPECT_EQ(there.store_snapshot, 0);
+    EXPECT_EQ(clicked("snapshot 4", {.ctrl = true}).store_snapshot, 4);
+}
+
+TEST_F(UiKeep, DigitsThatAreTypedAreNoSnapshots) {
+    add_slider("uEta", .1, 1.1, 5);
+    click(place("Glass.uEta"), MouseButton::left, .5, {.ctrl = true});
+    frame({key(Key::one, true), {.kind = Event::Kind::text, .text = U'1'}});
+    EXPECT_EQ(requests_.restore_snapshot, 0);
+    frame({key(Key::one, false)});
+}
+
+TEST_F(UiKeep, SavingAsksForItOnlyWhereThereIsSomething) {
+    facts_.changed = false;
+    EXPECT_FALSE(clicked("save").save);
+    facts_.changed = facts_.undoable = true;
+    EXPECT_TRUE(clicked("save").save);
+    EXPECT_TRUE(clicked("undo save").undo_save);
+    EXPECT_TRUE(pressed(Key::s, {.ctrl = true}).save);
+    const Requests undo = pressed(Key::s, {.shift = true, .ctrl = true});
+    EXPECT_TRUE(undo.undo_save);
+    EXPECT_FALSE(undo.save);
+}
+
+TEST_F(UiKeep, TheMenuOfANameMakesASliderLogarithmic) {
+    add_slider("uEta", .01, 1, 100);
+    const auto at_half = [&] {
+        click(place("Glass.uEta"), MouseButton::left, .5);
+        return controls_.items[0].value[0];
+    };
+    EXPECT_NEAR(at_half(), 50, 1);
+    click(place("uEta.name"), MouseButton::right);
+    click(place("uEta.logarithmic"));
+    EXPECT_NEAR(at_half(), 1, .05) << "equal ways are equal ratios";
+    click(place("uEta.name"), MouseButton::right);
+    click(place("uEta.logarithmic"));
+    EXPECT_NEAR(at_half(), 50, 1) << "and back";
+}
+
+TEST_F(UiKeep, WhatReachesZeroIsNeverLogarithmic) {
+    add_slider("uMix", 0, .5, 1);
+    click(place("uMix.name"), MouseButton::right);
+    click(place("uMix.logarithmic"));
+    EXPECT_TRUE(memory_.logarithmic.empty());
+    click({1, 1, 1, 1});  // the menu stays open until then
+    click(place("Glass.uMix"), MouseButton::left, .25);
+    EXPECT_NEAR(controls_.items[0].value[0], .25, .02);
+}
+
+TEST_F(UiKeep, TheMenuAndTheSectionResetToTheScenesValues) {
+    add_slider("uEta", .1, 1.1, 5);
+    add_slider("uMix", 0, .5, 1);
+    EXPECT_FALSE(has("Glass.reset")) << "nothing moved";
+    controls_.items[0].value = {3};
+    controls_.items[1].value = {.9};
+    click(place("uEta.name"), MouseButton::right);
+    click(place("uEta.reset"));
+    EXPECT_EQ(controls_.items[0].value[0], 1.1);
+    EXPECT_EQ(controls_.items[1].value[0], .9) << "the other stays";
+    controls_.items[0].value = {4};
+    add_program("Other");
+    add_slider("uEta", .1, 2, 5).value = {3};
+    click(place("Glass.reset"));
+    EXPECT_EQ(controls_.items[0].value[0], 1.1);
+    EXPECT_EQ(controls_.items[1].value[0], .5);
+    EXPECT_EQ(controls_.items[2].value[0], 3) << "of that section only";
+}
+
+TEST_F(UiKeep, ThePictureWindowAsksAndIsAsked) {
+    EXPECT_EQ(clicked("picture").picture, PictureRequest::open);
+    memory_.picture.open = true;
+    memory_.picture.width = 640;
+    memory_.picture.height = 480;
+    EXPECT_EQ(clicked("picture save").picture, PictureRequest::save);
+    EXPECT_EQ(clicked("picture command").picture, PictureRequest::command);
+    memory_.scene = {0, 0, 500, 400};
+    clicked("picture times 4");
+    EXPECT_EQ(memory_.picture.width, 4 * memory_.scene.width);
+    EXPECT_EQ(memory_.picture.height, 4 * memory_.scene.height);
+    EXPECT_FALSE(has("picture sequence")) << "nothing moves";
+    EXPECT_EQ(pressed(digit(1)).restore_snapshot, 0) << "keys are the window's";
+    memory_.picture.progress = .25;
+    EXPECT_FALSE(has("picture save"));
+    EXPECT_EQ(clicked("picture stop").picture, PictureRequest::stop);
+    memory_.picture.progress.reset();
+    clicked("picture cancel");
+    EXPECT_FALSE(memory_.picture.open);
+}
+
+TEST_F(UiKeep, AFileThatIsThereIsReplacedOnlyWhenAsked) {
+    memory_.picture.open = true;
+    std::string("a.png").copy(memory_.picture.file.data(), 5);
+    memory_.picture.there = "a.png";
+    EXPECT_EQ(clicked("picture save").picture, PictureRequest::replace);
+    memory_.picture.file[0] = 'b';
+    EXPECT_EQ(clicked("picture save").picture, PictureRequest::save) << "another name";
+}
+
+TEST(PictureCount, EndsBeforeTheLastMoment) {
+    PictureMemory picture;
+    EXPECT_EQ(picture_count(picture), 1);
+    picture.sequence = true;
+    EXPECT_EQ(picture_count(picture), 250);
+    picture.from = .1;
+    picture.to = .4;
+    picture.rate = 10;
+    EXPECT_EQ(picture_count(picture), 3) << ".4 - .1 is a little less than .3";
+    picture.to = -5;
+    EXPECT_EQ(picture_count(picture), 1);
+    picture.to = 1e300;
+    EXPECT_EQ(picture_count(picture), 1000000);
+}
+
+}  // namespace
+
+}  // namespace snell::ui

@@ -1,0 +1,363 @@
+// Every panel, as large and as full as scenes make it: nothing overlaps, nothing is cut off, in any size of letters and
+// in both themes. Pictures of them are left in screens/ of the build folder, for people to look at.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "src/runtime/inspect.h"
+#include "src/ui/loading.h"
+#include "tests/screens.h"
+#include "tests/ui/paint.h"
+#include "tests/ui/screen.h"
+
+namespace snell::ui {
+namespace {
+
+const std::string long_name = "uRefractiveIndexOfTheInnermostGlassBallBehindTheSecondWall";
+const std::string long_path =
+    "/home/students/2026/spring/computer-graphics/assignment-07-refraction/submissions/a very long folder name/" +
+    long_name + ".frag";
+
+void keep_picture(const std::string& name) {
+    const std::string folder = screens_folder();
+    if (folder.empty()) return;
+    EXPECT_EQ(content::write_image(folder + "/" + name + ".png", paint(*ImGui::GetDrawData())), "");
+}
+
+class Screens;
+
+// A row for each panel: what must be there, and a widget that must be in sight.
+struct Panel {
+    const char* name;
+    const char* widget;
+    void (Screens::*prepare)();
+};
+
+class Screens : public UiTest, public ::testing::WithParamInterface<Panel> {
+public:
+    void programs() {
+        add_slider("uEta", .1, 1.1, 5);
+        add_slider(long_name, 0, -123456.789, 1e6);
+        Control& box = add_slider("uOn", 0, 1, 1, ValueType::bool_);
+        box.widget = Widget::check_box;
+        Control& long_box = add_slider(long_name + "On", 0, 1, 1, ValueType::bool_);
+        long_box.widget = Widget::check_box;
+        color("uColor", 3);
+        color("uColorWithAlpha" + long_name, 4);
+        Control& idle = add_slider("uNotUsed", 0, 1, 2);
+        idle.active = false;
+        Control& idle_box = add_slider("uNotUsedEither", 0, 1, 2, ValueType::bool_);
+        idle_box.widget = Widget::check_box;
+        idle_box.active = false;
+        Control& vector = add_slider("uOffset" + long_name, -1, .25, 1);
+        vector.components = 4;
+        vector.value = vector.initial = {.25, -123.456, 1e-7, -9e30};
+        vector.widget = Widget::none;
+        vector.listed = false;
+        add_program(long_name + "Program");
+        add_slider("uLast", 0, 1, 2);
+    }
+    void forty_sliders() {
+        for (int i = 1; i <= 40; ++i) add_slider("uValue" + std::to_string(i), 0, i * .025, 1);
+    }
+    void ladders() {
+        ladder("FRESNEL", {"f0", "schlick", "exact"});
+        ladder("A_LADDER_WITH_QUITE_A_LONG_NAME_INDEED", {"a rung with a name that is longer still", "exact"});
+        programs();
+    }
+    void accuracy() {
+        ladder("FRESNEL", {"f0", "schlick", "exact"});
+        accuracy_.samples = 7;
+        accuracy_.wanted = 16;
+        accuracy_.milliseconds = 123.4;
+        accuracy_.clock = "CPU time of the process";
+        accuracy_.error = .0123;
+        accuracy_.nonfinite = 12345;
+        accuracy_.points = {{.name = "f0", .rung = 0, .milliseconds = 1.9, .low = 1.8, .high = 2, .error = .05},
+                            {.name = "schlick", .rung = 1, .milliseconds = 2, .error = .01, .chosen = true},
+                            {.name = "exact", .rung = 2, .milliseconds = 3, .error = 0}};
+        accuracy_.remark = "the machine was too busy: the same rung took 2.0 and 3.1 ms";
+        facts_.accuracy = &accuracy_;
+        memory_.accuracy.open = true;
+    }
+    void clock() {
+        facts_.animated = true;
+        memory_.clock.time = 123456.78;
+        facts_.time = 123456.78;
+        add_slider("uEta", .1, 1.1, 5);
+    }
+    void values() {
+        programs();
+        memory_.labels = true;
+    }
+    void errors() {
+        add_slider("uEta", .1, 1.1, 5);
+        const auto add = [&](Severity severity, const std::string& file, const std::string& what) {
+            const std::string source =
+                "   12 |     gl_FragColor = vec4(uRed, .4 + nonsense, .2, 1.); // and a comment that "
+                "goes on until the line has more columns than the window, and then some more";
+            problems_.push_back({severity,
+                                 file + ":12:38: " + (severity == Severity::error ? "error: " : "warning: ") + what +
+                                     "\n" + source + "\n      |                                      ^~~~~~~~\n" +
+                                     "   help: did you mean 'nonSense'? It is declared in line 3, and what is more, "
+                                     "nobody ever wrote anything that would set it\n",
+                                 {file, 12, 38}});
+        };
+        add(Severity::error, "scene/paint.frag", "'nonsense' undeclared [shader-error]");
+        add(Severity::error, long_path, "unknown command 'Sphare' [unknown-command]");
+        add(Severity::warning, "scene/scene.glib", "'uUnused' is not used by the program [uniform-unused]");
+        facts_.problems = problems_;
+        facts_.stale = true;
+        memory_.warnings_open = true;
+    }
+    void messages() {
+        add_slider("uEta", .1, 1.1, 5);
+        scene_.messages.push_back({"Drag uEta until the ball is gone.", {}});
+        scene_.messages.push_back(
+            {"A message that has to say so much that no window can show all of it in one line, "
+             "and so it goes on in the next one, with aVeryLongWord" +
+                 long_name + long_name,
+             {}});
+    }
+    void costs() {
+        using Kind = Explanation::Kind;
+        explanation_.redraw = "in every frame: its programs read the time";
+        explanation_.paid = {{Kind::image, "Texture2D 6 " + long_path, "sampled by uWall", {}, 4 << 20, 12.5, {}},
+                             {Kind::program, long_name, "drawn", {}, 0, 22.5, {}},
+                             {Kind::pass, "the window", "shown", {}, 0, {}, {0, 1, 2}}};
+        explanation_.unpaid = {{"Noise3", "no drawn program reads it"}};
+        explanation_.unused = {{"Texture2D 7 " + long_path, "no drawn program samples it", {}}};
+        facts_.explanation = &explanation_;
+        memory_.open.emplace("Costs");
+        unfolded_ = {"costs.Images", "costs.Programs", "costs.Passes", "costs.Not loaded", "costs.Declared but unused"};
+    }
+    void files() {
+        facts_.files = files_;
+        facts_.editor = "/usr/local/bin/an-editor-with-a-long-name --and --many arguments that go on and on";
+        memory_.open.emplace("Files");
+    }
+    void window() { memory_.open.emplace("Window"); }
+    void browser() {
+        listing_.folder = "/home/students/2026/spring/computer-graphics/assignment-07-refraction/submissions";
+        for (const char* folder : {"a folder", "another"})
+            listing_.entries.push_back({folder, std::string("/") + folder, true, "", "2026-01-01 12:00"});
+        for (int i = 1; i <= 30; ++i)
+            listing_.entries.push_back(
+                {"scene" + std::to_string(i) + ".glib", "/s", false, "12.5 kB", "2026-01-01 12:00"});
+        listing_.entries.insert(listing_.entries.begin() + 2,
+                                {long_name + long_name + ".glib", "/l", false, "999.9 MB", "2026-01-01 12:00"});
+        recent_ = {"/scenes/room.glib", long_path};
+        facts_.recent = recent_;
+        facts_.listing = &listing_;
+        memory_.browser.open = true;
+    }
+    void refused_folder() {
+        browser();
+        listing_.entries.clear();
+        listing_.error = listing_.folder + ": Permission denied";
+    }
+    void view() {
+        add_slider("uEta", .1, 1.1, 5);
+        memory_.open.emplace("View");
+        facts_.object = long_name;
+        hold_object(memory_.hold, 0);
+        memory_.hold.picking = true;
+        view_.objects[0] = {-123.4567, 59.5, .001, -12.345678, 123.456, -.0123, 179.5};
+    }
+    void pixels() {
+        flags_.pixels = {0, 1234567, 1234567, 1234567, 1234567};
+        pixels_.flags = flags_;
+        facts_.pixels = &pixels_;
+        memory_.pixels.flags = true;
+        memory_.open.emplace("Pixels");
+    }
+    void inspected() {
+        found_.x = 1234;
+        found_.y = 1234;
+        found_.radius = 4;
+        found_.rgba.assign(4 * 81, -1.234567e-30F);
+        found_.rgba[4 * 40] = std::numeric_limits<float>::quiet_NaN();
+        found_.inside.assign(81, 1);
+        found_.depth = .987654321;
+        found_.distance = 1234.5678;
+        pixels_.inspection = &found_;
+        pixels_.statement = "Sphere 1.23456 50 50 # the ball in the middle, as large as it was before";
+        pixels_.place = long_path + ":1234";
+        facts_.pixels = &pixels_;
+        pointed_ = true;
+    }
+    void frame_cost() {
+        for (int i = 0; i < 100; ++i) frames_.push_back(16 + 3 * std::sin(static_cast<float>(i)));
+        rows_ = {{"the window", "", 12.34, false},
+                 {"Sphere 1.23456 50 50 # the ball in the middle", "scene.glib:12", 1.23, true},
+                 {long_name, long_path + ":1234", 123.4, true}};
+        frame_cost_ = {"CPU time of the process", frames_, 16, 19, rows_, rows_, "the wall's clock", .3};
+        facts_.frame_cost = &frame_cost_;
+        memory_.open.emplace("Frame cost");
+    }
+    void picture() {
+        facts_.animated = true;
+        memory_.picture.open = true;
+        std::ranges::copy(std::string("pictures/room.png"), memory_.picture.file.begin());
+        memory_.picture.width = memory_.picture.height = 16384;
+        memory_.picture.sequence = memory_.picture.transparent = true;
+        memory_.picture.error = long_path + ": there is no such folder, so nothing was written into it";
+    }
+    void keys() {
+        ladder("FRESNEL", {"f0", "exact"});
+        memory_.keys = true;
+    }
+    void nothing() {
+        no_scene_ = true;
+        errors();
+    }
+
+protected:
+    void color(const std::string& name, int components) {
+        Control& control = add_slider(name, 0, 0, 1);
+        control.widget = Widget::color;
+        control.components = components;
+        control.value = control.initial = {.25, .5, 1};
+        control.value.resize(static_cast<std::size_t>(components), .75);
+        control.initial = control.value;
+    }
+    void ladder(const std::string& name, std::vector<std::string> rungs) {
+        Ladder ladder;
+        ladder.name = name;
+        ladder.rungs = std::move(rungs);
+        scene_.ladders.push_back(ladder);
+        controls_.rungs.push_back(0);
+    }
+
+    void settle() {
+        for (int i = 0; i < 4; ++i) frame();
+    }
+    // Of the panel at the right, all the way.
+    void scroll(int steps) {
+        const Rect scene = memory_.scene;
+        frame({move((scene.width + screen_.width) / 2, screen_.height * .8)});
+        for (int i = 0; i < 3; ++i) frame({wheel(steps)});
+        frame({move(1, screen_.height - 1)});
+        if (pointed_) frame({move(scene.width / 2, scene.height / 2), key(Key::i, true)});
+        settle();
+    }
+    void unfold() {
+        for (const std::string& name : unfolded_) click(place(name), MouseButton::left, .1);
+        unfolded_.clear();
+    }
+
+    // What is noted by name ends where the panel's contents do.
+    std::vector<std::string> beyond_the_panel() const {
+        std::vector<std::string> found;
+        // Rows that can be chosen are lit up to the middle of the gap beside them.
+        const float end = screen_.width - 10 * screen_.scale + .5F;
+        for (const Placed& placed : layout_.items())
+            if (placed.visible && placed.rect.x > memory_.scene.width && placed.rect.x + placed.rect.width > end)
+                found.push_back(placed.name + " ends " + std::to_string(placed.rect.x + placed.rect.width - end) +
+                                " too far");
+        return found;
+    }
+    void expect_legible(const std::string& where) {
+        for (const std::string& flaw : flaws(*ImGui::GetDrawData())) ADD_FAILURE() << where << ": " << flaw;
+        if (memory_.browser.open || memory_.picture.open) return;
+        for (const std::string& widget : beyond_the_panel()) ADD_FAILURE() << where << ": " << widget;
+    }
+
+    AccuracyFacts accuracy_;
+    Explanation explanation_;
+    std::vector<Problem> problems_;
+    std::vector<FileRow> files_{{"room.glib", "/room.glib"}, {"glass.vert", "/glass.vert"}, {long_path, long_path}};
+    std::vector<std::string> recent_, unfolded_;
+    Listing listing_;
+    FlagCounts flags_;
+    PixelFacts pixels_;
+    Inspection found_;
+    bool pointed_ = false;  // the mouse rests on the picture, with I held
+    std::vector<float> frames_;
+    std::vector<CostRow> rows_;
+    FrameCostFacts frame_cost_;
+};
+
+TEST_P(Screens, AreLegible) {
+    const Panel& panel = GetParam();
+    facts_.file = "refraction-room.glib";
+    facts_.renderer = "llvmpipe";
+    facts_.frame_ms = 16.66;
+    facts_.changed = facts_.undoable = true;
+    facts_.snapshots[3] = true;
+    (this->*panel.prepare)();
+    struct Variant {
+        const char* name;
+        float width, height, scale;
+        Theme theme;
+        bool kept;
+    };
+    for (const Variant& variant :
+         {Variant{"100", 1280, 800, 1, Theme::light, true}, Variant{"200", 1280, 900, 2, Theme::dark, true},
+          Variant{"1024x768", 1024, 768, 1, Theme::dark, false},
+          Variant{"1024x768-200", 1024, 768, 2, Theme::light, false},
+          Variant{"150", 1024, 768, 1.5F, Theme::light, false}}) {
+        screen_ = {variant.width, variant.height, 1, variant.scale, variant.theme};
+        SCOPED_TRACE(variant.name);
+        settle();
+        unfold();
+        const std::string name = std::string(panel.name) + "-" + variant.name;
+        scroll(1000);
+        expect_legible("top");
+        if (variant.kept) keep_picture(name);
+        const std::uint64_t top = picture_;
+        scroll(-1000);
+        expect_legible("bottom");
+        if (variant.kept && picture_ != top) keep_picture(name + "-bottom");
+        EXPECT_TRUE(has(panel.widget)) << panel.widget;
+    }
+}
+
+const Panel panels[] = {
+    {"programs", "Glass.uEta", &Screens::programs},
+    {"forty-sliders", "Glass.uValue40", &Screens::forty_sliders},
+    {"ladders", "FRESNEL", &Screens::ladders},
+    {"accuracy", "accuracy.plot", &Screens::accuracy},
+    {"clock", "scrub", &Screens::clock},
+    {"values", "labels", &Screens::values},
+    {"errors", "problem.0", &Screens::errors},
+    {"messages", "message.ok", &Screens::messages},
+    {"costs", "costs.Images", &Screens::costs},
+    {"files", "file.room.glib", &Screens::files},
+    {"window", "larger", &Screens::window},
+    {"browser", "browser.entry.scene1.glib", &Screens::browser},
+    {"refused-folder", "browser.cancel", &Screens::refused_folder},
+    {"view", "perspective", &Screens::view},
+    {"pixels", "flags", &Screens::pixels},
+    {"inspector", "inspector", &Screens::inspected},
+    {"frame-cost", "frame cost.plot", &Screens::frame_cost},
+    {"picture", "picture save", &Screens::picture},
+    {"keys", "close keys", &Screens::keys},
+    {"no-scene", "open", &Screens::nothing},
+};
+
+INSTANTIATE_TEST_SUITE_P(Panels, Screens, ::testing::ValuesIn(panels), [](const auto& row) {
+    std::string name = row.param.name;
+    std::erase(name, '-');
+    return name;
+});
+
+// It is there before any panel is.
+TEST_F(UiTest, TheBarWhileASceneLoadsIsLegible) {
+    for (const float scale : {1.F, 2.F}) {
+        for (int i = 0; i < 3; ++i) {
+            gui_.input({640, 480, 1, scale, scale > 1 ? Theme::dark : Theme::light}, .02, {});
+            gui_.begin();
+            loading("decoding " + long_path, .4);
+            gui_.end();
+        }
+        for (const std::string& flaw : flaws(*ImGui::GetDrawData())) ADD_FAILURE() << scale << ": " << flaw;
+        keep_picture(scale > 1 ? "loading-200" : "loading-100");
+    }
+}
+
+}  // namespace
+}  // namespace snell::ui
