@@ -232,6 +232,10 @@ struct Program {
 
 // ---- textures ---------------------------------------------------------------------------------------
 
+// What numbers of colours stand for. `raw`: for themselves. `srgb`: for light, encoded by the sRGB curve (IEC
+// 61966-2-1).
+enum class Encoding : std::uint8_t { raw, srgb };
+
 enum class TextureTarget : std::uint8_t { d1, d2, d3, cube };
 inline constexpr int texture_target_count = 4;
 
@@ -254,6 +258,7 @@ struct Texture {
     Computed computed = Computed::no;  // for cube maps only
     int from = 0;                      // computed: the unit to which the source is bound
     Index source = none;               // computed: the source in Scene::textures, which is not itself computed
+    std::optional<Encoding> encoding;  // of its files; nullopt: the scene does not say, which means raw
     int bits = 0;                      // bits per channel of a cube map, 8 or 16; 0: as its files need
     Filter filter;
     Span span;
@@ -353,6 +358,7 @@ struct Message {
 struct Scene {
     std::array<int, 2> window_size{600, 600};
     Vec4 background{.0706, .1059, .1294, 1};  // of the window
+    Encoding output = Encoding::raw;          // of the window, whose shaders write light if it is encoded
     double timer_period = 10;                 // in seconds
     int noise2d = 64, noise3d = 64;
     bool gstap = false;

@@ -113,6 +113,7 @@ std::string texture(const Texture& t) {
     for (const FileName& file : t.files) out += " " + name(file.name);
     if (t.files.empty())
         for (std::size_t i = 0; i < sizes[target]; ++i) out += " " + std::to_string(t.size[i]);
+    if (t.encoding) out += *t.encoding == Encoding::srgb ? " srgb" : " raw";
     return out;
 }
 

@@ -21,6 +21,7 @@ constexpr Command table[] = {
     {"Perspective", "fov=50", "Perspective projection with a vertical field of view in degrees.", handle::perspective, "Persp", false, Group::view},
     {"LookAt", " | ex ey=0 ez=0 lx=0 ly=0 lz=0 ux=0 uy=1 uz=0", "Places the eye: its position, the point it looks at, and the up direction. Replaces the previous LookAt. Without arguments: at the origin, looking along -Z.", handle::look_at, {}, false, Group::view},
     {"Background", "r=.0706 g=.1059 b=.1294 a=1 | color:vec3", "Colour that the current target is cleared to. Values outside 0..1 are clamped.", handle::background, {}, false, Group::view},
+    {"Output", "encoding:raw/srgb=srgb", "What the colours of shaders are in the window, Background included. raw: the numbers that the display gets. srgb: light, which is encoded by the sRGB curve after blending. Default of a scene: raw.", handle::output, {}, addition, Group::view},
     {"Clear", "", "Clears colour and depth of the current target now.", handle::clear, {}, false, Group::view},
 
     // ---- transformations
@@ -69,9 +70,9 @@ constexpr Command table[] = {
 
     // ---- textures
     {"Texture1D", "unit:int file:path", "Binds a one-dimensional image to a texture unit.", handle::texture_1d, {}, false, Group::textures},
-    {"Texture2D", "unit:int dims:int dimt:int | unit:int file:path", "Binds an image to a texture unit, or creates an empty texture of dims by dimt to draw to.", handle::texture_2d, {}, false, Group::textures},
+    {"Texture2D", "unit:int dims:int dimt:int | unit:int file:path encoding:raw/srgb?", "Binds an image to a texture unit, or creates an empty texture of dims by dimt to draw to. In snell also: srgb, the file holds colours as displays show them, and shaders read the light that they stand for. Default: raw, shaders read the numbers of the file.", handle::texture_2d, {}, false, Group::textures},
     {"Texture3D", "unit:int dims:int dimt:int dimp:int | unit:int file:path", "Binds a volume to a texture unit, or creates an empty one.", handle::texture_3d, {}, false, Group::textures},
-    {"CubeMap", "unit:int posx:path negx:path posy:path negy:path posz:path negz:path | unit:int file:path | unit:int size:int", "Binds a cube map of six images to a texture unit. In snell also: one file, which is one of six numbered faces, a panorama, a cross or a strip; or the size of an empty cube map to draw to.", handle::cube_map, {}, false, Group::textures},
+    {"CubeMap", "unit:int posx:path negx:path posy:path negy:path posz:path negz:path encoding:raw/srgb? | unit:int file:path encoding:raw/srgb? | unit:int size:int", "Binds a cube map of six images to a texture unit. In snell also: one file, which is one of six numbered faces, a panorama, a cross or a strip; the size of an empty cube map to draw to; srgb, as in Texture2D.", handle::cube_map, {}, false, Group::textures},
     {"Noise2D", "n:int=64", "Resolution of the built-in texture Noise2.", handle::noise_2d, {}, false, Group::textures},
     {"Noise3D", "n:int=64", "Resolution of the built-in texture Noise3.", handle::noise_3d, {}, false, Group::textures},
     {"Clamp", "", "Textures of the following draws clamp at their edges instead of repeating.", handle::clamp, {}, false, Group::textures},

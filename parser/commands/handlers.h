@@ -14,6 +14,7 @@ void ortho(Builder&, const Arguments&);
 void perspective(Builder&, const Arguments&);
 void look_at(Builder&, const Arguments&);
 void background(Builder&, const Arguments&);
+void output(Builder&, const Arguments&);
 void clear(Builder&, const Arguments&);
 
 // Transformations

@@ -5,7 +5,8 @@
 //   parameter   = name [ ":" kind ] [ "=" number-or-word | "?" | "..." ]
 //   kind        = number (the default) | int | path | name | vec3 | uniforms | rest | word/word/…
 // "=" gives the value of an argument that is left out, "?" makes it optional, and "..." accepts any number of further
-// arguments, including none. A vec3 is in brackets: [x y z]. A kind of several words is a choice.
+// arguments, including none. A vec3 is in brackets: [x y z]. A kind of several words is a choice; an optional one
+// behind other parameters is there only if one of its words is.
 #pragma once
 
 #include <array>
@@ -24,9 +25,11 @@ struct Parameter {
     ArgumentKind kind = ArgumentKind::number;
     bool optional = false;  // has a default, "?" or "..."
     bool repeated = false;
+
+    constexpr bool is_keyword() const { return kind == ArgumentKind::choice && optional && default_text.empty(); }
 };
 
-inline constexpr std::size_t most_parameters = 12;
+inline constexpr std::size_t most_parameters = 16;
 inline constexpr std::size_t most_alternatives = 3;
 
 struct Signature {

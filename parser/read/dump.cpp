@@ -125,6 +125,7 @@ std::string dump_scene(const Scene& scene) {
     std::string out =
         "window " + std::to_string(scene.window_size[0]) + " " + std::to_string(scene.window_size[1]) + "\n";
     out += "background" + values(scene.background.data(), 4) + "\n";
+    if (scene.output == Encoding::srgb) out += "output srgb\n";
     out += "timer " + text_of::number(scene.timer_period) + "\n";
     out += "noise " + std::to_string(scene.noise2d) + " " + std::to_string(scene.noise3d) + "\n";
     if (scene.gstap) out += "gstap\n";

@@ -152,6 +152,8 @@ void look_at(Builder& b, const Arguments& a) {
 
 void background(Builder& b, const Arguments& a) { b.set_background(color_of(a)); }
 
+void output(Builder& b, const Arguments& a) { b.scene().output = static_cast<Encoding>(a.integer(0)); }
+
 void clear(Builder& b, const Arguments& a) { b.clear(a.span()); }
 
 void translate(Builder& b, const Arguments& a) {

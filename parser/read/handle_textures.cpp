@@ -37,8 +37,8 @@ bool good_sizes(Builder& b, const Arguments& a, TextureTarget target) {
     return false;
 }
 
-// unit and files, or unit and sizes: `sizes` is the alternative of the latter.
-void texture(Builder& b, const Arguments& a, TextureTarget target, std::size_t sizes) {
+// Unit and files, or unit and sizes: `sizes` is the alternative of the latter. `encoded`: an encoding may follow files.
+void texture(Builder& b, const Arguments& a, TextureTarget target, std::size_t sizes, bool encoded = false) {
     if (!good_unit(b, a, 0)) return;
     Texture t;
     t.unit = a.integer(0);
@@ -49,7 +49,9 @@ void texture(Builder& b, const Arguments& a, TextureTarget target, std::size_t s
         if (!good_sizes(b, a, target)) return;
         for (std::size_t i = 1; i < a.size(); ++i) t.size[i - 1] = a.integer(i);
     } else {
-        for (std::size_t i = 1; i < a.size(); ++i) t.files.push_back({file_name(a.text(i)), a.span(i), b.from});
+        const std::size_t files = encoded ? a.size() - 1 : a.size();
+        if (encoded && a.given(files)) t.encoding = static_cast<Encoding>(a.integer(files));
+        for (std::size_t i = 1; i < files; ++i) t.files.push_back({file_name(a.text(i)), a.span(i), b.from});
     }
     b.bind(std::move(t));
 }
@@ -127,9 +129,9 @@ int faces_per_frame(Builder& b, const Arguments& a, std::size_t i) {
 }  // namespace
 
 void texture_1d(Builder& b, const Arguments& a) { texture(b, a, TextureTarget::d1, 1); }
-void texture_2d(Builder& b, const Arguments& a) { texture(b, a, TextureTarget::d2, 0); }
+void texture_2d(Builder& b, const Arguments& a) { texture(b, a, TextureTarget::d2, 0, true); }
 void texture_3d(Builder& b, const Arguments& a) { texture(b, a, TextureTarget::d3, 0); }
-void cube_map(Builder& b, const Arguments& a) { texture(b, a, TextureTarget::cube, 2); }
+void cube_map(Builder& b, const Arguments& a) { texture(b, a, TextureTarget::cube, 2, true); }
 
 void filter(Builder& b, const Arguments& a) {
     b.filter.mode = static_cast<Filter::Mode>(a.integer(0));

@@ -58,7 +58,7 @@ public:
         dry_ = false;
         at_ = 0;
         for (std::size_t i = 0; i < command_.signature.parameter_count(alternative); ++i)
-            convert(command_.signature.parameter(alternative, i));
+            convert(command_.signature.parameter(alternative, i), i > 0);
         out_.size_ = out_.arguments_.size();
         if (remaining() > 0) report_surplus();
         return ok_;
@@ -97,7 +97,7 @@ private:
             bool taken = false;
             do {
                 skip_separators();
-                if (at_ == tokens_.size()) break;
+                if (at_ == tokens_.size() || (i > 0 && lacks_keyword(p))) break;
                 if (!take(p, nullptr)) {
                     // A word where a number belongs takes its place all the same.
                     if (p.kind != ArgumentKind::number && p.kind != ArgumentKind::integer) return {true, 0, 0};
@@ -113,13 +113,19 @@ private:
         return result;
     }
 
-    void convert(const Parameter& p) {
+    // What stands here is none of the words of an optional choice, which is left out then.
+    bool lacks_keyword(const Parameter& p) const {
+        return p.is_keyword() && (at_ == tokens_.size() || find_choice(p.choices, lexer_.text(tokens_[at_])) < 0);
+    }
+
+    void convert(const Parameter& p, bool behind) {
         if (p.repeated) {
             for (skip_separators(); at_ < tokens_.size(); skip_separators()) convert_one(p);
             return;
         }
         skip_separators();
-        if (at_ < tokens_.size() || p.kind == ArgumentKind::rest || p.kind == ArgumentKind::uniforms) {
+        const bool there = at_ < tokens_.size() && !(behind && lacks_keyword(p));
+        if (there || p.kind == ArgumentKind::rest || p.kind == ArgumentKind::uniforms) {
             convert_one(p);
             return;
         }
@@ -375,6 +381,9 @@ private:
         const Span span{lexer_.file(), tokens_[at_].begin, tokens_.back().end};
         std::string help = "usage: " + usage(command_);
         if (alternative_takes(ArgumentKind::path)) help = "a file name with blanks is written in double quotes";
+        for (const Parameter& p : command_.signature.parameters)
+            if (const auto word = nearest(lexer_.text(tokens_[at_]), split_choices(p.choices)); !word.empty())
+                help = "did you mean " + quoted(word) + "?";
         if (find_command(lexer_.text(tokens_[at_])) != nullptr) help = "every statement begins a line of its own";
         report_.warning("surplus-arguments", span,
                         quoted(command_.name) + " takes no more arguments: the rest is ignored", std::move(help));

@@ -15,22 +15,26 @@ void copy(GLuint from, GLuint to, int width, int height, int x, int y) {
 
 }  // namespace
 
-bool Canvas::resize(int width, int height, int samples) {
-    if (drawn_.framebuffer && drawn_.width == width && drawn_.height == height && wanted_ == samples) return true;
+bool Canvas::resize(int width, int height, int samples, Pixels pixels) {
+    if (drawn_.framebuffer && drawn_.width == width && drawn_.height == height && wanted_ == samples &&
+        pixels_ == pixels)
+        return true;
     // The old targets are freed first: memory may be too small for both.
     drawn_ = {};
     resolved_ = {};
     wanted_ = samples;
-    drawn_ = make_target(width, height, samples);
+    pixels_ = pixels;
+    drawn_ = make_target(width, height, samples, pixels);
     // A multisampled blit requires equal formats, and the default framebuffer's may differ: resolve into a target of
     // our own.
-    if (drawn_.samples > 1) resolved_ = make_target(width, height, 1);
+    if (drawn_.samples > 1) resolved_ = make_target(width, height, 1, pixels);
     return drawn_.framebuffer && (drawn_.samples <= 1 || resolved_.framebuffer);
 }
 
 void Canvas::resolve() {
     if (!resolved_.framebuffer) return;
     settle();
+    const Encoded encoded(pixels_ == Pixels::srgb8);
     copy(drawn_.framebuffer.get(), resolved_.framebuffer.get(), drawn_.width, drawn_.height, 0, 0);
 }
 

@@ -9,8 +9,9 @@ namespace snell::gl {
 // without drawing it again.
 class Canvas {
 public:
-    // Returns false if the context refuses the size. Does nothing if the size and the samples are the same as before.
-    bool resize(int width, int height, int samples);
+    // Returns false if the context refuses the size. Does nothing if all is the same as before. `pixels` is rgba8 or
+    // srgb8.
+    bool resize(int width, int height, int samples, Pixels pixels);
     // The framebuffer to draw into.
     unsigned framebuffer() const { return drawn_.framebuffer.get(); }
     int samples() const { return drawn_.samples; }
@@ -21,6 +22,7 @@ public:
 
 private:
     int wanted_ = 0;
+    Pixels pixels_ = Pixels::rgba8;
     Target drawn_, resolved_;
 };
 

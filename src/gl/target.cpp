@@ -52,6 +52,7 @@ std::vector<Component> read_rows(GLuint framebuffer, int width, int height, int 
         resolved = make_color_target(width, height, pixels);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.framebuffer.get());
+        const Encoded encoded(pixels == Pixels::srgb8);
         glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         framebuffer = resolved.framebuffer.get();
     }
@@ -74,6 +75,7 @@ Target make_target(int width, int height, int samples, Pixels type) {
     target.width = width;
     target.height = height;
     target.samples = std::clamp(samples, 1, std::max(1, max_samples));
+    target.pixels = type;
     target.color = make_renderbuffer(internal_format(type), width, height, target.samples);
     target.depth = make_renderbuffer(GL_DEPTH_COMPONENT24, width, height, target.samples);
     target.framebuffer = Framebuffer(make(glGenFramebuffers));
@@ -111,8 +113,16 @@ void settle() {
     glDeleteSync(drawn);
 }
 
-std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples) {
-    return read_rows<std::byte>(framebuffer, width, height, samples, Pixels::rgba8, GL_UNSIGNED_BYTE,
+Encoded::Encoded(bool on) : on_(on && epoxy_is_desktop_gl()) {
+    if (on_) glEnable(GL_FRAMEBUFFER_SRGB);
+}
+
+Encoded::~Encoded() {
+    if (on_) glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples, Pixels pixels) {
+    return read_rows<std::byte>(framebuffer, width, height, samples, pixels, GL_UNSIGNED_BYTE,
                                 static_cast<size_t>(width) * 4);
 }
 

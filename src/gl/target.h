@@ -14,6 +14,7 @@ struct Target {
     Framebuffer framebuffer;
     Renderbuffer color, depth;
     int width = 0, height = 0, samples = 1;
+    Pixels pixels = Pixels::rgba8;
 };
 // `samples` is rounded up to a number that the context supports. The framebuffer is empty if the context refuses it.
 Target make_target(int width, int height, int samples, Pixels type = Pixels::rgba8);
@@ -36,8 +37,23 @@ TextureTarget make_texture_target(const std::vector<Attachment>& attachments, in
 // on GPUs.
 void settle();
 
-// Reads pixels back: RGBA, top row first, as bytes or floats. Resolves multisampled framebuffers first.
-std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples);
+// While it exists, what is drawn or resolved into a framebuffer of srgb8 is light, which OpenGL encodes after blending
+// and averaging. `on`: false for other framebuffers. OpenGL ES does so by itself.
+class Encoded {
+public:
+    explicit Encoded(bool on);
+    ~Encoded();
+    Encoded(const Encoded&) = delete;
+    Encoded& operator=(const Encoded&) = delete;
+
+private:
+    bool on_;
+};
+
+// Reads pixels back: RGBA, top row first, as bytes or floats. Resolves multisampled framebuffers first. `pixels` is the
+// framebuffer's type, rgba8 or srgb8; the bytes are those that a display gets.
+std::vector<std::byte> read_rgba8(GLuint framebuffer, int width, int height, int samples,
+                                  Pixels pixels = Pixels::rgba8);
 std::vector<float> read_rgba32f(GLuint framebuffer, int width, int height, int samples);
 
 }  // namespace snell::gl

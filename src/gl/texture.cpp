@@ -9,6 +9,7 @@ namespace {
 GLenum component_type(Pixels type) {
     switch (type) {
         case Pixels::rgba8:
+        case Pixels::srgb8:
             return GL_UNSIGNED_BYTE;
         case Pixels::rgba16f:
             return GL_HALF_FLOAT;
@@ -64,6 +65,8 @@ GLenum internal_format(Pixels type) {
     switch (type) {
         case Pixels::rgba8:
             return GL_RGBA8;
+        case Pixels::srgb8:
+            return GL_SRGB8_ALPHA8;
         case Pixels::rgba16f:
             return GL_RGBA16F;
         case Pixels::rgba32f:
@@ -75,6 +78,7 @@ GLenum internal_format(Pixels type) {
 std::size_t texel_bytes(Pixels type) {
     switch (type) {
         case Pixels::rgba8:
+        case Pixels::srgb8:
             return 4;
         case Pixels::rgba16f:
             return 8;

@@ -9,7 +9,8 @@
 
 namespace snell::gl {
 
-enum class Pixels { rgba8, rgba16f, rgba32f };
+// srgb8: bytes that stand for light, encoded by the sRGB curve; alpha is not.
+enum class Pixels { rgba8, srgb8, rgba16f, rgba32f };
 
 // Tightly packed RGBA texels. The first row is at t = 0; faces of cube maps are in the order that GL expects. If `data`
 // is null, the storage is allocated but not filled.

@@ -31,6 +31,7 @@ enum class Rule : std::uint8_t {
     viewer_not_at_origin,
     lookup_in_branch,
     many_rounds,
+    encoded_light,
 };
 
 struct RuleFacts {

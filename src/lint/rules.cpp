@@ -58,6 +58,10 @@ constexpr std::array table{
     RuleFacts{many_rounds, warning, "many-rounds", "loops-that-go-on-and-on",
               "loops with more than 65,535 rounds in one shader, or endless loops",
               "bound the loop, or draw in several passes"},
+    RuleFacts{
+        encoded_light, note, "encoded-light", "numbers-are-not-light",
+        "`Irradiance` or `Prefilter` of a cube map whose files hold colours as displays show them",
+        "write srgb at the end of the CubeMap statement and `Output srgb` into the scene; or raw, if it is meant"},
 };
 
 constexpr bool in_order() {

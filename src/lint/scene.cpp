@@ -52,6 +52,7 @@ public:
             check_drawn(i);
             check_program(i);
         }
+        check_light();
         found_.sort();
         return std::move(found_);
     }
@@ -78,6 +79,22 @@ private:
         const Program& program = scene_.programs[index];
         report(Rule::program_not_drawn, program.span,
                fmt::format("nothing is drawn with program '{}': no geometry follows it", program.name));
+    }
+
+    // Means of encoded numbers are not those of light. Formats of floats hold light.
+    void check_light() {
+        const auto holds_light = [](const FileName& file) {
+            const std::string_view name = file.name;
+            return name.ends_with(".hdr") || name.ends_with(".exr") || name.ends_with(".HDR") || name.ends_with(".EXR");
+        };
+        for (const Texture& texture : scene_.textures) {
+            if (texture.computed == Computed::no) continue;
+            const Texture& source = scene_.textures[texture.source];
+            if (source.encoding || source.files.empty() || std::ranges::any_of(source.files, holds_light)) continue;
+            Diagnostic* d = report(Rule::encoded_light, texture.span,
+                                   "this is the mean of the pictures' numbers, which are not proportional to light");
+            if (d) d->notes.push_back({source.span, "the pictures"});
+        }
     }
 
     Surroundings surroundings(Index index) const {

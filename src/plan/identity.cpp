@@ -88,7 +88,7 @@ Identity texture_identity(const Scene& scene, Index index, const Files& files) {
         return identity;
     }
     if (texture.files.empty()) return {};
-    put(identity.key, 't', texture.target, texture.bits);
+    put(identity.key, 't', texture.target, texture.bits, texture.encoding == Encoding::srgb);
     Diagnostics unheard;
     for (const TextureFile& file : locate_texture(texture, files, unheard))
         if (!put_file(identity, file.path)) return {};

@@ -79,6 +79,17 @@ const Image* usable(const Picture& picture, const TextureFile& file, Diagnostics
     return picture->result.image ? &*picture->result.image : nullptr;
 }
 
+// The image as the texture's statement says that it is encoded.
+Image declared(Image image, const Texture& texture, const TextureFile& file, Diagnostics& diagnostics) {
+    image.srgb = texture.encoding == Encoding::srgb;
+    if (!image.srgb || !image.light) return image;
+    image.srgb = false;
+    diagnostics.warning("light-already", file.span,
+                        fmt::format("'{}' holds light, which is not encoded: it is read as it is", file.name),
+                        "leave out srgb");
+    return image;
+}
+
 // Returns `count` rows of the first slice, from row `first` on, in memory order.
 Image some_rows(const Image& image, int first, int count) {
     Image part = image;
@@ -113,7 +124,7 @@ void make_alike(CubeFaces& faces) {
     const bool same_type = all([](const Image& a, const Image& b) { return a.type == b.type; });
     for (Image& face : faces) {
         if (!same_channels) face = content::to_rgba(face);
-        if (!same_type) face = content::to_half(face);
+        if (!same_type || (face.srgb && face.type != PixelType::u8)) face = content::to_half(face);
         if (face.bottom_first) {
             face = content::flipped(face);
             face.bottom_first = false;
@@ -129,7 +140,8 @@ CubeFaces all_checks(int side) {
 
 // Reduces the faces to the size and the bits that were asked for, if the files have more.
 void refit(CubeFaces& faces, const Texture& texture) {
-    const bool bytes = faces[0].type == PixelType::u8 || texture.bits == 8;
+    // Bytes are too coarse for light that is not encoded.
+    const bool bytes = (faces[0].type == PixelType::u8 || texture.bits == 8) && texture.encoding != Encoding::srgb;
     if (texture.size[0] > 0 && texture.size[0] < faces[0].width)
         faces = content::half_faces(content::resized(content::cube_light(faces), texture.size[0]));
     if (bytes)
@@ -138,7 +150,7 @@ void refit(CubeFaces& faces, const Texture& texture) {
 
 constexpr int check_side = 64;
 
-CubeFaces six_faces(const std::vector<TextureFile>& files, const std::vector<Picture>& pictures, const Span& span,
+CubeFaces six_faces(const Texture& texture, const std::vector<TextureFile>& files, const std::vector<Picture>& pictures,
                     Diagnostics& diagnostics) {
     content::FacePictures found{};
     std::array<std::string, 6> names;
@@ -146,16 +158,16 @@ CubeFaces six_faces(const std::vector<TextureFile>& files, const std::vector<Pic
         found[i] = usable(pictures[i], files[i], diagnostics);
         names[i] = files[i].name;
     }
-    for (const ImageIssue& issue : content::check_faces(found, names)) report(issue, {}, span, diagnostics);
+    for (const ImageIssue& issue : content::check_faces(found, names)) report(issue, {}, texture.span, diagnostics);
     const int side = content::common_side(found);
     CubeFaces faces = all_checks(side > 0 ? side : check_side);
     for (std::size_t i = 0; i < 6; ++i)
         if (found[i] && found[i]->width == side && found[i]->height == side && found[i]->depth == 1)
-            faces[i] = *found[i];
+            faces[i] = declared(*found[i], texture, files[i], diagnostics);
     return faces;
 }
 
-CubeFaces one_file(const TextureFile& file, const Picture& picture, Diagnostics& diagnostics) {
+CubeFaces one_file(const Texture& texture, const TextureFile& file, const Picture& picture, Diagnostics& diagnostics) {
     const Image* image = usable(picture, file, diagnostics);
     if (image == nullptr) return all_checks(check_side);
     const std::optional<content::CubeLayout> layout = content::detect_layout(image->width, image->height);
@@ -166,7 +178,7 @@ CubeFaces one_file(const TextureFile& file, const Picture& picture, Diagnostics&
             "use a panorama (2:1), a cross (4:3 or 3:4), a strip (6:1 or 1:6) or six files");
         return all_checks(check_side);
     }
-    return content::split_cube(*image, *layout);
+    return content::split_cube(declared(*image, texture, file, diagnostics), *layout);
 }
 
 }  // namespace
@@ -229,7 +241,9 @@ Image load_texture(const Scene& scene, Index index, Files& files, Diagnostics& d
     const TextureFile file = locate_texture(texture, files, diagnostics).at(0);
     const Picture picture = file.path.empty() ? nullptr : decode(file.path, files, cache != nullptr ? *cache : own);
     const Image* image = usable(picture, file, diagnostics);
-    return image != nullptr ? fitted(*image, texture, file, diagnostics) : content::checkerboard();
+    if (image == nullptr) return content::checkerboard();
+    const Image result = declared(fitted(*image, texture, file, diagnostics), texture, file, diagnostics);
+    return result.type == PixelType::u8 ? result : content::to_half(result);
 }
 
 CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& diagnostics, ImageCache* cache) {
@@ -245,8 +259,8 @@ CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& 
                 if (!located[i].path.empty()) pictures[i] = decode(located[i].path, files, images);
         });
     }
-    CubeFaces faces = located.size() == 6   ? six_faces(located, pictures, texture.span, diagnostics)
-                      : located.size() == 1 ? one_file(located[0], pictures[0], diagnostics)
+    CubeFaces faces = located.size() == 6   ? six_faces(texture, located, pictures, diagnostics)
+                      : located.size() == 1 ? one_file(texture, located[0], pictures[0], diagnostics)
                                             : all_checks(check_side);
     make_alike(faces);
     refit(faces, texture);

@@ -110,11 +110,13 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
         if (only_window && plan.scene.passes[pass].kind != Pass::Kind::window) continue;
         if (caps.software) gl::settle();
         switch (plan.scene.passes[pass].kind) {
-            case Pass::Kind::window:
+            case Pass::Kind::window: {
+                const gl::Encoded encoded(plan.scene.output == Encoding::srgb);
                 draw_window(pass, frame, surface, first_window);
                 if (surface.region) glDisable(GL_SCISSOR_TEST);
                 first_window = false;
                 break;
+            }
             case Pass::Kind::textures:
                 draw_textures(pass, off_screen);
                 break;

@@ -12,6 +12,9 @@ Runtime::Runtime(Runtime&&) noexcept = default;
 Runtime& Runtime::operator=(Runtime&&) noexcept = default;
 
 const Scene& Runtime::scene() const { return impl_->plan.scene; }
+gl::Pixels Runtime::display_pixels() const {
+    return scene().output == Encoding::srgb ? gl::Pixels::srgb8 : gl::Pixels::rgba8;
+}
 const std::vector<std::vector<ActiveUniform>>& Runtime::active_uniforms() const { return impl_->active; }
 bool Runtime::animated() const { return impl_->animated; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }

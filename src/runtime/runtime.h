@@ -10,6 +10,7 @@
 
 #include "parser/text/diagnostic.h"
 #include "src/gl/caps.h"
+#include "src/gl/texture.h"
 #include "src/plan/files.h"
 #include "src/plan/plan.h"
 #include "src/plan/values/controls.h"
@@ -93,6 +94,8 @@ public:
     Runtime& operator=(Runtime&&) noexcept;
 
     const Scene& scene() const;
+    // What a framebuffer of bytes must hold for the window's picture. One of floats gets what the shaders write.
+    gl::Pixels display_pixels() const;
     // By Scene::programs, for the current rungs; empty for one that failed.
     const std::vector<std::vector<ActiveUniform>>& active_uniforms() const;
     // Some drawn program reads Timer or uTime: every moment is another picture.

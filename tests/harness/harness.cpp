@@ -68,10 +68,11 @@ Picture GlTest::draw(Document& document, const Look& look) {
     Diagnostics problems;
     for (const std::string& set : look.sets) set_control(document.controls, document.scene(), set, problems);
     EXPECT_FALSE(problems.has_errors()) << render(problems, document.sources);
-    const gl::Target target = gl::make_target(look.width, look.height, look.samples);
+    const gl::Target target =
+        gl::make_target(look.width, look.height, look.samples, document.runtime->display_pixels());
     document.runtime->draw({look.time, look.view, document.controls},
                            {target.framebuffer.get(), look.width, look.height});
-    picture.rgba = gl::read_rgba8(target.framebuffer.get(), look.width, look.height, target.samples);
+    picture.rgba = gl::read_rgba8(target.framebuffer.get(), look.width, look.height, target.samples, target.pixels);
     return picture;
 }
 

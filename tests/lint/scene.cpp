@@ -74,6 +74,16 @@ namespace {
 constexpr std::string_view plain_vert = "void main() { gl_Position = ftransform(); }\n";
 constexpr std::string_view plain_frag = "void main() { gl_FragColor = vec4(1.); }\n";
 
+TEST(SceneLints, MeansOfEncodedNumbersAreNotOfLight) {
+    const auto places = [](const std::string& scene) { return lint(scene, {}).at("encoded-light"); };
+    using Places = std::vector<std::string>;
+    EXPECT_EQ(places("CubeMap 6 sky.png\nIrradiance 7 6\n"), Places{"Irradiance 7 6"});
+    EXPECT_EQ(places("CubeMap 6 a.jpg b.jpg c.jpg d.jpg e.jpg f.jpg\nPrefilter 8 6 64\n"), Places{"Prefilter 8 6 64"});
+    for (const std::string source : {"sky.png srgb", "sky.png raw", "sky.hdr", "sky.EXR", "256"})
+        EXPECT_EQ(places("CubeMap 6 " + source + "\nIrradiance 7 6\n"), Places{}) << source;
+    EXPECT_EQ(places("CubeMap 6 sky.png\n"), Places{}) << "nothing is averaged";
+}
+
 TEST(LintTable, EveryRuleHasItsCodeAndItsPage) {
     std::ifstream in(SNELL_ROOT "/docs/teaching.md");
     const std::string page{std::istreambuf_iterator<char>(in), {}};

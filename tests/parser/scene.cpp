@@ -308,6 +308,22 @@ TEST(Scene, FiltersHoldForTexturesNamedAfterThem) {
     EXPECT_EQ(r.scene().textures[2].filter, (Filter{Filter::Mode::nearest, 1}));
 }
 
+TEST(Scene, EncodingsOfFilesAndOfTheOutput) {
+    const auto encodings = [](const std::string& text) {
+        std::string all;
+        const Read r = read(text);
+        for (const Texture& t : r.scene().textures)
+            all += !t.encoding ? '-' : *t.encoding == Encoding::srgb ? 's' : 'r';
+        return all;
+    };
+    EXPECT_EQ(encodings("Texture2D 5 a.png\nTexture2D 5 a.png srgb\nTexture2D 5 a.png RAW\n"), "-sr");
+    EXPECT_EQ(encodings("CubeMap 6 a.hdr srgb\nCubeMap 6 a b c d e f srgb\nCubeMap 6 a b c d e f\n"), "ss-");
+    EXPECT_EQ(read("Texture2D 5 srgb srgb\n").scene().textures[0].files[0].name, "srgb");
+    EXPECT_EQ(read("").scene().output, Encoding::raw);
+    EXPECT_EQ(read("Output srgb\n").scene().output, Encoding::srgb);
+    EXPECT_EQ(read("Output srgb\nOutput raw\n").scene().output, Encoding::raw);
+}
+
 TEST(Scene, FileNamesUseSlashes) {
     const Read r = read(
         "Vertex \"my shaders\\a b.vert\"\nTexture2D 5 tex\\\\wall.bmp\nTexture2D 6 a,b[1].bmp\nProgram P\nObj "

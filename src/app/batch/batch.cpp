@@ -255,7 +255,9 @@ PictureSize Batch::size_of(const Document& document) const {
 // The one before serves again if it can.
 bool Batch::ready_target(const Document& document) {
     const PictureSize size = size_of(document);
-    if (target_.framebuffer && size == size_) return true;
+    if (!document.runtime) return true;  // nothing will be drawn
+    const gl::Pixels pixels = size.floats ? gl::Pixels::rgba32f : document.runtime->display_pixels();
+    if (target_.framebuffer && size == size_ && pixels == target_.pixels) return true;
     size_ = size;
     tiling_ = tile(size, options_.access.limits, caps_, options_.tile);
     target_ = {};
@@ -264,8 +266,7 @@ bool Batch::ready_target(const Document& document) {
         return false;
     }
     if (!tiling_.whole(size)) return true;
-    target_ =
-        gl::make_target(size.width, size.height, size.samples, size.floats ? gl::Pixels::rgba32f : gl::Pixels::rgba8);
+    target_ = gl::make_target(size.width, size.height, size.samples, pixels);
     if (target_.framebuffer) return true;
     fmt::print(stderr, "snell: error: this OpenGL gives no picture of {}x{} with {} samples\n", size.width, size.height,
                size.samples);
@@ -275,7 +276,7 @@ bool Batch::ready_target(const Document& document) {
 
 // Each part has the whole time. "" or why there is no picture.
 std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::string& file) {
-    Painting painting(file, size_, tiling_, options_.transparent);
+    Painting painting(file, size_, tiling_, options_.transparent, runtime.display_pixels());
     if (painting.without_graphics()) fail(exit_graphics);
     while (painting.step(runtime, frame)) deadline_.begin(fmt::format("drawing '{}'", file));
     return painting.error();

@@ -6,10 +6,10 @@
 
 namespace snell::app {
 
-Painting::Painting(const std::string& file, const PictureSize& size, const Tiling& tiling, bool transparent)
+Painting::Painting(const std::string& file, const PictureSize& size, const Tiling& tiling, bool transparent,
+                   gl::Pixels display)
     : size_(size), kind_{size.floats, transparent}, parts_(parts_of(size, tiling)) {
-    target_ = gl::make_target(tiling.width, tiling.height, size.samples,
-                              size.floats ? gl::Pixels::rgba32f : gl::Pixels::rgba8);
+    target_ = gl::make_target(tiling.width, tiling.height, size.samples, size.floats ? gl::Pixels::rgba32f : display);
     if (!target_.framebuffer) {
         error_ = fmt::format("this OpenGL gives no picture of {}x{} with {} samples", tiling.width, tiling.height,
                              size.samples);

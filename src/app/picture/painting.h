@@ -17,8 +17,9 @@ namespace snell::app {
 class Painting {
 public:
     // The GL context that is current now must be current for every call. `file` appears only when the picture is
-    // complete.
-    Painting(const std::string& file, const PictureSize& size, const Tiling& tiling, bool transparent);
+    // complete. `display` is Runtime::display_pixels() of what will be drawn.
+    Painting(const std::string& file, const PictureSize& size, const Tiling& tiling, bool transparent,
+             gl::Pixels display);
 
     // Draws the next part and returns true if there are more. All parts must have the same runtime and frame.
     bool step(Runtime& runtime, Frame frame);

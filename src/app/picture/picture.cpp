@@ -96,7 +96,7 @@ content::Image draw_picture(Runtime& runtime, Frame frame, const gl::Target& tar
         return drawn(runtime, frame, surface, kind.transparent, width,
                      [&] { return gl::read_rgba32f(surface.framebuffer, width, height, target.samples); });
     return drawn(runtime, frame, surface, kind.transparent, width,
-                 [&] { return gl::read_rgba8(surface.framebuffer, width, height, target.samples); });
+                 [&] { return gl::read_rgba8(surface.framebuffer, width, height, target.samples, target.pixels); });
 }
 
 }  // namespace snell::app

@@ -137,8 +137,8 @@ void PictureSaver::step(Document* document, std::uint64_t revision, ui::Memory& 
     Work& work = *work_;
     if (document != work.document || revision != work.revision) return end(memory, "the scene is another now");
     if (!work.painting)
-        work.painting =
-            std::make_unique<app::Painting>(work.files[work.done], work.size, work.tiling, work.transparent);
+        work.painting = std::make_unique<app::Painting>(work.files[work.done], work.size, work.tiling, work.transparent,
+                                                        document->runtime->display_pixels());
     const Frame frame{work.from + runtime::frame_time(work.done, work.rate), work.view, work.controls};
     if (!work.painting->step(*document->runtime, frame)) {
         if (!work.painting->error().empty()) return end(memory, work.painting->error());

@@ -77,7 +77,7 @@ bool App::draw_scene(PixelSize pixels) {
         document->runtime->skip_frame();
         return false;
     }
-    if (!canvas_.resize(stand.width, stand.height, samples_shown)) return false;
+    if (!canvas_.resize(stand.width, stand.height, samples_shown, document->runtime->display_pixels())) return false;
     const double start = window_->now();
     frame_costs_.open(memory_.frame_cost);
     Frame frame{stand.time, view_, document->controls, true};

@@ -74,7 +74,7 @@ CubeFaces fill_faces(const Image& like, int size, int grid, const Sample& sample
     for (Image& face : faces) {
         face.width = face.height = size;
         face.channels = like.channels;
-        face.type = like.type;
+        face.type = like.srgb ? PixelType::f16 : like.type;  // samples are light
         face.pixels.resize(face.bytes());
     }
     const auto channels = static_cast<std::size_t>(like.channels), rows = static_cast<std::size_t>(size);

@@ -1,4 +1,6 @@
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "src/content/image/image.h"
@@ -33,7 +35,34 @@ std::uint16_t float_to_half(float value) {
     return static_cast<std::uint16_t>(sign | (magnitude - 0x38000000u + 0xfffu + odd) >> 13);
 }
 
-float value_at(const Image& image, std::size_t index) {
+double light_of_srgb(double encoded) {
+    const double c = std::abs(encoded);
+    return std::copysign(c <= .04045 ? c / 12.92 : std::pow((c + .055) / 1.055, 2.4), encoded);
+}
+
+double srgb_of_light(double light) {
+    const double c = std::abs(light);
+    return std::copysign(c <= .0031308 ? c * 12.92 : 1.055 * std::pow(c, 1 / 2.4) - .055, light);
+}
+
+namespace {
+
+float light_of_byte(std::byte value) {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> light{};
+        for (std::size_t i = 0; i < light.size(); ++i)
+            light[i] = static_cast<float>(light_of_srgb(static_cast<double>(i) / 255));
+        return light;
+    }();
+    return table[std::to_integer<std::size_t>(value)];
+}
+
+bool is_alpha(const Image& image, std::size_t index) {
+    const auto channels = static_cast<std::size_t>(image.channels);
+    return channels % 2 == 0 && index % channels == channels - 1;
+}
+
+float number_at(const Image& image, std::size_t index) {
     switch (image.type) {
         case PixelType::u8:
             return static_cast<float>(std::to_integer<int>(image.pixels[index])) / 255.0f;
@@ -51,10 +80,22 @@ float value_at(const Image& image, std::size_t index) {
     return 0;
 }
 
+float decoded(const Image& image, std::size_t index) {
+    if (image.type == PixelType::u8) return light_of_byte(image.pixels[index]);
+    return static_cast<float>(light_of_srgb(number_at(image, index)));
+}
+
+}  // namespace
+
+float value_at(const Image& image, std::size_t index) {
+    return image.srgb && !is_alpha(image, index) ? decoded(image, index) : number_at(image, index);
+}
+
 Image to_half(const Image& image) {
-    if (image.type == PixelType::f16) return image;
+    if (image.type == PixelType::f16 && !image.srgb) return image;
     Image result = image;
     result.type = PixelType::f16;
+    result.srgb = false;
     result.pixels.resize(result.bytes());
     for (std::size_t i = 0; i < result.pixels.size() / 2; ++i) {
         const std::uint16_t half = float_to_half(value_at(image, i));

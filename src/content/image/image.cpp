@@ -103,6 +103,7 @@ ImageResult decode_image(const std::string& path, std::string_view bytes, const 
     if (format.empty() && (named == "bmp" || named == "png")) format = named;  // their decoders report what is wrong
     const bool misnamed = !format.empty() && !named.empty() && format != named;
     ImageResult result = decode_as(format, named, bytes, limits);
+    if (result.image) result.image->light = format == "hdr" || format == "exr";
     if (misnamed && result.image) {
         result.issues.push_back({false, "image-misnamed",
                                  "the extension is ." + extension + ", but the file is in " + std::string(format) +

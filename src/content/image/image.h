@@ -22,6 +22,8 @@ struct Image {
     int channels = 4;  // 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
     PixelType type = PixelType::u8;
     bool bottom_first = false;
+    bool light = false;  // the file's format holds light, in floats
+    bool srgb = false;   // colours, not alpha, stand for light and are encoded by the sRGB curve
     std::vector<std::byte> pixels;
 
     std::size_t pixel_bytes() const;
@@ -66,9 +68,13 @@ Image checkerboard(int size = 64);
 
 Image flipped(const Image& image);   // reverses the order of the rows
 Image to_bytes(const Image& image);  // converts to u8, clamped to 0..1 and rounded; NaN becomes 0
-Image to_half(const Image& image);   // converts to f16
+Image to_half(const Image& image);   // converts to f16; what was encoded is light then
 Image to_rgba(const Image& image);   // converts to 4 channels: grey is copied to red, green and blue, alpha is 1
-// Returns one channel as a number; u8 is scaled to 0..1. `index` counts channels from the start of the pixels.
+// The sRGB curve (IEC 61966-2-1) and its inverse, odd functions: negative numbers keep their sign.
+double light_of_srgb(double encoded);
+double srgb_of_light(double light);
+// Returns one channel as a number; u8 is scaled to 0..1, and what is encoded is decoded. `index` counts channels from
+// the start of the pixels.
 float value_at(const Image& image, std::size_t index);
 float half_to_float(std::uint16_t half);
 std::uint16_t float_to_half(float value);  // rounds to nearest even; overflow becomes infinity

@@ -12,6 +12,7 @@ Image to_bytes(const Image& image) {
     if (image.type == PixelType::u8) return image;
     Image result = image;
     result.type = PixelType::u8;
+    result.srgb = false;
     result.pixels.resize(result.bytes());
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
         const float value = value_at(image, i);

@@ -44,10 +44,10 @@ gl::Sampling storage(const Texture& declared, const GpuTexture& gpu) {
     return result;
 }
 
-gl::Pixels pixels(content::PixelType type) {
-    switch (type) {
+gl::Pixels pixels(const content::Image& image) {
+    switch (image.type) {
         case content::PixelType::u8:
-            return gl::Pixels::rgba8;
+            return image.srgb ? gl::Pixels::srgb8 : gl::Pixels::rgba8;
         case content::PixelType::f16:
             return gl::Pixels::rgba16f;
         case content::PixelType::f32:
@@ -57,7 +57,7 @@ gl::Pixels pixels(content::PixelType type) {
 }
 
 gl::Texels texels(const content::Image& rgba) {
-    return {pixels(rgba.type), rgba.width, rgba.height, rgba.depth, rgba.pixels.data()};
+    return {pixels(rgba), rgba.width, rgba.height, rgba.depth, rgba.pixels.data()};
 }
 
 std::array<gl::Texels, 6> face_texels(const content::CubeFaces& faces) {
@@ -82,7 +82,8 @@ GLenum gl_target(TextureTarget target, const gl::Caps& caps) {
 
 bool same_declaration(const Texture& a, const Texture& b) {
     return a.target == b.target && a.computed == b.computed && a.filter == b.filter && a.size == b.size &&
-           a.source == b.source && std::ranges::equal(a.files, b.files, {}, &FileName::name, &FileName::name);
+           a.source == b.source && (a.encoding == Encoding::srgb) == (b.encoding == Encoding::srgb) &&
+           std::ranges::equal(a.files, b.files, {}, &FileName::name, &FileName::name);
 }
 
 // With mipmaps the levels below add a third.

@@ -71,8 +71,9 @@ std::string lists(const char* what, const List& a, const List& b, Compare compar
 }  // namespace
 
 std::string difference(const Scene& a, const Scene& b, double tolerance) {
-    if (a.window_size != b.window_size || a.background != b.background || a.timer_period != b.timer_period ||
-        a.noise2d != b.noise2d || a.noise3d != b.noise3d || a.gstap != b.gstap || a.verbose != b.verbose)
+    if (a.window_size != b.window_size || a.background != b.background || a.output != b.output ||
+        a.timer_period != b.timer_period || a.noise2d != b.noise2d || a.noise3d != b.noise3d || a.gstap != b.gstap ||
+        a.verbose != b.verbose)
         return "settings";
     const auto unequal = [](const auto& text) {
         return [text](const auto& x, const auto& y) { return std::string(text(x) == text(y) ? "" : "text"); };

@@ -37,6 +37,7 @@ private:
         line("Timer " + text_of::number(scene_.timer_period));
         line("Noise2D " + std::to_string(scene_.noise2d));
         line("Noise3D " + std::to_string(scene_.noise3d));
+        if (scene_.output == Encoding::srgb) line("Output srgb");
         if (scene_.gstap) line("GSTAP");
         if (scene_.verbose) line("Verbose");
         for (const Message& message : scene_.messages) {
