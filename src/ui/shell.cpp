@@ -123,7 +123,7 @@ bool has_ladders(const Facts& facts) { return facts.scene && !facts.scene->ladde
 
 void problem_chip(const Facts& facts, Memory& memory, Layout& layout) {
     const auto errors = std::count_if(facts.problems.begin(), facts.problems.end(),
-                                      [](const Problem& p) { return p.severity == Severity::error; });
+                                      [](const Problem& p) { return p.finding.severity == Severity::error; });
     const auto warnings = static_cast<std::ptrdiff_t>(facts.problems.size()) - errors;
     if (errors + warnings == 0) return;
     const auto count = errors > 0 ? errors : warnings;

@@ -26,14 +26,13 @@ bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
 }
 
 ui::Problem problem_of(const Diagnostic& diagnostic, const Sources& sources) {
-    ui::Problem problem{diagnostic.severity, render(diagnostic, sources), {}};
-    const Span span = diagnostic.span;
-    if (!diagnostic.has_span || span.file >= sources.size()) return problem;
-    const Position at = sources.position(span.file, span.begin);
+    ui::Problem problem{describe(diagnostic, sources), {}};
+    const std::optional<Position> at = problem.finding.at;
+    if (!at) return problem;
     std::error_code error;
-    const std::string name(sources.name(span.file));
-    // What is built in has a name and no file.
-    if (std::filesystem::is_regular_file(name, error)) problem.place = {name, at.line, at.column};
+    const std::string name(sources.name(diagnostic.span.file));
+    // A built-in text has a name but no file.
+    if (std::filesystem::is_regular_file(name, error)) problem.place = {name, at->line, at->column};
     return problem;
 }
 
@@ -141,7 +140,7 @@ std::shared_ptr<const Kept> Session::salvage() {
 
 void Session::recover(const Recovery& recovery) {
     ++revision_;
-    problems_ = {{Severity::error, recovery.problem, {}}};
+    problems_ = {problem_of(recovery.problem, {})};
     errors_ = file_errors_ = file_problems_ = 1;
     files_ = recovery.files;
     watch_.set_paths(recovery.files);
@@ -195,7 +194,7 @@ void Session::watch(const Document& read) {
 
 std::string Session::problems_text() const {
     std::string text;
-    for (const ui::Problem& problem : problems_) text += problem.text;
+    for (const ui::Problem& problem : problems_) text += render(problem.finding);
     return text;
 }
 

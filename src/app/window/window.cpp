@@ -258,7 +258,7 @@ int run_window(const WindowOptions& options) {
         if (!app.lost()) return app.readable() ? app::exit_fine : app::exit_input;
         const bool again = carried.has_value();
         carried = app.carried();
-        fmt::print(stderr, "snell: {}", carried->recovery.problem);
+        fmt::print(stderr, "snell: {}", render(carried->recovery.problem, {}));
         // Not even what was drawn well before: there is nothing to go on with.
         if (again && !carried->recovery.kept) return app::exit_lost;
         begin_with(*carried, now);

@@ -22,64 +22,61 @@ std::string counted(std::size_t count, std::string_view noun) {
 }
 
 std::size_t count(std::span<const Problem> problems, Severity severity) {
-    return static_cast<std::size_t>(
-        std::count_if(problems.begin(), problems.end(), [&](const Problem& p) { return p.severity == severity; }));
+    return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(),
+                                                  [&](const Problem& p) { return p.finding.severity == severity; }));
 }
 
-std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
+void wrapped(const std::string& text) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
 
-// Underlines the place, such as "paint.frag:3:12", in the line that was just drawn.
-void underline(std::string_view line, const Place& place) {
-    const std::string end = fmt::format(":{}:{}: ", place.line, place.column);
-    const std::size_t at = line.find(end);
-    if (at == std::string_view::npos) return;
+// Underlines the place, such as "paint.frag:3:12", at the beginning of the line that was just drawn.
+Rect underline(const Finding& finding) {
     const ImVec2 from = ImGui::GetItemRectMin();
-    const float width = ImGui::CalcTextSize(line.data(), line.data() + at + end.size() - 2).x;
+    const float width = std::min(width_of(place_text(finding)), ImGui::GetItemRectSize().x);
     const float y = from.y + ImGui::GetTextLineHeight() - 1;
-    ImGui::GetWindowDrawList()->AddLine({from.x, y}, {std::min(from.x + width, ImGui::GetItemRectMax().x), y},
-                                        ImGui::GetColorU32(palette().link), std::max(1.0F, ImGui::GetFontSize() / 14));
+    ImGui::GetWindowDrawList()->AddLine({from.x, y}, {from.x + width, y}, ImGui::GetColorU32(palette().link),
+                                        std::max(1.0F, ImGui::GetFontSize() / 14));
+    return {from.x, y, width, 1};
 }
 
 // Draws source and carets without wrapping, because the carets must stay under what they mark.
-void show_source(std::string_view line, std::string_view carets) {
+void show_source(const Finding& finding) {
+    const std::string left = margin(finding.at->line);
     const float column = ImGui::CalcTextSize("M").x;
-    const Excerpt part =
-        excerpt(line, carets, static_cast<std::size_t>(std::max(1.0F, ImGui::GetContentRegionAvail().x / column)));
-    ImGui::TextUnformatted(part.source.c_str());
-    if (!carets.empty()) ImGui::TextUnformatted(part.carets.c_str());
+    const auto columns = static_cast<std::size_t>(std::max(1.0F, ImGui::GetContentRegionAvail().x / column));
+    const MarkedLine line = excerpt(*finding.source, columns - std::min(columns, left.size()));
+    ImGui::TextUnformatted((left + line.text).c_str());
+    ImGui::TextUnformatted((std::string(left.size() - 2, ' ') + "| " + carets(line)).c_str());
+}
+
+void show_details(const Finding& finding) {
+    if (finding.source) show_source(finding);
+    if (!finding.also.empty()) wrapped("   " + finding.also);
+    if (!finding.help.empty()) wrapped("   help: " + finding.help);
+    for (const Finding& note : finding.notes) {
+        wrapped(headline(note));
+        show_details(note);
+    }
 }
 
 // The first line is the message, in its severity's colour, and a link to the editor; the rest shows the source.
 void show(const Facts& facts, const Problem& problem, std::size_t number, Requests& requests, Layout& layout) {
+    const Finding& finding = problem.finding;
     const Palette& colors = palette();
-    const std::string_view text = problem.text;
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    ImGui::PushStyleColor(ImGuiCol_Text, problem.severity == Severity::error ? colors.error : colors.warning);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.data(), text.data() + end);
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleColor(ImGuiCol_Text, finding.severity == Severity::error ? colors.error : colors.warning);
+    wrapped(headline(finding));
     ImGui::PopStyleColor();
     if (!problem.place.file.empty()) {
-        layout.note(fmt::format("problem.{}", number));
-        underline(text.substr(0, end), problem.place);
+        const std::string name = fmt::format("problem.{}", number);
+        layout.note(name);
+        layout.place(name + ".place", underline(finding));
         if (edit_link(facts, problem.place)) requests.edit = problem.place;
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
-    std::string_view rest = text.substr(std::min(end + 1, text.size()));
-    while (!rest.empty()) {
-        const std::string_view line = first_line(rest);
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-        if (is_source(line)) {
-            const std::string_view below = first_line(rest);
-            const bool carets = is_source(below);
-            show_source(line, carets ? below : std::string_view());
-            if (carets) rest.remove_prefix(std::min(below.size() + 1, rest.size()));
-            continue;
-        }
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(line.data(), line.data() + line.size());
-        ImGui::PopTextWrapPos();
-    }
+    show_details(finding);
     ImGui::PopStyleVar();
     ImGui::Spacing();
 }
@@ -89,7 +86,7 @@ void list(const Facts& facts, Severity severity, const Fonts& fonts, Requests& r
     std::size_t shown = 0;
     ImGui::PushFont(fonts.mono);
     for (std::size_t i = 0; i < facts.problems.size(); ++i)
-        if (facts.problems[i].severity == severity && shown++ < most)
+        if (facts.problems[i].finding.severity == severity && shown++ < most)
             show(facts, facts.problems[i], i, requests, layout);
     if (shown > most) ImGui::TextUnformatted(fmt::format("\u2026 and {} more", shown - most).c_str());
     ImGui::PopFont();

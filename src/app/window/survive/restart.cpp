@@ -86,17 +86,19 @@ std::optional<Carried> Restart::carried() const {
         carried.recovery.edited = carried.recovery.edited || saved_since(file, memory.st_mtim);
     const char* comes_back =
         carried.recovery.values.empty() ? "" : ", with the values that were set manually, as last drawn";
-    carried.recovery.problem =
-        after_.starts_with(of_memory)
-            ? fmt::format(
-                  "error: memory ran out, and the window was started again; nothing is drawn [out-of-memory]\n"
-                  "   help: F5 or another edit tries again{}; --limit asks for less\n",
-                  comes_back)
-            : fmt::format(
-                  "error: a frame did not end, and the window was started again; nothing is drawn "
-                  "[frame-too-long]\n   help: a loop in a shader may not end; F5 or another edit tries again{}; "
-                  "--timeout SECONDS waits longer\n",
-                  comes_back);
+    Diagnostic& problem = carried.recovery.problem;
+    problem.has_span = false;
+    if (after_.starts_with(of_memory)) {
+        problem.code = "out-of-memory";
+        problem.message = "memory ran out, and the window was started again; nothing is drawn";
+        problem.help = fmt::format("F5 or another edit tries again{}; --limit asks for less", comes_back);
+    } else {
+        problem.code = "frame-too-long";
+        problem.message = "a frame did not end, and the window was started again; nothing is drawn";
+        problem.help = fmt::format(
+            "a loop in a shader may not end; F5 or another edit tries again{}; --timeout SECONDS waits longer",
+            comes_back);
+    }
     return carried;
 }
 
