@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "src/app/open/save_values.h"
@@ -28,11 +26,10 @@ std::string key_of(const Scene& scene, const Control& control) {
                        : fmt::format("{}#{}.{}", name, before + 1, control.name);
 }
 
-// Nothing for what is not there; "discarded" for what is no JSON object.
+// Returns an empty object if the file is missing or empty, and "discarded" if it is not a JSON object.
 Json read(const std::string& scene) {
-    std::ifstream file(snapshots_file(scene), std::ios::binary);
-    if (!file) return Json::object();
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = content::whole_file(snapshots_file(scene));
+    if (text.empty()) return Json::object();
     Json json = content::parse_json(text);
     return json.is_object() ? json : Json(Json::value_t::discarded);
 }
