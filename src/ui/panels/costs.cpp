@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"
 
@@ -45,10 +46,7 @@ std::string amount_of(const Paid& paid) {
         const FrameCost& cost = *paid.frame;
         return milliseconds_text(cost.gpu ? *cost.gpu : std::max(cost.cpu, cost.wall));
     }
-    if (paid.kind == Kind::pass) {
-        if (paid.kept) return "kept";
-        return fmt::format("{} draw{}", paid.draws.size(), paid.draws.size() == 1 ? "" : "s");
-    }
+    if (paid.kind == Kind::pass) return paid.kept ? "kept" : counted(paid.draws.size(), "draw");
     return paid.bytes > 0 ? bytes_text(paid.bytes) : std::string();
 }
 
@@ -122,9 +120,7 @@ void costs_section(const Facts& facts, Memory& memory, Layout& layout) {
     std::uint64_t bytes = 0;
     for (const Paid& paid : facts.explanation->paid) bytes += paid.bytes;
     fitted(bytes_text(bytes) + " of GPU memory", ImGui::GetContentRegionAvail().x);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("redrawn %s", facts.explanation->redraw.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped("redrawn " + facts.explanation->redraw, true);
     paid_for(facts, layout);
     not_paid_for(facts, layout);
 }

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "src/platform/window.h"
 #include "src/runtime/inspect.h"
+#include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/state.h"
 
@@ -100,7 +100,7 @@ Text value_text(float value) {
 void pixel_keys(const Rect& scene, PixelMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool free = !io.WantTextInput && !io.KeyCtrl;
-    if (free && ImGui::IsKeyPressed(static_cast<int>(Key::n), false)) memory.flags = !memory.flags;
+    if (free && pressed(Key::n)) memory.flags = !memory.flags;
     memory.inspecting =
         free && ImGui::IsKeyDown(static_cast<int>(Key::i)) && scene.contains(io.MousePos.x, io.MousePos.y);
     memory.x = io.MousePos.x - scene.x;
@@ -111,13 +111,10 @@ void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
     if (!section("Pixels", open, layout, "pixels")) return;
     ImGui::Checkbox("Mark invalid values", &memory.flags);
     layout.note("flags");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is "
-            "drawn a second time, into floats.");
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("Hold I over the picture to see a pixel's values.");
-    ImGui::PopTextWrapPos();
+    tip("N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is drawn "
+        "a "
+        "second time, into floats.");
+    wrapped("Hold I over the picture to see a pixel's values.", true);
 }
 
 void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout) {

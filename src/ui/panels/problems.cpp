@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/ui/kit/excerpt.h"
+#include "src/ui/kit/numbers.h"
 #include "src/ui/panels/files.h"
 
 namespace snell::ui {
@@ -17,19 +18,9 @@ constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindow
                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                      ImGuiWindowFlags_NoNav;
 
-std::string counted(std::size_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::size_t count(std::span<const Problem> problems, Severity severity) {
     return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(),
                                                   [&](const Problem& p) { return p.finding.severity == severity; }));
-}
-
-void wrapped(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
 }
 
 // Underlines the place, such as "paint.frag:3:12", at the beginning of the line that was just drawn.
@@ -109,10 +100,9 @@ void pop_dark() {
     ImGui::PopStyleColor(6);
 }
 
-bool right_button(const char* label) {
-    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
-    return ImGui::Button(label);
+bool right_button(const char* text, Layout& layout, const char* name) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button_width(text));
+    return button(text, layout, name);
 }
 
 // Begins an overlay of the size that its contents had in the last frame, limited to the picture.
@@ -134,8 +124,7 @@ void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Me
             facts.stale ? counted(errors, "error") + " \u2014 the picture shows the last version without errors"
                         : counted(errors, "error");
         fitted(title, ImGui::GetContentRegionAvail().x - button_width("Hide") - ImGui::GetStyle().ItemSpacing.x);
-        if (right_button("Hide")) memory.problems_hidden = true;
-        layout.note("problems.hide");
+        if (right_button("Hide", layout, "problems.hide")) memory.problems_hidden = true;
         list(facts, Severity::error, fonts, requests, layout);
         if (warnings > 0) {
             if (ImGui::SmallButton(
@@ -157,8 +146,7 @@ void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, 
                       scene.height * .6F)) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(counted(count(facts.problems, Severity::warning), "warning").c_str());
-        if (right_button("Hide")) memory.warnings_open = false;
-        layout.note("problems.hide");
+        if (right_button("Hide", layout, "problems.hide")) memory.warnings_open = false;
         list(facts, Severity::warning, fonts, requests, layout);
     }
     ImGui::End();
@@ -197,13 +185,11 @@ void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layo
         ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
         if (ImGui::Begin(fmt::format("##message{}", index++).c_str(), nullptr,
                          overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
-            const float button = ImGui::CalcTextSize("OK").x + 2 * ImGui::GetStyle().FramePadding.x;
             ImGui::AlignTextToFramePadding();
-            ImGui::PushTextWrapPos(width - button - 2 * margin);
+            ImGui::PushTextWrapPos(width - button_width("OK") - 2 * margin);
             ImGui::TextUnformatted(message.text.data(), message.text.data() + message.text.size());
             ImGui::PopTextWrapPos();
-            if (right_button("OK")) memory.dismissed.insert(message.text);
-            layout.note("message.ok");
+            if (right_button("OK", layout, "message.ok")) memory.dismissed.insert(message.text);
         }
         bottom -= ImGui::GetWindowHeight() + margin * .5F;
         ImGui::End();

@@ -35,7 +35,7 @@ void caption(std::string_view name, std::string_view value, std::string_view rem
     const float left = width_of(text.view());
     ImGui::TextUnformatted(text.begin(), text.end());
     if (left + right + ImGui::GetStyle().ItemSpacing.x > width) {
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", Text("{}{}  {}", name, value, remark).c_str());
+        tip(Text("{}{}  {}", name, value, remark).view());
         return;
     }
     ImGui::SameLine();
@@ -121,7 +121,7 @@ void check_box(Control& control, const Section& section) {
     const bool whole = name == control.name;
     if (ImGui::Checkbox(name.append("###on").c_str(), &on)) control.value[0] = on ? 1 : 0;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) control.value[0] = control.initial[0];
-    if (!whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", control.name.c_str());
+    if (!whole) tip(control.name);
     section.layout.note(section.program.name, control.name);
 }
 
@@ -210,7 +210,7 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
         shortened(name.empty() ? "Program" : name, ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight());
     const bool whole = name.empty() || title == name;
     const bool open = ImGui::CollapsingHeader(title.append("###program").c_str());
-    if (!whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
+    if (!whole) tip(name);
     section.layout.note(name);
     if (open) {
         ImGui::Indent(ImGui::GetStyle().FramePadding.x * .5F);
