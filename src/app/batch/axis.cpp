@@ -1,4 +1,3 @@
-// What varies, from the command line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,13 +22,13 @@ std::optional<Number> number(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     Number value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    // What is beyond the largest number is infinite.
+    // A number beyond the largest one counts as infinite.
     if (error == std::errc::result_out_of_range) return std::numeric_limits<Number>::infinity();
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;
 }
 
-// At commas that are in no brackets.
+// Splits at commas outside of brackets.
 std::vector<std::string_view> elements(std::string_view text) {
     std::vector<std::string_view> parts;
     std::size_t begin = 0, depth = 0;
@@ -44,7 +43,7 @@ std::vector<std::string_view> elements(std::string_view text) {
     return parts;
 }
 
-// In more digits than a double has, so that 1:2.5:16 gives 1.2 and not its neighbour.
+// Interpolates with more digits than a double has, so that 1:2.5:16 gives 1.2 and not its neighbour.
 double between(std::string_view first, std::string_view last, std::size_t k, std::size_t steps) {
     const auto a = number<long double>(first), b = number<long double>(last);
     const auto t = static_cast<long double>(k), n = static_cast<long double>(steps);

@@ -42,7 +42,7 @@ void print_all(const Document& document, bool quiet) {
     for (const Message& message : document.scene().messages) fmt::print(stderr, "{}\n", utf8::printable(message.text));
 }
 
-// Cut-off files, such as those of a copy that ended early, are no pictures.
+// A file that is cut off, as by a copy that ended early, does not count.
 bool is_there(const std::string& file, const Limits& most) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return false;
@@ -85,7 +85,7 @@ Exit Batch::run() {
     return status_;
 }
 
-// Of pictures that are being written when time is up.
+// Removes the parts of pictures that were being written when the time was up.
 void Batch::leave_no_parts() const {
     for (const std::string& file : shots_.files) const content::Replacement ended(file);
 }
@@ -107,7 +107,7 @@ bool Batch::ready_context() {
 
 void Batch::scene(std::size_t scene, const std::vector<std::size_t>& indices) {
     said_.clear();
-    // A scene of which all pictures are there is not even read.
+    // A scene is not even read if all of its pictures exist.
     Open opened;
     bool tried = false, usable = false;
     for (const std::size_t index : indices) {
@@ -141,7 +141,7 @@ bool Batch::open(Open& open, const std::string& path) {
         for (const std::string& ladder : options_.ladders) choose_rung(rungs, scene, ladder, unknown);
     };
     deadline_.begin(fmt::format("reading '{}'", path));
-    // What the scene before has too, such as snell's own programs, need not be made again.
+    // Resources that the previous scene has too, such as snell's own programs, are shared.
     const RuntimeOptions how{.previous = last_ ? &*last_->runtime : nullptr, .progress = progress_.watcher()};
     const auto planned = [&](const Plan& plan, Document& document) {
         if (may_go_round(plan, document, caps_)) open.looping = plan;
@@ -166,7 +166,7 @@ void Batch::find_roles(Open& open) const {
                                                                                                      : Role::uniform);
 }
 
-// Before the first picture, so that a wrong value does not cost the ones before it.
+// Values are checked before the first picture, so that a wrong one does not cost a rendering.
 bool Batch::check_values(Open& open) {
     Document& document = *open.document;
     Controls controls = document.controls;
@@ -195,8 +195,8 @@ bool Batch::check_values(Open& open) {
     return !problems.has_errors();
 }
 
-// The picture is that of a process that opens the scene with these rungs. Where a program fails, the runtime keeps
-// what was before: then the scene is read again.
+// The picture must be that of a process that opens the scene with these rungs. If a program fails, the runtime keeps
+// the previous one, so the scene is read again.
 bool Batch::take_rungs(Open& open, const Shot& shot) {
     Rungs rungs = open.rungs;
     Diagnostics problems;
@@ -252,7 +252,7 @@ PictureSize Batch::size_of(const Document& document) const {
     return {width, height, options_.samples, holds_floats(options_.output)};
 }
 
-// The one before serves again if it can.
+// The previous target is kept if it has the right size.
 bool Batch::ready_target(const Document& document) {
     const PictureSize size = size_of(document);
     if (target_.framebuffer && size == size_) return true;
@@ -273,7 +273,7 @@ bool Batch::ready_target(const Document& document) {
     return false;
 }
 
-// Each part has the whole time. "" or why there is no picture.
+// Each part has the whole time of --timeout. Returns "", or why there is no picture.
 std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::string& file) {
     Painting painting(file, size_, tiling_, options_.transparent);
     if (painting.without_graphics()) fail(exit_graphics);
@@ -281,7 +281,7 @@ std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::s
     return painting.error();
 }
 
-// What comes after a loss has no context to be drawn in.
+// After a loss of the context no further picture can be drawn.
 bool Batch::keeps_context(const std::string& file) {
     if (!loss_.lost()) return true;
     refused_ = true;
@@ -304,7 +304,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     Runtime& runtime = *open.document->runtime;
     Frame frame{time_of(open, shot), view, *controls};
     bool reached = false;
-    // One picture is looked at; of a series many a frame may be empty on purpose.
+    // A warning about an empty picture is useful for one picture; frames of a series may be empty on purpose.
     if (shots_.per_scene() == 1) frame.reached = &reached;
     std::optional<content::Image> picture;
     std::string wrong;
@@ -336,7 +336,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     }
 }
 
-// Each once for a scene, however many pictures show it.
+// Each message is printed once for a scene.
 void Batch::say(const Diagnostics& diagnostics, const Sources& sources) {
     for (const Diagnostic& diagnostic : diagnostics.items()) {
         if (diagnostic.severity == Severity::note || (options_.quiet && diagnostic.severity != Severity::error))

@@ -20,7 +20,7 @@ std::optional<std::size_t> whole(std::string_view text) {
     return value;
 }
 
-// Whether two pictures would be one file.
+// Returns the error if two pictures would have the same file.
 bool distinct(const Shots& shots, std::string& error) {
     std::unordered_map<std::string, std::size_t> taken;
     for (std::size_t i = 0; i < shots.files.size(); ++i) {
@@ -43,7 +43,7 @@ bool distinct(const Shots& shots, std::string& error) {
     return true;
 }
 
-// Frames need no placeholder.
+// Numbers the files of frames whose pattern has no placeholder.
 std::string numbered(const std::string& pattern) {
     const std::filesystem::path path(pattern);
     return (path.parent_path() / (path.stem().string() + "-{frame:04}" + path.extension().string())).string();

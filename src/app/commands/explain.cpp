@@ -43,7 +43,7 @@ using Json = nlohmann::ordered_json;
 using Paid = Explanation::Paid;
 
 constexpr double most_time = 20e3;  // milliseconds of timing frames
-constexpr double most_share = .9;   // of what is left of --timeout: the last frame may take longer than those before
+constexpr double most_share = .9;   // of the time left of --timeout: the last frame may take longer than the others
 
 double cpu_milliseconds() {
     timespec now{};
@@ -63,7 +63,7 @@ std::string bytes_text(std::uint64_t bytes) {
     return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / 1024 / 1024);
 }
 
-// Times of many frames, by what was left out.
+// Times frames of which some draws are left out.
 class Rounds {
 public:
     Rounds(Runtime& runtime, const Frame& frame, const Surface& surface, bool software)
@@ -86,7 +86,7 @@ public:
         return cost;
     }
 
-    // A timer query is believed where it agrees with the wall on a heavy load.
+    // A timer query is trusted if it agrees with the wall clock on a heavy load.
     bool calibrated() {
         if (software_ || !query_.available()) return false;
         const int frames = std::clamp(static_cast<int>(200 / std::max(once(nullptr).wall, .01)), 1, 1000);
@@ -102,7 +102,7 @@ private:
     gl::TimerQuery query_;
 };
 
-// Of what was measured in the same rounds; the last one may have been left early.
+// Compares times of the same rounds; the last round may be incomplete.
 FrameCost median_difference(const std::vector<FrameCost>& with, const std::vector<FrameCost>& without, bool gpu) {
     const auto median = [&](auto value) {
         std::vector<double> differences;
@@ -132,7 +132,8 @@ Json span_json(const std::optional<Span>& span, const Sources& sources) {
     return {{"file", sources.name(span->file)}, {"line", line_of(*span, sources)}};
 }
 
-// What is left out in turns. A cube pass that is kept would be drawn just because its draws come and go.
+// Returns the parts that are left out in turns. Cube passes that are kept are not among them: they would be drawn only
+// because their draws come and go.
 std::vector<Paid*> timed_parts(Explanation& explanation) {
     std::vector<Paid*> parts;
     std::set<Index> kept;
@@ -263,7 +264,6 @@ Json explain_json(const ExplainReport& report, const Sources& sources) {
 
 namespace {
 
-// What lasts for the whole command.
 struct Running {
     const runtime::Stopwatch& watch;
     Deadline& deadline;

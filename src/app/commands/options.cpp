@@ -31,7 +31,7 @@ std::string check_limit(const std::string& text) {
 
 }  // namespace
 
-// CLI11 reads "nan" and "inf" too.
+// CLI11 accepts "nan" and "inf" as numbers, so they are refused here.
 std::string check_finite(const std::string& text) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
@@ -54,7 +54,7 @@ CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vecto
                           const std::string& text) {
     return command.add_option(name, values, text)
         ->expected(1)
-        ->allow_extra_args(false)  // otherwise an option before the scene's name takes that, too
+        ->allow_extra_args(false)  // otherwise an option in front of the scene's name takes the name, too
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 

@@ -35,8 +35,8 @@ std::vector<std::string> split(std::string_view text) {
 
 // How a line is passed to some programs.
 struct Known {
-    std::string_view programs;                   // separated by blanks
-    std::array<std::string_view, 2> arguments;   // with {file}, {line} and {column}; without {file} it comes last
+    std::string_view programs;                  // separated by blanks
+    std::array<std::string_view, 2> arguments;  // with {file}, {line} and {column}; without {file} it comes last
     bool terminal = false;
 };
 
@@ -69,7 +69,7 @@ bool runnable(const std::string& program) {
 }
 
 struct Spawned {
-    int error = 0;  // as errno; 0 if the process runs
+    int error = 0;  // an error number as of errno; 0 if the process runs
     pid_t process = 0;
 };
 

@@ -39,7 +39,7 @@ std::string date_of(std::time_t time) {
                        local.tm_hour, local.tm_min);
 }
 
-// The digits at `at`, without zeros before them; moves behind them.
+// Returns the digits at `at` without leading zeros, and moves `at` behind them.
 std::string_view number(std::string_view text, std::size_t& at) {
     while (at + 1 < text.size() && text[at] == '0' && is_digit(text[at + 1])) ++at;
     const std::size_t begin = at;
@@ -64,7 +64,7 @@ bool before(std::string_view a, std::string_view b) {
         ++j;
     }
     if (i < a.size() || j < b.size()) return j < b.size();
-    return a < b;  // they differ in case alone
+    return a < b;  // the names differ only in case
 }
 
 std::string without_tilde(const std::string& path) {

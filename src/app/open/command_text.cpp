@@ -11,7 +11,7 @@ namespace snell {
 
 namespace {
 
-// Shortest where no other program has the name.
+// Leaves out the program's name if no other program has a uniform of this name.
 std::string option_name(const Document& document, const Control& control) {
     const auto same = std::ranges::count(document.controls.items, control.name, &Control::name);
     return same == 1 ? control.name

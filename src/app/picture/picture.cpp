@@ -31,7 +31,7 @@ std::vector<Channel> without_alpha(const std::vector<Channel>& rgba) {
     return rgb;
 }
 
-// How much of the background does not show, of three channels over black and over white.
+// Returns the alpha of a pixel from its three channels over black and over white.
 template <class Number>
 double covered(const Number* black, const Number* white, double one) {
     double shows = 0;

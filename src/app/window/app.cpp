@@ -14,7 +14,7 @@ namespace snell {
 namespace {
 
 constexpr double look_at_files = .1;    // seconds between looks
-constexpr double frame_time = 1. / 60;  // of an animated scene, where the screen sets no pace
+constexpr double frame_time = 1. / 60;  // seconds; for animated scenes if the screen sets no pace
 constexpr int until_equal = 3;          // frames: Dear ImGui answers some input, and measures messages, a frame late
 constexpr PixelSize comfortable{1280, 800};
 
@@ -82,7 +82,7 @@ PixelSize App::first_size() {
     PixelSize size = comfortable;
     if (own_size()) {
         const auto [width, height] = workspace_.document()->scene().window_size;
-        const double letters = 16 * memory.zoom;  // the panel's and the last line's
+        const double letters = 16 * memory.zoom;  // the height of text, in the panel and in the status line
         size = {width + static_cast<int>(memory.panel ? memory.panel_width * letters : 0),
                 height + static_cast<int>(1.5 * letters)};
     } else if (kept.width > 0 && kept.height > 0) {
@@ -267,7 +267,7 @@ void App::show(bool repaint) {
     const bool drew = document && draw_scene();
     if (lost()) return;
     const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_, memory);
-    if (drew || told) settle(1);  // the panels show what it cost
+    if (drew || told) settle(1);  // the panels show the new cost and values
     const std::array now{interface_.picture(), measuring_.revision(memory)};
     if (drew || told || repaint || now != presented_) {
         display_.show(pixels);

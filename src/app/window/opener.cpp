@@ -19,7 +19,7 @@ bool is_folder(const std::string& path) {
 
 std::string file_name(const std::string& path) { return utf8::printable(fs::path(path).filename().string()); }
 
-// From the scene's folder, for what is not too far from it.
+// Names files near the scene relative to the scene's folder.
 std::string short_name(const std::string& path, const fs::path& folder) {
     const fs::path relative = fs::path(path).lexically_normal().lexically_relative(folder.lexically_normal());
     const bool near = !relative.empty() && !relative.string().starts_with("../../../");
@@ -83,7 +83,7 @@ void Opener::resized(int width, int height) {
 
 void Opener::write() {
     if (settings_ == kept_) return;
-    // Where it can't be written nothing is lost but comfort.
+    // An error is ignored, because only comfort is lost.
     write_settings(file_, settings_);
     kept_ = settings_;
 }

@@ -19,7 +19,7 @@ void begin_with(Carried& carried, WindowOptions& options) {
         return;
     }
     if (carried.scene != options.scene) {
-        options.quality.clear();  // that was for the other one
+        options.quality.clear();  // the options were for the first scene
         options.ladders.clear();
     }
     options.scene = carried.scene;
@@ -51,7 +51,7 @@ int run_window(const WindowOptions& options) {
         const bool again = carried.has_value();
         carried = app.carried();
         fmt::print(stderr, "snell: {}", render(carried->recovery.problem, {}));
-        // Not even what was drawn well before: there is nothing to go on with.
+        // The window ends if the context was lost twice without a good picture in between.
         if (again && !carried->recovery.kept) return app::exit_lost;
         begin_with(*carried, now);
     }

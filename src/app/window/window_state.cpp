@@ -59,7 +59,7 @@ json accuracy_of(const ui::AccuracyMemory& memory, const ui::AccuracyFacts& fact
             {"points", std::move(points)}};
 }
 
-// Numbers as text: JSON has neither NaN nor infinity.
+// Values are written as text, because JSON has neither NaN nor infinity.
 json pixels_of(const ui::PixelFacts& facts) {
     json pixels = json::object();
     if (facts.flags)

@@ -70,7 +70,7 @@ void Workspace::tell(ui::Facts& facts) {
         facts.animated = shown->runtime->animated();
         facts.mouse = shown->runtime->uses_mouse();
         linked_.clear();
-        // A program without any uniform looks like one that failed; only then would there be an error.
+        // A program without uniforms looks like one that failed, but only a failure leaves an error.
         const bool whole = !shown->diagnostics.has_errors();
         for (const auto& uniforms : shown->runtime->active_uniforms()) linked_.push_back(whole || !uniforms.empty());
         facts.linked = linked_;

@@ -14,7 +14,7 @@ void hold_object(HoldMemory& hold, Index object) {
 
 namespace {
 
-// The member of View; null for the transformation of an object.
+// Returns the member of View, or null for the transformation of an object.
 Transformation View::*part(Held held) {
     switch (held) {
         case Held::scene:

@@ -27,7 +27,7 @@ bool by_ratio(const SliderRange& range) {
     return range.logarithmic && range.min > 0 && range.max > range.min && std::isfinite(range.max / range.min);
 }
 
-// The intermediate results cannot overflow, whatever the range.
+// The intermediate results cannot overflow, for any range.
 double fraction_of(double value, const SliderRange& range) {
     if (by_ratio(range)) return std::clamp(std::log(value / range.min) / std::log(range.max / range.min), 0.0, 1.0);
     const double half = range.max / 2 - range.min / 2;
@@ -45,7 +45,7 @@ double value_at(double fraction, const SliderRange& range, bool fine) {
     return tidy(std::clamp(value, range.min, range.max), range.min, range.max, fine);
 }
 
-// The value that the mouse has dragged the knob to: under the pointer, or relative to where the drag began.
+// Returns the value that the mouse has dragged the knob to: under the pointer, or relative to where the drag began.
 double dragged_to(const ImRect& box, double value, const SliderRange& range, SliderMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
     const float grab = ImGui::GetStyle().GrabMinSize * .5F, way = std::max(1.0F, box.GetWidth() - 2 * grab);

@@ -32,7 +32,7 @@ void swatch(Flag flag) {
     ImGui::Dummy({side, em});
 }
 
-// The colour on the screen, or that of the pixel's flag.
+// Returns the colour on the screen, or that of the pixel's flag.
 ImU32 color_of(std::span<const float, 4> rgba) {
     if (const Flag flag = flag_of(rgba); flag >= Flag::infinite) return pack(snell::color_of(flag));
     const auto byte = [](float value) {
@@ -78,8 +78,8 @@ void channels(const Inspection& found, const Fonts& fonts) {
     }
 }
 
-// A position for a box of that size that is fully visible and does not cover the pointer: to the side of it, or above
-// or below.
+// Returns a position where a box of that size is fully visible and does not cover the pointer: to the side of it, or
+// above or below.
 ImVec2 beside(ImVec2 pointer, ImVec2 size, const Rect& scene, float gap) {
     const float right = scene.x + scene.width, bottom = scene.y + scene.height;
     const float x = std::clamp(pointer.x - size.x / 2, scene.x, std::max(scene.x, right - size.x));

@@ -43,7 +43,7 @@ void caption(std::string_view name, std::string_view value, std::string_view rem
     ImGui::TextDisabled("%.*s", static_cast<int>(remark.size()), remark.data());
 }
 
-// The value in glman's format: "uEta = 1.1000".
+// Formats the value as glman does: " = 1.1000".
 Text value_of(const Control& control) {
     Text text;
     for (std::size_t i = 0; i < control.value.size(); ++i)
@@ -59,7 +59,7 @@ bool is_logarithmic(const Control& control, const Section& section) {
     return !chosen.empty() && control.min > 0 && chosen.contains(key_of(control));
 }
 
-// The menu that a right click on a slider's name opens.
+// Draws the menu that a right click on a slider's name opens.
 void slider_menu(Control& control, const Section& section) {
     if (!ImGui::BeginPopupContextItem("##menu")) return;
     const std::string initial = shown(control.initial[0], control.min, control.max, is_integral(control.type));
@@ -125,7 +125,7 @@ void check_box(Control& control, const Section& section) {
     section.layout.note(section.program.name, control.name);
 }
 
-// The reason why a uniform has no effect; empty if it has one.
+// Returns why a uniform has no effect; empty if it has one.
 std::string_view idle_reason(const Control& control, const Section& section) {
     if (control.active) return {};
     return section.linked ? "not used by the program" : "the program did not compile or link";

@@ -21,7 +21,7 @@ Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> f
              .has_span = false}};
 }
 
-// Names of files may hold any byte but 0.
+// Parts are separated by 0, the only byte that names of files cannot hold.
 std::string carried_text(const Carried& carried) {
     const auto [width, height] = carried.size;
     std::string text = fmt::format("{} {} {} {}", width, height, carried.time, carried.view.axes ? 1 : 0);

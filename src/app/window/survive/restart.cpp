@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view after_flag = "--after=", of_hang = "hang:", of_memory = "memory:";
 
-// operator new tells nobody who is asked for more.
+// The handler of operator new has no parameter, so it finds the object here.
 std::atomic<const Restart*> of_this_process = nullptr;
 
 std::vector<std::string> own_arguments() {
@@ -34,7 +34,7 @@ std::vector<std::string> own_arguments() {
 
 int new_memory() { return memfd_create("snell", MFD_CLOEXEC); }
 
-// After that moment, by the clock of files; what the future holds is no edit.
+// True if the file was saved after that moment, by the clock of files. A time in the future does not count as an edit.
 bool saved_since(const std::string& path, const timespec& moment) {
     const auto later = [](const timespec& a, const timespec& b) {
         return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
@@ -45,7 +45,7 @@ bool saved_since(const std::string& path, const timespec& moment) {
     return stat(path.c_str(), &now) == 0 && later(now.st_mtim, moment) && !later(now.st_mtim, present);
 }
 
-// That of the window before, which told its number.
+// Returns the memory file whose number the previous window passed, or a new one.
 int memory_of(std::string_view after) {
     const std::size_t colon = after.find(':');
     int file = -1;
@@ -102,13 +102,13 @@ std::optional<Carried> Restart::carried() const {
     return carried;
 }
 
-// The memory's time of change is that of the last try.
+// The modification time of the memory file is that of the last try.
 void Restart::trying() {
     worth_it_ = true;
     futimens(memory_, nullptr);
 }
 
-// The new text takes the place of the old one at once.
+// The new text replaces the old one at once, so that a restart never finds half of it.
 void Restart::keep(const Carried& carried) {
     const std::string text = carried_text(carried);
     const int fresh = new_memory();
