@@ -50,52 +50,37 @@ double between(std::string_view first, std::string_view last, std::size_t k, std
     return static_cast<double>((*a * (n - t) + *b * t) / n);
 }
 
-bool fill_range(Axis& axis, std::string_view text, std::string& error) {
+// Adds the values of FIRST:LAST:COUNT. Returns "" or the error.
+std::string fill_range(Axis& axis, std::string_view text) {
     const std::size_t one = text.find(':'), two = text.find(':', one + 1);
-    if (two == std::string_view::npos || text.find(':', two + 1) != std::string_view::npos) {
-        error = fmt::format("'{}' is not a range; write FIRST:LAST:COUNT", text);
-        return false;
-    }
-    const std::string_view first = trimmed(text.substr(0, one)), last = trimmed(text.substr(one + 1, two - one - 1));
-    const auto a = number<double>(first), b = number<double>(last),
-               count = number<double>(trimmed(text.substr(two + 1)));
-    if (!a || !b || !count || !std::isfinite(*a) || !std::isfinite(*b)) {
-        error = fmt::format("'{}' is not a range of finite numbers; write FIRST:LAST:COUNT", text);
-        return false;
-    }
-    if (!(*count >= 1) || *count > static_cast<double>(max_pictures) || std::floor(*count) != *count) {
-        error = fmt::format("'{}' is not a number of values from 1 to {}", trimmed(text.substr(two + 1)), max_pictures);
-        return false;
-    }
+    if (two == std::string_view::npos || text.find(':', two + 1) != std::string_view::npos)
+        return fmt::format("'{}' is not a range; write FIRST:LAST:COUNT", text);
+    const std::string_view first = trimmed(text.substr(0, one)), last = trimmed(text.substr(one + 1, two - one - 1)),
+                           steps = trimmed(text.substr(two + 1));
+    const auto a = number<double>(first), b = number<double>(last), count = number<double>(steps);
+    if (!a || !b || !count || !std::isfinite(*a) || !std::isfinite(*b))
+        return fmt::format("'{}' is not a range of finite numbers; write FIRST:LAST:COUNT", text);
+    if (!(*count >= 1) || *count > static_cast<double>(max_pictures) || std::floor(*count) != *count)
+        return fmt::format("'{}' is not a number of values from 1 to {}", steps, max_pictures);
     const auto n = static_cast<std::size_t>(*count);
-    if (n == 1 && *a != *b) {
-        error = fmt::format("'{}': one value cannot be at both ends", text);
-        return false;
-    }
+    if (n == 1 && *a != *b) return fmt::format("'{}': one value cannot be at both ends", text);
     for (std::size_t k = 0; k < n; ++k) {
         const double value = k == 0 ? *a : k == n - 1 ? *b : between(first, last, k, n - 1);
         axis.values.push_back({fmt::format("{}", value), value});
     }
-    return true;
+    return {};
 }
 
-bool fill_list(Axis& axis, std::string_view text, std::string& error) {
+// Adds the values of A,B,C. Returns "" or the error.
+std::string fill_list(Axis& axis, std::string_view text) {
     for (const std::string_view part : elements(text)) {
-        if (part.empty()) {
-            error = "a value is empty";
-            return false;
-        }
+        if (part.empty()) return "a value is empty";
         const auto value = number<double>(part);
-        if (value && !std::isfinite(*value)) {
-            error = fmt::format("'{}' is not finite", part);
-            return false;
-        }
+        if (value && !std::isfinite(*value)) return fmt::format("'{}' is not finite", part);
+        if (axis.values.size() == max_pictures) return fmt::format("there are more than {} values", max_pictures);
         axis.values.push_back({std::string(part), value});
-        if (axis.values.size() <= max_pictures) continue;
-        error = fmt::format("there are more than {} values", max_pictures);
-        return false;
     }
-    return true;
+    return {};
 }
 
 }  // namespace
@@ -116,13 +101,11 @@ std::optional<Axis> parse_axis(std::string_view text, std::string& error) {
         return std::nullopt;
     }
     const std::string_view values = trimmed(text.substr(equals + 1));
-    const bool filled =
-        values.find(':') == std::string_view::npos ? fill_list(axis, values, error) : fill_range(axis, values, error);
-    if (!filled) {
-        error = fmt::format("{}: {}", axis.name, error);
-        return std::nullopt;
-    }
-    return axis;
+    const std::string problem =
+        values.find(':') == std::string_view::npos ? fill_list(axis, values) : fill_range(axis, values);
+    if (problem.empty()) return axis;
+    error = fmt::format("{}: {}", axis.name, problem);
+    return std::nullopt;
 }
 
 Axis frames_axis(std::size_t count) {

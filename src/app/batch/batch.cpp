@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
@@ -16,17 +15,12 @@
 #include "src/app/picture/picture.h"
 #include "src/content/image/whole.h"
 #include "src/content/replace.h"
+#include "src/runtime/resources/stopwatch.h"
 #include "src/runtime/resources/uniforms.h"
 
 namespace snell::app {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point from) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
-}
 
 void print_all(const Document& document, bool quiet) {
     const bool verbose = !quiet && document.runtime && document.scene().verbose;
@@ -92,7 +86,7 @@ void Batch::leave_no_parts() const {
 
 bool Batch::ready_context() {
     if (context_) return true;
-    const auto start = Clock::now();
+    const runtime::Stopwatch watch;
     deadline_.begin("starting OpenGL");
     context_ = headless_context(options_.context);
     if (!context_) {
@@ -101,7 +95,7 @@ bool Batch::ready_context() {
         return false;
     }
     caps_ = gl::query_caps();
-    timings_.context = milliseconds_since(start);
+    timings_.context = watch.milliseconds();
     return true;
 }
 
@@ -134,7 +128,7 @@ void Batch::skip(const Shot& shot) {
 }
 
 bool Batch::open(Open& open, const std::string& path) {
-    const auto start = Clock::now();
+    const runtime::Stopwatch watch;
     Diagnostics unknown;
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
         if (!options_.quality.empty()) choose_quality(path, options_.quality, scene, rungs, unknown);
@@ -149,7 +143,7 @@ bool Batch::open(Open& open, const std::string& path) {
     open.document = open_document(path, caps_, choose, planned, how, access_to(path, options_.access, options_.grade));
     print_all(*open.document, options_.quiet);
     say(unknown, open.document->sources);
-    timings_.load += milliseconds_since(start);
+    timings_.load += watch.milliseconds();
     if (open.document->diagnostics.has_errors()) fail();
     if (!open.document->runtime || unknown.has_errors()) return false;
     open.rungs = open.document->runtime->rungs();
@@ -297,7 +291,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     if (!open.document->runtime || !take_rungs(open, shot)) return;
     const auto controls = controls_of(open, shot);
     if (!controls) return fail();
-    const auto start = Clock::now();
+    const runtime::Stopwatch watch;
     View view;
     parse_view(options_.view, view);
     view.axes = options_.axes;
@@ -314,7 +308,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     else
         wrong = draw_parts(runtime, frame, file);
     if (!keeps_context(file)) return;
-    records_.push_back({shot, false, frame.time, milliseconds_since(start)});
+    records_.push_back({shot, false, frame.time, watch.milliseconds()});
     timings_.frame += records_.back().milliseconds;
     deadline_.rest();
     writer_.add(file, std::move(picture), wrong);
