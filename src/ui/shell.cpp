@@ -11,16 +11,10 @@
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/labels.h"
-#include "src/ui/panels/clock.h"
-#include "src/ui/panels/costs.h"
-#include "src/ui/panels/files.h"
 #include "src/ui/panels/frame_cost.h"
-#include "src/ui/panels/keep.h"
+#include "src/ui/panels/panels.h"
 #include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
-#include "src/ui/panels/problems.h"
-#include "src/ui/panels/programs.h"
-#include "src/ui/panels/view.h"
 #include "src/ui/scene_mouse.h"
 
 namespace snell::ui {

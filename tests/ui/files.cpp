@@ -4,7 +4,7 @@
 
 #include "src/ui/kit/excerpt.h"
 #include "src/ui/labels.h"
-#include "src/ui/panels/files.h"
+#include "src/ui/panels/panels.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {

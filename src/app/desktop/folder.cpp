@@ -10,7 +10,7 @@
 
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
-#include "src/ui/panels/costs.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell {
 

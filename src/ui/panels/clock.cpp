@@ -1,5 +1,3 @@
-#include "src/ui/panels/clock.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <cmath>
 
 #include "src/ui/kit/input.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 

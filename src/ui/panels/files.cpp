@@ -1,5 +1,3 @@
-#include "src/ui/panels/files.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -9,6 +7,7 @@
 
 #include "parser/text/utf8.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 

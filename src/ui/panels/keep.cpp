@@ -1,10 +1,9 @@
-#include "src/ui/panels/keep.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 

@@ -136,8 +136,7 @@ void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memo
             }
         }
     }
-    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    layout.place("flag counts", {at.x, at.y, size.x, size.y});
+    layout.place_window("flag counts");
     ImGui::End();
     ImGui::PopStyleVar();
 }
@@ -176,8 +175,8 @@ void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory,
         fitted(drawn ? facts.pixels->statement : "no object", width);
         fitted(facts.pixels->place, width, true);
     }
+    layout.place_window("inspector");
     ImGui::End();
-    layout.place("inspector", {at.x, at.y, size.x, size.y});
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
 }

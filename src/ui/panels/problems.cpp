@@ -1,5 +1,3 @@
-#include "src/ui/panels/problems.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,7 +6,7 @@
 
 #include "src/ui/kit/excerpt.h"
 #include "src/ui/kit/numbers.h"
-#include "src/ui/panels/files.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 
@@ -105,49 +103,36 @@ bool right_button(const char* text, Layout& layout, const char* name) {
     return button(text, layout, name);
 }
 
-// Begins an overlay of the size that its contents had in the last frame, limited to the picture.
-bool begin_overlay(const char* name, ImVec2 at, float width, float most_height) {
-    ImGui::SetNextWindowPos(at);
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(most_height, 1.0F)});
-    return ImGui::Begin(name, nullptr, (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
-}
-
-void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
-                   Layout& layout) {
-    const std::size_t errors = count(facts.problems, Severity::error);
+// Shows all errors, with the warnings on request, or all warnings.
+void problems_window(const Facts& facts, Severity severity, const Rect& scene, const Fonts& fonts, Memory& memory,
+                     Requests& requests, Layout& layout) {
+    const bool errors = severity == Severity::error;
     const std::size_t warnings = count(facts.problems, Severity::warning);
-    const float margin = ImGui::GetStyle().WindowPadding.x;
-    if (begin_overlay("##problems", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
-                      scene.height * .7F)) {
+    const float margin = ImGui::GetStyle().WindowPadding.x, width = scene.width - 2 * margin;
+    // The window has the size of its contents in the last frame, limited to the picture.
+    ImGui::SetNextWindowPos({scene.x + margin, scene.y + margin});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(scene.height * .7F, 1.0F)});
+    if (ImGui::Begin(errors ? "##problems" : "##warnings", nullptr,
+                     (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::AlignTextToFramePadding();
-        const std::string title =
-            facts.stale ? counted(errors, "error") + " \u2014 the picture shows the last version without errors"
-                        : counted(errors, "error");
+        std::string title = counted(count(facts.problems, severity), name(severity));
+        if (errors && facts.stale) title += " \u2014 the picture shows the last version without errors";
         fitted(title, ImGui::GetContentRegionAvail().x - button_width("Hide") - ImGui::GetStyle().ItemSpacing.x);
-        if (right_button("Hide", layout, "problems.hide")) memory.problems_hidden = true;
-        list(facts, Severity::error, fonts, requests, layout);
-        if (warnings > 0) {
-            if (ImGui::SmallButton(
-                    (counted(warnings, "warning") + (memory.warnings_open ? " \u25B4" : " \u25BE")).c_str()))
+        if (right_button("Hide", layout, "problems.hide")) {
+            if (errors)
+                memory.problems_hidden = true;
+            else
+                memory.warnings_open = false;
+        }
+        list(facts, severity, fonts, requests, layout);
+        if (errors && warnings > 0) {
+            const char* arrow = memory.warnings_open ? " \u25B4" : " \u25BE";
+            if (ImGui::SmallButton((counted(warnings, "warning") + arrow).c_str()))
                 memory.warnings_open = !memory.warnings_open;
             layout.note("problems.warnings");
             if (memory.warnings_open) list(facts, Severity::warning, fonts, requests, layout);
         }
-    }
-    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    layout.place("problems.panel", {at.x, at.y, size.x, size.y});
-    ImGui::End();
-}
-
-void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
-                     Layout& layout) {
-    const float margin = ImGui::GetStyle().WindowPadding.x;
-    if (begin_overlay("##warnings", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
-                      scene.height * .6F)) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(counted(count(facts.problems, Severity::warning), "warning").c_str());
-        if (right_button("Hide", layout, "problems.hide")) memory.warnings_open = false;
-        list(facts, Severity::warning, fonts, requests, layout);
+        layout.place_window("problems.panel");
     }
     ImGui::End();
 }
@@ -161,13 +146,12 @@ void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, M
         memory.revision = facts.revision;
         memory.problems_hidden = false;
     }
-    const bool errors = count(facts.problems, Severity::error) > 0;
-    const bool warnings = count(facts.problems, Severity::warning) > 0;
     push_dark();
-    if (errors && !memory.problems_hidden)
-        errors_window(facts, scene, fonts, memory, requests, layout);
-    else if (!errors && warnings && memory.warnings_open)
-        warnings_window(facts, scene, fonts, memory, requests, layout);
+    if (count(facts.problems, Severity::error) > 0) {
+        if (!memory.problems_hidden) problems_window(facts, Severity::error, scene, fonts, memory, requests, layout);
+    } else if (memory.warnings_open && count(facts.problems, Severity::warning) > 0) {
+        problems_window(facts, Severity::warning, scene, fonts, memory, requests, layout);
+    }
     pop_dark();
 }
 

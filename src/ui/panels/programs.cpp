@@ -1,5 +1,3 @@
-#include "src/ui/panels/programs.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -9,6 +7,7 @@
 #include "src/plan/values/fit.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 

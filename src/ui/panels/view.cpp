@@ -1,5 +1,3 @@
-#include "src/ui/panels/view.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,6 +6,7 @@
 
 #include "src/plan/lens.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 
