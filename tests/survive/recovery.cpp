@@ -103,7 +103,9 @@ TEST_F(SessionRecovery, WhereNothingWasDrawnNothingIsShown) {
 // A window that was started again has the text alone.
 class SessionRestart : public SessionRecovery {
 protected:
-    Recovery recovery(const std::string& changed) const { return {nullptr, {scene()}, changed, "error: it hung\n"}; }
+    Recovery recovery(const std::string& changed) const {
+        return {nullptr, {scene()}, changed, {.message = "it hung", .has_span = false}};
+    }
     static Control& control(Session& session, const std::string& name) {
         return *session.document()->controls.find(0, name);
     }

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "src/accuracy/clock.h"
 #include "src/accuracy/statistics.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
@@ -45,12 +45,6 @@ using Paid = Explanation::Paid;
 constexpr double most_time = 20e3;  // milliseconds of timing frames
 constexpr double most_share = .9;   // of the time left of --timeout: the last frame may take longer than the others
 
-double cpu_milliseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
-}
-
 int line_of(const Span& span, const Sources& sources) { return sources.position(span.file, span.begin).line; }
 
 std::string place_of(const Span& span, const Sources& sources) {
@@ -75,13 +69,13 @@ public:
         gl::finish();
         const bool query = !software_ && query_.available();
         if (query) query_.begin();
-        const double cpu = cpu_milliseconds();
+        const double cpu = accuracy::cpu_milliseconds();
         const runtime::Stopwatch watch;
         for (int i = 0; i < frames; ++i) {
             runtime_.draw(frame, surface_);
             gl::finish();
         }
-        FrameCost cost{(cpu_milliseconds() - cpu) / frames, watch.milliseconds() / frames, std::nullopt};
+        FrameCost cost{(accuracy::cpu_milliseconds() - cpu) / frames, watch.milliseconds() / frames, std::nullopt};
         if (query) cost.gpu = query_.end() / frames;
         return cost;
     }
@@ -226,6 +220,9 @@ std::string explain_text(const ExplainReport& report, const Sources& sources) {
     return text;
 }
 
+namespace {
+
+// Has "schema" 1 and the keys that docs/architecture.md lists.
 Json explain_json(const ExplainReport& report, const Sources& sources) {
     Json json{{"schema", 1},
               {"scene", report.scene},
@@ -262,8 +259,7 @@ Json explain_json(const ExplainReport& report, const Sources& sources) {
     return json;
 }
 
-namespace {
-
+// What outlives the steps of the command.
 struct Running {
     const runtime::Stopwatch& watch;
     Deadline& deadline;

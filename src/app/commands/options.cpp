@@ -29,8 +29,6 @@ std::string check_limit(const std::string& text) {
     return set_limit(limits, text, error) ? "" : error;
 }
 
-}  // namespace
-
 // CLI11 accepts "nan" and "inf" as numbers, so they are refused here.
 std::string check_finite(const std::string& text) {
     char* end = nullptr;
@@ -38,17 +36,19 @@ std::string check_finite(const std::string& text) {
     return *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
 }
 
+std::string check_context(const std::string& text) {
+    ContextRequest request;
+    return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
+}
+
+}  // namespace
+
 std::string check_positive(const std::string& text) {
     const std::string error = check_finite(text);
     return !error.empty() || std::strtod(text.c_str(), nullptr) > 0 ? error : "'" + text + "' is not more than 0";
 }
 
 std::string check_file_name(const std::string& text) { return text.empty() ? "the name of the file is empty" : ""; }
-
-std::string check_context(const std::string& text) {
-    ContextRequest request;
-    return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
-}
 
 CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                           const std::string& text) {

@@ -18,8 +18,7 @@ std::string option_name(const Document& document, const Control& control) {
                      : fmt::format("{}.{}", document.scene().programs[control.program].name, control.name);
 }
 
-}  // namespace
-
+// Quotes a word if a shell would interpret it.
 std::string shell_word(std::string_view word) {
     constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@%";
     if (!word.empty() && word.find_first_not_of(plain) == word.npos) return std::string(word);
@@ -27,6 +26,8 @@ std::string shell_word(std::string_view word) {
     for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + "'";
 }
+
+}  // namespace
 
 std::string render_command(const Document& document, const Picture& picture) {
     const Scene& scene = document.scene();
