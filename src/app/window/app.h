@@ -52,7 +52,7 @@ private:
     bool visible();
     // Seconds to sleep if there is no input.
     double pause();
-    // Draws at least so many frames more.
+    // Draws at least that many more frames, even without input.
     void settle(int frames);
     void step();
     // Looks for saved files and ended editors. Returns true if there is something new to show.

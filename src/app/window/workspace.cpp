@@ -57,10 +57,7 @@ std::string Workspace::open(const std::string& path) {
 }
 
 void Workspace::tell(ui::Facts& facts) {
-    if (named_ != session_.path()) {
-        named_ = session_.path();
-        name_ = utf8::printable(std::filesystem::path(named_).filename().string());
-    }
+    name_ = utf8::printable(std::filesystem::path(session_.path()).filename().string());
     facts.file = name_;
     facts.problems = session_.problems();
     facts.stale = session_.stale();

@@ -59,8 +59,8 @@ private:
     Keeper keeper_;
     Opener opener_;
     PictureSaver saver_;
-    std::string name_, named_;  // the name of the scene's file, and the path that it belongs to
-    std::string reported_;      // the problems that were printed last
+    std::string name_;      // of the scene's file
+    std::string reported_;  // the problems that were printed last
     std::vector<char> linked_;
 };
 
