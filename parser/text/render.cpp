@@ -3,6 +3,7 @@
 #include <string>
 
 #include "parser/text/diagnostic.h"
+#include "parser/text/finding.h"
 #include "parser/text/utf8.h"
 
 namespace snell {
@@ -11,15 +12,9 @@ namespace {
 constexpr int tab_stop = 4;
 constexpr int widest = 120;  // columns of source shown; longer lines are cut around the span
 
-// A line as it is shown, and the columns at which a range of its bytes stands there.
-struct Shown {
-    std::string text;
-    int begin = 0, end = 0;
-};
-
-// Only the part of the line that can be seen is looked at: a line may be the whole file.
-Shown show(std::string_view line, std::size_t begin, std::size_t end) {
-    Shown shown;
+// Marks a range of the line's bytes. Only the visible part of the line is read, because a line may be the whole file.
+MarkedLine mark(std::string_view line, std::size_t begin, std::size_t end) {
+    MarkedLine shown;
     const std::size_t context = 48;
     std::size_t i = line.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     const bool cut_left = begin > widest - context && line.size() > widest;
@@ -60,34 +55,20 @@ Shown show(std::string_view line, std::size_t begin, std::size_t end) {
     return shown;
 }
 
-std::string right(int number, std::size_t width) {
-    std::string text = std::to_string(number);
-    if (text.size() < width) text.insert(0, width - text.size(), ' ');
-    return text;
-}
-
-void place(std::string& out, Span span, const Sources& sources, Severity severity, const std::string& message,
-           const std::string& code) {
-    const Position at = sources.position(span.file, span.begin);
-    out += utf8::printable(sources.name(span.file)) + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
-           ": " + name(severity) + ": " + utf8::printable(message);
-    if (!code.empty()) out += " [" + code + "]";
-    out += "\n";
-    const std::string_view text = sources.text(span.file);
-    const std::string_view line = sources.line(span.file, at.line);
-    if (line.data() == nullptr || text.empty()) return;
+Finding found(Severity severity, const std::string& message, const Span* span, const Sources& sources) {
+    Finding finding{.severity = severity, .message = utf8::printable(message)};
+    if (!span || span->file >= sources.size()) return finding;
+    const Position at = sources.position(span->file, span->begin);
+    finding.file = utf8::printable(sources.name(span->file));
+    finding.at = at;
+    const std::string_view text = sources.text(span->file);
+    const std::string_view line = sources.line(span->file, at.line);
+    if (line.data() == nullptr || text.empty()) return finding;
     const auto base = static_cast<std::size_t>(line.data() - text.data());
-    const std::size_t begin = std::min<std::size_t>(span.begin < base ? 0 : span.begin - base, line.size());
-    const std::size_t end = std::clamp<std::size_t>(span.end < base ? 0 : span.end - base, begin, line.size());
-    const Shown shown = show(line, begin, end);
-    const std::string number = right(at.line, 5);
-    out += number + " | " + shown.text + "\n";
-    out.append(number.size(), ' ');
-    out += " | ";
-    out.append(static_cast<std::size_t>(shown.begin), ' ');
-    out += '^';
-    out.append(static_cast<std::size_t>(std::max(0, shown.end - shown.begin - 1)), '~');
-    out += "\n";
+    const std::size_t begin = std::min<std::size_t>(span->begin < base ? 0 : span->begin - base, line.size());
+    const std::size_t end = std::clamp<std::size_t>(span->end < base ? 0 : span->end - base, begin, line.size());
+    finding.source = mark(line, begin, end);
+    return finding;
 }
 
 // "also on lines 12, 14 and 88 others"; nothing where all places are on the line that is shown.
@@ -106,24 +87,59 @@ std::string other_lines(const Diagnostic& diagnostic, const Sources& sources) {
         text += std::to_string(lines[i]);
     }
     if (shown < lines.size()) text += " and " + std::to_string(lines.size() - shown) + " others";
-    return "   " + text + "\n";
+    return text;
 }
 
 }  // namespace
 
-std::string render(const Diagnostic& diagnostic, const Sources& sources) {
-    std::string out;
-    if (diagnostic.has_span && diagnostic.span.file < sources.size()) {
-        place(out, diagnostic.span, sources, diagnostic.severity, diagnostic.message, diagnostic.code);
-    } else {
-        out = std::string(name(diagnostic.severity)) + ": " + utf8::printable(diagnostic.message);
-        if (!diagnostic.code.empty()) out += " [" + diagnostic.code + "]";
-        out += "\n";
+Finding describe(const Diagnostic& diagnostic, const Sources& sources) {
+    Finding finding =
+        found(diagnostic.severity, diagnostic.message, diagnostic.has_span ? &diagnostic.span : nullptr, sources);
+    if (!diagnostic.code.empty()) finding.message += " [" + diagnostic.code + "]";
+    if (!diagnostic.also.empty()) finding.also = other_lines(diagnostic, sources);
+    finding.help = utf8::printable(diagnostic.help);
+    for (const Note& note : diagnostic.notes)
+        finding.notes.push_back(found(Severity::note, note.message, &note.span, sources));
+    return finding;
+}
+
+std::string place_text(const Finding& finding) {
+    if (!finding.at) return {};
+    return finding.file + ":" + std::to_string(finding.at->line) + ":" + std::to_string(finding.at->column);
+}
+
+std::string headline(const Finding& finding) {
+    const std::string place = place_text(finding);
+    return (place.empty() ? "" : place + ": ") + name(finding.severity) + ": " + finding.message;
+}
+
+std::string margin(int line) {
+    constexpr std::size_t width = 5;
+    const std::string number = std::to_string(line);
+    return std::string(width - std::min(width, number.size()), ' ') + number + " | ";
+}
+
+std::string carets(const MarkedLine& line) {
+    std::string text(static_cast<std::size_t>(line.begin), ' ');
+    text += '^';
+    return text.append(static_cast<std::size_t>(std::max(0, line.end - line.begin - 1)), '~');
+}
+
+std::string render(const Finding& finding) {
+    std::string out = headline(finding) + "\n";
+    if (finding.source) {
+        const std::string left = margin(finding.at->line);
+        out += left + finding.source->text + "\n";
+        out += std::string(left.size() - 3, ' ') + " | " + carets(*finding.source) + "\n";
     }
-    if (!diagnostic.also.empty()) out += other_lines(diagnostic, sources);
-    if (!diagnostic.help.empty()) out += "   help: " + utf8::printable(diagnostic.help) + "\n";
-    for (const Note& note : diagnostic.notes) place(out, note.span, sources, Severity::note, note.message, "");
+    if (!finding.also.empty()) out += "   " + finding.also + "\n";
+    if (!finding.help.empty()) out += "   help: " + finding.help + "\n";
+    for (const Finding& note : finding.notes) out += render(note);
     return out;
+}
+
+std::string render(const Diagnostic& diagnostic, const Sources& sources) {
+    return render(describe(diagnostic, sources));
 }
 
 std::string render(const Diagnostics& diagnostics, const Sources& sources) {

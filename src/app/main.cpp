@@ -36,8 +36,8 @@ constexpr Subcommand subcommands[] = {
     {"info", "print the OpenGL version and renderer", add_info},
 };
 
-// On whatever thread: exceptions would have to pass through drivers and libraries. Files are written whole or not at
-// all.
+// The process ends on whatever thread this happens, because exceptions would have to pass through drivers and
+// libraries. No file is left incomplete: files are written whole or not at all.
 void out_of_memory() {
     constexpr std::string_view text =
         "snell: error: out of memory [out-of-memory]\n   help: the scene asks for more than there is; --limit and "
@@ -57,7 +57,7 @@ int printed(int status) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // A file that grows beyond what is allowed is an error as a full disk is, not the end of the process.
+    // Without this, a file that grows beyond its limit would end the process; now writing it fails.
     std::signal(SIGXFSZ, SIG_IGN);
     std::set_new_handler(out_of_memory);
     CLI::App program{"snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture."};

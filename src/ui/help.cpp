@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "src/ui/kit/widgets.h"
+
 namespace snell::ui {
 
 std::span<const KeyRow> key_rows() {
@@ -70,8 +72,8 @@ void list(float room) {
 
 }  // namespace
 
-void help_panel(const Rect& scene, bool& open, Layout& layout) {
-    if (!open) return;
+bool help_panel(const Rect& scene, Layout& layout) {
+    bool closed = false;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({scene.x + scene.width / 2, scene.y + scene.height / 2}, 0, {.5F, .5F});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(em, scene.width - em), std::max(em, scene.height - em)});
@@ -81,8 +83,7 @@ void help_panel(const Rect& scene, bool& open, Layout& layout) {
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav;
     if (ImGui::Begin("##keys", nullptr, flags)) {
-        if (ImGui::Button("Close")) open = false;
-        layout.note("close keys");
+        closed = button("Close", layout, "close keys");
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("F1");
@@ -90,6 +91,7 @@ void help_panel(const Rect& scene, bool& open, Layout& layout) {
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
+    return closed;
 }
 
 }  // namespace snell::ui

@@ -13,7 +13,7 @@ struct KeyRow {
 };
 std::span<const KeyRow> key_rows();
 
-// Draws the table over the scene while `open` is true. F1 and Escape close it.
-void help_panel(const Rect& scene, bool& open, Layout& layout);
+// Draws the table over the scene. Returns true if the user closed it.
+bool help_panel(const Rect& scene, Layout& layout);
 
 }  // namespace snell::ui

@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <utility>
+
+#include "src/ui/kit/text.h"
 
 namespace snell::ui {
 
+namespace {
+
+// Returns a label such as "Glass : uEta =     1.1000", in glman's format.
 Text label_of(const Scene& scene, const Control& control) {
     Text text("{} : {} = ", scene.programs[control.program].name, control.name);
-    if (control.type == ValueType::bool_) {
-        text.append(control.value[0] != 0 ? "true" : "false");
-        return text;
-    }
+    if (control.type == ValueType::bool_) return std::move(text.append(control.value[0] != 0 ? "true" : "false"));
     const bool integral = control.type == ValueType::int_ || control.type == ValueType::uint_;
     for (std::size_t i = 0; i < control.value.size(); ++i) {
         if (i > 0) text.append(", ");
@@ -26,6 +29,8 @@ Text label_of(const Scene& scene, const Control& control) {
     }
     return text;
 }
+
+}  // namespace
 
 std::string cut_name(const std::string& label, std::size_t columns) {
     const std::size_t equals = std::min(label.find(" = "), label.size());

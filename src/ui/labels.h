@@ -2,16 +2,12 @@
 #pragma once
 
 #include "src/ui/kit/style.h"
-#include "src/ui/kit/text.h"
 #include "src/ui/panels/state.h"
 
 namespace snell::ui {
 
 // Draws a line for each slider, check box and colour, in the order of the Program lines, at the lower left of `scene`.
 void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts);
-
-// A label such as "Glass : uEta =     1.1000", in glman's format.
-Text label_of(const Scene& scene, const Control& control);
 
 // Shortens a label to that many columns, by cutting the name and keeping the value.
 std::string cut_name(const std::string& label, std::size_t columns);

@@ -7,19 +7,14 @@
 #include <cfloat>
 #include <cmath>
 
-#include "src/platform/window.h"
 #include "src/ui/help.h"
+#include "src/ui/kit/input.h"
+#include "src/ui/kit/numbers.h"
 #include "src/ui/labels.h"
-#include "src/ui/panels/clock.h"
-#include "src/ui/panels/costs.h"
-#include "src/ui/panels/files.h"
 #include "src/ui/panels/frame_cost.h"
-#include "src/ui/panels/keep.h"
+#include "src/ui/panels/panels.h"
 #include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
-#include "src/ui/panels/problems.h"
-#include "src/ui/panels/programs.h"
-#include "src/ui/panels/view.h"
 #include "src/ui/scene_mouse.h"
 
 namespace snell::ui {
@@ -56,19 +51,14 @@ void place(const Rect& rect) {
 }
 
 void tools(View& view, Memory& memory, Requests& requests, Layout& layout) {
-    if (ImGui::Button("Open\u2026")) open_browser({}, memory, requests);
-    layout.note("open");
-    follow(button_width("Reload"));
-    requests.reload |= ImGui::Button("Reload");
-    layout.note("reload");
-    follow(button_width("Reset view"));
-    if (ImGui::Button("Reset view")) reset_view(view);
-    layout.note("reset view");
+    if (button("Open\u2026", layout, "open")) open_browser({}, memory, requests);
+    requests.reload |= next_button("Reload", layout, "reload");
+    if (next_button("Reset view", layout, "reset view")) reset_view(view);
     ImGui::Checkbox("Axes", &view.axes);
     layout.note("axes");
     follow(check_box_width("Values"), ImGui::GetFontSize());
     ImGui::Checkbox("Values", &memory.labels);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shows name = value over the picture");
+    tip("Shows name = value over the picture");
     layout.note("labels");
 }
 
@@ -123,11 +113,11 @@ bool has_ladders(const Facts& facts) { return facts.scene && !facts.scene->ladde
 
 void problem_chip(const Facts& facts, Memory& memory, Layout& layout) {
     const auto errors = std::count_if(facts.problems.begin(), facts.problems.end(),
-                                      [](const Problem& p) { return p.severity == Severity::error; });
+                                      [](const Problem& p) { return p.finding.severity == Severity::error; });
     const auto warnings = static_cast<std::ptrdiff_t>(facts.problems.size()) - errors;
     if (errors + warnings == 0) return;
     const auto count = errors > 0 ? errors : warnings;
-    const Text text("{} {}{}", count, errors > 0 ? "error" : "warning", count == 1 ? "" : "s");
+    const std::string text = counted(static_cast<std::size_t>(count), errors > 0 ? "error" : "warning");
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, errors > 0 ? palette().error_text : palette().warning_text);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
@@ -148,7 +138,7 @@ void notice(const Memory& memory, float left, float right, Layout& layout) {
     ImGui::SameLine(left);
     const std::string_view line = std::string_view(memory.notice).substr(0, memory.notice.find('\n'));
     fitted(line, right - left);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", memory.notice.c_str());
+    tip(memory.notice);
     layout.note("notice");
 }
 
@@ -180,9 +170,7 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
         if (left + cost_width < right) {
             ImGui::SameLine(right - ImGui::CalcTextSize(cost.c_str()).x);
             ImGui::TextDisabled("%s", cost.c_str());
-            if (ImGui::IsItemHovered())
-                ImGui::SetTooltip("time to draw the last picture\n%d samples per pixel\n%.*s", facts.samples,
-                                  static_cast<int>(facts.renderer.size()), facts.renderer.data());
+            tip(Text("time to draw the last picture\n{} samples per pixel\n{}", facts.samples, facts.renderer).view());
         }
     }
     ImGui::End();
@@ -195,18 +183,17 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     layout.clear();
     Requests requests;
     if (!ImGui::GetIO().WantTextInput && !memory.browser.open && !memory.picture.open) {
-        if (ImGui::IsKeyPressed(static_cast<int>(Key::h), false)) memory.panel = !memory.panel;
-        requests.reload = ImGui::IsKeyPressed(static_cast<int>(Key::f5), false);
+        if (pressed(Key::h)) memory.panel = !memory.panel;
+        requests.reload = pressed(Key::f5);
         keep_keys(facts, requests);
         clock_keys(facts, memory);
         files_keys(memory, requests);
-        if (ImGui::IsKeyPressed(static_cast<int>(Key::f1), false)) memory.keys = !memory.keys;
-        if (memory.keys && ImGui::IsKeyPressed(static_cast<int>(Key::escape), false))
+        if (pressed(Key::f1)) memory.keys = !memory.keys;
+        if (memory.keys && pressed(Key::escape))
             memory.keys = false;
         else if (facts.scene)
             view_keys(view, memory.hold);
-        if (has_ladders(facts) && ImGui::IsKeyPressed(static_cast<int>(Key::a), false))
-            memory.accuracy.open = !memory.accuracy.open;
+        if (has_ladders(facts) && pressed(Key::a)) memory.accuracy.open = !memory.accuracy.open;
     }
     const Areas parts = areas(memory);
     if (memory.panel) panel_window(facts, parts.panel, controls, view, memory, layout, requests);
@@ -221,7 +208,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     browser_window(facts, memory, requests, layout);
     picture_window(facts, memory, requests, layout);
-    help_panel(parts.scene, memory.keys, layout);
+    if (memory.keys && help_panel(parts.scene, layout)) memory.keys = false;
     hold_scene(facts, parts.scene, view, memory.hold, requests);
     memory.scene = parts.scene;
     return requests;

@@ -79,8 +79,9 @@ TEST(Editor, StartsBesideTheWindowWithNamesThatAShellWouldTakeForCommands) {
     const Scratch folder;
     const std::string file = folder.write("$(touch made);`touch made` & *.frag", "void main() {}\n");
     Editor editor(script(folder, "code") + " --wait");
-    const std::string said = editor.open(file, 7, 1);
-    EXPECT_NE(said.find("opens $(touch made)"), std::string::npos) << said;
+    const Started started = editor.open(file, 7, 1);
+    EXPECT_EQ(started.error, "");
+    EXPECT_EQ(started.program, folder.path("code"));
     ASSERT_TRUE(soon([&] { return std::filesystem::exists(folder.path("told")); }));
     EXPECT_EQ(read(folder.path("told")), "--wait\n--goto\n" + file + ":7:1\n");
     EXPECT_FALSE(std::filesystem::exists("made"));
@@ -89,8 +90,11 @@ TEST(Editor, StartsBesideTheWindowWithNamesThatAShellWouldTakeForCommands) {
 TEST(Editor, SaysWhatWentWrong) {
     const Scratch folder;
     const std::string file = folder.write("a.frag", "");
-    EXPECT_NE(Editor("/none/there").open(file, 1, 1).find("cannot start /none/there"), std::string::npos);
-    EXPECT_NE(Editor("true").open(folder.path("none.frag"), 1, 1).find("there is no file"), std::string::npos);
+    const Started nowhere = Editor("/none/there").open(file, 1, 1);
+    EXPECT_NE(nowhere.error.find("cannot start /none/there"), std::string::npos) << nowhere.error;
+    EXPECT_EQ(nowhere.program, "");
+    const Started missing = Editor("true").open(folder.path("none.frag"), 1, 1);
+    EXPECT_NE(missing.error.find("there is no file"), std::string::npos) << missing.error;
     Editor failing(script(folder, "failing", 3));
     failing.open(file, 1, 1);
     std::string said;
@@ -101,8 +105,7 @@ TEST(Editor, SaysWhatWentWrong) {
 
 TEST(Editor, ShowsNoControlCharacters) {
     const Scratch folder;
-    const std::string file = folder.write("a\x1B[31m\n.frag", "");
-    const std::string said = Editor("true").open(file, 1, 1);
+    const std::string said = Editor("true").open(folder.path("a\x1B[31m\n.frag"), 1, 1).error;
     EXPECT_EQ(said.find('\x1B'), std::string::npos);
     EXPECT_EQ(said.find('\n'), std::string::npos);
 }

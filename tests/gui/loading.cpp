@@ -32,6 +32,8 @@ TEST_F(Loading, ABarStandsOverTheOldPictureUntilTheNewOneIsThere) {
     save("scene.glib", scene("paint.frag", "1. 0. 0."));
     open("scene.glib");
     EXPECT_EQ(middle(look()), red);
+    user("search --sync --name snell windowsize 840 620");
+    ASSERT_TRUE(wait([](const auto& s) { return s["size"] == nlohmann::json{840, 620}; }));
     save("scene.glib", scene("noise.frag", "0. 1. 0."));
     const auto start = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -41,6 +43,8 @@ TEST_F(Loading, ABarStandsOverTheOldPictureUntilTheNewOneIsThere) {
         bar = bar || (corner(picture) == red && middle(picture) != red);
     EXPECT_EQ(corner(picture), green);
     EXPECT_EQ(middle(look()), green) << "the bar is gone";
+    settle();
+    EXPECT_EQ(state()["size"], (nlohmann::json{840, 620})) << "the size is the user's";
     if (!bar && seconds() < 1.2) GTEST_SKIP() << "this machine is too fast for the test: " << seconds() << " s";
     EXPECT_TRUE(bar);
 }

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "parser/commands/commands.h"
+#include "parser/text/finding.h"
 #include "parser/text/number.h"
 #include "parser/text/utf8.h"
 #include "parser/text_of.h"
@@ -206,6 +207,27 @@ TEST(Render, HasNoPlaceToShowForWhatHasNone) {
     Diagnostics d;
     d.error("no-graphics", "no graphics here", "install some");
     EXPECT_EQ(render(d, Sources{}), "error: no graphics here [no-graphics]\n   help: install some\n");
+}
+
+// What a message says, and how a file is named, does not change where it is.
+TEST(Describe, KeepsThePartsApart) {
+    Sources sources;
+    const FileId f = sources.add("a:3:4: b|c.frag", "one\n  7 | two\n");
+    Diagnostics d;
+    d.error("code", Span{f, 6, 7}, "x:3:4: error: y | z", "q:5:6: | r").notes.push_back({Span{f, 0, 3}, "w:8:9: |"});
+    const Finding finding = describe(d.items()[0], sources);
+    EXPECT_EQ(finding.file, "a:3:4: b|c.frag");
+    ASSERT_TRUE(finding.at && finding.source);
+    EXPECT_EQ(finding.at->line, 2);
+    EXPECT_EQ(finding.at->column, 3);
+    EXPECT_EQ(finding.message, "x:3:4: error: y | z [code]");
+    EXPECT_EQ(finding.source->text, "  7 | two");
+    EXPECT_EQ(carets(*finding.source), "  ^");
+    EXPECT_EQ(finding.help, "q:5:6: | r");
+    ASSERT_EQ(finding.notes.size(), 1u);
+    EXPECT_EQ(finding.notes[0].at->line, 1);
+    EXPECT_EQ(finding.notes[0].message, "w:8:9: |");
+    EXPECT_EQ(carets(*finding.notes[0].source), "^~~");
 }
 
 TEST(Render, SpansBeyondTheTextAreHarmless) {

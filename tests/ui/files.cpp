@@ -4,7 +4,7 @@
 
 #include "src/ui/kit/excerpt.h"
 #include "src/ui/labels.h"
-#include "src/ui/panels/files.h"
+#include "src/ui/panels/panels.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {
@@ -131,14 +131,39 @@ TEST_F(FilePanels, KeysOfTheBrowserAreNoCommands) {
 }
 
 TEST_F(FilePanels, AnErrorIsALinkToItsPlace) {
-    const std::vector<Problem> problems{{Severity::error, "scene-unreadable: nowhere\n", {}},
-                                        {Severity::error, "a.frag:12:3: error: no\n", {"/s/a.frag", 12, 3}}};
+    const std::vector<Problem> problems{
+        {{.message = "nowhere"}, {}},
+        {{.file = "a.frag", .at = Position{12, 3}, .message = "no"}, {"/s/a.frag", 12, 3}}};
     facts_.problems = problems;
     EXPECT_FALSE(has("problem.0")) << "what has no place leads nowhere";
     const Requests asked = click_asks("problem.1");
     EXPECT_EQ(asked.edit.file, "/s/a.frag");
     EXPECT_EQ(asked.edit.line, 12);
     EXPECT_EQ(asked.edit.column, 3);
+}
+
+// Names of files and messages may hold what looks like a place, or like a line of source.
+TEST_F(FilePanels, AnErrorLeadsToItsPlaceWhateverItSays) {
+    const Finding plain{.file = "a.frag", .at = Position{12, 3}, .message = "no"};
+    Finding odd = plain;
+    odd.message = "12 | a.frag:3:4: error: no:12:3: or so";
+    Finding named = odd;
+    named.file = "a:12:3: b.frag";
+    const Place there{"/s/a.frag", 12, 3};
+    const std::vector<Problem> problems{{plain, there}, {odd, there}, {named, there}};
+    facts_.problems = problems;
+    for (const char* which : {"problem.0", "problem.1", "problem.2"}) {
+        const Requests asked = click_asks(which);
+        EXPECT_EQ(asked.edit.file, there.file) << which;
+        EXPECT_EQ(asked.edit.line, there.line) << which;
+        EXPECT_EQ(asked.edit.column, there.column) << which;
+    }
+    const auto width_of = [&](const char* name) { return place(name).width; };
+    // The font is monospaced, so the line below a place is as long as the place has letters.
+    const float letters = static_cast<float>(std::string("a.frag:12:3").size()), width = width_of("problem.0.place");
+    EXPECT_GT(width, letters);
+    EXPECT_EQ(width_of("problem.1.place"), width);
+    EXPECT_NEAR(width_of("problem.2.place"), width / letters * std::string("a:12:3: b.frag:12:3").size(), 1);
 }
 
 TEST_F(FilePanels, FilesInUseAreLinksToo) {
@@ -214,21 +239,21 @@ TEST(Themes, AreLegible) {
 }
 
 TEST(Excerpts, KeepTheCaretsUnderWhatTheyMean) {
-    const std::string long_line = "   12 | " + std::string(60, 'a') + "WRONG" + std::string(60, 'b');
-    const std::string carets = "      | " + std::string(60, ' ') + "^~~~~";
-    for (std::size_t columns : {20u, 30u, 50u, 80u}) {
-        const Excerpt part = excerpt(long_line, carets, columns);
-        const std::size_t at = part.carets.find('^');
+    const MarkedLine line{std::string(60, 'a') + "WRONG|" + std::string(60, 'b'), 60, 65};
+    for (std::size_t columns : {11u, 21u, 41u, 71u}) {
+        const MarkedLine part = excerpt(line, columns);
         // Characters, not bytes: dots are three of these.
-        std::string plain = part.source;
+        std::string plain = part.text;
         for (std::size_t dots; (dots = plain.find("\u2026")) != std::string::npos;) plain.replace(dots, 3, ".");
-        ASSERT_LT(at, plain.size()) << columns;
-        EXPECT_EQ(plain[at], 'W') << columns << part.source << part.carets;
-        EXPECT_LE(plain.size(), columns);
-        EXPECT_EQ(plain.substr(0, 8), "   12 | ");
+        ASSERT_LT(part.begin, static_cast<int>(plain.size())) << columns;
+        EXPECT_EQ(plain[static_cast<std::size_t>(part.begin)], 'W') << columns << part.text;
+        EXPECT_EQ(plain.size(), columns);
+        EXPECT_LE(carets(part).size(), columns);
     }
-    EXPECT_EQ(excerpt(long_line, carets, 1000).source, long_line);
-    EXPECT_EQ(excerpt("   12 | x", "      | ^", 3).source, "   12 | x") << "no room at all: left alone";
+    EXPECT_EQ(excerpt(line, 1000).text, line.text);
+    EXPECT_EQ(excerpt(line, 3).text, line.text) << "no room at all: left alone";
+    const MarkedLine at_end{std::string(60, 'a'), 60, 60};
+    EXPECT_EQ(carets(excerpt(at_end, 20)), std::string(19, ' ') + "^") << "the caret behind the line is seen too";
 }
 
 TEST(Labels, OfALongOneTheNameGivesWay) {

@@ -234,8 +234,9 @@ TEST_F(UiTest, ThePanelDoesNotHideTheScene) {
 }
 
 TEST_F(UiTest, ErrorsAreOverThePictureWarningsWhenAsked) {
-    const std::vector<Problem> problems{{Severity::error, "a.glib:1:1: error: no\n  1 | x\n"},
-                                        {Severity::warning, "a.glib:2:1: warning: hm\n"}};
+    const std::vector<Problem> problems{
+        {{.file = "a.glib", .at = Position{1, 1}, .message = "no", .source = MarkedLine{"x"}}, {}},
+        {{.severity = Severity::warning, .file = "a.glib", .at = Position{2, 1}, .message = "hm"}, {}}};
     facts_.problems = problems;
     facts_.revision = 1;
     EXPECT_TRUE(has("problems.hide"));

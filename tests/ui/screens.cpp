@@ -97,13 +97,15 @@ public:
         add_slider("uEta", .1, 1.1, 5);
         const auto add = [&](Severity severity, const std::string& file, const std::string& what) {
             const std::string source =
-                "   12 |     gl_FragColor = vec4(uRed, .4 + nonsense, .2, 1.); // and a comment that "
+                "    gl_FragColor = vec4(uRed, .4 + nonsense, .2, 1.); // and a comment that "
                 "goes on until the line has more columns than the window, and then some more";
-            problems_.push_back({severity,
-                                 file + ":12:38: " + (severity == Severity::error ? "error: " : "warning: ") + what +
-                                     "\n" + source + "\n      |                                      ^~~~~~~~\n" +
-                                     "   help: did you mean 'nonSense'? It is declared in line 3, and what is more, "
-                                     "nobody ever wrote anything that would set it\n",
+            problems_.push_back({{.severity = severity,
+                                  .file = file,
+                                  .at = Position{12, 38},
+                                  .message = what,
+                                  .source = MarkedLine{source, 37, 45},
+                                  .help = "did you mean 'nonSense'? It is declared in line 3, and what is more, "
+                                          "nobody ever wrote anything that would set it"},
                                  {file, 12, 38}});
         };
         add(Severity::error, "scene/paint.frag", "'nonsense' undeclared [shader-error]");

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
@@ -16,17 +15,12 @@
 #include "src/app/picture/picture.h"
 #include "src/content/image/whole.h"
 #include "src/content/replace.h"
+#include "src/runtime/resources/stopwatch.h"
 #include "src/runtime/resources/uniforms.h"
 
 namespace snell::app {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point from) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
-}
 
 void print_all(const Document& document, bool quiet) {
     const bool verbose = !quiet && document.runtime && document.scene().verbose;
@@ -42,7 +36,7 @@ void print_all(const Document& document, bool quiet) {
     for (const Message& message : document.scene().messages) fmt::print(stderr, "{}\n", utf8::printable(message.text));
 }
 
-// Cut-off files, such as those of a copy that ended early, are no pictures.
+// A file that is cut off, as by a copy that ended early, does not count.
 bool is_there(const std::string& file, const Limits& most) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return false;
@@ -85,14 +79,14 @@ Exit Batch::run() {
     return status_;
 }
 
-// Of pictures that are being written when time is up.
+// Removes the parts of pictures that were being written when the time was up.
 void Batch::leave_no_parts() const {
     for (const std::string& file : shots_.files) const content::Replacement ended(file);
 }
 
 bool Batch::ready_context() {
     if (context_) return true;
-    const auto start = Clock::now();
+    const runtime::Stopwatch watch;
     deadline_.begin("starting OpenGL");
     context_ = headless_context(options_.context);
     if (!context_) {
@@ -101,13 +95,13 @@ bool Batch::ready_context() {
         return false;
     }
     caps_ = gl::query_caps();
-    timings_.context = milliseconds_since(start);
+    timings_.context = watch.milliseconds();
     return true;
 }
 
 void Batch::scene(std::size_t scene, const std::vector<std::size_t>& indices) {
     said_.clear();
-    // A scene of which all pictures are there is not even read.
+    // A scene is not even read if all of its pictures exist.
     Open opened;
     bool tried = false, usable = false;
     for (const std::size_t index : indices) {
@@ -134,14 +128,14 @@ void Batch::skip(const Shot& shot) {
 }
 
 bool Batch::open(Open& open, const std::string& path) {
-    const auto start = Clock::now();
+    const runtime::Stopwatch watch;
     Diagnostics unknown;
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
         if (!options_.quality.empty()) choose_quality(path, options_.quality, scene, rungs, unknown);
         for (const std::string& ladder : options_.ladders) choose_rung(rungs, scene, ladder, unknown);
     };
     deadline_.begin(fmt::format("reading '{}'", path));
-    // What the scene before has too, such as snell's own programs, need not be made again.
+    // Resources that the previous scene has too, such as snell's own programs, are shared.
     const RuntimeOptions how{.previous = last_ ? &*last_->runtime : nullptr, .progress = progress_.watcher()};
     const auto planned = [&](const Plan& plan, Document& document) {
         if (may_go_round(plan, document, caps_)) open.looping = plan;
@@ -149,7 +143,7 @@ bool Batch::open(Open& open, const std::string& path) {
     open.document = open_document(path, caps_, choose, planned, how, access_to(path, options_.access, options_.grade));
     print_all(*open.document, options_.quiet);
     say(unknown, open.document->sources);
-    timings_.load += milliseconds_since(start);
+    timings_.load += watch.milliseconds();
     if (open.document->diagnostics.has_errors()) fail();
     if (!open.document->runtime || unknown.has_errors()) return false;
     open.rungs = open.document->runtime->rungs();
@@ -166,7 +160,7 @@ void Batch::find_roles(Open& open) const {
                                                                                                      : Role::uniform);
 }
 
-// Before the first picture, so that a wrong value does not cost the ones before it.
+// Values are checked before the first picture, so that a wrong one does not cost a rendering.
 bool Batch::check_values(Open& open) {
     Document& document = *open.document;
     Controls controls = document.controls;
@@ -195,8 +189,8 @@ bool Batch::check_values(Open& open) {
     return !problems.has_errors();
 }
 
-// The picture is that of a process that opens the scene with these rungs. Where a program fails, the runtime keeps
-// what was before: then the scene is read again.
+// The picture must be that of a process that opens the scene with these rungs. If a program fails, the runtime keeps
+// the previous one, so the scene is read again.
 bool Batch::take_rungs(Open& open, const Shot& shot) {
     Rungs rungs = open.rungs;
     Diagnostics problems;
@@ -252,7 +246,7 @@ PictureSize Batch::size_of(const Document& document) const {
     return {width, height, options_.samples, holds_floats(options_.output)};
 }
 
-// The one before serves again if it can.
+// The previous target is kept if it has the right size.
 bool Batch::ready_target(const Document& document) {
     const PictureSize size = size_of(document);
     if (!document.runtime) return true;  // nothing will be drawn
@@ -274,7 +268,7 @@ bool Batch::ready_target(const Document& document) {
     return false;
 }
 
-// Each part has the whole time. "" or why there is no picture.
+// Each part has the whole time of --timeout. Returns "", or why there is no picture.
 std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::string& file) {
     Painting painting(file, size_, tiling_, options_.transparent, runtime.display_pixels());
     if (painting.without_graphics()) fail(exit_graphics);
@@ -282,7 +276,7 @@ std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::s
     return painting.error();
 }
 
-// What comes after a loss has no context to be drawn in.
+// After a loss of the context no further picture can be drawn.
 bool Batch::keeps_context(const std::string& file) {
     if (!loss_.lost()) return true;
     refused_ = true;
@@ -298,14 +292,14 @@ void Batch::draw(Open& open, const Shot& shot) {
     if (!open.document->runtime || !take_rungs(open, shot)) return;
     const auto controls = controls_of(open, shot);
     if (!controls) return fail();
-    const auto start = Clock::now();
+    const runtime::Stopwatch watch;
     View view;
     parse_view(options_.view, view);
     view.axes = options_.axes;
     Runtime& runtime = *open.document->runtime;
     Frame frame{time_of(open, shot), view, *controls};
     bool reached = false;
-    // One picture is looked at; of a series many a frame may be empty on purpose.
+    // A warning about an empty picture is useful for one picture; frames of a series may be empty on purpose.
     if (shots_.per_scene() == 1) frame.reached = &reached;
     std::optional<content::Image> picture;
     std::string wrong;
@@ -315,7 +309,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     else
         wrong = draw_parts(runtime, frame, file);
     if (!keeps_context(file)) return;
-    records_.push_back({shot, false, frame.time, milliseconds_since(start)});
+    records_.push_back({shot, false, frame.time, watch.milliseconds()});
     timings_.frame += records_.back().milliseconds;
     deadline_.rest();
     writer_.add(file, std::move(picture), wrong);
@@ -337,7 +331,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     }
 }
 
-// Each once for a scene, however many pictures show it.
+// Each message is printed once for a scene.
 void Batch::say(const Diagnostics& diagnostics, const Sources& sources) {
     for (const Diagnostic& diagnostic : diagnostics.items()) {
         if (diagnostic.severity == Severity::note || (options_.quiet && diagnostic.severity != Severity::error))

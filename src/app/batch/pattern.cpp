@@ -18,13 +18,13 @@ std::string unknown_name(std::string_view name, const std::vector<std::string>& 
                         : fmt::format("there is no {{{}}}: did you mean {{{}}}?", name, near);
 }
 
-// The number in a format of fmt's, which may be one for whole numbers.
+// Formats the value with a format of fmt, which may be one for whole numbers.
 std::optional<std::string> formatted(const std::string& format, const AxisValue& value) {
     try {
         if (!value.number) return fmt::format(fmt::runtime(format), value.shown());
         const double number = *value.number;
         const bool whole = std::floor(number) == number && std::abs(number) < 1e15;
-        // "04" of 7 is 0007, as for whole numbers.
+        // A whole number is formatted as such, so that "04" of 7 gives 0007.
         if (whole && format.find_first_of(".aefgAEFG") == std::string::npos)
             return fmt::format(fmt::runtime(format), static_cast<long long>(number));
         return fmt::format(fmt::runtime(format), number);
@@ -82,7 +82,7 @@ std::optional<std::string> Pattern::expand(const std::vector<AxisValue>& values,
             error = fmt::format("'{}' is not a format for '{}'", piece.placeholder, value.shown());
             return std::nullopt;
         }
-        // A value is part of a name, never a folder.
+        // A slash in a value must not name a folder.
         std::ranges::replace(*shown, '/', '_');
         text += *shown;
     }

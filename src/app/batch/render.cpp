@@ -1,4 +1,3 @@
-// Pictures without a display: one, the frames of an animation, a sweep, or many scenes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -51,7 +50,7 @@ bool folder_is_there(const std::string& file, const std::string& folder) {
     return folder_exists(folder) || complain(fmt::format("cannot write '{}': there is no folder '{}'", file, folder));
 }
 
-// Folders that are named by values are made.
+// Creates the folders whose names contain values.
 bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard) {
     if (!folder_is_there(options.output, fixed_folder(options.output))) return false;
     for (std::size_t i = 0; i < shots.files.size(); ++i) {
@@ -64,7 +63,7 @@ bool ready_folders(const RenderOptions& options, const Shots& shots, Shard shard
     return true;
 }
 
-// The scenes and, as only a file that exists can be one of theirs, what they read if an output exists.
+// Returns the scenes and, only if an output exists, the files that they read: other outputs cannot overwrite these.
 std::vector<std::string> files_read(const RenderOptions& options, const Shots& shots,
                                     std::span<const std::string> outputs) {
     std::vector<std::string> read = shots.scenes;
@@ -78,7 +77,7 @@ std::vector<std::string> files_read(const RenderOptions& options, const Shots& s
     return read;
 }
 
-// Said before anything is drawn: a name that can't be written should not cost a rendering.
+// Outputs are checked before anything is drawn, so that a wrong name does not cost a rendering.
 Exit ready_outputs(const RenderOptions& options, const Shots& shots, Shard shard) {
     const std::vector<std::string> reports{options.sheet, options.json, options.stats};
     std::vector<std::string> all = shots.files;
@@ -99,7 +98,7 @@ bool usable(const RenderOptions& options, const Shots& shots) {
     return true;
 }
 
-// Rows are the values of the axis that varies fastest, where all of them are there.
+// A row has the values of the axis that varies fastest, if the sheet has all pictures.
 std::size_t columns_of(const Shots& shots, std::size_t count) {
     constexpr std::size_t widest = 64;
     if (shots.axes.size() > 1 && count == shots.files.size() && shots.axes.back().values.size() <= widest)

@@ -20,56 +20,46 @@ std::optional<std::size_t> whole(std::string_view text) {
     return value;
 }
 
-// Whether two pictures would be one file.
-bool distinct(const Shots& shots, std::string& error) {
+// Each of these returns "" or the error.
+std::string check_distinct(const Shots& shots) {
     std::unordered_map<std::string, std::size_t> taken;
     for (std::size_t i = 0; i < shots.files.size(); ++i) {
         const auto [other, is_new] =
             taken.emplace(std::filesystem::path(shots.files[i]).lexically_normal().string(), i);
         if (is_new) continue;
         const Shot first = shots.shot(other->second), second = shots.shot(i);
-        if (first.scene != second.scene && first.at == second.at) {
-            error = fmt::format("the pictures of '{}' and '{}' would both be '{}'", shots.scenes[first.scene],
-                                shots.scenes[second.scene], shots.files[i]);
-            return false;
-        }
-        std::string what;
-        for (std::size_t axis = 0; axis < shots.axes.size() && what.empty(); ++axis)
-            if (first.at[axis] != second.at[axis]) what = shots.axes[axis].name;
-        error = fmt::format("pictures {} and {} would both be '{}': {{{}}} or {{index}} in the name tells them apart",
-                            first.index, second.index, shots.files[i], what);
-        return false;
+        if (first.scene != second.scene && first.at == second.at)
+            return fmt::format("the pictures of '{}' and '{}' would both be '{}'", shots.scenes[first.scene],
+                               shots.scenes[second.scene], shots.files[i]);
+        const auto differs = std::ranges::mismatch(first.at, second.at).in1 - first.at.begin();
+        return fmt::format("pictures {} and {} would both be '{}': {{{}}} or {{index}} in the name tells them apart",
+                           first.index, second.index, shots.files[i],
+                           shots.axes[static_cast<std::size_t>(differs)].name);
     }
-    return true;
+    return {};
 }
 
-// Frames need no placeholder.
+std::string check_count(const Shots& shots) {
+    std::size_t count = shots.scenes.size();
+    for (const Axis& axis : shots.axes) {
+        if (count > 0 && axis.values.size() > max_pictures / count)
+            return fmt::format("these are more than {} pictures, which is the most for one command", max_pictures);
+        count *= axis.values.size();
+    }
+    return {};
+}
+
+std::string check_names(const std::vector<Axis>& axes) {
+    for (auto axis = axes.begin(); axis != axes.end(); ++axis)
+        if (std::ranges::find(axes.begin(), axis, axis->name, &Axis::name) != axis)
+            return fmt::format("'{}' varies twice", axis->name);
+    return {};
+}
+
+// Numbers the files of frames whose pattern has no placeholder.
 std::string numbered(const std::string& pattern) {
     const std::filesystem::path path(pattern);
     return (path.parent_path() / (path.stem().string() + "-{frame:04}" + path.extension().string())).string();
-}
-
-bool count_fits(const Shots& shots, std::string& error) {
-    std::size_t count = shots.scenes.size();
-    for (const Axis& axis : shots.axes) {
-        if (count == 0 || axis.values.size() <= max_pictures / count) {
-            count *= axis.values.size();
-            continue;
-        }
-        error = fmt::format("these are more than {} pictures, which is the most for one command", max_pictures);
-        return false;
-    }
-    return true;
-}
-
-bool names_differ(const std::vector<Axis>& axes, std::string& error) {
-    for (std::size_t i = 0; i < axes.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (axes[i].name == axes[j].name) {
-                error = fmt::format("'{}' varies twice", axes[i].name);
-                return false;
-            }
-    return true;
 }
 
 }  // namespace
@@ -108,7 +98,8 @@ std::string Shots::label(const Shot& shot) const {
 std::optional<Shots> plan_shots(std::vector<std::string> scenes, std::vector<Axis> axes, const std::string& pattern,
                                 std::string& error) {
     Shots shots{std::move(scenes), std::move(axes), {}};
-    if (!names_differ(shots.axes, error) || !count_fits(shots, error)) return std::nullopt;
+    if (error = check_names(shots.axes); error.empty()) error = check_count(shots);
+    if (!error.empty()) return std::nullopt;
     const bool frames =
         std::ranges::any_of(shots.axes, [](const Axis& axis) { return axis.frames && axis.values.size() > 1; });
     const bool told = pattern.find("{frame") != std::string::npos || pattern.find("{index") != std::string::npos;
@@ -127,8 +118,8 @@ std::optional<Shots> plan_shots(std::vector<std::string> scenes, std::vector<Axi
         if (!file) return std::nullopt;
         shots.files.push_back(std::move(*file));
     }
-    if (!distinct(shots, error)) return std::nullopt;
-    return shots;
+    error = check_distinct(shots);
+    return error.empty() ? std::optional(std::move(shots)) : std::nullopt;
 }
 
 }  // namespace snell::app

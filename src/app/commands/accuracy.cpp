@@ -157,38 +157,38 @@ bool write_all(const AccuracyOptions& options, const Report& report) {
     return write_text(options.markdown, markdown_text(report, plots)) && written;
 }
 
-// A scene that was read, and what of it is to be measured.
+// A scene that was read, and what of it is measured.
 struct Subject {
     std::string path;
     std::unique_ptr<Files> files;
     Sources sources;
     Plan plan;
     std::vector<Sweep> sweeps;
+    std::vector<std::string> read;  // the files that it may read
+    bool errors = false;
+    bool measurable = false;
 };
 
-// Adds what it may read to `read`. Null, with its reasons printed, where there is nothing to measure.
-std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool& errors,
-                                      std::vector<std::string>& read) {
+// Prints the problems of the scene.
+std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options) {
     auto subject = std::make_unique<Subject>();
     subject->path = path;
     subject->files = std::make_unique<Files>(scene_folder(path), options.access);
     Diagnostics diagnostics;
     if (auto parsed = parse_document(path, *subject->files, subject->sources, diagnostics)) {
         subject->plan = make_plan(std::move(parsed->scene), *subject->files, subject->sources, diagnostics);
-        for (std::string& file : used_files(subject->plan, subject->sources, *subject->files))
-            read.push_back(std::move(file));
+        subject->read = used_files(subject->plan, subject->sources, *subject->files);
         for (const std::string& choice : options.choices)
             choose_rung(subject->plan.rungs, subject->plan.scene, choice, diagnostics);
         subject->sweeps = sweeps_for(options, subject->plan, diagnostics);
     }
     fmt::print(stderr, "{}", snell::render(diagnostics, subject->sources));
-    errors = errors || diagnostics.has_errors();
     const bool readable = !subject->plan.rungs.empty() || !diagnostics.has_errors();
-    if (!subject->sweeps.empty() || (asks_for_advice(options) && readable)) return subject;
-    if (!diagnostics.has_errors())
+    subject->measurable = !subject->sweeps.empty() || (asks_for_advice(options) && readable);
+    subject->errors = diagnostics.has_errors() || !subject->measurable;
+    if (!subject->measurable && !diagnostics.has_errors())
         fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n", path);
-    errors = true;
-    return nullptr;
+    return subject;
 }
 
 // What there is to do: sweeps, advice counting as one; and their rungs, to share the budget by.
@@ -276,12 +276,14 @@ Exit accuracy(const AccuracyOptions& options) {
     Work work;
     for (const std::string& path : options.scenes) {
         deadline.begin(fmt::format("reading '{}'", path));
-        if (auto subject = read_subject(path, options, errors, read)) {
-            work.sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
-            for (const Sweep& sweep : subject->sweeps) work.rungs += sweep.rungs.size();
-            if (asks_for_advice(options)) work.rungs += Work::advice_rungs;
-            subjects.push_back(std::move(subject));
-        }
+        auto subject = read_subject(path, options);
+        errors = errors || subject->errors;
+        read.insert(read.end(), subject->read.begin(), subject->read.end());
+        if (!subject->measurable) continue;
+        work.sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
+        for (const Sweep& sweep : subject->sweeps) work.rungs += sweep.rungs.size();
+        if (asks_for_advice(options)) work.rungs += Work::advice_rungs;
+        subjects.push_back(std::move(subject));
     }
     if (subjects.empty()) return exit_input;
     if (const Exit wrong = look_at_outputs(options, std::max<std::size_t>(work.sweeps, 1), std::move(read));

@@ -54,7 +54,7 @@ Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     return json;
 }
 
-// Reading and planning, and compiling too where there is graphics.
+// Programs are compiled only if there is a context.
 struct Checked {
     std::unique_ptr<Document> document;
     std::string dump;
@@ -113,7 +113,7 @@ Exit check(const CheckOptions& options) {
     for (const std::string& path : options.scenes) {
         deadline.begin(fmt::format("checking '{}'", path));
         const Checked checked = check_scene(path, options, caps);
-        deadline.rest();  // who reads may take his time
+        deadline.rest();  // a reader of the output may be slow
         const Document& document = *checked.document;
         errors = errors || document.diagnostics.has_errors();
         std::fwrite(checked.dump.data(), 1, checked.dump.size(), stdout);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "src/accuracy/clock.h"
 #include "src/accuracy/statistics.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
@@ -43,13 +43,7 @@ using Json = nlohmann::ordered_json;
 using Paid = Explanation::Paid;
 
 constexpr double most_time = 20e3;  // milliseconds of timing frames
-constexpr double most_share = .9;   // of what is left of --timeout: the last frame may take longer than those before
-
-double cpu_milliseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
-}
+constexpr double most_share = .9;   // of the time left of --timeout: the last frame may take longer than the others
 
 int line_of(const Span& span, const Sources& sources) { return sources.position(span.file, span.begin).line; }
 
@@ -63,7 +57,7 @@ std::string bytes_text(std::uint64_t bytes) {
     return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / 1024 / 1024);
 }
 
-// Times of many frames, by what was left out.
+// Times frames of which some draws are left out.
 class Rounds {
 public:
     Rounds(Runtime& runtime, const Frame& frame, const Surface& surface, bool software)
@@ -75,18 +69,18 @@ public:
         gl::finish();
         const bool query = !software_ && query_.available();
         if (query) query_.begin();
-        const double cpu = cpu_milliseconds();
+        const double cpu = accuracy::cpu_milliseconds();
         const runtime::Stopwatch watch;
         for (int i = 0; i < frames; ++i) {
             runtime_.draw(frame, surface_);
             gl::finish();
         }
-        FrameCost cost{(cpu_milliseconds() - cpu) / frames, watch.milliseconds() / frames, std::nullopt};
+        FrameCost cost{(accuracy::cpu_milliseconds() - cpu) / frames, watch.milliseconds() / frames, std::nullopt};
         if (query) cost.gpu = query_.end() / frames;
         return cost;
     }
 
-    // A timer query is believed where it agrees with the wall on a heavy load.
+    // A timer query is trusted if it agrees with the wall clock on a heavy load.
     bool calibrated() {
         if (software_ || !query_.available()) return false;
         const int frames = std::clamp(static_cast<int>(200 / std::max(once(nullptr).wall, .01)), 1, 1000);
@@ -102,7 +96,7 @@ private:
     gl::TimerQuery query_;
 };
 
-// Of what was measured in the same rounds; the last one may have been left early.
+// Compares times of the same rounds; the last round may be incomplete.
 FrameCost median_difference(const std::vector<FrameCost>& with, const std::vector<FrameCost>& without, bool gpu) {
     const auto median = [&](auto value) {
         std::vector<double> differences;
@@ -132,7 +126,8 @@ Json span_json(const std::optional<Span>& span, const Sources& sources) {
     return {{"file", sources.name(span->file)}, {"line", line_of(*span, sources)}};
 }
 
-// What is left out in turns. A cube pass that is kept would be drawn just because its draws come and go.
+// Returns the parts that are left out in turns. Cube passes that are kept are not among them: they would be drawn only
+// because their draws come and go.
 std::vector<Paid*> timed_parts(Explanation& explanation) {
     std::vector<Paid*> parts;
     std::set<Index> kept;
@@ -225,6 +220,9 @@ std::string explain_text(const ExplainReport& report, const Sources& sources) {
     return text;
 }
 
+namespace {
+
+// Has "schema" 1 and the keys that docs/architecture.md lists.
 Json explain_json(const ExplainReport& report, const Sources& sources) {
     Json json{{"schema", 1},
               {"scene", report.scene},
@@ -261,9 +259,7 @@ Json explain_json(const ExplainReport& report, const Sources& sources) {
     return json;
 }
 
-namespace {
-
-// What lasts for the whole command.
+// What outlives the steps of the command.
 struct Running {
     const runtime::Stopwatch& watch;
     Deadline& deadline;

@@ -1,8 +1,7 @@
-// Formats what a scene pays for, for `snell explain`, as text and JSON. Values in, text out.
+// Times and formats what a scene pays for, for `snell explain`.
 #pragma once
 
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,6 @@ struct ExplainReport {
 };
 
 std::string explain_text(const ExplainReport& report, const Sources& sources);
-// Has "schema" 1 and the keys that docs/architecture.md lists.
-nlohmann::ordered_json explain_json(const ExplainReport& report, const Sources& sources);
 
 // How long frames are timed.
 struct Timing {

@@ -29,14 +29,19 @@ std::string check_limit(const std::string& text) {
     return set_limit(limits, text, error) ? "" : error;
 }
 
-}  // namespace
-
-// CLI11 reads "nan" and "inf" too.
+// CLI11 accepts "nan" and "inf" as numbers, so they are refused here.
 std::string check_finite(const std::string& text) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     return *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
 }
+
+std::string check_context(const std::string& text) {
+    ContextRequest request;
+    return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
+}
+
+}  // namespace
 
 std::string check_positive(const std::string& text) {
     const std::string error = check_finite(text);
@@ -45,16 +50,11 @@ std::string check_positive(const std::string& text) {
 
 std::string check_file_name(const std::string& text) { return text.empty() ? "the name of the file is empty" : ""; }
 
-std::string check_context(const std::string& text) {
-    ContextRequest request;
-    return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
-}
-
 CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                           const std::string& text) {
     return command.add_option(name, values, text)
         ->expected(1)
-        ->allow_extra_args(false)  // otherwise an option before the scene's name takes that, too
+        ->allow_extra_args(false)  // otherwise an option in front of the scene's name takes the name, too
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 

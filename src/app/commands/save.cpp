@@ -1,4 +1,4 @@
-// "snell save": values into a scene's text.
+// `snell save`: writes values into a scene's text.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace snell::app {
 namespace {
 
 struct SaveOptions {
-    std::string scene, output;  // an empty output stands for the scene's own file
+    std::string scene, output;  // an empty output means the scene's own file
     std::vector<std::string> sets, ladders;
     std::string context;
     Access access;
@@ -29,7 +29,7 @@ Exit complain(const std::string& what) {
     return exit_input;
 }
 
-// The scene's new text into another file.
+// Writes the scene's new text into another file.
 Exit write_copy(const Document& document, const Saved& saved, const std::string& output) {
     std::string text(document.sources.text(0));
     for (const SavedFile& file : saved.files) {

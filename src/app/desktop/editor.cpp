@@ -33,51 +33,24 @@ std::vector<std::string> split(std::string_view text) {
     return words;
 }
 
-// How a program is told the line.
+// How a line is passed to some programs.
 struct Known {
-    std::string_view name;
-    std::array<std::string_view, 3> arguments;  // with {file}, {line} and {column}; without {file} it comes last
+    std::string_view programs;                  // separated by blanks
+    std::array<std::string_view, 2> arguments;  // with {file}, {line} and {column}; without {file} it comes last
     bool terminal = false;
 };
 
-constexpr std::string_view plus = "+{line}", colon = "{file}:{line}:{column}";
+constexpr std::string_view plus = "+{line}", plus_colon = "+{line}:{column}", colon = "{file}:{line}:{column}";
 constexpr std::array known{
-    Known{"vi", {plus}, true},
-    Known{"vim", {plus}, true},
-    Known{"nvim", {plus}, true},
-    Known{"view", {plus}, true},
+    Known{"vi vim nvim view pico joe jed mg ne", {plus}, true},
     Known{"nano", {"+{line},{column}"}, true},
-    Known{"pico", {plus}, true},
-    Known{"micro", {"+{line}:{column}"}, true},
-    Known{"joe", {plus}, true},
-    Known{"jed", {plus}, true},
-    Known{"mg", {plus}, true},
-    Known{"ne", {plus}, true},
-    Known{"kak", {"+{line}:{column}"}, true},
-    Known{"hx", {colon}, true},
-    Known{"helix", {colon}, true},
-    Known{"gvim", {plus}},
-    Known{"emacs", {"+{line}:{column}"}},
-    Known{"emacsclient", {"+{line}:{column}"}},
-    Known{"gedit", {plus}},
-    Known{"pluma", {plus}},
-    Known{"xed", {plus}},
-    Known{"nedit", {plus}},
-    Known{"geany", {"+{line}"}},
-    Known{"mousepad", {"--line", "{line}"}},
-    Known{"kate", {"--line", "{line}"}},
-    Known{"kwrite", {"--line", "{line}"}},
-    Known{"code", {"--goto", colon}},
-    Known{"code-insiders", {"--goto", colon}},
-    Known{"codium", {"--goto", colon}},
-    Known{"vscodium", {"--goto", colon}},
-    Known{"cursor", {"--goto", colon}},
-    Known{"subl", {colon}},
-    Known{"sublime_text", {colon}},
-    Known{"zed", {colon}},
-    Known{"zeditor", {colon}},
-    Known{"idea", {"--line", "{line}"}},
-    Known{"clion", {"--line", "{line}"}},
+    Known{"micro kak", {plus_colon}, true},
+    Known{"hx helix", {colon}, true},
+    Known{"gvim gedit pluma xed nedit geany", {plus}},
+    Known{"emacs emacsclient", {plus_colon}},
+    Known{"mousepad kate kwrite idea clion", {"--line", "{line}"}},
+    Known{"code code-insiders codium vscodium cursor", {"--goto", colon}},
+    Known{"subl sublime_text zed zeditor", {colon}},
 };
 
 void replace(std::string& text, std::string_view what, const std::string& by) {
@@ -95,8 +68,13 @@ bool runnable(const std::string& program) {
     return false;
 }
 
-// In a session of its own: Ctrl-C in snell's terminal does not end it. 0, or why there is none.
-int start(const std::vector<std::string>& words, pid_t& process) {
+struct Spawned {
+    int error = 0;  // an error number as of errno; 0 if the process runs
+    pid_t process = 0;
+};
+
+// The process gets a session of its own, so that Ctrl-C in snell's terminal does not end it.
+Spawned spawn(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -116,10 +94,11 @@ int start(const std::vector<std::string>& words, pid_t& process) {
     flags = static_cast<short>(flags | POSIX_SPAWN_SETSID);
 #endif
     posix_spawnattr_setflags(&how, flags);
-    const int wrong = posix_spawnp(&process, arguments[0], &files, &how, arguments.data(), environ);
+    Spawned spawned;
+    spawned.error = posix_spawnp(&spawned.process, arguments[0], &files, &how, arguments.data(), environ);
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&files);
-    return wrong;
+    return spawned;
 }
 
 }  // namespace
@@ -134,7 +113,8 @@ EditorCommand editor_command(std::string_view editor, const std::string& file, i
     EditorCommand command{split(editor)};
     if (command.words.empty()) return command;
     const std::string program = fs::path(command.words[0]).filename().string();
-    const auto found = std::ranges::find(known, program, &Known::name);
+    const auto found = std::ranges::find_if(
+        known, [&](const Known& row) { return std::ranges::count(split(row.programs), program) > 0; });
     bool named = false;
     if (found != known.end()) {
         command.terminal = found->terminal;
@@ -155,23 +135,24 @@ EditorCommand editor_command(std::string_view editor, const std::string& file, i
     return command;
 }
 
-std::string Editor::open(const std::string& file, int line, int column) {
+Started Editor::open(const std::string& file, int line, int column) {
     std::error_code error;
-    if (!fs::is_regular_file(file, error)) return "there is no file " + utf8::printable(file);
+    if (!fs::is_regular_file(file, error)) return {{}, "there is no file " + utf8::printable(file)};
     const fs::path whole = fs::absolute(file, error);  // begins with '/'
     EditorCommand command = editor_command(name_, error ? file : whole.lexically_normal().string(), line, column);
-    if (command.words.empty()) return "no editor is named";
+    if (command.words.empty()) return {{}, "no editor is named"};
     const std::string name = utf8::printable(command.words[0]);
     if (command.terminal) {
         const std::string terminal = runnable("x-terminal-emulator") ? "x-terminal-emulator" : "xterm";
-        if (!runnable(terminal)) return name + " needs a terminal, and x-terminal-emulator and xterm are not there";
+        if (!runnable(terminal))
+            return {{}, name + " needs a terminal, and x-terminal-emulator and xterm are not there"};
         command.words.insert(command.words.begin(), {terminal, "-e"});
     }
-    pid_t process = 0;
-    if (const int wrong = start(command.words, process); wrong != 0)
-        return fmt::format("cannot start {}: {} (set VISUAL to an editor)", name, std::strerror(wrong));
-    running_.push_back({process, name});
-    return fmt::format("{} opens {}", name, utf8::printable(fs::path(file).filename().string()));
+    const Spawned spawned = spawn(command.words);
+    if (spawned.error != 0)
+        return {{}, fmt::format("cannot start {}: {} (set VISUAL to an editor)", name, std::strerror(spawned.error))};
+    running_.push_back({spawned.process, name});
+    return {name, {}};
 }
 
 std::string Editor::look() {

@@ -20,14 +20,19 @@ struct EditorCommand {
 // `file` must not begin with '-' or '+'.
 EditorCommand editor_command(std::string_view editor, const std::string& file, int line, int column);
 
+// The outcome of starting an editor; exactly one of the texts is empty. Both are printable.
+struct Started {
+    std::string program;  // that opens the file
+    std::string error;
+};
+
 // Starts editors without waiting for them; they stay open when the window closes.
 class Editor {
 public:
     explicit Editor(std::string name = editor_of_environment()) : name_(std::move(name)) {}
 
     const std::string& name() const { return name_; }
-    // Starts the editor and returns a message about the outcome.
-    std::string open(const std::string& file, int line, int column);
+    Started open(const std::string& file, int line, int column);
     // Call it regularly. Returns a message if an editor failed, otherwise "".
     std::string look();
 

@@ -9,7 +9,8 @@
 #include <filesystem>
 
 #include "parser/text/utf8.h"
-#include "src/ui/panels/costs.h"
+#include "parser/text/words.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell {
 
@@ -19,14 +20,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most = 5000;  // entries; a folder may hold millions
 
-unsigned char lower(char c) { return static_cast<unsigned char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_scene(std::string_view name) {
     constexpr std::string_view extension = ".glib";
-    return name.size() > extension.size() &&
-           std::equal(extension.begin(), extension.end(), name.end() - extension.size(),
-                      [](char a, char b) { return a == static_cast<char>(lower(b)); });
+    return name.size() > extension.size() && same_word(name.substr(name.size() - extension.size()), extension);
 }
 
 std::string home() {
@@ -41,7 +39,7 @@ std::string date_of(std::time_t time) {
                        local.tm_hour, local.tm_min);
 }
 
-// The digits at `at`, without zeros before them; moves behind them.
+// Returns the digits at `at` without leading zeros, and moves `at` behind them.
 std::string_view number(std::string_view text, std::size_t& at) {
     while (at + 1 < text.size() && text[at] == '0' && is_digit(text[at + 1])) ++at;
     const std::size_t begin = at;
@@ -60,12 +58,13 @@ bool before(std::string_view a, std::string_view b) {
             if (x != y) return x < y;
             continue;
         }
-        if (lower(a[i]) != lower(b[j])) return lower(a[i]) < lower(b[j]);
+        const auto x = static_cast<unsigned char>(lower(a[i])), y = static_cast<unsigned char>(lower(b[j]));
+        if (x != y) return x < y;
         ++i;
         ++j;
     }
     if (i < a.size() || j < b.size()) return j < b.size();
-    return a < b;  // they differ in case alone
+    return a < b;  // the names differ only in case
 }
 
 std::string without_tilde(const std::string& path) {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "src/content/json.h"
@@ -49,10 +47,7 @@ std::string settings_file() {
 
 Settings read_settings(const std::string& file) {
     Settings settings;
-    std::ifstream in(file, std::ios::binary);
-    if (file.empty() || !in) return settings;
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    const Json json = content::parse_json(text);
+    const Json json = content::parse_json(content::whole_file(file));
     if (!json.is_object()) return settings;
     settings.dark = flag(json, "dark", settings.dark);
     settings.panel = flag(json, "panel", settings.panel);

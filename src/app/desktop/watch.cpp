@@ -10,7 +10,7 @@ namespace snell {
 
 namespace {
 
-// The same for any order, so that none has to be kept.
+// The sum does not depend on the order, which folders do not guarantee.
 std::uint64_t hash_of_names(const std::string& folder) {
     std::uint64_t sum = 0;
     std::error_code error;

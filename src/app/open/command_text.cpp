@@ -11,15 +11,14 @@ namespace snell {
 
 namespace {
 
-// Shortest where no other program has the name.
+// Leaves out the program's name if no other program has a uniform of this name.
 std::string option_name(const Document& document, const Control& control) {
     const auto same = std::ranges::count(document.controls.items, control.name, &Control::name);
     return same == 1 ? control.name
                      : fmt::format("{}.{}", document.scene().programs[control.program].name, control.name);
 }
 
-}  // namespace
-
+// Quotes a word if a shell would interpret it.
 std::string shell_word(std::string_view word) {
     constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@%";
     if (!word.empty() && word.find_first_not_of(plain) == word.npos) return std::string(word);
@@ -27,6 +26,8 @@ std::string shell_word(std::string_view word) {
     for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + "'";
 }
+
+}  // namespace
 
 std::string render_command(const Document& document, const Picture& picture) {
     const Scene& scene = document.scene();

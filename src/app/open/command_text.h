@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "src/app/open/document.h"
 #include "src/plan/view.h"
@@ -22,8 +21,5 @@ struct Picture {
 // Returns a line for a POSIX shell that draws the same picture: the values and rungs that differ from the scene's, and
 // view, time and size. The syntax cannot distinguish programs of the same name: the value of the last one is used.
 std::string render_command(const Document& document, const Picture& picture);
-
-// Quotes a word if a shell would interpret it.
-std::string shell_word(std::string_view word);
 
 }  // namespace snell

@@ -33,7 +33,7 @@ void Deadline::begin(std::string what) {
         what_ = std::move(what);
         end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds_));
     }
-    // Else the thread wakes at an earlier end, and sees that there is another.
+    // A thread that is not idle wakes at an earlier end, and finds the new one then.
     if (idle) change_.notify_all();
 }
 
@@ -68,7 +68,7 @@ void Deadline::watch() {
                 utf8::printable(what_), seconds_);
             [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
             if (last_) last_();
-            // Not exit(): what it would wait for may be what does not return.
+            // exit() would wait for other threads, which may never return.
             _exit(exit_timeout);
         }
     }

@@ -26,7 +26,7 @@ IncludeReader include_reader(Files& files) {
     };
 }
 
-// What OpenGL could not do: a texture or a mesh may be missing.
+// An error of OpenGL means that a texture or a mesh may be missing.
 void report_gl_errors(Diagnostics& diagnostics) {
     for (const std::string& error : gl::take_errors())
         if (error == "GL_OUT_OF_MEMORY")
@@ -56,7 +56,7 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
 std::vector<std::string> files_read_by(const std::string& path, const Access& access) {
     Files files(scene_folder(path), access);
     Sources sources;
-    Diagnostics unheard(access.limits);  // discarded: these are reported when the scene is opened
+    Diagnostics unheard(access.limits);  // these are reported when the scene is opened
     auto parsed = parse_document(path, files, sources, unheard);
     if (!parsed) return {};
     const Plan plan = make_plan(std::move(parsed->scene), files, sources, unheard);
@@ -96,7 +96,7 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
 bool follow_rungs(Document& document) {
     Runtime& runtime = *document.runtime;
     if (!runtime.choose(document.controls.rungs)) return false;
-    Diagnostics known;  // what is to be said of the scene's values was said when it was read
+    Diagnostics known;  // problems with the scene's values were reported when it was read
     Controls controls = make_controls(runtime.scene(), runtime.active_uniforms(), known);
     carry_over(document.controls, runtime.scene(), controls, runtime.scene());
     document.controls = std::move(controls);

@@ -12,10 +12,9 @@ namespace snell::app {
 
 namespace {
 
-// Of the tried pictures: small, and of the same shape.
-constexpr int longest_side = 128;
+constexpr int longest_side = 128;  // pixels, of the pictures that are tried
 
-// The first view that shows something, as an option's value; "" if none does.
+// Returns the first view that shows something, as the value of --view; "" if none does.
 std::string view_that_shows(Runtime& runtime, const Frame& frame, const Runtime::Drawn& drawn, int width, int height) {
     const double scale = std::min(1., static_cast<double>(longest_side) / std::max(width, height));
     const int w = std::max(1, static_cast<int>(width * scale)), h = std::max(1, static_cast<int>(height * scale));
@@ -38,7 +37,7 @@ Diagnostics nothing_in_view(Document& document, const Frame& frame, int width, i
     Runtime& runtime = *document.runtime;
     const Runtime::Drawn drawn = runtime.drawn(frame);
     if (drawn.first == none) {
-        if (document.diagnostics.has_errors()) return result;  // which say why
+        if (document.diagnostics.has_errors()) return result;  // the errors say why
         const bool elsewhere = !runtime.scene().draws.empty();
         result.warning("nothing-drawn", elsewhere ? "nothing is drawn to the window" : "the scene draws nothing",
                        elsewhere ? "'RenderToTexture' without arguments returns to the window"

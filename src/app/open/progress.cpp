@@ -34,7 +34,7 @@ std::size_t columns_of_terminal() {
     return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-// Whole characters of at most so many bytes.
+// Returns as many whole characters as fit into that number of bytes.
 std::string_view begin_of(std::string_view text, std::size_t bytes) {
     if (text.size() <= bytes) return text;
     while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) --bytes;

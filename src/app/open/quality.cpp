@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "src/accuracy/quality.h"
+#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -22,15 +21,12 @@ bool choose_quality(const std::string& path, const std::string& name, const Scen
     }
     const std::string file = quality_path(path);
     const std::string remedy = fmt::format("measure it: snell accuracy {} --save-quality", path);
-    std::ifstream stream(file);
-    if (!stream) {
+    if (std::error_code none; !std::filesystem::exists(file, none)) {
         diagnostics.error("no-quality", fmt::format("there is no '{}'", file), remedy);
         return false;
     }
-    std::stringstream text;
-    text << stream.rdbuf();
     std::string why;
-    const auto preset = accuracy::read_quality(text.str(), name, why);
+    const auto preset = accuracy::read_quality(content::whole_file(file), name, why);
     if (!preset) {
         diagnostics.error("bad-quality", fmt::format("'{}' cannot be used: {}", file, why), remedy);
         return false;

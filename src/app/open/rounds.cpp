@@ -21,7 +21,7 @@ bool has_word(std::string_view text, std::string_view word) {
     return false;
 }
 
-// Or includes a file that may have one.
+// A text that includes a file counts, because the file may have a loop.
 bool has_loop(std::string_view text) {
     return has_word(text, "for") || has_word(text, "while") || text.find("include \"") != text.npos;
 }

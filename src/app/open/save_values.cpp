@@ -11,7 +11,7 @@ namespace snell {
 
 namespace {
 
-// The scene as it would be read after saving.
+// Returns the scene as it would be read after saving.
 Scene read_again(const Document& document, const std::vector<SavedFile>& files) {
     std::map<std::string, std::string_view, std::less<>> texts;
     for (FileId file = 0; file < document.sources.size(); ++file)
@@ -28,7 +28,7 @@ Scene read_again(const Document& document, const std::vector<SavedFile>& files) 
     return parse(file, sources, include).scene;
 }
 
-// Puts `next` where `now` is, in all files or in none.
+// Replaces `now` by `next` in all files or in none.
 std::string exchange(const std::vector<SavedFile>& files, std::string SavedFile::*now, std::string SavedFile::*next) {
     for (const SavedFile& file : files)
         if (content::whole_file(file.path) != file.*now)

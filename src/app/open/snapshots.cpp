@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "src/app/open/save_values.h"
@@ -19,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// "Glass.uEta"; "Glass#2.uEta" for the second program of that name.
+// Returns "Glass.uEta", or "Glass#2.uEta" for the second program of that name.
 std::string key_of(const Scene& scene, const Control& control) {
     const std::string& name = scene.programs[control.program].name;
     const auto end = scene.programs.begin() + control.program;
@@ -28,11 +26,10 @@ std::string key_of(const Scene& scene, const Control& control) {
                        : fmt::format("{}#{}.{}", name, before + 1, control.name);
 }
 
-// Nothing for what is not there; "discarded" for what is no JSON object.
+// Returns an empty object if the file is missing or empty, and "discarded" if it is not a JSON object.
 Json read(const std::string& scene) {
-    std::ifstream file(snapshots_file(scene), std::ios::binary);
-    if (!file) return Json::object();
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = content::whole_file(snapshots_file(scene));
+    if (text.empty()) return Json::object();
     Json json = content::parse_json(text);
     return json.is_object() ? json : Json(Json::value_t::discarded);
 }
@@ -43,7 +40,7 @@ const Json* member(const Json& json, const std::string& name) {
     return found == json.end() ? nullptr : &*found;
 }
 
-// With `changed_only`, only what is not as the scene says.
+// With `changed_only` the snapshot has only values that differ from the scene's.
 Json snapshot_of(const Document& document, bool changed_only) {
     const Scene& scene = document.scene();
     Json snapshot = {{"values", Json::object()}};
@@ -57,7 +54,7 @@ Json snapshot_of(const Document& document, bool changed_only) {
     return snapshot;
 }
 
-// As `--set` would, so that only what the uniform can hold gets there.
+// Values are set as by `--set`, which refuses what the uniform cannot hold.
 bool restore(const Json& numbers, Control& control, Document& document) {
     if (!numbers.is_array() || numbers.size() != control.value.size()) return false;
     Controls one;
@@ -78,7 +75,7 @@ bool has_values(const Json& snapshot) {
     return values && values->is_object();
 }
 
-// How many of them the scene does not have.
+// Returns the number of ladders and rungs that the scene does not have.
 std::size_t restore_ladders(const Json& snapshot, const Scene& scene, Rungs& rungs) {
     std::size_t lost = 0;
     const Json* ladders = member(snapshot, "ladders");

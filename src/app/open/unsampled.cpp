@@ -10,7 +10,7 @@ namespace snell {
 namespace {
 
 bool about_unsampled(const Document& document, const Diagnostic& diagnostic) {
-    // What lies outside of the folder that reading is confined to stays an error, read or not.
+    // A file outside of the folder that reading is confined to stays an error, even if nothing samples it.
     if (diagnostic.code != "file-not-found") return false;
     const auto& textures = document.scene().textures;
     const auto unsampled = [&](const Span& span) {

@@ -29,7 +29,7 @@ void add(std::string& text, std::string_view prefix, const Transformation& t) {
             text += fmt::format("{}{}{}={}", text.empty() ? "" : ",", prefix, part.name, t.*part.value);
 }
 
-// The transformation that "eye." means; null for what is none.
+// Returns the transformation that a prefix such as "eye." means, or null.
 Transformation* named(std::string_view prefix, View& view) {
     if (prefix.empty()) return &view.scene;
     if (prefix == "eye.") return &view.eye;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One name for each file: links are followed as replace_file() follows them. Many pictures share a folder.
+// Gives each file one name, following links as replace_file() does. Folders are cached, as many pictures share them.
 class Places {
 public:
     std::string of(const std::string& file) {

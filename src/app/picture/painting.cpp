@@ -20,7 +20,7 @@ Painting::Painting(const std::string& file, const PictureSize& size, const Tilin
     band_.channels = transparent ? 4 : 3;
     band_.type = size.floats ? content::PixelType::f32 : content::PixelType::u8;
     file_ = std::make_unique<content::RowWriter>(file, band_);
-    error_ = file_->add({});  // whether it can be written at all, before anything is drawn
+    error_ = file_->add({});  // finds out whether the file can be written before anything is drawn
 }
 
 void Painting::place(const content::Image& part, const PixelRect& at) {
@@ -37,7 +37,7 @@ void Painting::place(const content::Image& part, const PixelRect& at) {
 bool Painting::step(Runtime& runtime, Frame frame) {
     if (!error_.empty() || done_ == parts_.size()) return false;
     const PixelRect& part = parts_[done_];
-    // What is off-screen is the same for all parts, unless something else was drawn meanwhile.
+    // Off-screen targets are the same for all parts, unless something else was drawn in the meantime.
     frame.standing = done_ > 0 && runtime.counters().frames == drawn_;
     Surface surface{.width = size_.width, .height = size_.height};
     if (parts_.size() > 1) surface.part = part;

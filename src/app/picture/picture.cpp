@@ -5,6 +5,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "parser/text/words.h"
+
 namespace snell::app {
 
 namespace {
@@ -29,7 +31,7 @@ std::vector<Channel> without_alpha(const std::vector<Channel>& rgba) {
     return rgb;
 }
 
-// How much of the background does not show, of three channels over black and over white.
+// Returns the alpha of a pixel from its three channels over black and over white.
 template <class Number>
 double covered(const Number* black, const Number* white, double one) {
     double shows = 0;
@@ -70,8 +72,7 @@ content::Image drawn(Runtime& runtime, Frame frame, const Surface& surface, bool
 
 std::string extension_of(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
+    std::ranges::transform(extension, extension.begin(), lower);
     return extension;
 }
 

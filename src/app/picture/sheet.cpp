@@ -21,7 +21,7 @@ content::Image blank(int width, int height, std::uint8_t gray) {
     return image;
 }
 
-// Text is as wide as the tile that it belongs to: a word that has no room begins another line.
+// Breaks the label into lines that are at most as wide as its tile.
 std::vector<std::string> lines_of(const ui::Lettering& letters, const std::string& label, int width) {
     std::vector<std::string> lines(1);
     for (std::size_t begin = 0; begin < label.size();) {
@@ -55,7 +55,7 @@ content::Image thumbnail(const content::Image& picture) {
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x)
             for (std::size_t channel = 0; channel < 3; ++channel, ++out) {
-                const std::size_t from = channels < 3 ? 0 : channel;  // grey
+                const std::size_t from = channels < 3 ? 0 : channel;  // a picture with one or two channels is grey
                 double sum = 0, count = 0;
                 for (auto v = edge(y, result.height, picture.height); v < edge(y + 1, result.height, picture.height);
                      ++v)

@@ -8,12 +8,11 @@ namespace snell::app {
 
 namespace {
 
-// More at once is no faster.
-constexpr double comfortable = 512. * 1024 * 1024;
-// Parts begin at multiples of it: what drivers draw in blocks stays in the same ones.
+constexpr double comfortable = 512. * 1024 * 1024;  // bytes; drawing more at once is not faster
+// Parts begin at multiples of the block, so that the blocks in which drivers draw stay the same.
 constexpr int block = 64;
 
-// Colour, depth and stencil for every sample, and the picture itself.
+// Every sample has colour, depth and stencil; the picture itself is added.
 double bytes_of_pixel(const PictureSize& size) { return (size.samples * 8. + 16.) * (size.floats ? 2. : 1.); }
 
 int rounded(double pixels) { return std::max(block, static_cast<int>(pixels) / block * block); }

@@ -1,11 +1,11 @@
 #include "src/app/picture/writer.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "src/app/picture/sha256.h"
 #include "src/app/picture/sheet.h"
 #include "src/content/replace.h"
+#include "src/runtime/resources/stopwatch.h"
 
 namespace snell::app {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_waiting = 8, most_threads = 4;
 
 Written write(const std::string& path, std::optional<content::Image> picture, const Writer::Wanted& wanted) {
-    const auto begin = std::chrono::steady_clock::now();
+    const runtime::Stopwatch watch;
     Written written;
     if (picture) written.error = content::write_image(path, *picture);
     if (written.error.empty() && (wanted.hash || (wanted.tile && !picture))) {
@@ -24,7 +24,7 @@ Written write(const std::string& path, std::optional<content::Image> picture, co
         if (!picture) picture = content::decode_image(path, bytes).image;
     }
     if (wanted.tile && picture) written.tile = thumbnail(*picture);
-    written.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    written.milliseconds = watch.milliseconds();
     return written;
 }
 

@@ -17,7 +17,9 @@ bool is_folder(const std::string& path) {
     return fs::is_directory(path, error);
 }
 
-// From the scene's folder, for what is not too far from it.
+std::string file_name(const std::string& path) { return utf8::printable(fs::path(path).filename().string()); }
+
+// Names files near the scene relative to the scene's folder.
 std::string short_name(const std::string& path, const fs::path& folder) {
     const fs::path relative = fs::path(path).lexically_normal().lexically_relative(folder.lexically_normal());
     const bool near = !relative.empty() && !relative.string().starts_with("../../../");
@@ -55,15 +57,17 @@ std::optional<std::string> Opener::serve(const ui::Requests& requests, const std
         const std::string& wanted = memory.browser.folder;
         listing_ = list_folder(wanted.empty() ? fs::path(scene).parent_path().string() : wanted, memory.browser.all);
     }
-    if (!requests.edit.file.empty())
-        memory.notice = editor_.open(requests.edit.file, requests.edit.line, requests.edit.column);
+    if (const ui::Place& place = requests.edit; !place.file.empty()) {
+        const Started started = editor_.open(place.file, place.line, place.column);
+        memory.notice = started.error.empty() ? started.program + " opens " + file_name(place.file) : started.error;
+    }
     return requests.open.empty() ? std::nullopt : scene_at(requests.open, memory);
 }
 
 std::optional<std::string> Opener::serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory) {
     for (const std::string& path : paths)
         if (is_folder(path) || fs::path(path).extension() == ".glib") return scene_at(path, memory);
-    if (!paths.empty()) memory.notice = "no .glib scene: " + utf8::printable(fs::path(paths[0]).filename().string());
+    if (!paths.empty()) memory.notice = "no .glib scene: " + file_name(paths[0]);
     return std::nullopt;
 }
 
@@ -79,7 +83,7 @@ void Opener::resized(int width, int height) {
 
 void Opener::write() {
     if (settings_ == kept_) return;
-    // Where it can't be written nothing is lost but comfort.
+    // An error is ignored, because only comfort is lost.
     write_settings(file_, settings_);
     kept_ = settings_;
 }

@@ -10,6 +10,17 @@
 
 namespace snell {
 
+namespace {
+
+// Returns the object's statement and its place in the text.
+std::string object_text(const Document& document, Index object) {
+    if (object >= document.scene().draws.size()) return {};
+    const Span span = document.scene().draws[object].span;
+    return fmt::format("{}, {}", statement_text(span, document.sources), statement_place(span, document.sources));
+}
+
+}  // namespace
+
 void Picking::follow(Document& shown, std::uint64_t revision, View& view, ui::HoldMemory& hold) {
     if (revision != revision_ && !names_.empty()) {
         std::vector<std::string> names = object_names(shown.scene());
@@ -37,12 +48,6 @@ void Picking::tell(ui::Facts& facts, const Document* shown, const ui::HoldMemory
     if (told_of_ != std::pair(revision_, hold.object)) told_ = object_text(*shown, hold.object);
     told_of_ = {revision_, hold.object};
     facts.object = told_;
-}
-
-std::string object_text(const Document& document, Index object) {
-    if (object >= document.scene().draws.size()) return {};
-    const Span span = document.scene().draws[object].span;
-    return fmt::format("{}, {}", statement_text(span, document.sources), statement_place(span, document.sources));
 }
 
 }  // namespace snell

@@ -30,7 +30,4 @@ private:
     std::pair<std::uint64_t, Index> told_of_{0, none};  // the revision and the object that told_ describes
 };
 
-// The object's statement and its place in the text.
-std::string object_text(const Document& document, Index object);
-
 }  // namespace snell

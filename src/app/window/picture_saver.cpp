@@ -28,13 +28,13 @@ Picture wanted(const Picture& shown, const ui::PictureMemory& picture) {
     result.frames = picture.sequence ? ui::picture_count(picture) : 0;
     result.rate = picture.rate;
     if (picture.sequence) result.time = picture.from;
-    // Where the mouse is on the picture.
+    // The mouse stays at the same place of the picture.
     result.view.mouse_x *= picture.width / std::max(1, shown.width);
     result.view.mouse_y *= picture.height / std::max(1, shown.height);
     return result;
 }
 
-// As `snell render -o` names them.
+// The files are named as `snell render -o` names them.
 std::vector<std::string> files_of(const std::string& scene, const Picture& picture, std::string& error) {
     std::vector<app::Axis> axes;
     if (picture.frames > 0) axes.push_back(app::frames_axis(static_cast<std::size_t>(picture.frames)));
@@ -44,7 +44,7 @@ std::vector<std::string> files_of(const std::string& scene, const Picture& pictu
 
 }  // namespace
 
-// Beside the scene, as large as it is shown.
+// The default is a file next to the scene, in the size of the window's picture.
 void PictureSaver::fill(const Document& document, const Picture& shown, ui::PictureMemory& picture) {
     picture.error.clear();
     picture.there.clear();
@@ -86,7 +86,7 @@ void PictureSaver::serve(const ui::Requests& requests, const Document& document,
     }
 }
 
-// "" or why nothing begins.
+// Returns "", or why nothing begins.
 std::string PictureSaver::begin(const Document& document, const Picture& shown, ui::PictureMemory& picture,
                                 bool replace) {
     const Picture asked = wanted(shown, picture);

@@ -7,7 +7,7 @@
 
 namespace snell {
 
-// The same as on the screen, of which all that is off-screen stands.
+// The off-screen targets still have what the window's picture drew, so they are not drawn again.
 Frame PixelView::frame(const Document& shown, const Stand& stand) {
     view_ = stand.view;
     view_.axes = false;

@@ -14,7 +14,7 @@ namespace {
 
 bool same_error(const Diagnostic& a, const Diagnostic& b) { return a.code == b.code && a.message == b.message; }
 
-// Whether `now` breaks nothing that `before` had whole. A scene that always had an unknown command still follows
+// True if every error of `now` is in `before` too, so that a scene that always had an unknown command still follows
 // the edits of its shaders.
 bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
     return std::all_of(now.items().begin(), now.items().end(), [&](const Diagnostic& error) {
@@ -26,14 +26,13 @@ bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
 }
 
 ui::Problem problem_of(const Diagnostic& diagnostic, const Sources& sources) {
-    ui::Problem problem{diagnostic.severity, render(diagnostic, sources), {}};
-    const Span span = diagnostic.span;
-    if (!diagnostic.has_span || span.file >= sources.size()) return problem;
-    const Position at = sources.position(span.file, span.begin);
+    ui::Problem problem{describe(diagnostic, sources), {}};
+    const std::optional<Position> at = problem.finding.at;
+    if (!at) return problem;
     std::error_code error;
-    const std::string name(sources.name(span.file));
-    // What is built in has a name and no file.
-    if (std::filesystem::is_regular_file(name, error)) problem.place = {name, at.line, at.column};
+    const std::string name(sources.name(diagnostic.span.file));
+    // A built-in text has a name but no file.
+    if (std::filesystem::is_regular_file(name, error)) problem.place = {name, at->line, at->column};
     return problem;
 }
 
@@ -94,7 +93,7 @@ std::string Session::open(std::string path) {
     ++revision_;
     path_ = std::move(path);
     first_ = nullptr;
-    // What both scenes have is taken over by now; values are not.
+    // Resources that both scenes have were taken over by read(); values must not be.
     shown_.reset();
     kept_ = nullptr;
     by_hand_.clear();
@@ -112,7 +111,7 @@ void Session::take(std::unique_ptr<Document> read) {
     const bool shows = shown_ != nullptr;
     stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
     if (stale_ || !read->runtime) return;
-    // A program that is broken now has no place for its values: until nothing is, what lacks them gets them.
+    // A broken program has no controls for its values, so they are restored again until nothing is broken.
     if (!by_hand_.empty()) restore_changed(by_hand_, *read);
     if (!read->diagnostics.has_errors()) by_hand_.clear();
     if (shows) carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
@@ -123,7 +122,6 @@ void Session::take(std::unique_ptr<Document> read) {
     if (shown_->scene().verbose) std::fputs(verbose_report(*shown_).c_str(), stderr);
 }
 
-// What is about to be replaced.
 void Session::keep_shown() {
     if (!shown_ || !drawn_well_) return;
     drawn_well_ = false;
@@ -141,7 +139,7 @@ std::shared_ptr<const Kept> Session::salvage() {
 
 void Session::recover(const Recovery& recovery) {
     ++revision_;
-    problems_ = {{Severity::error, recovery.problem, {}}};
+    problems_ = {problem_of(recovery.problem, {})};
     errors_ = file_errors_ = file_problems_ = 1;
     files_ = recovery.files;
     watch_.set_paths(recovery.files);
@@ -175,7 +173,7 @@ bool Session::follow_rungs() {
 
 void Session::watch(const Document& read) {
     std::vector<std::string> paths = read.files->read_paths();
-    // What is shown may use files that a broken edit no longer names: repairing it must be seen all the same.
+    // The shown document may use files that a broken edit no longer names; saving one of them must be noticed too.
     if (shown_) {
         const std::vector<std::string> more = shown_->files->read_paths();
         paths.insert(paths.end(), more.begin(), more.end());
@@ -184,7 +182,7 @@ void Session::watch(const Document& read) {
     files_.clear();
     for (const std::string& path : paths)
         if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
-    // A file that was missing may appear: that changes its folder.
+    // A missing file that appears changes its folder.
     if (broken_) {
         std::vector<std::string> folders;
         std::transform(paths.begin(), paths.end(), std::back_inserter(folders), folder_of);
@@ -195,7 +193,7 @@ void Session::watch(const Document& read) {
 
 std::string Session::problems_text() const {
     std::string text;
-    for (const ui::Problem& problem : problems_) text += problem.text;
+    for (const ui::Problem& problem : problems_) text += render(problem.finding);
     return text;
 }
 

@@ -24,15 +24,13 @@ json controls_of(const Document& document) {
 
 json view_of(const View& view, const ui::HoldMemory& hold) {
     const Transformation& t = view.scene;
-    return {{"rotate_x", t.rotate_x},
-            {"rotate_y", t.rotate_y},
+    return {{"rotate_y", t.rotate_y},
             {"scale", t.scale},
             {"x", t.x},
             {"y", t.y},
             {"z", t.z},
             {"axes", view.axes},
             {"text", view_text(view)},
-            {"picking", hold.picking},
             {"object", hold.object == none ? json() : json(hold.object)}};
 }
 
@@ -59,7 +57,7 @@ json accuracy_of(const ui::AccuracyMemory& memory, const ui::AccuracyFacts& fact
             {"points", std::move(points)}};
 }
 
-// Numbers as text: JSON has neither NaN nor infinity.
+// Values are written as text, because JSON has neither NaN nor infinity.
 json pixels_of(const ui::PixelFacts& facts) {
     json pixels = json::object();
     if (facts.flags)
@@ -69,7 +67,6 @@ json pixels_of(const ui::PixelFacts& facts) {
     const Inspection& found = *facts.inspection;
     pixels["at"] = {found.x, found.y};
     for (const float value : found.pixel()) pixels["rgba"].push_back(ui::value_text(value).view());
-    if (found.depth) pixels["depth"] = *found.depth;
     if (found.distance) pixels["distance"] = *found.distance;
     pixels["statement"] = facts.statement;
     pixels["place"] = facts.place;
@@ -77,18 +74,13 @@ json pixels_of(const ui::PixelFacts& facts) {
 }
 
 json frame_cost_of(const ui::FrameCostFacts& facts) {
-    const auto rows = [](std::span<const ui::CostRow> costs) {
-        json list = json::array();
-        for (const ui::CostRow& cost : costs)
-            list.push_back({{"name", cost.name}, {"milliseconds", cost.milliseconds}, {"draw", cost.draw}});
-        return list;
-    };
-    return {{"clock", facts.clock},
-            {"pictures", facts.frames.size()},
+    json apart = json::array();
+    for (const ui::CostRow& cost : facts.apart)
+        apart.push_back({{"name", cost.name}, {"milliseconds", cost.milliseconds}, {"draw", cost.draw}});
+    return {{"pictures", facts.frames.size()},
             {"median", facts.median},
             {"high", facts.high},
-            {"passes", rows(facts.passes)},
-            {"apart", rows(facts.apart)},
+            {"apart", std::move(apart)},
             {"measuring", facts.measuring.has_value()}};
 }
 
@@ -99,7 +91,6 @@ void write_window_state(const std::string& file, const WindowCounters& counters,
     json state{{"frames", counters.frames},
                {"presents", counters.presents},
                {"time", counters.time},
-               {"frame_ms", counters.frame_ms},
                {"revision", session.revision()},
                {"errors", session.errors()},
                {"problems", session.problems_text()},

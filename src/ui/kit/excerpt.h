@@ -1,19 +1,13 @@
-// Cuts a line of source and the carets under it to a given number of columns.
+// Cuts a line of source to a given number of columns.
 #pragma once
 
-#include <string>
-#include <string_view>
+#include <cstddef>
+
+#include "parser/text/finding.h"
 
 namespace snell::ui {
 
-// Whether a line of a diagnostic shows source, such as "   10 |     uSc <0. .5 1.>".
-bool is_source(std::string_view line);
-
-struct Excerpt {
-    std::string source, carets;
-};
-// Cuts both lines, given as a diagnostic prints them, to at most `columns` characters each. The first caret stays
-// visible; dots mark what is left out.
-Excerpt excerpt(std::string_view source, std::string_view carets, std::size_t columns);
+// Cuts the line to at most `columns` characters. The first caret stays visible; dots mark what is left out.
+MarkedLine excerpt(const MarkedLine& line, std::size_t columns);
 
 }  // namespace snell::ui

@@ -12,39 +12,37 @@ void hold_object(HoldMemory& hold, Index object) {
         hold.held = Held::scene;
 }
 
-Transformation held(const View& view, const HoldMemory& hold) {
-    switch (hold.held) {
+namespace {
+
+// Returns the member of View, or null for the transformation of an object.
+Transformation View::*part(Held held) {
+    switch (held) {
         case Held::scene:
-            return view.scene;
+            return &View::scene;
         case Held::eye:
-            return view.eye;
+            return &View::eye;
         case Held::texture:
-            return view.texture;
+            return &View::texture;
         case Held::object:
             break;
     }
+    return nullptr;
+}
+
+}  // namespace
+
+Transformation held(const View& view, const HoldMemory& hold) {
+    if (const auto member = part(hold.held)) return view.*member;
     const auto object = view.objects.find(hold.object);
     return object == view.objects.end() ? Transformation{} : object->second;
 }
 
 void set_held(View& view, const HoldMemory& hold, const Transformation& transformation) {
-    switch (hold.held) {
-        case Held::scene:
-            view.scene = transformation;
-            return;
-        case Held::eye:
-            view.eye = transformation;
-            return;
-        case Held::texture:
-            view.texture = transformation;
-            return;
-        case Held::object:
-            break;
-    }
-    if (hold.object == none) return;
-    if (transformation == Transformation{})
+    if (const auto member = part(hold.held))
+        view.*member = transformation;
+    else if (hold.object != none && transformation == Transformation{})
         view.objects.erase(hold.object);
-    else
+    else if (hold.object != none)
         view.objects[hold.object] = transformation;
 }
 

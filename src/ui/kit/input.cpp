@@ -27,6 +27,8 @@ std::size_t batch(std::span<const Event> events) {
     return count;
 }
 
+bool pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(static_cast<int>(key), repeat); }
+
 void map_keys() {
     static constexpr std::array<std::pair<ImGuiKey_, Key>, 22> table{{
         {ImGuiKey_Tab, Key::tab},

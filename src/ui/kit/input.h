@@ -13,6 +13,8 @@ std::size_t batch(std::span<const Event> events);
 
 // Passes the events to the current Dear ImGui context.
 void feed(std::span<const Event> events);
+// True if the key was pressed in this frame; with `repeat` also while it repeats.
+bool pressed(Key key, bool repeat = false);
 // Call once per context, before feed(): maps Dear ImGui's keys to those of Key.
 void map_keys();
 

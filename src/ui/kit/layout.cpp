@@ -14,6 +14,11 @@ void Layout::note(std::string_view first, std::string_view second) {
     if (listening_) note(std::string(first).append(".").append(second));
 }
 
+void Layout::place_window(std::string_view name) {
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    place(name, {at.x, at.y, size.x, size.y});
+}
+
 void Layout::place(std::string_view name, const Rect& rect) {
     if (listening_) items_.push_back({std::string(name), rect, true});
 }

@@ -28,6 +28,8 @@ public:
     // Records Dear ImGui's last item under this name.
     void note(std::string_view name);
     void note(std::string_view first, std::string_view second);
+    // Records the window of Dear ImGui that is being drawn.
+    void place_window(std::string_view name);
     // Records a rectangle that is not an item of Dear ImGui.
     void place(std::string_view name, const Rect& rect);
     const std::vector<Placed>& items() const { return items_; }

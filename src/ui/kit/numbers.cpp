@@ -53,6 +53,10 @@ std::string shown(double value, double min, double max, bool integral) {
 
 std::string exact(double value) { return fmt::format("{}", value); }
 
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::optional<double> typed(std::string_view text, bool integral) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);

@@ -18,6 +18,8 @@ double tidy_relative(double value, double min, double max, bool fine);
 double tidy(float value);
 // Formats a double as the shortest text that reads back to the same value.
 std::string exact(double value);
+// Formats as "1 error" or "2 errors".
+std::string counted(std::size_t count, std::string_view noun);
 // Parses a number that a user typed; "+" and surrounding blanks are allowed. Returns nullopt if it is not a number, not
 // finite, or does not fit a float (with `integral`, a 32-bit integer, to which fractions are rounded).
 std::optional<double> typed(std::string_view text, bool integral);

@@ -25,7 +25,7 @@ ImFont* load(std::span<const char* const> files, float pixels) {
         std::error_code none;
         if (!std::filesystem::is_regular_file(file, none)) continue;
         ImFontConfig config;
-        config.OversampleH = pixels < 40 ? 2 : 1;  // large letters look good without, and would take much memory
+        config.OversampleH = pixels < 40 ? 2 : 1;  // large letters need no oversampling, which would take much memory
         config.OversampleV = 1;
         if (ImFont* font = io.Fonts->AddFontFromFileTTF(file, pixels, &config, glyphs.data())) return font;
     }

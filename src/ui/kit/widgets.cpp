@@ -27,7 +27,7 @@ bool by_ratio(const SliderRange& range) {
     return range.logarithmic && range.min > 0 && range.max > range.min && std::isfinite(range.max / range.min);
 }
 
-// The intermediate results cannot overflow, whatever the range.
+// The intermediate results cannot overflow, for any range.
 double fraction_of(double value, const SliderRange& range) {
     if (by_ratio(range)) return std::clamp(std::log(value / range.min) / std::log(range.max / range.min), 0.0, 1.0);
     const double half = range.max / 2 - range.min / 2;
@@ -45,7 +45,7 @@ double value_at(double fraction, const SliderRange& range, bool fine) {
     return tidy(std::clamp(value, range.min, range.max), range.min, range.max, fine);
 }
 
-// The value that the mouse has dragged the knob to: under the pointer, or relative to where the drag began.
+// Returns the value that the mouse has dragged the knob to: under the pointer, or relative to where the drag began.
 double dragged_to(const ImRect& box, double value, const SliderRange& range, SliderMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
     const float grab = ImGui::GetStyle().GrabMinSize * .5F, way = std::max(1.0F, box.GetWidth() - 2 * grab);
@@ -97,9 +97,7 @@ void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction) {
 }  // namespace
 
 float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
-void tip(const char* text) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
-}
+
 float button_width(std::string_view label) { return width_of(label) + 2 * ImGui::GetStyle().FramePadding.x; }
 
 float check_box_width(std::string_view label) {
@@ -110,6 +108,36 @@ void follow(float width, float gap) {
     const float before = gap < 0 ? ImGui::GetStyle().ItemSpacing.x : gap;
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     if (ImGui::GetItemRectMax().x + before + width <= end) ImGui::SameLine(0, gap);
+}
+
+void tip(std::string_view text) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
+}
+
+bool button(const char* text, Layout& layout, std::string_view name) {
+    const bool pressed = ImGui::Button(text);
+    layout.note(name);
+    return pressed;
+}
+
+bool next_button(const char* text, Layout& layout, std::string_view name) {
+    follow(button_width(text));
+    return button(text, layout, name);
+}
+
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine();
+}
+
+void wrapped(std::string_view text, bool dim) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(dim ? ImGuiCol_TextDisabled : ImGuiCol_Text));
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
 }
 
 Text shortened(std::string_view text, float width) {
@@ -138,7 +166,7 @@ bool fitted(std::string_view text, float width, bool dim) {
     ImGui::TextUnformatted(part.begin(), part.end());
     if (dim) ImGui::PopStyleColor();
     if (part == text) return true;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
+    tip(text);
     return false;
 }
 

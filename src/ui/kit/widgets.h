@@ -17,7 +17,15 @@ float width_of(std::string_view text);
 float button_width(std::string_view label);
 float check_box_width(std::string_view label);
 // Sets the tooltip of the last item, disabled or not.
-void tip(const char* text);
+void tip(std::string_view text);
+// Draws a button and records its place as `name`. Returns true if the user pressed it.
+bool button(const char* text, Layout& layout, std::string_view name);
+// Likewise, placed by follow().
+bool next_button(const char* text, Layout& layout, std::string_view name);
+// Draws text in front of the next item, which is placed on the same line.
+void label(const char* text);
+// Draws text that is wrapped at the right edge.
+void wrapped(std::string_view text, bool dim = false);
 // Places the next item, `width` wide, on the same line if it fits there, otherwise on the next line. `gap` is as for
 // SameLine.
 void follow(float width, float gap = -1);

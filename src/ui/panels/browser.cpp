@@ -8,7 +8,8 @@
 #include <cmath>
 
 #include "parser/text/utf8.h"
-#include "src/platform/window.h"
+#include "parser/text/words.h"
+#include "src/ui/kit/input.h"
 #include "src/ui/panels/state.h"
 
 namespace snell::ui {
@@ -16,8 +17,6 @@ namespace snell::ui {
 namespace {
 
 constexpr const char* title = "Open a scene";
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 bool contains(std::string_view text, std::string_view part) {
     return std::search(text.begin(), text.end(), part.begin(), part.end(),
@@ -27,8 +26,6 @@ bool contains(std::string_view text, std::string_view part) {
 bool is_path(std::string_view typed) {
     return typed.find('/') != std::string_view::npos || typed.starts_with('~') || typed == "..";
 }
-
-bool pressed(Key key) { return ImGui::IsKeyPressed(static_cast<int>(key)); }
 
 void close(Browser& browser) {
     browser.open = false;
@@ -55,8 +52,7 @@ void path_row(const Listing& listing, Memory& memory, Requests& requests, Layout
         if (i > first) ImGui::SameLine(0, gap);
         ImGui::PushID(static_cast<int>(i));
         const Text name = shortened(all[i].name, ImGui::GetContentRegionAvail().x - button_width(""));
-        if (ImGui::Button(name.c_str())) open_browser(all[i].path, memory, requests);
-        layout.note("browser.folder", all[i].name);
+        if (button(name.c_str(), layout, "browser.folder." + all[i].name)) open_browser(all[i].path, memory, requests);
         ImGui::PopID();
     }
 }
@@ -77,7 +73,7 @@ void places(const Facts& facts, const Listing& listing, Memory& memory, Requests
             requests.open = path;
             close(memory.browser);
         }
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", utf8::printable(path).c_str());
+        tip(utf8::printable(path));
         layout.note("browser.recent", name);
         ImGui::PopID();
     }
@@ -108,9 +104,7 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, Memo
              Layout& layout) {
     Browser& browser = memory.browser;
     if (!listing.error.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(listing.error.c_str());
-        ImGui::PopTextWrapPos();
+        wrapped(listing.error);
         return;
     }
     if (shown.empty())
@@ -130,7 +124,7 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, Memo
         if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
         if (ImGui::IsItemHovered() && ImGui::CalcTextSize(entry.name.c_str()).x > 20 * em)
             ImGui::SetTooltip("%s", entry.name.c_str());
-        if (chosen && (pressed(Key::up) || pressed(Key::down))) ImGui::SetScrollHereY();
+        if (chosen && (pressed(Key::up, true) || pressed(Key::down, true))) ImGui::SetScrollHereY();
         ImGui::PopID();
         if (clicked) {
             browser.chosen = i;
@@ -140,8 +134,8 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, Memo
 }
 
 void choose_by_keys(Browser& browser, std::size_t count) {
-    if (pressed(Key::down)) ++browser.chosen;
-    if (pressed(Key::up) && browser.chosen > 0) --browser.chosen;
+    if (pressed(Key::down, true)) ++browser.chosen;
+    if (pressed(Key::up, true) && browser.chosen > 0) --browser.chosen;
     browser.chosen = std::min(browser.chosen, count > 0 ? count - 1 : 0);
 }
 
@@ -150,7 +144,7 @@ void answer_row(const Listing& listing, const std::vector<std::size_t>& shown, M
                 Layout& layout) {
     Browser& browser = memory.browser;
     const bool empty = browser.typed[0] == '\0';
-    if (empty && pressed(Key::backspace) && !browser.focus) {
+    if (empty && pressed(Key::backspace, true) && !browser.focus) {
         const std::vector<Crumb> all = crumbs(listing.folder);
         if (all.size() > 1) return open_browser(all[all.size() - 2].path, memory, requests);
     }
@@ -166,14 +160,12 @@ void answer_row(const Listing& listing, const std::vector<std::size_t>& shown, M
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;
     follow(buttons);
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - buttons));
-    if (ImGui::Button("Cancel") || pressed(Key::escape)) return close(browser);
-    layout.note("browser.cancel");
+    if (button("Cancel", layout, "browser.cancel") || pressed(Key::escape)) return close(browser);
     ImGui::SameLine();
     const std::string_view typed(browser.typed.data());
     ImGui::BeginDisabled(shown.empty() && !is_path(typed));
-    go |= ImGui::Button("Open");
+    go |= button("Open", layout, "browser.open");
     ImGui::EndDisabled();
-    layout.note("browser.open");
     go |= (pressed(Key::enter) || pressed(Key::keypad_enter)) && !ImGui::IsAnyItemActive();
     if (!go) return;
     if (is_path(typed)) {

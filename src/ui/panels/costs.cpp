@@ -1,5 +1,3 @@
-#include "src/ui/panels/costs.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,8 +5,10 @@
 #include <array>
 #include <utility>
 
+#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 
@@ -17,18 +17,22 @@ namespace {
 using Kind = Explanation::Kind;
 using Paid = Explanation::Paid;
 
+// Draws a text that ends at `right`, on the line of the last item.
+void right_text(const std::string& text, float right) {
+    if (text.empty()) return;
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(right - width_of(text));
+    ImGui::TextDisabled("%s", text.c_str());
+}
+
 // Draws a line of two columns. The tooltip has the full text, `why`, and the place in the files.
 void line(const Facts& facts, const std::string& name, const std::string& amount, const std::string& why,
           const std::optional<Span>& span) {
     const float width = ImGui::GetContentRegionAvail().x, right = ImGui::GetCursorPosX() + width;
-    const float taken = amount.empty() ? 0 : ImGui::CalcTextSize(amount.c_str()).x + ImGui::GetStyle().ItemSpacing.x;
+    const float taken = amount.empty() ? 0 : width_of(amount) + ImGui::GetStyle().ItemSpacing.x;
     ImGui::BeginGroup();
     fitted(name, width - taken);
-    if (!amount.empty()) {
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(right - ImGui::CalcTextSize(amount.c_str()).x);
-        ImGui::TextDisabled("%s", amount.c_str());
-    }
+    right_text(amount, right);
     ImGui::EndGroup();
     if (!ImGui::IsItemHovered()) return;
     std::string place;
@@ -45,10 +49,7 @@ std::string amount_of(const Paid& paid) {
         const FrameCost& cost = *paid.frame;
         return milliseconds_text(cost.gpu ? *cost.gpu : std::max(cost.cpu, cost.wall));
     }
-    if (paid.kind == Kind::pass) {
-        if (paid.kept) return "kept";
-        return fmt::format("{} draw{}", paid.draws.size(), paid.draws.size() == 1 ? "" : "s");
-    }
+    if (paid.kind == Kind::pass) return paid.kept ? "kept" : counted(paid.draws.size(), "draw");
     return paid.bytes > 0 ? bytes_text(paid.bytes) : std::string();
 }
 
@@ -56,11 +57,7 @@ bool branch(const char* name, std::size_t count, const std::string& amount, Layo
     const float right = ImGui::GetContentRegionMax().x;
     const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s: %zu", name, count);
     layout.note("costs", name);
-    if (!amount.empty()) {
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(right - ImGui::CalcTextSize(amount.c_str()).x);
-        ImGui::TextDisabled("%s", amount.c_str());
-    }
+    right_text(amount, right);
     return open;
 }
 
@@ -122,9 +119,7 @@ void costs_section(const Facts& facts, Memory& memory, Layout& layout) {
     std::uint64_t bytes = 0;
     for (const Paid& paid : facts.explanation->paid) bytes += paid.bytes;
     fitted(bytes_text(bytes) + " of GPU memory", ImGui::GetContentRegionAvail().x);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("redrawn %s", facts.explanation->redraw.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped("redrawn " + facts.explanation->redraw, true);
     paid_for(facts, layout);
     not_paid_for(facts, layout);
 }

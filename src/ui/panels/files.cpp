@@ -1,5 +1,3 @@
-#include "src/ui/panels/files.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,7 +6,8 @@
 #include <cmath>
 
 #include "parser/text/utf8.h"
-#include "src/platform/window.h"
+#include "src/ui/kit/input.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 
@@ -63,25 +62,22 @@ void look_section(Memory& memory, Layout& layout) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Letters");
     ImGui::SameLine(0, gap);
-    if (ImGui::Button("\u2212")) memory.zoom = next_zoom(memory.zoom, -1);
-    layout.note("smaller");
+    if (button("\u2212", layout, "smaller")) memory.zoom = next_zoom(memory.zoom, -1);
     ImGui::SameLine(0, gap);
     const float left = ImGui::GetCursorPosX();
     ImGui::SetCursorPosX(left + (number - ImGui::CalcTextSize(percent.c_str()).x) / 2);
     ImGui::TextUnformatted(percent.c_str());
     ImGui::SameLine(0, 0);
     ImGui::SetCursorPosX(left + number + gap);
-    if (ImGui::Button("+")) memory.zoom = next_zoom(memory.zoom, 1);
-    layout.note("larger");
+    if (button("+", layout, "larger")) memory.zoom = next_zoom(memory.zoom, 1);
 }
 
 void files_keys(Memory& memory, Requests& requests) {
     if (!ImGui::GetIO().KeyCtrl) return;
-    const auto pressed = [](Key key) { return ImGui::IsKeyPressed(static_cast<int>(key), true); };
-    if (pressed(Key::o) && !memory.browser.open) open_browser({}, memory, requests);
-    if (pressed(Key::plus)) memory.zoom = next_zoom(memory.zoom, 1);
-    if (pressed(Key::minus)) memory.zoom = next_zoom(memory.zoom, -1);
-    if (pressed(Key::zero)) memory.zoom = 1;
+    if (pressed(Key::o, true) && !memory.browser.open) open_browser({}, memory, requests);
+    if (pressed(Key::plus, true)) memory.zoom = next_zoom(memory.zoom, 1);
+    if (pressed(Key::minus, true)) memory.zoom = next_zoom(memory.zoom, -1);
+    if (pressed(Key::zero, true)) memory.zoom = 1;
 }
 
 }  // namespace snell::ui

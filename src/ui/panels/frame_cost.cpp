@@ -89,14 +89,6 @@ void rows(std::span<const CostRow> costs, Layout& layout) {
     }
 }
 
-void wrapped(std::string_view text) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().dim);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
-}
-
 }  // namespace
 
 bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
@@ -110,24 +102,22 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         text.add("median {:.2f} ms, 95 %: {:.2f} ms", cost.median, cost.high);
     ImGui::TextUnformatted(text.begin(), text.end());
     layout.note("frame cost.median");
-    wrapped(cost.clock);
+    wrapped(cost.clock, true);
     plot(cost, layout);
     ImGui::PushID("live");
     rows(cost.passes, layout);
     ImGui::PopID();
-    const bool pressed = ImGui::Button(cost.measuring ? "Stop" : "Measure passes and draws");
-    layout.note("frame cost.measure");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Draws 11 additional frames that are not shown,\nand times every draw.");
+    const bool chosen = button(cost.measuring ? "Stop" : "Measure passes and draws", layout, "frame cost.measure");
+    tip("Draws 11 additional frames that are not shown,\nand times every draw.");
     if (cost.measuring)
         ImGui::ProgressBar(static_cast<float>(*cost.measuring), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     if (!cost.apart.empty()) {
-        wrapped(cost.apart_clock);
+        wrapped(cost.apart_clock, true);
         ImGui::PushID("apart");
         rows(cost.apart, layout);
         ImGui::PopID();
     }
-    return pressed;
+    return chosen;
 }
 
 }  // namespace snell::ui

@@ -1,36 +1,34 @@
-#include "src/ui/panels/keep.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "src/platform/window.h"
+#include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 
 namespace {
 
-bool button(const char* label, bool enabled, const char* help) {
+bool keep_button(const char* text, bool enabled, const char* help, Layout& layout, const char* name) {
     ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(label);
+    const bool chosen = button(text, layout, name);
     ImGui::EndDisabled();
     tip(help);
-    return pressed;
+    return chosen;
 }
 
 }  // namespace
 
 void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
     if (!facts.scene) return;
-    requests.save |= button("Save values", facts.changed,
-                            "Ctrl+S: saves the current values to the scene's file.\nOnly the numbers change.");
-    layout.note("save");
+    requests.save |=
+        keep_button("Save values", facts.changed,
+                    "Ctrl+S: saves the current values to the scene's file.\nOnly the numbers change.", layout, "save");
     follow(button_width("Undo"));
-    requests.undo_save |= button("Undo", facts.undoable, "Ctrl+Shift+S: restores the file as it was before saving");
-    layout.note("undo save");
-    follow(button_width("Copy command"));
-    requests.copy_command |= button("Copy command", true, "Copies the command for this view");
-    layout.note("copy command");
+    requests.undo_save |= keep_button("Undo", facts.undoable, "Ctrl+Shift+S: restores the file as it was before saving",
+                                      layout, "undo save");
+    requests.copy_command |= next_button("Copy command", layout, "copy command");
+    tip("Copies the command for this view");
     picture_button(requests, layout);
 
     ImGui::AlignTextToFramePadding();
@@ -59,10 +57,9 @@ void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
 void keep_keys(const Facts& facts, Requests& requests) {
     if (!facts.scene) return;
     const ImGuiIO& io = ImGui::GetIO();
-    const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
-    if (io.KeyCtrl && pressed(static_cast<int>(Key::s))) (io.KeyShift ? requests.undo_save : requests.save) = true;
+    if (io.KeyCtrl && pressed(Key::s)) (io.KeyShift ? requests.undo_save : requests.save) = true;
     for (int number = 1; number <= snapshot_count; ++number) {
-        if (!pressed(static_cast<int>(Key::one) + number - 1)) continue;
+        if (!pressed(static_cast<Key>(static_cast<int>(Key::one) + number - 1))) continue;
         (io.KeyCtrl ? requests.store_snapshot : requests.restore_snapshot) = number;
     }
 }

@@ -7,7 +7,8 @@
 #include <cfloat>
 #include <cmath>
 
-#include "src/platform/window.h"
+#include "src/ui/kit/input.h"
+#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/state.h"
@@ -19,10 +20,9 @@ namespace {
 constexpr const char* title = "Save picture";
 constexpr double most_pictures = 1e6, largest = 1e6;
 
-void label(const char* text, const char* help = nullptr) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    if (help && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+void row(const char* name, const char* help = nullptr) {
+    label(name);
+    if (help) tip(help);
     ImGui::SameLine(7 * ImGui::GetFontSize());
 }
 
@@ -32,40 +32,36 @@ void whole(const char* id, double& value, double initial, Layout& layout, const 
     layout.note(name);
 }
 
-void times(const char* id, double factor, PictureMemory& picture, const Rect& scene, double density) {
-    follow(button_width(id));
-    if (!ImGui::Button(id)) return;
-    picture.width = std::max(1., std::round(scene.width * density * factor));
-    picture.height = std::max(1., std::round(scene.height * density * factor));
+void set_size(PictureMemory& picture, const Rect& scene, double factor) {
+    picture.width = std::max(1., std::round(scene.width * factor));
+    picture.height = std::max(1., std::round(scene.height * factor));
 }
 
 void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
     const double density = ImGui::GetIO().DisplayFramebufferScale.x;
-    label("Size");
+    row("Size");
     whole("##width", picture.width, picture.width, layout, "picture width", largest);
     ImGui::SameLine();
     ImGui::TextUnformatted("\u00d7");
     ImGui::SameLine();
     whole("##height", picture.height, picture.height, layout, "picture height", largest);
-    times("Window size", 1, picture, scene, density);
-    layout.note("picture window size");
-    times("\u00d7 4", 4, picture, scene, density);
-    layout.note("picture times 4");
-    label("Samples", "samples per pixel; more make edges smoother");
+    if (next_button("Window size", layout, "picture window size")) set_size(picture, scene, density);
+    if (next_button("\u00d7 4", layout, "picture times 4")) set_size(picture, scene, 4 * density);
+    row("Samples", "samples per pixel; more make edges smoother");
     whole("##samples", picture.samples, 4, layout, "picture samples", 64);
     follow(check_box_width("Transparent"), ImGui::GetFontSize());
     ImGui::Checkbox("Transparent", &picture.transparent);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Leaves out the background (PNG and EXR only)");
+    tip("Leaves out the background (PNG and EXR only)");
     layout.note("picture transparent");
 }
 
 void sequence_rows(PictureMemory& picture, Layout& layout) {
-    label("Sequence", "numbered pictures of a time span");
+    row("Sequence", "numbered pictures of a time span");
     ImGui::Checkbox("##sequence", &picture.sequence);
     layout.note("picture sequence");
     if (!picture.sequence) return;
     const float field = 5 * ImGui::GetFontSize();
-    label("Seconds");
+    row("Seconds");
     number("##from", picture.from, false, 0, field);
     layout.note("picture from");
     ImGui::SameLine();
@@ -73,14 +69,15 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
     ImGui::SameLine();
     number("##to", picture.to, false, 10, field);
     layout.note("picture to");
-    label("Per second");
+    row("Per second");
     number("##rate", picture.rate, false, 25, field);
     picture.rate = std::clamp(picture.rate, 1e-3, 1e5);
     layout.note("picture rate");
     const int count = picture_count(picture);
-    const std::string told = fmt::format("{} picture{}, the last at {:.6g} s", count, count == 1 ? "" : "s",
-                                         picture.from + (count - 1) / picture.rate);
-    follow(ImGui::CalcTextSize(told.c_str()).x);
+    const std::string told =
+        fmt::format("{}, the last at {:.6g} s", counted(static_cast<std::size_t>(count), "picture"),
+                    picture.from + (count - 1) / picture.rate);
+    follow(width_of(told));
     ImGui::TextDisabled("%s", told.c_str());
 }
 
@@ -93,16 +90,11 @@ void answers(PictureMemory& picture, Requests& requests, Layout& layout) {
         ImGui::PopStyleColor();
         layout.note("picture error");
     }
-    if (ImGui::Button(asks ? "Replace" : "Save"))
+    if (button(asks ? "Replace" : "Save", layout, "picture save"))
         requests.picture = asks ? PictureRequest::replace : PictureRequest::save;
-    layout.note("picture save");
-    follow(button_width("Copy command"));
-    if (ImGui::Button("Copy command")) requests.picture = PictureRequest::command;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Copies the 'snell render' command that draws the same");
-    layout.note("picture command");
-    follow(button_width("Cancel"));
-    if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(static_cast<int>(Key::escape), false)) picture.open = false;
-    layout.note("picture cancel");
+    if (next_button("Copy command", layout, "picture command")) requests.picture = PictureRequest::command;
+    tip("Copies the 'snell render' command that draws the same");
+    if (next_button("Cancel", layout, "picture cancel") || pressed(Key::escape)) picture.open = false;
 }
 
 void progress_row(const PictureMemory& picture, Requests& requests, Layout& layout) {
@@ -110,9 +102,7 @@ void progress_row(const PictureMemory& picture, Requests& requests, Layout& layo
     const std::string percent = fmt::format("{:.0f} %", std::floor(*picture.progress * 100));
     ImGui::ProgressBar(static_cast<float>(*picture.progress), {-stop, 0}, percent.c_str());
     ImGui::SameLine();
-    if (ImGui::Button("Stop") || ImGui::IsKeyPressed(static_cast<int>(Key::escape), false))
-        requests.picture = PictureRequest::stop;
-    layout.note("picture stop");
+    if (button("Stop", layout, "picture stop") || pressed(Key::escape)) requests.picture = PictureRequest::stop;
 }
 
 }  // namespace
@@ -123,10 +113,8 @@ int picture_count(const PictureMemory& picture) {
 }
 
 void picture_button(Requests& requests, Layout& layout) {
-    follow(button_width("Save picture\u2026"));
-    if (ImGui::Button("Save picture\u2026")) requests.picture = PictureRequest::open;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Saves this picture in any size, or a sequence");
-    layout.note("picture");
+    if (next_button("Save picture\u2026", layout, "picture")) requests.picture = PictureRequest::open;
+    tip("Saves this picture in any size, or a sequence");
 }
 
 void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
@@ -142,7 +130,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize))
         return;
     ImGui::BeginDisabled(picture.progress.has_value());
-    label("File", "The extension sets the format: .png, .bmp, .exr \u2026");
+    row("File", "The extension sets the format: .png, .bmp, .exr \u2026");
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputText("##file", picture.file.data(), picture.file.size());
     layout.note("picture file");

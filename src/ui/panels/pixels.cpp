@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "src/platform/window.h"
 #include "src/runtime/inspect.h"
+#include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/state.h"
 
@@ -32,7 +32,7 @@ void swatch(Flag flag) {
     ImGui::Dummy({side, em});
 }
 
-// The colour on the screen, or that of the pixel's flag.
+// Returns the colour on the screen, or that of the pixel's flag.
 ImU32 color_of(std::span<const float, 4> rgba) {
     if (const Flag flag = flag_of(rgba); flag >= Flag::infinite) return pack(snell::color_of(flag));
     const auto byte = [](float value) {
@@ -78,8 +78,8 @@ void channels(const Inspection& found, const Fonts& fonts) {
     }
 }
 
-// A position for a box of that size that is fully visible and does not cover the pointer: to the side of it, or above
-// or below.
+// Returns a position where a box of that size is fully visible and does not cover the pointer: to the side of it, or
+// above or below.
 ImVec2 beside(ImVec2 pointer, ImVec2 size, const Rect& scene, float gap) {
     const float right = scene.x + scene.width, bottom = scene.y + scene.height;
     const float x = std::clamp(pointer.x - size.x / 2, scene.x, std::max(scene.x, right - size.x));
@@ -100,7 +100,7 @@ Text value_text(float value) {
 void pixel_keys(const Rect& scene, PixelMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool free = !io.WantTextInput && !io.KeyCtrl;
-    if (free && ImGui::IsKeyPressed(static_cast<int>(Key::n), false)) memory.flags = !memory.flags;
+    if (free && pressed(Key::n)) memory.flags = !memory.flags;
     memory.inspecting =
         free && ImGui::IsKeyDown(static_cast<int>(Key::i)) && scene.contains(io.MousePos.x, io.MousePos.y);
     memory.x = io.MousePos.x - scene.x;
@@ -111,13 +111,10 @@ void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
     if (!section("Pixels", open, layout, "pixels")) return;
     ImGui::Checkbox("Mark invalid values", &memory.flags);
     layout.note("flags");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is "
-            "drawn a second time, into floats.");
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("Hold I over the picture to see a pixel's values.");
-    ImGui::PopTextWrapPos();
+    tip("N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is drawn "
+        "a "
+        "second time, into floats.");
+    wrapped("Hold I over the picture to see a pixel's values.", true);
 }
 
 void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout) {
@@ -139,8 +136,7 @@ void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memo
             }
         }
     }
-    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    layout.place("flag counts", {at.x, at.y, size.x, size.y});
+    layout.place_window("flag counts");
     ImGui::End();
     ImGui::PopStyleVar();
 }
@@ -179,8 +175,8 @@ void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory,
         fitted(drawn ? facts.pixels->statement : "no object", width);
         fitted(facts.pixels->place, width, true);
     }
+    layout.place_window("inspector");
     ImGui::End();
-    layout.place("inspector", {at.x, at.y, size.x, size.y});
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
 }

@@ -1,5 +1,3 @@
-#include "src/ui/panels/problems.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,7 +5,8 @@
 #include <utility>
 
 #include "src/ui/kit/excerpt.h"
-#include "src/ui/panels/files.h"
+#include "src/ui/kit/numbers.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 
@@ -17,69 +16,56 @@ constexpr ImGuiWindowFlags overlay = ImGuiWindowFlags_NoDecoration | ImGuiWindow
                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                      ImGuiWindowFlags_NoNav;
 
-std::string counted(std::size_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::size_t count(std::span<const Problem> problems, Severity severity) {
-    return static_cast<std::size_t>(
-        std::count_if(problems.begin(), problems.end(), [&](const Problem& p) { return p.severity == severity; }));
+    return static_cast<std::size_t>(std::count_if(problems.begin(), problems.end(),
+                                                  [&](const Problem& p) { return p.finding.severity == severity; }));
 }
 
-std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
-
-// Underlines the place, such as "paint.frag:3:12", in the line that was just drawn.
-void underline(std::string_view line, const Place& place) {
-    const std::string end = fmt::format(":{}:{}: ", place.line, place.column);
-    const std::size_t at = line.find(end);
-    if (at == std::string_view::npos) return;
+// Underlines the place, such as "paint.frag:3:12", at the beginning of the line that was just drawn.
+Rect underline(const Finding& finding) {
     const ImVec2 from = ImGui::GetItemRectMin();
-    const float width = ImGui::CalcTextSize(line.data(), line.data() + at + end.size() - 2).x;
+    const float width = std::min(width_of(place_text(finding)), ImGui::GetItemRectSize().x);
     const float y = from.y + ImGui::GetTextLineHeight() - 1;
-    ImGui::GetWindowDrawList()->AddLine({from.x, y}, {std::min(from.x + width, ImGui::GetItemRectMax().x), y},
-                                        ImGui::GetColorU32(palette().link), std::max(1.0F, ImGui::GetFontSize() / 14));
+    ImGui::GetWindowDrawList()->AddLine({from.x, y}, {from.x + width, y}, ImGui::GetColorU32(palette().link),
+                                        std::max(1.0F, ImGui::GetFontSize() / 14));
+    return {from.x, y, width, 1};
 }
 
 // Draws source and carets without wrapping, because the carets must stay under what they mark.
-void show_source(std::string_view line, std::string_view carets) {
+void show_source(const Finding& finding) {
+    const std::string left = margin(finding.at->line);
     const float column = ImGui::CalcTextSize("M").x;
-    const Excerpt part =
-        excerpt(line, carets, static_cast<std::size_t>(std::max(1.0F, ImGui::GetContentRegionAvail().x / column)));
-    ImGui::TextUnformatted(part.source.c_str());
-    if (!carets.empty()) ImGui::TextUnformatted(part.carets.c_str());
+    const auto columns = static_cast<std::size_t>(std::max(1.0F, ImGui::GetContentRegionAvail().x / column));
+    const MarkedLine line = excerpt(*finding.source, columns - std::min(columns, left.size()));
+    ImGui::TextUnformatted((left + line.text).c_str());
+    ImGui::TextUnformatted((std::string(left.size() - 2, ' ') + "| " + carets(line)).c_str());
+}
+
+void show_details(const Finding& finding) {
+    if (finding.source) show_source(finding);
+    if (!finding.also.empty()) wrapped("   " + finding.also);
+    if (!finding.help.empty()) wrapped("   help: " + finding.help);
+    for (const Finding& note : finding.notes) {
+        wrapped(headline(note));
+        show_details(note);
+    }
 }
 
 // The first line is the message, in its severity's colour, and a link to the editor; the rest shows the source.
 void show(const Facts& facts, const Problem& problem, std::size_t number, Requests& requests, Layout& layout) {
+    const Finding& finding = problem.finding;
     const Palette& colors = palette();
-    const std::string_view text = problem.text;
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    ImGui::PushStyleColor(ImGuiCol_Text, problem.severity == Severity::error ? colors.error : colors.warning);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.data(), text.data() + end);
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleColor(ImGuiCol_Text, finding.severity == Severity::error ? colors.error : colors.warning);
+    wrapped(headline(finding));
     ImGui::PopStyleColor();
     if (!problem.place.file.empty()) {
-        layout.note(fmt::format("problem.{}", number));
-        underline(text.substr(0, end), problem.place);
+        const std::string name = fmt::format("problem.{}", number);
+        layout.note(name);
+        layout.place(name + ".place", underline(finding));
         if (edit_link(facts, problem.place)) requests.edit = problem.place;
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
-    std::string_view rest = text.substr(std::min(end + 1, text.size()));
-    while (!rest.empty()) {
-        const std::string_view line = first_line(rest);
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-        if (is_source(line)) {
-            const std::string_view below = first_line(rest);
-            const bool carets = is_source(below);
-            show_source(line, carets ? below : std::string_view());
-            if (carets) rest.remove_prefix(std::min(below.size() + 1, rest.size()));
-            continue;
-        }
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(line.data(), line.data() + line.size());
-        ImGui::PopTextWrapPos();
-    }
+    show_details(finding);
     ImGui::PopStyleVar();
     ImGui::Spacing();
 }
@@ -89,7 +75,7 @@ void list(const Facts& facts, Severity severity, const Fonts& fonts, Requests& r
     std::size_t shown = 0;
     ImGui::PushFont(fonts.mono);
     for (std::size_t i = 0; i < facts.problems.size(); ++i)
-        if (facts.problems[i].severity == severity && shown++ < most)
+        if (facts.problems[i].finding.severity == severity && shown++ < most)
             show(facts, facts.problems[i], i, requests, layout);
     if (shown > most) ImGui::TextUnformatted(fmt::format("\u2026 and {} more", shown - most).c_str());
     ImGui::PopFont();
@@ -112,57 +98,41 @@ void pop_dark() {
     ImGui::PopStyleColor(6);
 }
 
-bool right_button(const char* label) {
-    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
-    return ImGui::Button(label);
+bool right_button(const char* text, Layout& layout, const char* name) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button_width(text));
+    return button(text, layout, name);
 }
 
-// Begins an overlay of the size that its contents had in the last frame, limited to the picture.
-bool begin_overlay(const char* name, ImVec2 at, float width, float most_height) {
-    ImGui::SetNextWindowPos(at);
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(most_height, 1.0F)});
-    return ImGui::Begin(name, nullptr, (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize);
-}
-
-void errors_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
-                   Layout& layout) {
-    const std::size_t errors = count(facts.problems, Severity::error);
+// Shows all errors, with the warnings on request, or all warnings.
+void problems_window(const Facts& facts, Severity severity, const Rect& scene, const Fonts& fonts, Memory& memory,
+                     Requests& requests, Layout& layout) {
+    const bool errors = severity == Severity::error;
     const std::size_t warnings = count(facts.problems, Severity::warning);
-    const float margin = ImGui::GetStyle().WindowPadding.x;
-    if (begin_overlay("##problems", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
-                      scene.height * .7F)) {
+    const float margin = ImGui::GetStyle().WindowPadding.x, width = scene.width - 2 * margin;
+    // The window has the size of its contents in the last frame, limited to the picture.
+    ImGui::SetNextWindowPos({scene.x + margin, scene.y + margin});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(scene.height * .7F, 1.0F)});
+    if (ImGui::Begin(errors ? "##problems" : "##warnings", nullptr,
+                     (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::AlignTextToFramePadding();
-        const std::string title =
-            facts.stale ? counted(errors, "error") + " \u2014 the picture shows the last version without errors"
-                        : counted(errors, "error");
+        std::string title = counted(count(facts.problems, severity), name(severity));
+        if (errors && facts.stale) title += " \u2014 the picture shows the last version without errors";
         fitted(title, ImGui::GetContentRegionAvail().x - button_width("Hide") - ImGui::GetStyle().ItemSpacing.x);
-        if (right_button("Hide")) memory.problems_hidden = true;
-        layout.note("problems.hide");
-        list(facts, Severity::error, fonts, requests, layout);
-        if (warnings > 0) {
-            if (ImGui::SmallButton(
-                    (counted(warnings, "warning") + (memory.warnings_open ? " \u25B4" : " \u25BE")).c_str()))
+        if (right_button("Hide", layout, "problems.hide")) {
+            if (errors)
+                memory.problems_hidden = true;
+            else
+                memory.warnings_open = false;
+        }
+        list(facts, severity, fonts, requests, layout);
+        if (errors && warnings > 0) {
+            const char* arrow = memory.warnings_open ? " \u25B4" : " \u25BE";
+            if (ImGui::SmallButton((counted(warnings, "warning") + arrow).c_str()))
                 memory.warnings_open = !memory.warnings_open;
             layout.note("problems.warnings");
             if (memory.warnings_open) list(facts, Severity::warning, fonts, requests, layout);
         }
-    }
-    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    layout.place("problems.panel", {at.x, at.y, size.x, size.y});
-    ImGui::End();
-}
-
-void warnings_window(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
-                     Layout& layout) {
-    const float margin = ImGui::GetStyle().WindowPadding.x;
-    if (begin_overlay("##warnings", {scene.x + margin, scene.y + margin}, scene.width - 2 * margin,
-                      scene.height * .6F)) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(counted(count(facts.problems, Severity::warning), "warning").c_str());
-        if (right_button("Hide")) memory.warnings_open = false;
-        layout.note("problems.hide");
-        list(facts, Severity::warning, fonts, requests, layout);
+        layout.place_window("problems.panel");
     }
     ImGui::End();
 }
@@ -176,13 +146,12 @@ void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, M
         memory.revision = facts.revision;
         memory.problems_hidden = false;
     }
-    const bool errors = count(facts.problems, Severity::error) > 0;
-    const bool warnings = count(facts.problems, Severity::warning) > 0;
     push_dark();
-    if (errors && !memory.problems_hidden)
-        errors_window(facts, scene, fonts, memory, requests, layout);
-    else if (!errors && warnings && memory.warnings_open)
-        warnings_window(facts, scene, fonts, memory, requests, layout);
+    if (count(facts.problems, Severity::error) > 0) {
+        if (!memory.problems_hidden) problems_window(facts, Severity::error, scene, fonts, memory, requests, layout);
+    } else if (memory.warnings_open && count(facts.problems, Severity::warning) > 0) {
+        problems_window(facts, Severity::warning, scene, fonts, memory, requests, layout);
+    }
     pop_dark();
 }
 
@@ -200,13 +169,11 @@ void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layo
         ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
         if (ImGui::Begin(fmt::format("##message{}", index++).c_str(), nullptr,
                          overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
-            const float button = ImGui::CalcTextSize("OK").x + 2 * ImGui::GetStyle().FramePadding.x;
             ImGui::AlignTextToFramePadding();
-            ImGui::PushTextWrapPos(width - button - 2 * margin);
+            ImGui::PushTextWrapPos(width - button_width("OK") - 2 * margin);
             ImGui::TextUnformatted(message.text.data(), message.text.data() + message.text.size());
             ImGui::PopTextWrapPos();
-            if (right_button("OK")) memory.dismissed.insert(message.text);
-            layout.note("message.ok");
+            if (right_button("OK", layout, "message.ok")) memory.dismissed.insert(message.text);
         }
         bottom -= ImGui::GetWindowHeight() + margin * .5F;
         ImGui::End();

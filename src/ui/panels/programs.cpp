@@ -1,5 +1,3 @@
-#include "src/ui/panels/programs.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -9,6 +7,7 @@
 #include "src/plan/values/fit.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 
@@ -35,7 +34,7 @@ void caption(std::string_view name, std::string_view value, std::string_view rem
     const float left = width_of(text.view());
     ImGui::TextUnformatted(text.begin(), text.end());
     if (left + right + ImGui::GetStyle().ItemSpacing.x > width) {
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", Text("{}{}  {}", name, value, remark).c_str());
+        tip(Text("{}{}  {}", name, value, remark).view());
         return;
     }
     ImGui::SameLine();
@@ -43,7 +42,7 @@ void caption(std::string_view name, std::string_view value, std::string_view rem
     ImGui::TextDisabled("%.*s", static_cast<int>(remark.size()), remark.data());
 }
 
-// The value in glman's format: "uEta = 1.1000".
+// Formats the value as glman does: " = 1.1000".
 Text value_of(const Control& control) {
     Text text;
     for (std::size_t i = 0; i < control.value.size(); ++i)
@@ -59,7 +58,7 @@ bool is_logarithmic(const Control& control, const Section& section) {
     return !chosen.empty() && control.min > 0 && chosen.contains(key_of(control));
 }
 
-// The menu that a right click on a slider's name opens.
+// Draws the menu that a right click on a slider's name opens.
 void slider_menu(Control& control, const Section& section) {
     if (!ImGui::BeginPopupContextItem("##menu")) return;
     const std::string initial = shown(control.initial[0], control.min, control.max, is_integral(control.type));
@@ -121,11 +120,11 @@ void check_box(Control& control, const Section& section) {
     const bool whole = name == control.name;
     if (ImGui::Checkbox(name.append("###on").c_str(), &on)) control.value[0] = on ? 1 : 0;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) control.value[0] = control.initial[0];
-    if (!whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", control.name.c_str());
+    if (!whole) tip(control.name);
     section.layout.note(section.program.name, control.name);
 }
 
-// The reason why a uniform has no effect; empty if it has one.
+// Returns why a uniform has no effect; empty if it has one.
 std::string_view idle_reason(const Control& control, const Section& section) {
     if (control.active) return {};
     return section.linked ? "not used by the program" : "the program did not compile or link";
@@ -210,7 +209,7 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
         shortened(name.empty() ? "Program" : name, ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight());
     const bool whole = name.empty() || title == name;
     const bool open = ImGui::CollapsingHeader(title.append("###program").c_str());
-    if (!whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name.c_str());
+    if (!whole) tip(name);
     section.layout.note(name);
     if (open) {
         ImGui::Indent(ImGui::GetStyle().FramePadding.x * .5F);

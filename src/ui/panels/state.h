@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "parser/scene.h"
-#include "parser/text/diagnostic.h"
+#include "parser/text/finding.h"
 #include "parser/text/source.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"
@@ -34,10 +34,9 @@ struct Place {
     int line = 1, column = 1;
 };
 
-// A diagnostic as printed, and the place that it refers to.
+// A diagnostic, and the place that it refers to if that is in a file on disk.
 struct Problem {
-    Severity severity = Severity::error;
-    std::string text;
+    Finding finding;
     Place place;
 };
 

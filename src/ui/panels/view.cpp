@@ -1,5 +1,3 @@
-#include "src/ui/panels/view.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,7 +5,8 @@
 #include <array>
 
 #include "src/plan/lens.h"
-#include "src/platform/window.h"
+#include "src/ui/kit/input.h"
+#include "src/ui/panels/panels.h"
 
 namespace snell::ui {
 
@@ -50,11 +49,10 @@ struct Field {
 };
 
 // Draws up to three fields in a row, none narrower than its number.
-void fields(const char* label, std::initializer_list<Field> row, Transformation& t, Layout& layout) {
+void fields(const char* name, std::initializer_list<Field> row, Transformation& t, Layout& layout) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, begin = 3.2F * ImGui::GetFontSize();
-    const float least = ImGui::CalcTextSize("-123.456").x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
+    const float least = button_width("-123.456");
+    label(name);
     ImGui::SameLine(begin);
     const float room = ImGui::GetContentRegionAvail().x;
     const int columns = std::clamp(static_cast<int>((room + gap) / (least + gap)), 1, 3);
@@ -85,12 +83,10 @@ void transformation(View& view, HoldMemory& hold, Layout& layout) {
     fields("move", {{"x", &Transformation::x}, {"y", &Transformation::y}, {"z", &Transformation::z}}, t, layout);
     fields("scale", {{"scale", &Transformation::scale}}, t, layout);
     t.scale = std::clamp(t.scale, 1e-3, 1e3);
-    follow(button_width("Reset"));
     ImGui::BeginDisabled(before == Transformation{});
-    if (ImGui::Button("Reset")) t = {};
+    if (next_button("Reset", layout, "reset held")) t = {};
     ImGui::EndDisabled();
     tip("Resets this transformation. 'Reset view' or R resets all.");
-    layout.note("reset held");
     if (!(t == before)) set_held(view, hold, t);
 }
 
@@ -107,9 +103,7 @@ void projection_row(const Scene& scene, View& view, Memory& memory, Layout& layo
     tip("P: click an object to pick it; click empty space to deselect");
     layout.note("pick");
 
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("background");
-    ImGui::SameLine();
+    label("background");
     const double initial =
         std::clamp(std::max({scene.background[0], scene.background[1], scene.background[2]}), 0., 1.);
     double value = view.background.value_or(initial);
@@ -136,7 +130,6 @@ void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout
 }
 
 void view_keys(View& view, HoldMemory& hold) {
-    const auto pressed = [](Key key) { return ImGui::IsKeyPressed(static_cast<int>(key), false); };
     if (pressed(Key::r) || pressed(Key::home)) reset_view(view);
     if (pressed(Key::p)) {
         hold.picking = !hold.picking;

@@ -5,13 +5,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "src/ui/kit/numbers.h"
+
 namespace snell {
 
 namespace {
-
-std::string counted(std::size_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string short_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
@@ -19,7 +17,7 @@ std::string restore(int number, Document& document) {
     const Restored restored = restore_snapshot(number, document);
     if (!restored.error.empty()) return restored.error;
     const std::string lost =
-        restored.lost == 0 ? "" : fmt::format("; {} left out: not in this scene", counted(restored.lost, "value"));
+        restored.lost == 0 ? "" : fmt::format("; {} left out: not in this scene", ui::counted(restored.lost, "value"));
     return fmt::format("snapshot {}{}", number, lost);
 }
 
@@ -50,7 +48,7 @@ std::string Keeper::save(const Document& document) {
     Saved saved = saved_values(document);
     if (saved.error.empty()) saved.error = write_saved(saved.files);
     if (!saved.error.empty()) return "not saved: " + saved.error;
-    std::string notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
+    std::string notice = saved.files.empty() ? "nothing to save" : ui::counted(saved.values, "value") + " saved to";
     for (const SavedFile& file : saved.files) notice += " " + short_name(file.path);
     for (const Unwritten& value : saved.unwritten) notice += fmt::format("\nnot {}: {}", value.name, value.reason);
     if (!saved.files.empty()) saved_.push_back(std::move(saved.files));

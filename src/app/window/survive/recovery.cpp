@@ -15,11 +15,13 @@ Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> f
     return {std::move(kept),
             std::move(files),
             {},
-            fmt::format("error: {}; {} [context-lost]\n   help: {}; F5 or another edit tries again\n",
-                        app::loss_message, shown, app::loss_help)};
+            {.code = "context-lost",
+             .message = fmt::format("{}; {}", app::loss_message, shown),
+             .help = fmt::format("{}; F5 or another edit tries again", app::loss_help),
+             .has_span = false}};
 }
 
-// Names of files may hold any byte but 0.
+// Parts are separated by 0, the only byte that names of files cannot hold.
 std::string carried_text(const Carried& carried) {
     const auto [width, height] = carried.size;
     std::string text = fmt::format("{} {} {} {}", width, height, carried.time, carried.view.axes ? 1 : 0);

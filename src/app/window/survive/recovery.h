@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
 #include "src/plan/plan.h"
 #include "src/plan/values/controls.h"
@@ -25,7 +26,7 @@ struct Recovery {
     std::shared_ptr<const Kept> kept;  // the last state that was drawn without problems; null if nothing is shown
     std::vector<std::string> files;    // files in use; a change of one makes the window try again
     std::string values;   // the values that differ from the scene's, for restore_changed() once the scene is read
-    std::string problem;  // what happened, and what the user can do
+    Diagnostic problem;   // what happened, and what the user can do
     bool edited = false;  // a file was saved while no window watched it
 };
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view after_flag = "--after=", of_hang = "hang:", of_memory = "memory:";
 
-// operator new tells nobody who is asked for more.
+// The handler of operator new has no parameter, so it finds the object here.
 std::atomic<const Restart*> of_this_process = nullptr;
 
 std::vector<std::string> own_arguments() {
@@ -34,7 +34,7 @@ std::vector<std::string> own_arguments() {
 
 int new_memory() { return memfd_create("snell", MFD_CLOEXEC); }
 
-// After that moment, by the clock of files; what the future holds is no edit.
+// True if the file was saved after that moment, by the clock of files. A time in the future does not count as an edit.
 bool saved_since(const std::string& path, const timespec& moment) {
     const auto later = [](const timespec& a, const timespec& b) {
         return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
@@ -45,7 +45,7 @@ bool saved_since(const std::string& path, const timespec& moment) {
     return stat(path.c_str(), &now) == 0 && later(now.st_mtim, moment) && !later(now.st_mtim, present);
 }
 
-// That of the window before, which told its number.
+// Returns the memory file whose number the previous window passed, or a new one.
 int memory_of(std::string_view after) {
     const std::size_t colon = after.find(':');
     int file = -1;
@@ -86,27 +86,29 @@ std::optional<Carried> Restart::carried() const {
         carried.recovery.edited = carried.recovery.edited || saved_since(file, memory.st_mtim);
     const char* comes_back =
         carried.recovery.values.empty() ? "" : ", with the values that were set manually, as last drawn";
-    carried.recovery.problem =
-        after_.starts_with(of_memory)
-            ? fmt::format(
-                  "error: memory ran out, and the window was started again; nothing is drawn [out-of-memory]\n"
-                  "   help: F5 or another edit tries again{}; --limit asks for less\n",
-                  comes_back)
-            : fmt::format(
-                  "error: a frame did not end, and the window was started again; nothing is drawn "
-                  "[frame-too-long]\n   help: a loop in a shader may not end; F5 or another edit tries again{}; "
-                  "--timeout SECONDS waits longer\n",
-                  comes_back);
+    Diagnostic& problem = carried.recovery.problem;
+    problem.has_span = false;
+    if (after_.starts_with(of_memory)) {
+        problem.code = "out-of-memory";
+        problem.message = "memory ran out, and the window was started again; nothing is drawn";
+        problem.help = fmt::format("F5 or another edit tries again{}; --limit asks for less", comes_back);
+    } else {
+        problem.code = "frame-too-long";
+        problem.message = "a frame did not end, and the window was started again; nothing is drawn";
+        problem.help = fmt::format(
+            "a loop in a shader may not end; F5 or another edit tries again{}; --timeout SECONDS waits longer",
+            comes_back);
+    }
     return carried;
 }
 
-// The memory's time of change is that of the last try.
+// The modification time of the memory file is that of the last try.
 void Restart::trying() {
     worth_it_ = true;
     futimens(memory_, nullptr);
 }
 
-// The new text takes the place of the old one at once.
+// The new text replaces the old one at once, so that a restart never finds half of it.
 void Restart::keep(const Carried& carried) {
     const std::string text = carried_text(carried);
     const int fresh = new_memory();

@@ -1,0 +1,306 @@
+#include "src/app/window/app.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "parser/text/utf8.h"
+#include "src/app/open/snapshots.h"
+#include "src/app/window/window_state.h"
+#include "src/ui/kit/input.h"
+
+namespace snell {
+
+namespace {
+
+constexpr double look_at_files = .1;    // seconds between looks
+constexpr double frame_time = 1. / 60;  // seconds; for animated scenes if the screen sets no pace
+constexpr int until_equal = 3;          // frames: Dear ImGui answers some input, and measures messages, a frame late
+constexpr PixelSize comfortable{1280, 800};
+
+PixelSize scaled(PixelSize size, double scale) {
+    return {static_cast<int>(std::clamp(size.width * scale, 320.0, 16384.0)),
+            static_cast<int>(std::clamp(size.height * scale, 240.0, 16384.0))};
+}
+
+}  // namespace
+
+std::string title_of(const std::string& scene) { return "snell \u2014 " + utf8::printable(scene); }
+
+App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried)
+    : options_(options),
+      window_(std::move(window)),
+      restart_(restart),
+      interface_(*window_, !options.state_file.empty()),
+      display_(*window_, app::LossWatch(options.lose_file)),
+      caps_(gl::query_caps()),
+      workspace_(
+          options, caps_, [this](const LoadProgress& progress) { loading(progress); },
+          carried ? &carried->recovery : nullptr),
+      measuring_(options.scene, caps_),
+      hang_(restart.hang_watch(options.timeout)) {
+    restore(workspace_.settings(), interface_.memory());
+    if (!carried) return;
+    interface_.view() = carried->view;
+    interface_.memory().clock.time = carried->time;
+}
+
+void App::run(bool edited) {
+    workspace_.report();
+    workspace_.remember_scene();
+    window_->show(first_size());
+    shown_ = true;
+    if (edited) reload();
+    interface_.start();
+    began_ = window_->now();
+    while (!window_->closing() && !lost()) {
+        window_->wait(pause());
+        if (options_.exit_after > 0 && window_->now() - began_ > options_.exit_after) break;
+        step();
+    }
+    workspace_.look(interface_.memory());
+}
+
+// Events wait for the frame after loading, because there is nothing yet that they could change.
+void App::loading(const LoadProgress& progress) {
+    if (!patience_.due(progress) || Patience::ends(progress)) return;
+    if (!std::exchange(shown_, true))
+        window_->show(options_.size ? PixelSize{options_.size->first, options_.size->second}
+                                    : scaled(comfortable, window_->content_scale()));
+    window_->wait(0);
+    if (!visible()) return;
+    interface_.loading(progress);
+    display_.show(window_->framebuffer());
+    interface_.paint();
+    window_->present();
+}
+
+PixelSize App::first_size() {
+    if (options_.size) return {options_.size->first, options_.size->second};
+    const ui::Memory& memory = interface_.memory();
+    const Settings& kept = workspace_.settings();
+    PixelSize size = comfortable;
+    if (own_size()) {
+        const auto [width, height] = workspace_.document()->scene().window_size;
+        const double letters = 16 * memory.zoom;  // the height of text, in the panel and in the status line
+        size = {width + static_cast<int>(memory.panel ? memory.panel_width * letters : 0),
+                height + static_cast<int>(1.5 * letters)};
+    } else if (kept.width > 0 && kept.height > 0) {
+        size = {kept.width, kept.height};
+    }
+    return scaled(size, window_->content_scale());
+}
+
+bool App::own_size() {
+    const Document* document = workspace_.document();
+    return document && document->scene().window_size != Scene{}.window_size;
+}
+
+void App::remember_size() {
+    if (options_.size || own_size()) return;
+    const PixelSize size = window_->size();
+    const double scale = window_->content_scale();
+    workspace_.resized(static_cast<int>(std::lround(size.width / scale)),
+                       static_cast<int>(std::lround(size.height / scale)));
+}
+
+Carried App::carried() {
+    Session& session = workspace_.session();
+    if (Document* document = session.document()) set_values(document->controls, display_.drawn().stand.values);
+    std::vector<std::string> files = session.files();
+    Recovery recovery = after_loss(session.salvage(), std::move(files));
+    if (!recovery.kept) recovery.values = session.by_hand();
+    return carry(std::move(recovery));
+}
+
+Carried App::carry(Recovery recovery) {
+    const PixelSize size = window_->size();
+    return {workspace_.session().path(),
+            std::move(recovery),
+            display_.counters().frames > 0 ? display_.drawn().stand.view : interface_.view(),
+            {size.width, size.height},
+            interface_.memory().clock.time};
+}
+
+void App::keep_by_hand() {
+    const Document* document = workspace_.document();
+    const Drawn& drawn = display_.drawn();
+    if (!document || kept_frame_ == display_.counters().frames) return;
+    if (values_of(document->controls) != drawn.stand.values || document->controls.rungs != drawn.rungs) return;
+    kept_frame_ = display_.counters().frames;
+    restart_.keep(carry({nullptr, workspace_.session().files(), changed_text(*document), {}}));
+}
+
+bool App::moving() {
+    const Document* document = workspace_.document();
+    return document && ((document->runtime->animated() && !interface_.held() && !interface_.memory().clock.paused) ||
+                        !document->runtime->settled());
+}
+
+bool App::visible() {
+    const PixelSize pixels = window_->framebuffer();
+    return pixels.width > 0 && pixels.height > 0;
+}
+
+double App::pause() {
+    if (unsettled_ > 0 || workspace_.saving() || (measuring_.busy() && visible())) return 0;
+    double until = next_look_;
+    if (moving() && visible()) until = std::min(until, display_.last_picture() + frame_time);
+    if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
+    return std::max(0.0, until - window_->now());
+}
+
+void App::settle(int frames) { unsettled_ = std::max(unsettled_, frames); }
+
+void App::step() {
+    const double now = window_->now();
+    save();
+    bool woken = look(), repaint = false;
+    window_->take_events(events_);
+    for (const Event& event : events_)
+        repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
+    if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
+        show_scene(workspace_.serve_dropped(dropped, interface_.memory()));
+    woken |= !events_.empty() || unsettled_ > 0 || (moving() && now >= display_.last_picture() + frame_time);
+    if (!visible()) {
+        unsettled_ = 0;  // everything is drawn again when the window comes back, which is an event
+        return;
+    }
+    if (!woken && !measure()) return;
+    if (!events_.empty()) settle(until_equal);
+    std::span<const Event> rest(events_);
+    do {
+        const std::size_t count = ui::batch(rest);
+        interface_frame(rest.first(count));
+        rest = rest.subspan(count);
+    } while (!rest.empty());
+    unsettled_ = std::max(0, unsettled_ - 1);
+    show(repaint);
+}
+
+void App::save() {
+    if (workspace_.saving()) {
+        settle(1);
+        hang_.begin("drawing a part");
+    }
+    workspace_.step(interface_.memory());
+    hang_.rest();
+}
+
+bool App::look() {
+    const double now = window_->now();
+    if (now < next_look_ || workspace_.saving()) return false;
+    next_look_ = now + look_at_files;
+    keep_by_hand();
+    const bool saved = workspace_.session().saved();
+    if (saved) reload();
+    return workspace_.look(interface_.memory()) || saved;
+}
+
+bool App::measure() {
+    if (!measuring_.busy()) return false;
+    hang_.begin("measuring");
+    const bool measured = measuring_.step(workspace_.document(), display_);
+    hang_.rest();
+    if (measured) settle(1);
+    return measured;
+}
+
+void App::reload() {
+    restart_.trying();
+    workspace_.reload();
+    settle(until_equal);
+}
+
+void App::show_scene(const std::optional<std::string>& path) {
+    if (!path) return;
+    if (const std::string problem = workspace_.open(*path); !problem.empty()) {
+        interface_.memory().notice = utf8::printable(problem);
+        return;
+    }
+    interface_.begin_scene();
+    measuring_.begin_scene(*path);
+    window_->set_title(title_of(*path));
+    settle(until_equal);
+}
+
+void App::interface_frame(std::span<const Event> events) {
+    Controls no_controls;
+    Document* document = workspace_.document();
+    if (document)
+        picking_.follow(*document, workspace_.session().revision(), interface_.view(), interface_.memory().hold);
+    serve(interface_.frame(events, facts(), document ? document->controls : no_controls));
+}
+
+ui::Facts App::facts() {
+    const ui::Memory& memory = interface_.memory();
+    const Document* document = workspace_.document();
+    ui::Facts facts;
+    facts.time = display_.counters().time;
+    facts.frame_ms = display_.counters().frame_ms;
+    facts.samples = display_.samples();
+    facts.renderer = caps_.renderer;
+    workspace_.tell(facts);
+    picking_.tell(facts, document, memory.hold);
+    if (document) measuring_.explain(facts, *document, memory);
+    measuring_.tell(facts, document, memory);
+    return facts;
+}
+
+void App::serve(const ui::Requests& requests) {
+    ui::Memory& memory = interface_.memory();
+    const Stand& stand = display_.drawn().stand;
+    const Picture shown{stand.width, stand.height, display_.samples(), stand.time, interface_.view()};
+    if (Document* document = workspace_.document())
+        picking_.serve(requests, *document, stand, interface_.density(), memory.hold);
+    show_scene(workspace_.serve(requests, shown, *window_, memory));
+    if (workspace_.follow_rungs()) settle(until_equal);
+    measuring_.serve(requests, memory);
+    if (requests.reload) reload();
+}
+
+void App::show(bool repaint) {
+    const PixelSize pixels = window_->framebuffer();
+    const ui::Memory& memory = interface_.memory();
+    Document* document = workspace_.document();
+    remember_size();
+    const bool drew = document && draw_scene();
+    if (lost()) return;
+    const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_, memory);
+    if (drew || told) settle(1);  // the panels show the new cost and values
+    const std::array now{interface_.picture(), measuring_.revision(memory)};
+    if (drew || told || repaint || now != presented_) {
+        display_.show(pixels);
+        if (document) measuring_.show(display_.bottom(pixels), memory);
+        interface_.paint();
+        display_.present();
+        presented_ = now;
+    }
+    if (options_.state_file.empty()) return;
+    ui::Facts measured;
+    measuring_.tell(measured, document, memory);
+    write_window_state(options_.state_file, display_.counters(), workspace_.session(), interface_.view(),
+                       interface_.layout(), memory, measured, pixels);
+}
+
+bool App::draw_scene() {
+    Document& document = *workspace_.document();
+    Session& session = workspace_.session();
+    const ui::Memory& memory = interface_.memory();
+    const float density = interface_.density();
+    const auto in_pixels = [&](float length) { return std::max(1, static_cast<int>(std::lround(length * density))); };
+    const double time = interface_.time(workspace_.saving());
+    const std::uint64_t revision = session.stale() ? display_.drawn().revision : session.revision();
+    const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
+                      document.runtime->animated() ? time : 0, interface_.view(), values_of(document.controls)};
+    if (!display_.prepare({revision, stand, document.controls.rungs, memory.hold.object}, document)) return false;
+    hang_.begin("drawing a frame");
+    display_.draw(document, measuring_.begin_picture(revision, memory.frame_cost), density);
+    hang_.rest();
+    if (lost()) return false;
+    measuring_.end_picture();
+    session.drawn_well();
+    return true;
+}
+
+}  // namespace snell

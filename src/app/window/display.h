@@ -1,0 +1,74 @@
+// The picture of the scene in the window. It is drawn only if it would differ from the last one, and kept, so that what
+// lies over it can change without drawing it again.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "src/app/open/document.h"
+#include "src/app/open/loss.h"
+#include "src/app/window/measure/refine.h"
+#include "src/gl/present.h"
+#include "src/platform/window.h"
+
+namespace snell {
+
+// The inputs of a picture of the scene. While they are the same, so is the picture.
+struct Drawn {
+    std::uint64_t revision = 0;
+    Stand stand;
+    Rungs rungs;
+    Index object = none;  // the object with the outline
+
+    bool operator==(const Drawn&) const = default;
+};
+
+// The values of all controls, in their order.
+std::vector<double> values_of(const Controls& controls);
+void set_values(Controls& controls, const std::vector<double>& values);
+
+struct WindowCounters {
+    std::uint64_t frames = 0;    // number of pictures of the scene that were drawn
+    std::uint64_t presents = 0;  // number of times that the window's contents were replaced
+    double time = 0;             // of the last picture, in seconds
+    double frame_ms = 0;
+};
+
+class Display {
+public:
+    // `window` must outlive the object.
+    Display(Window& window, app::LossWatch loss) : window_(window), loss_(std::move(loss)) {}
+
+    // Returns false if that would be the last picture again, or if the context refuses its size. Otherwise draw() must
+    // follow.
+    bool prepare(Drawn next, Document& document);
+    // Draws the picture. `after` is that of Frame; `density` is pixels per window coordinate.
+    void draw(Document& document, const std::function<void(const Step&)>* after, float density);
+    // True if the driver reset the context during draw(); drawn() is still the picture before.
+    bool lost() const { return lost_; }
+
+    // Clears the window, whose size in pixels is given, and copies the last picture into it.
+    void show(PixelSize pixels) const;
+    // Replaces the contents of the window by what was drawn into it.
+    void present();
+
+    const Drawn& drawn() const { return drawn_; }
+    // The y of the picture's bottom, in pixels from the bottom of the window.
+    int bottom(PixelSize pixels) const { return pixels.height - drawn_.stand.height; }
+    int samples() const { return canvas_.samples(); }
+    const WindowCounters& counters() const { return counters_; }
+    // When the last picture was begun, by the clock of the window.
+    double last_picture() const { return last_picture_; }
+
+private:
+    Window& window_;
+    gl::Canvas canvas_;
+    Drawn drawn_, next_;
+    WindowCounters counters_;
+    app::LossWatch loss_;
+    bool lost_ = false;
+    double last_picture_ = 0;
+};
+
+}  // namespace snell

@@ -1,0 +1,58 @@
+// Input and panels: Dear ImGui's frames, what the user changes there, and the clock of the scene.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "src/app/open/progress.h"
+#include "src/platform/window.h"
+#include "src/ui/kit/gui.h"
+#include "src/ui/panels/state.h"
+
+namespace snell {
+
+class Interface {
+public:
+    // With `listening` the places of the widgets are recorded in layout(). `window` must outlive the object.
+    Interface(Window& window, bool listening);
+
+    // What the user changed: the view of the scene, and the state of the panels.
+    View& view() { return view_; }
+    ui::Memory& memory() { return memory_; }
+    const ui::Layout& layout() const { return layout_; }
+    // Begins with the view and the memory of a scene that was just opened; the appearance of the window stays.
+    void begin_scene();
+
+    // Starts the clocks, when the window is shown.
+    void start();
+    // Passes the events to the panels, which change `controls`, the view and the memory. Draws nothing yet.
+    ui::Requests frame(std::span<const Event> events, const ui::Facts& facts, Controls& controls);
+    // Shows a progress bar instead of the panels.
+    void loading(const LoadProgress& progress);
+    // Draws the panels of the last frame over the contents of the window.
+    void paint() { painter_.paint(); }
+    // A hash of the last frame: equal hashes mean equal panels.
+    std::uint64_t picture() const { return picture_; }
+
+    // Pixels per window coordinate.
+    float density() const;
+    // True while measuring holds the scene's time.
+    bool held() const { return memory_.accuracy.open && memory_.accuracy.hold_time; }
+    // Advances the scene's time by the time since the last call, unless it is paused or `stopped`. Returns it, in
+    // seconds.
+    double time(bool stopped);
+
+private:
+    void begin(double seconds, std::span<const Event> events);
+
+    Window& window_;
+    ui::Gui gui_;
+    ui::Painter painter_;
+    ui::Layout layout_;
+    ui::Memory memory_;
+    View view_;
+    std::uint64_t picture_ = 0;
+    double framed_ = 0, ticked_ = 0;  // when frame() and time() were called last
+};
+
+}  // namespace snell

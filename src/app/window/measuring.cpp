@@ -1,0 +1,55 @@
+#include "src/app/window/measuring.h"
+
+namespace snell {
+
+Measuring::Measuring(const std::string& scene, const gl::Caps& caps)
+    : caps_(caps), accuracy_(scene, caps), frame_costs_(caps) {}
+
+void Measuring::begin_scene(const std::string& scene) {
+    accuracy_ = AccuracyView(scene, caps_);
+    explained_ = 0;
+}
+
+const std::function<void(const Step&)>* Measuring::begin_picture(std::uint64_t revision, bool wanted) {
+    frame_costs_.open(wanted);
+    return frame_costs_.begin(revision);
+}
+
+bool Measuring::follow(Document& document, bool stale, const Display& display, const ui::Memory& memory) {
+    const Stand& stand = display.drawn().stand;
+    accuracy_.follow(document, stale, stand, memory.accuracy);
+    if (memory.scene.width <= 0) return false;
+    const float density = static_cast<float>(stand.width) / memory.scene.width;
+    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density);
+}
+
+bool Measuring::step(Document* document, const Display& display) {
+    return (document && frame_costs_.step(*document, display.drawn().stand, display.samples())) || accuracy_.step();
+}
+
+void Measuring::serve(const ui::Requests& requests, const ui::Memory& memory) {
+    if (requests.measure) accuracy_.measure(memory.accuracy);
+    if (requests.measure_frame) frame_costs_.measure();
+}
+
+void Measuring::tell(ui::Facts& facts, const Document* document, const ui::Memory& memory) {
+    facts.accuracy = accuracy_.facts(memory.accuracy);
+    facts.frame_cost = frame_costs_.facts(document);
+    facts.pixels = pixels_.facts();
+}
+
+void Measuring::explain(ui::Facts& facts, const Document& document, const ui::Memory& memory) {
+    if (!memory.costs) return;
+    if (explained_ != facts.revision) explanation_ = document.runtime->explain();
+    explained_ = facts.revision;
+    frame_costs_.fill(explanation_);
+    facts.explanation = &explanation_;
+    facts.sources = &document.sources;
+}
+
+void Measuring::show(int y, const ui::Memory& memory) {
+    accuracy_.show(y, memory.accuracy);
+    pixels_.show(y);
+}
+
+}  // namespace snell

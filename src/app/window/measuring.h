@@ -1,0 +1,57 @@
+// What the window measures of its picture, where a panel asks for it: errors and costs while nothing else happens,
+// values of pixels, and why the scene costs what it does.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "src/app/window/display.h"
+#include "src/app/window/measure/accuracy_view.h"
+#include "src/app/window/measure/frame_costs.h"
+#include "src/app/window/pixel_view.h"
+#include "src/ui/panels/state.h"
+
+namespace snell {
+
+class Measuring {
+public:
+    // The GL context of `caps` must be current during the object's whole life.
+    Measuring(const std::string& scene, const gl::Caps& caps);
+    // Forgets what was measured of the scene before.
+    void begin_scene(const std::string& scene);
+
+    // Times a picture that is drawn between these calls, if the panel of frame costs is open. begin_picture() returns
+    // the function for Frame::after.
+    const std::function<void(const Step&)>* begin_picture(std::uint64_t revision, bool wanted);
+    void end_picture() { frame_costs_.end(); }
+
+    // Call it after each frame, whether the picture was drawn or is unchanged. Returns true if the panels must be shown
+    // again.
+    bool follow(Document& document, bool stale, const Display& display, const ui::Memory& memory);
+    // True if step() has something to do.
+    bool busy() const { return accuracy_.busy() || frame_costs_.busy(); }
+    // Draws one picture to measure it. Returns true if there is something new to show.
+    bool step(Document* document, const Display& display);
+    // Starts and stops what the panels ask for.
+    void serve(const ui::Requests& requests, const ui::Memory& memory);
+
+    // Fills in the results, without the explanation.
+    void tell(ui::Facts& facts, const Document* document, const ui::Memory& memory);
+    // Fills in the explanation of the costs, if its panel is open.
+    void explain(ui::Facts& facts, const Document& document, const ui::Memory& memory);
+    // Changes whenever show() would draw something else because of the accuracy panel.
+    std::uint64_t revision(const ui::Memory& memory) const { return accuracy_.revision(memory.accuracy); }
+    // Draws what is measured over the picture, whose bottom left is at pixel (0, y).
+    void show(int y, const ui::Memory& memory);
+
+private:
+    gl::Caps caps_;
+    AccuracyView accuracy_;
+    FrameCosts frame_costs_;
+    PixelView pixels_;
+    Explanation explanation_;
+    std::uint64_t explained_ = 0;  // the revision that explanation_ belongs to
+};
+
+}  // namespace snell

@@ -1,0 +1,88 @@
+#include "src/app/window/workspace.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "parser/text/utf8.h"
+#include "src/app/open/quality.h"
+
+namespace snell {
+
+namespace {
+
+FirstRungs first_rungs(const WindowOptions& options) {
+    return [options](const Scene& scene, Rungs& rungs, Diagnostics& diagnostics) {
+        if (!options.quality.empty()) app::choose_quality(options.scene, options.quality, scene, rungs, diagnostics);
+        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, diagnostics);
+    };
+}
+
+}  // namespace
+
+Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery)
+    : session_(options.scene, caps, options.access, first_rungs(options), std::move(progress), recovery),
+      keeper_(options.scene),
+      opener_(settings_file()),
+      saver_(caps, options.access.limits) {}
+
+void Workspace::report() {
+    std::string text = session_.problems_text();
+    if (text != reported_) fmt::print(stderr, "{}", text);
+    reported_ = std::move(text);
+}
+
+void Workspace::reload() {
+    session_.reload();
+    report();
+}
+
+bool Workspace::follow_rungs() {
+    const bool followed = session_.follow_rungs();
+    if (followed) report();
+    return followed;
+}
+
+void Workspace::remember_scene() {
+    if (document()) opener_.opened(session_.path());
+}
+
+std::string Workspace::open(const std::string& path) {
+    if (std::string problem = session_.open(path); !problem.empty()) return problem;
+    keeper_ = Keeper(path);
+    remember_scene();
+    report();
+    return {};
+}
+
+void Workspace::tell(ui::Facts& facts) {
+    name_ = utf8::printable(std::filesystem::path(session_.path()).filename().string());
+    facts.file = name_;
+    facts.problems = session_.problems();
+    facts.stale = session_.stale();
+    facts.revision = session_.revision();
+    if (const Document* shown = document()) {
+        facts.scene = &shown->scene();
+        facts.animated = shown->runtime->animated();
+        facts.mouse = shown->runtime->uses_mouse();
+        linked_.clear();
+        // A program without uniforms looks like one that failed, but only a failure leaves an error.
+        const bool whole = !shown->diagnostics.has_errors();
+        for (const auto& uniforms : shown->runtime->active_uniforms()) linked_.push_back(whole || !uniforms.empty());
+        facts.linked = linked_;
+    }
+    keeper_.tell(facts, document());
+    opener_.tell(facts, session_.path(), session_.files());
+}
+
+std::optional<std::string> Workspace::serve(const ui::Requests& requests, const Picture& shown, Window& window,
+                                            ui::Memory& memory) {
+    if (document()) {
+        keeper_.serve(requests, *document(), shown, window, memory.notice);
+        saver_.serve(requests, *document(), shown, window, memory);
+    }
+    return opener_.serve(requests, session_.path(), memory);
+}
+
+}  // namespace snell

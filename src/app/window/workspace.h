@@ -1,0 +1,67 @@
+// The open scene and its files: it is read again when one of them is saved, other scenes are opened, and values and
+// pictures are saved.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/app/window/opener.h"
+#include "src/app/window/picture_saver.h"
+#include "src/app/window/session.h"
+#include "src/app/window/survive/keeper.h"
+#include "src/app/window/window.h"
+
+namespace snell {
+
+class Workspace {
+public:
+    // The GL context of `caps` must be current during the object's whole life. `progress` and `recovery` are those of
+    // Session.
+    Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery);
+
+    Session& session() { return session_; }
+    Document* document() { return session_.document(); }
+    const Settings& settings() const { return opener_.settings(); }
+
+    // Prints the problems of the scene, if they are others than before.
+    void report();
+    void reload();
+    // Compiles the programs for other rungs if the controls ask for them. Returns true if the problems may have
+    // changed.
+    bool follow_rungs();
+    // Records the scene as the most recent one, if it could be read.
+    void remember_scene();
+    // Shows another scene, as if the window had been opened with it. Returns "", or why the current scene stays.
+    std::string open(const std::string& path);
+    // Call it regularly: it checks for ended editors and writes settings that changed. Returns true if it changed
+    // `memory.notice`.
+    bool look(ui::Memory& memory) { return opener_.look(memory); }
+    // Remembers the size of the window; see Opener.
+    void resized(int width, int height) { opener_.resized(width, height); }
+
+    // Fills in the facts about the scene and its files.
+    void tell(ui::Facts& facts);
+    // Executes the requests about files, values and pictures; `shown` is what the window shows. Returns the path of a
+    // scene to open, if there is one.
+    std::optional<std::string> serve(const ui::Requests& requests, const Picture& shown, Window& window,
+                                     ui::Memory& memory);
+    // The same for files that were dropped on the window.
+    std::optional<std::string> serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory) {
+        return opener_.serve_dropped(paths, memory);
+    }
+    // True while a picture is being saved: step() draws its next part.
+    bool saving() const { return saver_.busy(); }
+    void step(ui::Memory& memory) { saver_.step(document(), session_.revision(), memory); }
+
+private:
+    Session session_;
+    Keeper keeper_;
+    Opener opener_;
+    PictureSaver saver_;
+    std::string name_;      // of the scene's file
+    std::string reported_;  // the problems that were printed last
+    std::vector<char> linked_;
+};
+
+}  // namespace snell

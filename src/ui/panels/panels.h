@@ -1,0 +1,54 @@
+// The sections of the panel and the messages over the picture, one file each. Functions that end in _keys handle the
+// keys of a section.
+#pragma once
+
+#include "src/ui/kit/style.h"
+#include "src/ui/panels/state.h"
+
+namespace snell::ui {
+
+// Draws the two rows of buttons that keep values: in the scene's text, in snapshots, or as a command in the clipboard.
+void keep_panel(const Facts& facts, Requests& requests, Layout& layout);
+// Ctrl+S saves the values to the scene, and Ctrl+Shift+S undoes that; 1 to 9 restore a snapshot, Ctrl with 1 to 9
+// stores it.
+void keep_keys(const Facts& facts, Requests& requests);
+
+// Draws the controls of the scene's time, for animated scenes only: play, pause, step, scrub and speed.
+void clock_panel(const Facts& facts, Memory& memory, Layout& layout);
+// Space plays or pauses.
+void clock_keys(const Facts& facts, Memory& memory);
+
+// Draws a drop-down for each ladder.
+void ladders_panel(const Facts& facts, Controls& controls, Layout& layout);
+// Draws a section for each Program, with its uniforms as sliders, check boxes and colours.
+void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout);
+
+// Draws the transformations that the user changes, the projection, and the background.
+void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout);
+// P turns picking on or off. Escape deselects the picked object or, if there is none, turns picking off.
+void view_keys(View& view, HoldMemory& hold);
+
+// Draws what the scene pays for and why, and what it does not pay for. Facts::explanation is needed only while
+// Memory::costs is true.
+void costs_section(const Facts& facts, Memory& memory, Layout& layout);
+// Formats a size, such as "1.4 MB", in decimal units.
+std::string bytes_text(std::uint64_t bytes);
+
+// Draws the files in use, each a link that opens it in the editor.
+void files_section(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
+// Makes the last item a link with a tooltip. Returns true if it was clicked.
+bool edit_link(const Facts& facts, const Place& place);
+// Draws the settings for theme and text size.
+void look_section(Memory& memory, Layout& layout);
+// Returns the next larger (`way` = 1) or smaller (`way` = -1) text size.
+float next_zoom(float zoom, int way);
+// Ctrl+O opens the browser; Ctrl with +, - and 0 changes the text size.
+void files_keys(Memory& memory, Requests& requests);
+
+// Shows errors over the picture in full, because they must be seen. Warnings are one line until the user opens them.
+void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                    Layout& layout);
+// Shows each message of a MessageBox statement until the user dismisses it.
+void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layout);
+
+}  // namespace snell::ui
