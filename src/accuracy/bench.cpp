@@ -149,7 +149,7 @@ bool Bench::ready(const Variant& variant, bool directions) {
     if (directions_) rungs.insert(rungs.begin(), directions ? 1 : 0);
     current_->runtime.choose(rungs);
     Diagnostics heard;  // opening the scene has already reported these
-    controls_ = make_controls(current_->runtime.scene(), current_->runtime.active_uniforms(), heard);
+    controls_ = current_->runtime.controls();
     for (const std::string& set : settings_.sets) set_control(controls_, current_->runtime.scene(), set, heard);
     controls_.rungs = std::move(rungs);
     return into_->valid();

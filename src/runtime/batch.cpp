@@ -44,7 +44,13 @@ void Runtime::Impl::find_batches(Index pass) {
             make_instancing(program, named == none ? Program{} : scene.programs[named], caps, counters);
         if (!instancing) continue;
         for (std::size_t at = first; at < end; at += instancing->capacity)
-            ready.batches.push_back({at, std::min(instancing->capacity, end - at), {}, {}, {}, {}});
+            ready.batches.push_back({at,
+                                     std::min(instancing->capacity, end - at),
+                                     {},
+                                     controls_of(named, *instancing->program),
+                                     {},
+                                     {},
+                                     {}});
     }
 }
 
@@ -56,8 +62,8 @@ bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, Pas
     const runtime::Instancing& instancing = *ready.program->instancing;
     std::vector<runtime::DrawContext>& contexts = batch.contexts;
     contexts.clear();
-    for (const auto& item : items) contexts.push_back(context(plan.scene.draws[item->draw], frame, view));
-    set_up(ready, *instancing.program, contexts.front(), frame);
+    for (const auto& item : items) contexts.push_back(context(item->draw, frame, view));
+    set_up(ready, *instancing.program, batch.controls, contexts.front(), frame);
     instance_values(instancing, contexts, batch.values);
     if (!batch.matrices) batch.matrices = gl::Buffer(gl::make(glGenBuffers));
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, batch.matrices.get());

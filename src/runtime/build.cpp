@@ -93,8 +93,9 @@ Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics
 void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     Loading loading{*files, *sources, diagnostics, {}};
     link_programs(loading);
-    Diagnostics unheard;  // who asks for the controls hears of them
-    given = make_controls(plan.scene, active, unheard);
+    value_problems = Diagnostics(files->limits());
+    given = make_controls(plan.scene, active, value_problems);
+    given.rungs = plan.rungs;
     passes.clear();
     fitted.reset();
     passes.resize(plan.scene.passes.size());
@@ -121,8 +122,9 @@ LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& varian
                 programs, [&](const auto& other) { return other.first.first == program && other.second; });
             const std::uint64_t compiled = counters.programs_compiled;
             slot->second =
-                runtime::link_program(plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders,
-                                      variant, caps, loading.files, loading.sources, from, counters, problems_of);
+                runtime::link_program({plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders,
+                                       variant, caps, loading.files, loading.sources, from, counters},
+                                      problems_of);
             if (another) counters.variants += counters.programs_compiled - compiled;
         }
     }
@@ -305,6 +307,7 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     bind_textures(ready, pass, loading.diagnostics);
     bind_harmonics(ready, pass, loading.diagnostics);
     bind_tree(ready, loaded ? &*loaded : nullptr, loading);
+    ready.controls = controls_of(draw.program, *ready.program);
     return ready;
 }
 

@@ -27,7 +27,7 @@ std::optional<DepthRange> Runtime::Impl::fit(const Frame& frame) const {
             const runtime::GpuMesh& mesh = *meshes[item->mesh];
             if (camera == none) camera = draw.camera;
             if (!item->program->plain_depth || mesh.has_w || draw.camera != camera) return std::nullopt;
-            const runtime::DrawContext& c = context(draw, frame, view);
+            const runtime::DrawContext& c = context(item->draw, frame, view);
             boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
         }
     }
@@ -58,7 +58,7 @@ Runtime::Drawn Runtime::Impl::drawn(const Frame& frame) const {
             if (!item || scene.passes[pass].kind != Pass::Kind::window) continue;
             const Draw& draw = scene.draws[item->draw];
             if (draw.camera != camera) continue;
-            const runtime::DrawContext& c = context(draw, frame, view);
+            const runtime::DrawContext& c = context(item->draw, frame, view);
             const runtime::GpuMesh& mesh = *meshes[item->mesh];
             result.boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
         }

@@ -74,15 +74,15 @@ DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView
     return result;
 }
 
-DrawContext& Runtime::Impl::context(const Draw& draw, const Frame& frame, PassView& view) const {
+DrawContext& Runtime::Impl::context(Index index, const Frame& frame, PassView& view) const {
     const Scene& scene = plan.scene;
+    const Draw& draw = scene.draws[index];
     if (!view.shared || view.camera != draw.camera) {
         view.shared = look(draw.camera, frame, view);
         view.camera = draw.camera;
     }
     DrawContext& result = *view.shared;
     result.model = draw.matrix == none ? glm::dmat4(1) : matrix(scene.matrices[draw.matrix]);
-    const auto index = static_cast<Index>(&draw - scene.draws.data());
     if (!frame.view.objects.empty())
         if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
             result.model = placed(object->second, view_matrix(scene.cameras[draw.camera]), result.model);
@@ -185,7 +185,7 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
             add(object->second.numbers());
         const LinkedProgram& program = *item->program;
         moves = moves || program.reads(glsl::System::timer) || program.reads(glsl::System::time);
-        for (const Control& control : frame.controls.items)
+        for (const Control& control : values->items)
             if (control.program == plan.scene.draws[item->draw].program) add(control.value);
         if (program.reads(glsl::System::texture_matrix)) add(frame.view.texture.numbers());
         if (program.reads(glsl::System::mouse)) seen.insert(seen.end(), {frame.view.mouse_x, frame.view.mouse_y});
@@ -294,18 +294,19 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
 }
 
 void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, PassView& view) {
-    set_up(ready, *ready.program, context(plan.scene.draws[ready.draw], frame, view), frame);
+    set_up(ready, *ready.program, ready.controls, context(ready.draw, frame, view), frame);
     draw_mesh(ready);
 }
 
 // All but the draw itself. `program` may be another form of the draw's.
-void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, DrawContext& values, const Frame& frame) {
+void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const std::vector<Index>& controls,
+                           DrawContext& context, const Frame& frame) {
     const Draw& draw = plan.scene.draws[ready.draw];
     if (!savings) state.forget();
     state.program(program.program.get());
-    values.harmonics = ready.harmonics;
-    const int uploads = runtime::set_system(program, values, !savings) +
-                        (draw.program == none ? 0 : runtime::set_user(program, draw.program, frame.controls, !savings));
+    context.harmonics = ready.harmonics;
+    const int uploads = runtime::set_system(program, context, !savings) +
+                        (draw.program == none ? 0 : runtime::set_user(program, controls, *values, !savings));
     counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
     for (const runtime::BoundTexture& texture : ready.textures)
         state.texture(texture.unit, texture.target, texture.texture, texture.sampler);

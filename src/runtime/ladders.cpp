@@ -33,6 +33,25 @@ bool Runtime::Impl::choose(const Rungs& rungs) {
     return true;
 }
 
+void Runtime::Impl::take(const Controls& controls) {
+    choose(controls.rungs);
+    values = &controls;
+    if (same_uniforms(controls, given)) return;
+    moved = given;
+    carry_over(controls, plan.scene, moved, plan.scene);
+    values = &moved;
+}
+
+std::vector<Index> Runtime::Impl::controls_of(Index program, const runtime::LinkedProgram& linked) const {
+    std::vector<Index> places;
+    for (const runtime::UserUniform& uniform : linked.user) {
+        const Control* control = given.find(program, uniform.name);
+        const bool usable = control && control->active && control->value.size() == uniform.last.size();
+        places.push_back(usable ? static_cast<Index>(control - given.items.data()) : none);
+    }
+    return places;
+}
+
 void Runtime::Impl::take_parts(bool wanted) {
     if (parts == wanted) return;
     parts = wanted;

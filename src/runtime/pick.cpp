@@ -172,9 +172,8 @@ bool Runtime::Impl::ready_picker(int width, int height) {
 
 // One draw, into the cover.
 void Runtime::Impl::draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth) {
-    const Draw& draw = plan.scene.draws[ready.draw];
-    set_up(ready, *ready.program, context(draw, frame, view), frame);
-    runtime::blend_into_cover(plan.scene.rasters[draw.raster]);
+    set_up(ready, *ready.program, ready.controls, context(ready.draw, frame, view), frame);
+    runtime::blend_into_cover(plan.scene.rasters[plan.scene.draws[ready.draw].raster]);
     if (!depth) glDisable(GL_DEPTH_TEST);
     draw_mesh(ready);
     state.forget();

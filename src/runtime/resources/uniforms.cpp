@@ -200,19 +200,31 @@ void upload(const SystemUniform& uniform, const std::vector<float>& v) {
 }
 
 void upload_matrix(const UserUniform& uniform, const std::vector<float>& v) {
-    const std::string_view type = uniform.glsl_type;
     const GLint at = uniform.location;
     const float* data = v.data();
     const int n = uniform.size;
-    if (type == "mat2") glUniformMatrix2fv(at, n, GL_FALSE, data);
-    if (type == "mat3") glUniformMatrix3fv(at, n, GL_FALSE, data);
-    if (type == "mat4") glUniformMatrix4fv(at, n, GL_FALSE, data);
-    if (type == "mat2x3") glUniformMatrix2x3fv(at, n, GL_FALSE, data);
-    if (type == "mat2x4") glUniformMatrix2x4fv(at, n, GL_FALSE, data);
-    if (type == "mat3x2") glUniformMatrix3x2fv(at, n, GL_FALSE, data);
-    if (type == "mat3x4") glUniformMatrix3x4fv(at, n, GL_FALSE, data);
-    if (type == "mat4x2") glUniformMatrix4x2fv(at, n, GL_FALSE, data);
-    if (type == "mat4x3") glUniformMatrix4x3fv(at, n, GL_FALSE, data);
+    switch (uniform.kind) {
+        case GL_FLOAT_MAT2:
+            return glUniformMatrix2fv(at, n, GL_FALSE, data);
+        case GL_FLOAT_MAT3:
+            return glUniformMatrix3fv(at, n, GL_FALSE, data);
+        case GL_FLOAT_MAT4:
+            return glUniformMatrix4fv(at, n, GL_FALSE, data);
+        case GL_FLOAT_MAT2x3:
+            return glUniformMatrix2x3fv(at, n, GL_FALSE, data);
+        case GL_FLOAT_MAT2x4:
+            return glUniformMatrix2x4fv(at, n, GL_FALSE, data);
+        case GL_FLOAT_MAT3x2:
+            return glUniformMatrix3x2fv(at, n, GL_FALSE, data);
+        case GL_FLOAT_MAT3x4:
+            return glUniformMatrix3x4fv(at, n, GL_FALSE, data);
+        case GL_FLOAT_MAT4x2:
+            return glUniformMatrix4x2fv(at, n, GL_FALSE, data);
+        case GL_FLOAT_MAT4x3:
+            return glUniformMatrix4x3fv(at, n, GL_FALSE, data);
+        default:
+            return;
+    }
 }
 
 template <typename T, typename One, typename Two, typename Three, typename Four>
@@ -238,8 +250,8 @@ void upload_vector(const UserUniform& uniform, const std::vector<double>& values
     }
 }
 
-void upload(const UserUniform& uniform, ValueType type, const std::vector<double>& values) {
-    switch (type) {
+void upload(const UserUniform& uniform, const std::vector<double>& values) {
+    switch (uniform.type) {
         case ValueType::float_:
             upload_vector<GLfloat>(uniform, values, glUniform1fv, glUniform2fv, glUniform3fv, glUniform4fv);
             break;
@@ -259,17 +271,6 @@ void upload(const UserUniform& uniform, ValueType type, const std::vector<double
         case ValueType::sampler:
             break;  // bound once for all
     }
-}
-
-// Mostly where it was the last time.
-const Control* control_of(UserUniform& uniform, Index program, const Controls& controls) {
-    const auto& items = controls.items;
-    if (uniform.control < items.size() && items[uniform.control].program == program &&
-        items[uniform.control].name == uniform.name)
-        return &items[uniform.control];
-    const Control* found = controls.find(program, uniform.name);
-    if (found) uniform.control = static_cast<std::size_t>(found - items.data());
-    return found;
 }
 
 }  // namespace
@@ -310,15 +311,14 @@ int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
     return uploads;
 }
 
-int set_user(LinkedProgram& program, Index index, const Controls& controls, bool all) {
+int set_user(LinkedProgram& program, const std::vector<Index>& places, const Controls& controls, bool all) {
     int uploads = 0;
-    for (UserUniform& uniform : program.user) {
-        const Control* control = control_of(uniform, index, controls);
-        const bool usable = control && control->active && control->value.size() == uniform.last.size();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        UserUniform& uniform = program.user[i];
         // Another draw with the same program may have set what this one leaves alone.
-        const std::vector<double>& value = usable ? control->value : uniform.initial;
-        if (value == uniform.last && !(all && usable)) continue;
-        upload(uniform, uniform.type, value);
+        const std::vector<double>& value = places[i] == none ? uniform.initial : controls.items[places[i]].value;
+        if (value == uniform.last && !(all && places[i] != none)) continue;
+        upload(uniform, value);
         uniform.last = value;
         ++uploads;
     }
