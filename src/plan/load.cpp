@@ -102,22 +102,21 @@ Image fitted(const Image& image, const Texture& texture, const TextureFile& file
     return some_rows(image, image.bottom_first ? 0 : image.height - 1, 1);
 }
 
+// Four channels, and the row order of textures.
+Image to_upload(Image image) {
+    image = content::to_rgba(std::move(image));
+    return image.bottom_first ? image : content::flipped(std::move(image));
+}
+
 // ---- cube maps -------------------------------------------------------------------------------------------
 
-// Converts the faces to one format, because GL requires that all six have the same.
+// Converts the faces to one format, because GL requires that all six have the same, with the top row first.
 void make_alike(CubeFaces& faces) {
-    const auto all = [&](auto same) {
-        return std::all_of(faces.begin(), faces.end(), [&](const Image& face) { return same(face, faces[0]); });
-    };
-    const bool same_channels = all([](const Image& a, const Image& b) { return a.channels == b.channels; });
-    const bool same_type = all([](const Image& a, const Image& b) { return a.type == b.type; });
+    const bool same_type = std::ranges::all_of(faces, [&](const Image& face) { return face.type == faces[0].type; });
     for (Image& face : faces) {
-        if (!same_channels) face = content::to_rgba(face);
+        face = content::to_rgba(std::move(face));
         if (!same_type) face = content::to_half(face);
-        if (face.bottom_first) {
-            face = content::flipped(face);
-            face.bottom_first = false;
-        }
+        if (face.bottom_first) face = content::flipped(std::move(face));
     }
 }
 
@@ -223,13 +222,16 @@ content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics&
 }
 
 Image load_texture(const Scene& scene, Index index, Files& files, Diagnostics& diagnostics, ImageCache* cache) {
-    if (index >= scene.textures.size() || scene.textures[index].files.empty()) return content::checkerboard();
+    if (index >= scene.textures.size() || scene.textures[index].files.empty())
+        return to_upload(content::checkerboard());
     const Texture& texture = scene.textures[index];
     ImageCache own;
     const TextureFile file = locate_texture(texture, files, diagnostics).at(0);
     const Picture picture = file.path.empty() ? nullptr : decode(file.path, files, cache != nullptr ? *cache : own);
     const Image* image = usable(picture, file, diagnostics);
-    return image != nullptr ? fitted(*image, texture, file, diagnostics) : content::checkerboard();
+    Image result = image != nullptr ? fitted(*image, texture, file, diagnostics) : content::checkerboard();
+    if (texture.target == TextureTarget::d1) result = some_rows(result, 0, 1);  // one row of the checkerboard, too
+    return to_upload(std::move(result));
 }
 
 CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& diagnostics, ImageCache* cache) {
@@ -257,13 +259,13 @@ Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostic
     const std::string name = content::noise_file_name(dimensions, size);
     const std::string path = files.resolve(name).path;
     std::string reason;
-    if (path.empty()) return content::make_noise(dimensions, size);
+    if (path.empty()) return to_upload(content::make_noise(dimensions, size));
     if (const std::optional<std::string> bytes = files.read(path, reason)) {
         content::ImageResult result = content::decode_image(path, *bytes, image_limits(files));
         const int depth = dimensions == 3 ? size : 1;
         if (result.image && result.image->width == size && result.image->height == size &&
             result.image->depth == depth) {
-            return std::move(*result.image);
+            return to_upload(std::move(*result.image));
         }
         reason = fmt::format("it is not a noise texture with {} texels per side", size);
         for (const ImageIssue& issue : result.issues) {
@@ -272,7 +274,7 @@ Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostic
     }
     diagnostics.warning("noise-file", fmt::format("'{}': {}; noise is generated instead", path, reason),
                         "remove the file, or replace it");
-    return content::make_noise(dimensions, size);
+    return to_upload(content::make_noise(dimensions, size));
 }
 
 }  // namespace snell

@@ -82,6 +82,9 @@ private:
 
 // Returns an empty mesh and reports an error if its file cannot be read.
 content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics& diagnostics);
+// These return images that are ready to upload: with four channels, and with the row first that OpenGL takes first,
+// which is the bottom row except for the faces of cube maps.
+//
 // Returns the image of a texture with one file. If it cannot be read, returns a checkerboard and reports an error
 // (file-not-found is not repeated if `diagnostics` already holds it).
 content::Image load_texture(const Scene& scene, Index texture, Files& files, Diagnostics& diagnostics,

@@ -64,10 +64,10 @@ std::optional<ImageHeader> read_header(std::string_view first_bytes, std::size_t
 // The placeholder for an image that cannot be read: magenta and black checks.
 Image checkerboard(int size = 64);
 
-Image flipped(const Image& image);   // reverses the order of the rows
+Image flipped(Image image);          // reverses the order of the rows
 Image to_bytes(const Image& image);  // converts to u8, clamped to 0..1 and rounded; NaN becomes 0
 Image to_half(const Image& image);   // converts to f16
-Image to_rgba(const Image& image);   // converts to 4 channels: grey is copied to red, green and blue, alpha is 1
+Image to_rgba(Image image);          // converts to 4 channels: grey is copied to red, green and blue, alpha is 1
 // Returns one channel as a number; u8 is scaled to 0..1. `index` counts channels from the start of the pixels.
 float value_at(const Image& image, std::size_t index);
 float half_to_float(std::uint16_t half);
