@@ -5,6 +5,7 @@
 #include "src/content/cube/convolve.h"
 #include "src/content/image/noise.h"
 #include "src/content/parallel.h"
+#include "src/plan/identity.h"
 #include "src/plan/locate.h"
 #include "src/plan/plan.h"
 
@@ -200,21 +201,15 @@ content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics&
     content::MeshResult result;
     std::string name;
     Span span = request.span;
-    const auto read_file = [&](Index file) {
-        if (file >= scene.files.size()) return;
+    if (const Index file = file_of(request.shape); file < scene.files.size()) {
         name = scene.files[file].name;
         span = scene.files[file].span;
         result = read_mesh(scene.files[file], request, files, diagnostics);
-    };
-    if (const auto* obj = std::get_if<ObjFile>(&request.shape)) {
-        read_file(obj->file);
-    } else if (const auto* shp = std::get_if<ShpFile>(&request.shape)) {
-        read_file(shp->file);
     } else if (const auto* list = std::get_if<VertexList>(&request.shape)) {
         if (list->list < scene.vertex_lists.size()) {
             result = content::make_vertex_list(scene.vertex_lists[list->list]);
         }
-    } else {
+    } else if (file == none) {
         result = content::make_shape(request.shape, request.wire, mesh_limits(files));
     }
     for (const content::MeshIssue& issue : result.issues) report(issue, name, span, diagnostics);

@@ -9,15 +9,8 @@ namespace snell::content {
 namespace {
 
 std::size_t channel_bytes(PixelType type) {
-    switch (type) {
-        case PixelType::u8:
-            return 1;
-        case PixelType::f16:
-            return 2;
-        case PixelType::f32:
-            return 4;
-    }
-    return 0;
+    constexpr std::array<std::size_t, 3> bytes{1, 2, 4};  // as PixelType
+    return bytes[static_cast<std::size_t>(type)];
 }
 
 // The value 1 in a channel of this type.
