@@ -1,4 +1,4 @@
-// Draws that are alike but for their matrices, by one call each hundred or so. Their order is that of the instances.
+// Draws that differ only in their matrices are drawn by one call, as instances in the same order.
 #include <algorithm>
 
 #include "src/runtime/impl.h"
@@ -54,7 +54,7 @@ void Runtime::Impl::find_batches(Index pass) {
     }
 }
 
-// False: some of the draws are left out; they are to be done one by one.
+// Returns false if some of the draws are hidden: the caller then draws them one by one.
 bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, PassView& view) {
     const auto items = std::span(passes[pass].items).subspan(batch.first, batch.count);
     if (std::ranges::any_of(items, [&](const auto& item) { return hidden(frame, item->draw); })) return false;

@@ -1,4 +1,4 @@
-// Drawing one frame: the passes in their order, each draw with the state that stood at its statement.
+// Draws a frame: the passes in their order, each draw with the state at its statement.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ glm::dmat4 matrix(const Mat4& m) {
     return result;
 }
 
-// `region`: what is scissored then, and stays so.
+// `region` is the scissor box, if one is set; it stays set.
 void clear(const Vec4& color, const std::optional<PixelRect>& region) {
     if (!region) glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -36,7 +36,7 @@ void clear(const Vec4& color, const std::optional<PixelRect>& region) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-// The view of each cube face from `center`, so that the face's first row is its top row.
+// Returns the view of a cube face from `center`. It is such that the first row of the face is its top row.
 glm::dmat4 face_view(int face, const Vec3& center) {
     static const std::array<glm::dvec3, 6> forward{glm::dvec3(1, 0, 0),  glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
                                                    glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),  glm::dvec3(0, 0, -1)};
@@ -48,7 +48,7 @@ glm::dmat4 face_view(int face, const Vec3& center) {
 
 }  // namespace
 
-// What all draws of a pass through one camera share.
+// All draws of a pass through one camera share these values.
 DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView& view) const {
     const Scene& scene = plan.scene;
     DrawContext result;
@@ -132,7 +132,6 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     ++counters.frames;
 }
 
-// The window's background.
 Vec4 Runtime::Impl::behind(const Frame& frame) const {
     if (frame.background) return *frame.background;
     return frame.view.background ? background_of(*frame.view.background) : plan.scene.background;
@@ -173,7 +172,7 @@ void Runtime::Impl::draw_textures(Index pass, const Frame& frame) {
     finish_pass(pass);
 }
 
-// Everything that can change what the faces of a cube pass show.
+// Returns all numbers that decide what the faces of a cube pass show.
 std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const {
     std::vector<double> seen{1};
     bool moves = false;
@@ -194,7 +193,7 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
     return seen;
 }
 
-// Then nothing is known of what changed.
+// If a pass reads other passes, seen_by() does not tell whether its picture changed.
 bool Runtime::Impl::reads_other_passes(const ReadyPass& pass) const {
     const auto reads = [&](const ReadyDraw& draw, Index rendered) {
         const auto* gpu = textures.find(rendered);
@@ -208,7 +207,7 @@ bool Runtime::Impl::reads_other_passes(const ReadyPass& pass) const {
     return false;
 }
 
-// Some texture is drawn to more than once in a frame: what reads it in between needs all that came before.
+// If a texture is drawn to more than once in a frame, passes in between need all earlier ones.
 bool Runtime::Impl::redrawn() const {
     std::set<Index> drawn;
     for (const ReadyPass& pass : passes)
@@ -217,7 +216,7 @@ bool Runtime::Impl::redrawn() const {
     return false;
 }
 
-// All faces that show something else than they would now; in a paced frame only as many as the scene says, in turns.
+// Draws the faces whose content has changed. A paced frame draws only as many as the scene says, in turns.
 void Runtime::Impl::draw_cube(Index pass, const Frame& frame) {
     ReadyPass& ready = passes[pass];
     const std::vector<double> seen = seen_by(pass, frame);
@@ -258,7 +257,7 @@ void Runtime::Impl::draw_face(Index pass, int face, const Frame& frame) {
     ++counters.cube_faces;
 }
 
-// What is made from what was drawn.
+// Updates the mipmaps and computed maps of the textures that the pass has drawn to.
 void Runtime::Impl::finish_pass(Index pass) {
     const ReadyPass& ready = passes[pass];
     glActiveTexture(GL_TEXTURE0);
@@ -298,7 +297,7 @@ void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, PassVie
     draw_mesh(ready);
 }
 
-// All but the draw itself. `program` may be another form of the draw's.
+// Sets everything that a draw needs. `program` is the draw's own or its form for instances.
 void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const std::vector<Index>& controls,
                            DrawContext& context, const Frame& frame) {
     const Draw& draw = plan.scene.draws[ready.draw];

@@ -191,6 +191,9 @@ struct Runtime::Impl {
     void draw_axes(const Frame& frame, const Surface& surface);
     void ready_axes();
 
+    // The draws of the window that were found possible, in their order.
+    std::vector<const runtime::ReadyDraw*> window_draws() const;
+
     // depth.cpp
     // The planes that all draws in the window lie between; none where some program might see the difference, or
     // place its vertices itself.
@@ -207,7 +210,7 @@ struct Runtime::Impl {
     // pick.cpp
     bool ready_picker(int width, int height);
     void draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth);
-    void pick_window(Index pass, const Frame& frame, PassView& view, bool& first);
+    void pick_window(Index pass, const Frame& frame, PassView& view);
     std::vector<Index> pick(const Frame& frame, int width, int height, PixelRect region);
     void outline(const Frame& frame, const Surface& surface, Index draw, float line);
 

@@ -1,4 +1,4 @@
-// What a linked program's uniforms are, and who sets them.
+// Finds the uniforms of a linked program, and decides whether snell or the scene sets each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,33 +16,22 @@ struct TypeFacts {
 };
 
 TypeFacts facts(std::string_view type) {
-    TypeFacts result;
     if (type.find("sampler") != std::string_view::npos) return {ValueType::sampler, 1};
     const char last = type.empty() ? '1' : type.back();
     const int digit = last >= '2' && last <= '4' ? last - '0' : 1;
-    if (type.starts_with("mat")) {
-        const int columns = type[3] - '0';
-        return {ValueType::matrix, columns * digit};
-    }
-    result.components = digit;
+    if (type.starts_with("mat")) return {ValueType::matrix, (type[3] - '0') * digit};
     switch (type.empty() ? 'f' : type[0]) {
         case 'i':
-            result.type = ValueType::int_;
-            break;
+            return {ValueType::int_, digit};
         case 'u':
-            result.type = ValueType::uint_;
-            break;
+            return {ValueType::uint_, digit};
         case 'b':
-            result.type = ValueType::bool_;
-            break;
+            return {ValueType::bool_, digit};
         case 'd':
-            result.type = ValueType::double_;
-            break;
+            return {ValueType::double_, digit};
         default:
-            result.type = ValueType::float_;
-            break;
+            return {ValueType::float_, digit};
     }
-    return result;
 }
 
 std::vector<double> read_values(GLuint program, const gl::Uniform& uniform, const TypeFacts& type) {
@@ -78,13 +67,13 @@ const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, 
     return nullptr;
 }
 
-// What the scene calls a uniform that the translation had to rename.
+// Returns the name that the scene uses for a uniform that the translation had to rename.
 std::string scene_name(const std::string& shader_name, const glsl::Translation& translation) {
     const auto renamed = std::ranges::find(translation.renamed, shader_name, &glsl::RenamedUniform::shader_name);
     return renamed == translation.renamed.end() ? shader_name : renamed->name;
 }
 
-// Sorts the active uniforms into what the runtime sets, what the scene sets and samplers.
+// Sorts the active uniforms: those that the runtime sets, those that the scene sets, and samplers.
 void introspect(LinkedProgram& linked, const Program& program, const glsl::Translation& translation,
                 const gl::Caps& caps) {
     const GLuint id = linked.program.get();
@@ -112,7 +101,8 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
             linked.samplers.push_back(std::move(sampler));
         } else if (const auto* system = find_system(names, uniform.name, type, program)) {
             active.system = true;
-            linked.system.push_back({system->system, uniform.location, uniform.size, {}});
+            const auto floats = static_cast<std::size_t>(active.components * uniform.size);
+            linked.system.push_back({system->system, uniform.type, uniform.location, uniform.size, floats, {}});
         } else {
             active.system = ours && uniform.name.starts_with("snell_");
             linked.user.push_back({uniform.name, active.type, uniform.type, uniform.location, active.components,
@@ -122,7 +112,7 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
     }
 }
 
-// Lights, materials and fog have the values that OpenGL documents, once and for all.
+// Lights, materials and fog always have the default values that OpenGL documents.
 void set_fixed_function_defaults(LinkedProgram& linked) {
     const auto defaults = glsl::fixed_function_defaults();
     glUseProgram(linked.program.get());
@@ -132,26 +122,13 @@ void set_fixed_function_defaults(LinkedProgram& linked) {
             if (value.name != uniform.name) continue;
             std::vector<float> floats(value.values.begin(), value.values.end());
             const auto count = static_cast<GLsizei>(floats.size()) / uniform.components;
-            switch (uniform.components) {
-                case 1:
-                    glUniform1fv(uniform.location, count, floats.data());
-                    break;
-                case 2:
-                    glUniform2fv(uniform.location, count, floats.data());
-                    break;
-                case 3:
-                    glUniform3fv(uniform.location, count, floats.data());
-                    break;
-                default:
-                    glUniform4fv(uniform.location, count, floats.data());
-                    break;
-            }
+            gl::set_floats(uniform.kind, uniform.location, count, floats.data());
         }
     }
 }
 
-// Values that the shaders name and the target has no words for: they become the uniforms' own. A value with
-// fewer components than the uniform is its beginning.
+// Initial values in the shaders that the target language cannot express are set here. A value with fewer components
+// than the uniform sets its first ones.
 void take_defaults(LinkedProgram& linked, const glsl::Translation& translation) {
     const auto is = [](std::string_view name, const std::string& shader) {
         return name == shader || (name.ends_with("[0]") && name.substr(0, name.size() - 3) == shader);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "shaders/embedded.h"
@@ -13,19 +14,9 @@ namespace snell::runtime {
 namespace {
 
 GLenum gl_stage(Stage stage) {
-    switch (stage) {
-        case Stage::vertex:
-            return GL_VERTEX_SHADER;
-        case Stage::tess_control:
-            return GL_TESS_CONTROL_SHADER;
-        case Stage::tess_evaluation:
-            return GL_TESS_EVALUATION_SHADER;
-        case Stage::geometry:
-            return GL_GEOMETRY_SHADER;
-        case Stage::fragment:
-            return GL_FRAGMENT_SHADER;
-    }
-    return GL_VERTEX_SHADER;
+    constexpr std::array stages{GL_VERTEX_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER,
+                                GL_FRAGMENT_SHADER};  // as Stage
+    return static_cast<GLenum>(stages[static_cast<std::size_t>(stage)]);
 }
 
 bool stages_supported(const LinkRequest& request, Diagnostics& diagnostics) {
@@ -59,7 +50,7 @@ void note_geometry(LinkedProgram& linked, const glsl::Translation& translation) 
     }
 }
 
-// All that a linked program is made from: what the driver sees, and what the scene calls its uniforms.
+// Two programs of one key are equal: the key holds what the driver sees, and the names of uniforms in the scene.
 std::string key_of(const Program& program, const glsl::Translation& translation) {
     std::string key;
     const auto add = [&key](std::string_view text) { (key += text) += '\0'; };
@@ -84,7 +75,7 @@ std::size_t block_bytes() {
     return static_cast<std::size_t>(std::max(bytes, 0));
 }
 
-// Null when it failed.
+// Returns null and sets `log` if the shader does not compile.
 std::shared_ptr<gl::Shader> compile(const glsl::StageOutput& stage, Store* store, Counters& counters,
                                     std::string& log) {
     const std::string key = std::to_string(static_cast<int>(stage.stage)) + stage.text;
@@ -137,7 +128,7 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     return glsl::translate(request.stages, request.sources, options, diagnostics);
 }
 
-// Null if a stage does not compile or the stages do not link.
+// Returns null if a stage does not compile, or if the stages do not link.
 std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Translation& translation,
                                      Diagnostics& diagnostics) {
     const auto explain = [&](const std::string& log, const glsl::StageOutput* stage) {
@@ -191,7 +182,7 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     return linked;
 }
 
-// Whatever fails here fails silently: the draws are done one by one then.
+// Nothing is reported if this fails, because the draws are then done one by one.
 const Instancing* make_instancing(LinkedProgram& linked, const Program& program, const gl::Caps& caps,
                                   Counters& counters) {
     if (linked.instancing) return linked.instancing->program ? &*linked.instancing : nullptr;
@@ -206,7 +197,7 @@ const Instancing* make_instancing(LinkedProgram& linked, const Program& program,
     many->program = std::move(result.program);
     many->opaque = linked.opaque;
     find_uniforms(*many, program, {}, caps);
-    // What is bound for the one is bound for the other.
+    // Both forms read the units that are bound for the draw.
     for (SamplerUniform& sampler : many->samplers) {
         const auto same = std::ranges::find(linked.samplers, sampler.name, &SamplerUniform::name);
         if (same == linked.samplers.end() || same->size != sampler.size) return nullptr;

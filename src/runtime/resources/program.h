@@ -23,8 +23,10 @@ namespace snell::runtime {
 // A uniform that the runtime sets, with what it was last set to.
 struct SystemUniform {
     glsl::System system;
+    GLenum kind = GL_FLOAT;  // GL_FLOAT_MAT4 …
     GLint location = -1;
-    int size = 1;  // of the array
+    int size = 1;            // of the array
+    std::size_t floats = 1;  // of all its elements
     std::vector<float> last;
 };
 
