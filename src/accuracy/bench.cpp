@@ -6,6 +6,7 @@
 
 #include "src/accuracy/clock.h"
 #include "src/gl/present.h"
+#include "src/plan/used_files.h"
 #include "src/plan/values/controls.h"
 
 namespace snell::accuracy {
@@ -26,32 +27,10 @@ bool names(std::string_view text, std::string_view word) {
     return false;
 }
 
-// The files that a shader includes by name; snell's own files are left out because they mention no ladders.
-std::vector<std::string> included(std::string_view text) {
-    std::vector<std::string> files;
-    constexpr std::string_view directive = "#include \"";
-    for (std::size_t at = text.find(directive); at != std::string_view::npos; at = text.find(directive, at + 1)) {
-        const std::size_t begin = at + directive.size(), end = text.find_first_of("\"\n", begin);
-        if (end != std::string_view::npos && text[end] == '"') files.emplace_back(text.substr(begin, end - begin));
-    }
-    return files;
-}
-
-bool file_names(std::string_view path, std::string_view text, std::string_view word, Files& files, int depth) {
-    if (names(text, word)) return true;
-    constexpr int deepest = 8;
-    return depth < deepest && std::ranges::any_of(included(text), [&](const std::string& file) {
-               const std::string found = files.resolve_beside(path, file).path;
-               std::string error;
-               const auto inner = found.empty() ? std::nullopt : files.read(found, error);
-               return inner && file_names(found, *inner, word, files, depth + 1);
-           });
-}
-
-bool any_stage_names(const PlannedProgram& program, const Sources& sources, Files& files, std::string_view word) {
-    return std::ranges::any_of(program.stages, [&](const glsl::StageInput& stage) {
-        return file_names(sources.name(stage.file), sources.text(stage.file), word, files, 0);
-    });
+bool any_stage_names(const PlannedProgram& program, const Sources& sources, const Files& files, std::string_view word) {
+    Files reader(files.folder(), files.access());
+    return std::ranges::any_of(shader_texts(program, sources, reader),
+                               [&](const ShaderText& shader) { return names(shader.text, word); });
 }
 
 // Adds a ladder for the kind of output before the scene's own, which every program then sees.
@@ -149,7 +128,7 @@ bool Bench::ready(const Variant& variant, bool directions) {
     if (directions_) rungs.insert(rungs.begin(), directions ? 1 : 0);
     current_->runtime.choose(rungs);
     Diagnostics heard;  // opening the scene has already reported these
-    controls_ = make_controls(current_->runtime.scene(), current_->runtime.active_uniforms(), heard);
+    controls_ = current_->runtime.controls();
     for (const std::string& set : settings_.sets) set_control(controls_, current_->runtime.scene(), set, heard);
     controls_.rungs = std::move(rungs);
     return into_->valid();

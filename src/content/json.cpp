@@ -4,18 +4,9 @@
 
 namespace snell::content {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const Json& json, int indent) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-}  // namespace
-
-std::string json_text(const Json& json) { return text_of(json, 2); }
-std::string json_line(const Json& json) { return text_of(json, -1); }
+std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 Json parse_json(std::string_view text) { return Json::parse(text, nullptr, false); }
 
 }  // namespace snell::content

@@ -9,8 +9,6 @@ namespace snell::content {
 
 // Formats with an indent of two blanks. Bytes that are not UTF-8 are replaced by U+FFFD.
 std::string json_text(const nlohmann::ordered_json& json);
-// Formats in one line.
-std::string json_line(const nlohmann::ordered_json& json);
 // Returns a discarded value if the text is not JSON.
 nlohmann::ordered_json parse_json(std::string_view text);
 

@@ -56,15 +56,8 @@ Caps query_caps() {
     caps.max_texture_3d = integer(GL_MAX_3D_TEXTURE_SIZE);
     caps.max_cube = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
     if (!caps.es || version >= 32) caps.max_texture_buffer = integer(GL_MAX_TEXTURE_BUFFER_SIZE);
-    caps.max_units = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-    caps.max_vertex_attributes = integer(GL_MAX_VERTEX_ATTRIBS);
     caps.max_samples = integer(GL_MAX_SAMPLES);
     caps.max_draw_buffers = std::min(integer(GL_MAX_DRAW_BUFFERS), integer(GL_MAX_COLOR_ATTACHMENTS));
-    caps.max_uniform_components =
-        caps.es ? integer(GL_MAX_VERTEX_UNIFORM_VECTORS) * 4 : integer(GL_MAX_VERTEX_UNIFORM_COMPONENTS);
-    if (caps.tessellation) caps.max_patch_vertices = integer(GL_MAX_PATCH_VERTICES);
-    if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || (!caps.es && version >= 46))
-        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &caps.max_anisotropy);
     caps.max_line_width = range_end(GL_ALIASED_LINE_WIDTH_RANGE);
     // Forward-compatible core contexts refuse widths above 1, even if the range that they report is larger.
     if (!caps.es && (integer(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT)) caps.max_line_width = 1;

@@ -14,10 +14,10 @@ struct Caps {
     bool geometry = true, tessellation = false;
     bool program_interface_query = false;
     int max_viewport = 0;
-    int max_texture = 0, max_texture_3d = 0, max_cube = 0, max_units = 0, max_vertex_attributes = 0;
+    int max_texture = 0, max_texture_3d = 0, max_cube = 0;
     int max_texture_buffer = 0;  // in texels; 0 if the context has no buffer textures
-    int max_samples = 0, max_draw_buffers = 0, max_uniform_components = 0, max_patch_vertices = 0;
-    float max_anisotropy = 1, max_line_width = 1, max_point_size = 1;
+    int max_samples = 0, max_draw_buffers = 0;
+    float max_line_width = 1, max_point_size = 1;
 };
 
 // Queries the context that is current.

@@ -10,18 +10,9 @@ namespace snell::gl {
 
 namespace {
 
-Program adder(bool es) {
-    const std::string head = es ? "#version 300 es\nprecision highp float;\n" : "#version 330 core\n";
-    const Compiled vertex = compile(GL_VERTEX_SHADER, head +
-                                                          "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : "
-                                                          "-1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }\n");
-    const Compiled fragment = compile(
-        GL_FRAGMENT_SHADER, head +
-                                "uniform highp sampler2D picture;\nuniform float weight;\nout vec4 color;\n"
-                                "void main() { color = weight * texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }\n");
-    if (!vertex.shader || !fragment.shader) return {};
-    return std::move(link({&vertex.shader, &fragment.shader}, {}).program);
-}
+constexpr const char* add_fragment =
+    "uniform sampler2D picture;\nuniform float weight;\nout vec4 color;\n"
+    "void main() { color = weight * texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }\n";
 
 }  // namespace
 
@@ -32,7 +23,7 @@ ExactTarget::ExactTarget(int width, int height, int multisample, bool es) : widt
     drawn_target_ = make_texture_target({{drawn_.get(), GL_TEXTURE_2D}}, width, height);
     if (multisample > 1) multisampled_ = make_target(width, height, multisample, Pixels::rgba32f);
     if (!drawn_target_.framebuffer || (multisample > 1 && !multisampled_.framebuffer)) return;
-    program_ = adder(es);
+    program_ = covering_program(es, add_fragment);
     if (!program_) return;
     nothing_ = VertexArray(make(glGenVertexArrays));
     sum_ = make_texture(GL_TEXTURE_2D, empty, nearest);
@@ -97,19 +88,15 @@ TimerQuery::TimerQuery() {
     if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 33) return;
     GLint bits = 0;
     glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
-    if (bits > 0) glGenQueries(1, &id_);
+    if (bits > 0) query_ = Query(make(glGenQueries));
 }
 
-TimerQuery::~TimerQuery() {
-    if (id_) glDeleteQueries(1, &id_);
-}
-
-void TimerQuery::begin() const { glBeginQuery(GL_TIME_ELAPSED, id_); }
+void TimerQuery::begin() const { glBeginQuery(GL_TIME_ELAPSED, query_.get()); }
 
 double TimerQuery::end() const {
     glEndQuery(GL_TIME_ELAPSED);
     GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(id_, GL_QUERY_RESULT, &nanoseconds);
+    glGetQueryObjectui64v(query_.get(), GL_QUERY_RESULT, &nanoseconds);
     return static_cast<double>(nanoseconds) / 1e6;
 }
 

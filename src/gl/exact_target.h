@@ -45,38 +45,31 @@ private:
 // in every context.
 class AnySamples {
 public:
-    AnySamples() { glGenQueries(1, &id_); }
-    ~AnySamples() { glDeleteQueries(1, &id_); }
-    AnySamples(const AnySamples&) = delete;
-    AnySamples& operator=(const AnySamples&) = delete;
-    void begin() const { glBeginQuery(GL_ANY_SAMPLES_PASSED, id_); }
+    void begin() const { glBeginQuery(GL_ANY_SAMPLES_PASSED, query_.get()); }
     void end() const { glEndQuery(GL_ANY_SAMPLES_PASSED); }
     // Waits for the draws.
     bool passed() const {
         GLuint any = 0;
-        glGetQueryObjectuiv(id_, GL_QUERY_RESULT, &any);
+        glGetQueryObjectuiv(query_.get(), GL_QUERY_RESULT, &any);
         return any != 0;
     }
 
 private:
-    GLuint id_ = 0;
+    Query query_{make(glGenQueries)};
 };
 
 // Measures the GPU's time between begin() and end() with a timer query, if the context has one.
 class TimerQuery {
 public:
     TimerQuery();
-    ~TimerQuery();
-    TimerQuery(const TimerQuery&) = delete;
-    TimerQuery& operator=(const TimerQuery&) = delete;
 
-    bool available() const { return id_ != 0; }
+    bool available() const { return static_cast<bool>(query_); }
     void begin() const;
     // Waits for the GPU and returns milliseconds.
     double end() const;
 
 private:
-    GLuint id_ = 0;
+    Query query_;
 };
 
 }  // namespace snell::gl

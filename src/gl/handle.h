@@ -40,6 +40,7 @@ inline void delete_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
 inline void delete_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
 inline void delete_renderbuffer(GLuint id) { glDeleteRenderbuffers(1, &id); }
 inline void delete_program(GLuint id) { glDeleteProgram(id); }
+inline void delete_query(GLuint id) { glDeleteQueries(1, &id); }
 inline void delete_shader(GLuint id) { glDeleteShader(id); }
 
 using Buffer = Handle<delete_buffer>;
@@ -48,6 +49,7 @@ using VertexArray = Handle<delete_vertex_array>;
 using Framebuffer = Handle<delete_framebuffer>;
 using Renderbuffer = Handle<delete_renderbuffer>;
 using Program = Handle<delete_program>;
+using Query = Handle<delete_query>;
 using Shader = Handle<delete_shader>;
 
 // Generates one object and returns its name, for example make(glGenBuffers).

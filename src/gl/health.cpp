@@ -15,10 +15,4 @@ bool can_ask() {
 
 bool lost() { return can_ask() && glGetGraphicsResetStatus() != GL_NO_ERROR; }
 
-bool tells_of_loss() {
-    GLint strategy = 0;
-    if (can_ask()) glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY, &strategy);
-    return strategy == GL_LOSE_CONTEXT_ON_RESET;
-}
-
 }  // namespace snell::gl

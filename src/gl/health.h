@@ -7,7 +7,4 @@ namespace snell::gl {
 // since is undefined, and the context cannot be used any more. Always false if the context does not report resets.
 bool lost();
 
-// True if the context reports resets, so that lost() can become true.
-bool tells_of_loss();
-
 }  // namespace snell::gl

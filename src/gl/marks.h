@@ -9,9 +9,6 @@
 
 namespace snell::gl {
 
-inline void delete_query(GLuint id) { glDeleteQueries(1, &id); }
-using Query = Handle<delete_query>;
-
 class Marks {
 public:
     // True if the context has timestamp queries. Software renderers have them, but their times are wrong.

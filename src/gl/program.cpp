@@ -159,18 +159,48 @@ std::vector<Uniform> active_uniforms(GLuint program, bool interface_query) {
     return uniforms;
 }
 
-std::vector<std::string> active_attributes(GLuint program) {
-    GLint count = 0;
-    glGetProgramiv(program, GL_ACTIVE_ATTRIBUTES, &count);
-    std::vector<std::string> names;
-    for (GLint i = 0; i < count; ++i) {
-        std::array<GLchar, 512> name{};
-        GLint size = 0;
-        GLenum type = 0;
-        glGetActiveAttrib(program, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
-        names.emplace_back(name.data());
+Program covering_program(bool es, std::string_view fragment) {
+    const std::string head =
+        es ? "#version 300 es\nprecision highp float;\nprecision highp sampler2D;\n" : "#version 330 core\n";
+    const Compiled vertex = compile(GL_VERTEX_SHADER, head +
+                                                          "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : "
+                                                          "-1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }\n");
+    const Compiled pixels = compile(GL_FRAGMENT_SHADER, head + std::string(fragment));
+    if (!vertex.shader || !pixels.shader) return {};
+    return std::move(link({&vertex.shader, &pixels.shader}, {}).program);
+}
+
+void set_floats(GLenum type, GLint location, GLsizei count, const float* values) {
+    switch (type) {
+        case GL_FLOAT:
+            return glUniform1fv(location, count, values);
+        case GL_FLOAT_VEC2:
+            return glUniform2fv(location, count, values);
+        case GL_FLOAT_VEC3:
+            return glUniform3fv(location, count, values);
+        case GL_FLOAT_VEC4:
+            return glUniform4fv(location, count, values);
+        case GL_FLOAT_MAT2:
+            return glUniformMatrix2fv(location, count, GL_FALSE, values);
+        case GL_FLOAT_MAT3:
+            return glUniformMatrix3fv(location, count, GL_FALSE, values);
+        case GL_FLOAT_MAT4:
+            return glUniformMatrix4fv(location, count, GL_FALSE, values);
+        case GL_FLOAT_MAT2x3:
+            return glUniformMatrix2x3fv(location, count, GL_FALSE, values);
+        case GL_FLOAT_MAT2x4:
+            return glUniformMatrix2x4fv(location, count, GL_FALSE, values);
+        case GL_FLOAT_MAT3x2:
+            return glUniformMatrix3x2fv(location, count, GL_FALSE, values);
+        case GL_FLOAT_MAT3x4:
+            return glUniformMatrix3x4fv(location, count, GL_FALSE, values);
+        case GL_FLOAT_MAT4x2:
+            return glUniformMatrix4x2fv(location, count, GL_FALSE, values);
+        case GL_FLOAT_MAT4x3:
+            return glUniformMatrix4x3fv(location, count, GL_FALSE, values);
+        default:
+            return;
     }
-    return names;
 }
 
 std::string_view type_name(GLenum type) {

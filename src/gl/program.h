@@ -38,9 +38,15 @@ struct Uniform {
 // stage uses it.
 std::vector<Uniform> active_uniforms(GLuint program, bool interface_query);
 
-std::vector<std::string> active_attributes(GLuint program);
+// Links a fragment shader, without its #version line, to a triangle that covers the viewport; empty if it fails. See
+// draw_covering in texture.h.
+Program covering_program(bool es, std::string_view fragment);
 
 // The GLSL name of the type, such as "vec3" or "sampler2D"; empty if scenes cannot set this type.
 std::string_view type_name(GLenum type);
+
+// Sets `count` elements of a uniform of floats, which is of that type (GL_FLOAT to GL_FLOAT_MAT4x3), in the program in
+// use. Matrices are column by column.
+void set_floats(GLenum type, GLint location, GLsizei count, const float* values);
 
 }  // namespace snell::gl

@@ -6,17 +6,17 @@ namespace snell::gl {
 
 namespace {
 
-GLenum component_type(Pixels type) {
-    switch (type) {
-        case Pixels::rgba8:
-        case Pixels::srgb8:
-            return GL_UNSIGNED_BYTE;
-        case Pixels::rgba16f:
-            return GL_HALF_FLOAT;
-        case Pixels::rgba32f:
-            return GL_FLOAT;
-    }
-    return GL_UNSIGNED_BYTE;
+struct Format {
+    GLenum internal, component;
+    std::size_t bytes;  // of a texel
+};
+
+const Format& format_of(Pixels type) {
+    static constexpr Format formats[]{{GL_RGBA8, GL_UNSIGNED_BYTE, 4},
+                                      {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE, 4},
+                                      {GL_RGBA16F, GL_HALF_FLOAT, 8},
+                                      {GL_RGBA32F, GL_FLOAT, 16}};  // as Pixels
+    return formats[static_cast<std::size_t>(type)];
 }
 
 bool has_mipmaps(const Sampling& sampling) {
@@ -24,21 +24,13 @@ bool has_mipmaps(const Sampling& sampling) {
 }
 
 GLint min_filter(const Sampling& sampling) {
-    switch (sampling.mode) {
-        case Sampling::Mode::nearest:
-            return GL_NEAREST;
-        case Sampling::Mode::linear:
-            return GL_LINEAR;
-        case Sampling::Mode::mipmap:
-        case Sampling::Mode::anisotropic:
-            return GL_LINEAR_MIPMAP_LINEAR;
-    }
-    return GL_LINEAR;
+    if (has_mipmaps(sampling)) return GL_LINEAR_MIPMAP_LINEAR;
+    return sampling.mode == Sampling::Mode::nearest ? GL_NEAREST : GL_LINEAR;
 }
 
 void upload(GLenum target, const Texels& texels) {
     const auto internal = static_cast<GLint>(internal_format(texels.type));
-    const GLenum type = component_type(texels.type);
+    const GLenum type = format_of(texels.type).component;
     switch (target) {
         case GL_TEXTURE_1D:
             glTexImage1D(target, 0, internal, texels.width, 0, GL_RGBA, type, texels.data);
@@ -61,53 +53,23 @@ void set_levels(GLenum target, const Sampling& sampling) {
 
 }  // namespace
 
-GLenum internal_format(Pixels type) {
-    switch (type) {
-        case Pixels::rgba8:
-            return GL_RGBA8;
-        case Pixels::srgb8:
-            return GL_SRGB8_ALPHA8;
-        case Pixels::rgba16f:
-            return GL_RGBA16F;
-        case Pixels::rgba32f:
-            return GL_RGBA32F;
-    }
-    return GL_RGBA8;
-}
+GLenum internal_format(Pixels type) { return format_of(type).internal; }
+std::size_t texel_bytes(Pixels type) { return format_of(type).bytes; }
 
-std::size_t texel_bytes(Pixels type) {
-    switch (type) {
-        case Pixels::rgba8:
-        case Pixels::srgb8:
-            return 4;
-        case Pixels::rgba16f:
-            return 8;
-        case Pixels::rgba32f:
-            return 16;
-    }
-    return 4;
-}
-
-Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling) {
+Texture make_texture(GLenum target, std::span<const Texels> images, const Sampling& sampling) {
     Texture texture(make(glGenTextures));
     glBindTexture(target, texture.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    upload(target, texels);
+    GLenum part = target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : target;
+    for (const Texels& texels : images) upload(part++, texels);
     set_levels(target, sampling);
-    if (has_mipmaps(sampling) && texels.data) glGenerateMipmap(target);
+    if (has_mipmaps(sampling) && images[0].data) glGenerateMipmap(target);
     glBindTexture(target, 0);
     return texture;
 }
 
-Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling) {
-    Texture texture(make(glGenTextures));
-    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.get());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (GLenum face = 0; face < 6; ++face) upload(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, faces[face]);
-    set_levels(GL_TEXTURE_CUBE_MAP, sampling);
-    if (has_mipmaps(sampling) && faces[0].data) glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
-    return texture;
+Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling) {
+    return make_texture(target, {&texels, 1}, sampling);
 }
 
 BufferTexture make_buffer_texture(const void* texels, std::size_t count) {
@@ -129,7 +91,7 @@ void upload_levels(const std::vector<std::array<Texels, 6>>& levels, bool fresh)
     for (std::size_t level = 0; level < levels.size(); ++level)
         for (GLenum face = 0; face < 6; ++face) {
             const Texels& texels = levels[level][face];
-            const GLenum target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, type = component_type(texels.type);
+            const GLenum target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, type = format_of(texels.type).component;
             const auto at = static_cast<GLint>(level);
             if (fresh)
                 glTexImage2D(target, at, static_cast<GLint>(internal_format(texels.type)), texels.width, texels.height,

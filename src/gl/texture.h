@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "src/gl/handle.h"
@@ -30,10 +31,10 @@ struct Sampling {
 GLenum internal_format(Pixels type);
 std::size_t texel_bytes(Pixels type);
 
-// `target` is GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D or GL_TEXTURE_CUBE_MAP.
+// `target` is GL_TEXTURE_1D, GL_TEXTURE_2D or GL_TEXTURE_3D with one image, or GL_TEXTURE_CUBE_MAP with its six faces
+// in OpenGL's order.
+Texture make_texture(GLenum target, std::span<const Texels> images, const Sampling& sampling);
 Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling);
-// Makes a cube map from its six faces, in OpenGL's order.
-Texture make_cube(const std::array<Texels, 6>& faces, const Sampling& sampling);
 // Makes a cube map from all of its levels, each half the size of the one before; the first may have any size. If `data`
 // is null, the storage is allocated but not filled.
 Texture make_cube_levels(const std::vector<std::array<Texels, 6>>& levels);

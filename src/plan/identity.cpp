@@ -25,12 +25,6 @@ bool put_file(Identity& identity, const std::string& path) {
     return true;
 }
 
-Index file_of(const Shape& shape) {
-    if (const auto* obj = std::get_if<ObjFile>(&shape)) return obj->file;
-    if (const auto* shp = std::get_if<ShpFile>(&shape)) return shp->file;
-    return none;
-}
-
 void put_list(std::string& key, const VertexListData& list) {
     put(key, list.topology, list.patch_vertices, list.has_color);
     for (const ListVertex& vertex : list.vertices)
@@ -38,6 +32,12 @@ void put_list(std::string& key, const VertexListData& list) {
 }
 
 }  // namespace
+
+Index file_of(const Shape& shape) {
+    if (const auto* obj = std::get_if<ObjFile>(&shape)) return obj->file;
+    if (const auto* shp = std::get_if<ShpFile>(&shape)) return shp->file;
+    return none;
+}
 
 std::string shape_key(const Scene& scene, const Shape& shape, bool wire) {
     std::string key;

@@ -17,6 +17,8 @@ struct Identity {
 Identity texture_identity(const Scene& scene, Index texture, const Files& files);
 // The identity of a mesh, by its shape or its file.
 Identity mesh_identity(const Plan& plan, Index mesh, const Files& files);
+// The file that a shape is read from, as an index into Scene::files; none if it is made.
+Index file_of(const Shape& shape);
 // The places in the text that messages about a mesh point to: its statement, and the file name in it.
 std::vector<Span> mesh_places(const Plan& plan, Index mesh);
 Identity noise_identity(int dimensions, int size, const Files& files);

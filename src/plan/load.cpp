@@ -5,6 +5,7 @@
 #include "src/content/cube/convolve.h"
 #include "src/content/image/noise.h"
 #include "src/content/parallel.h"
+#include "src/plan/identity.h"
 #include "src/plan/locate.h"
 #include "src/plan/plan.h"
 
@@ -113,22 +114,21 @@ Image fitted(const Image& image, const Texture& texture, const TextureFile& file
     return some_rows(image, image.bottom_first ? 0 : image.height - 1, 1);
 }
 
+// Four channels, and the row order of textures.
+Image to_upload(Image image) {
+    image = content::to_rgba(std::move(image));
+    return image.bottom_first ? image : content::flipped(std::move(image));
+}
+
 // ---- cube maps -------------------------------------------------------------------------------------------
 
-// Converts the faces to one format, because GL requires that all six have the same.
+// Converts the faces to one format, because GL requires that all six have the same, with the top row first.
 void make_alike(CubeFaces& faces) {
-    const auto all = [&](auto same) {
-        return std::all_of(faces.begin(), faces.end(), [&](const Image& face) { return same(face, faces[0]); });
-    };
-    const bool same_channels = all([](const Image& a, const Image& b) { return a.channels == b.channels; });
-    const bool same_type = all([](const Image& a, const Image& b) { return a.type == b.type; });
+    const bool same_type = std::ranges::all_of(faces, [&](const Image& face) { return face.type == faces[0].type; });
     for (Image& face : faces) {
-        if (!same_channels) face = content::to_rgba(face);
+        face = content::to_rgba(std::move(face));
         if (!same_type || (face.srgb && face.type != PixelType::u8)) face = content::to_half(face);
-        if (face.bottom_first) {
-            face = content::flipped(face);
-            face.bottom_first = false;
-        }
+        if (face.bottom_first) face = content::flipped(std::move(face));
     }
 }
 
@@ -213,21 +213,15 @@ content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics&
     content::MeshResult result;
     std::string name;
     Span span = request.span;
-    const auto read_file = [&](Index file) {
-        if (file >= scene.files.size()) return;
+    if (const Index file = file_of(request.shape); file < scene.files.size()) {
         name = scene.files[file].name;
         span = scene.files[file].span;
         result = read_mesh(scene.files[file], request, files, diagnostics);
-    };
-    if (const auto* obj = std::get_if<ObjFile>(&request.shape)) {
-        read_file(obj->file);
-    } else if (const auto* shp = std::get_if<ShpFile>(&request.shape)) {
-        read_file(shp->file);
     } else if (const auto* list = std::get_if<VertexList>(&request.shape)) {
         if (list->list < scene.vertex_lists.size()) {
             result = content::make_vertex_list(scene.vertex_lists[list->list]);
         }
-    } else {
+    } else if (file == none) {
         result = content::make_shape(request.shape, request.wire, mesh_limits(files));
     }
     for (const content::MeshIssue& issue : result.issues) report(issue, name, span, diagnostics);
@@ -235,15 +229,18 @@ content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics&
 }
 
 Image load_texture(const Scene& scene, Index index, Files& files, Diagnostics& diagnostics, ImageCache* cache) {
-    if (index >= scene.textures.size() || scene.textures[index].files.empty()) return content::checkerboard();
+    if (index >= scene.textures.size() || scene.textures[index].files.empty())
+        return to_upload(content::checkerboard());
     const Texture& texture = scene.textures[index];
     ImageCache own;
     const TextureFile file = locate_texture(texture, files, diagnostics).at(0);
     const Picture picture = file.path.empty() ? nullptr : decode(file.path, files, cache != nullptr ? *cache : own);
     const Image* image = usable(picture, file, diagnostics);
-    if (image == nullptr) return content::checkerboard();
-    const Image result = declared(fitted(*image, texture, file, diagnostics), texture, file, diagnostics);
-    return result.type == PixelType::u8 ? result : content::to_half(result);
+    Image result = image != nullptr ? declared(fitted(*image, texture, file, diagnostics), texture, file, diagnostics)
+                                    : content::checkerboard();
+    if (texture.target == TextureTarget::d1) result = some_rows(result, 0, 1);  // one row of the checkerboard, too
+    if (result.srgb && result.type != PixelType::u8) result = content::to_half(result);
+    return to_upload(std::move(result));
 }
 
 CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& diagnostics, ImageCache* cache) {
@@ -271,13 +268,13 @@ Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostic
     const std::string name = content::noise_file_name(dimensions, size);
     const std::string path = files.resolve(name).path;
     std::string reason;
-    if (path.empty()) return content::make_noise(dimensions, size);
+    if (path.empty()) return to_upload(content::make_noise(dimensions, size));
     if (const std::optional<std::string> bytes = files.read(path, reason)) {
         content::ImageResult result = content::decode_image(path, *bytes, image_limits(files));
         const int depth = dimensions == 3 ? size : 1;
         if (result.image && result.image->width == size && result.image->height == size &&
             result.image->depth == depth) {
-            return std::move(*result.image);
+            return to_upload(std::move(*result.image));
         }
         reason = fmt::format("it is not a noise texture with {} texels per side", size);
         for (const ImageIssue& issue : result.issues) {
@@ -286,7 +283,7 @@ Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostic
     }
     diagnostics.warning("noise-file", fmt::format("'{}': {}; noise is generated instead", path, reason),
                         "remove the file, or replace it");
-    return content::make_noise(dimensions, size);
+    return to_upload(content::make_noise(dimensions, size));
 }
 
 }  // namespace snell

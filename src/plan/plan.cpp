@@ -12,12 +12,6 @@
 namespace snell {
 namespace {
 
-Index file_of(const Shape& shape) {
-    if (const auto* obj = std::get_if<ObjFile>(&shape)) return obj->file;
-    if (const auto* shp = std::get_if<ShpFile>(&shape)) return shp->file;
-    return none;
-}
-
 class Planner {
 public:
     Planner(Plan& plan, Files& files, Sources& sources, Diagnostics& diagnostics)

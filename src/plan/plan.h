@@ -82,6 +82,9 @@ private:
 
 // Returns an empty mesh and reports an error if its file cannot be read.
 content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics& diagnostics);
+// These return images that are ready to upload: with four channels, and with the row first that OpenGL takes first,
+// which is the bottom row except for the faces of cube maps.
+//
 // Returns the image of a texture with one file. If it cannot be read, returns a checkerboard and reports an error
 // (file-not-found is not repeated if `diagnostics` already holds it).
 content::Image load_texture(const Scene& scene, Index texture, Files& files, Diagnostics& diagnostics,
@@ -120,6 +123,8 @@ struct DepthRange {
 struct DepthBox {
     glm::dmat4 eye_from_model{1};
     std::array<float, 3> min{}, max{};
+
+    std::array<glm::dvec3, 8> corners() const;  // in eye space
 };
 // Fits the clipping planes to the boxes, within the default range. A tight range saves precision: with 24 bits of
 // depth, near = .1 resolves .006 at a distance of 100, near = 90 resolves 7e-6. Nothing that the default planes show is

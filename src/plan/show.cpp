@@ -17,14 +17,10 @@ struct Extent {
 Extent extent_of(std::span<const DepthBox> boxes) {
     Extent extent;
     for (const DepthBox& box : boxes)
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            const auto at = [&](unsigned i) {
-                return static_cast<double>((corner >> i & 1) != 0 ? box.max[i] : box.min[i]);
-            };
-            const glm::dvec4 p = box.eye_from_model * glm::dvec4(at(0), at(1), at(2), 1);
+        for (const glm::dvec3& p : box.corners()) {
             if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
-            extent.min = glm::min(extent.min, glm::dvec3(p));
-            extent.max = glm::max(extent.max, glm::dvec3(p));
+            extent.min = glm::min(extent.min, p);
+            extent.max = glm::max(extent.max, p);
         }
     return extent;
 }

@@ -1,5 +1,6 @@
 #include "src/plan/used_files.h"
 
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -22,27 +23,37 @@ std::set<std::string_view> included_names(std::string_view text) {
     return names;
 }
 
-// Each file is read once, so that files that include each other end. A list, not a recursion: the chain may be long.
 std::set<std::string> included_files(const Plan& plan, const Sources& sources, const Files& files) {
     Files reader(files.folder(), files.access());
-    std::vector<std::pair<std::string, std::string_view>> texts;  // by path
-    for (const PlannedProgram& program : plan.programs)
-        for (const glsl::StageInput& stage : program.stages)
-            texts.emplace_back(sources.name(stage.file), sources.text(stage.file));
     std::set<std::string> found;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        const auto [from, text] = texts[i];
-        for (const std::string_view name : included_names(text)) {
-            const std::string path = reader.resolve_beside(from, name, {"glsl"}).path;
-            if (path.empty() || !found.insert(path).second) continue;
-            std::string error;
-            if (const auto inner = reader.read_once(path, error)) texts.emplace_back(path, *inner);
-        }
+    for (const PlannedProgram& program : plan.programs) {
+        const std::vector<ShaderText> texts = shader_texts(program, sources, reader);
+        for (std::size_t i = program.stages.size(); i < texts.size(); ++i) found.insert(texts[i].path);
     }
     return found;
 }
 
 }  // namespace
+
+// A list, not a recursion, because the chain of includes may be long.
+std::vector<ShaderText> shader_texts(const PlannedProgram& program, const Sources& sources, Files& reader) {
+    std::vector<ShaderText> texts;
+    for (const glsl::StageInput& stage : program.stages)
+        texts.push_back({std::string(sources.name(stage.file)), sources.text(stage.file)});
+    std::set<std::string> found;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const auto [from, text] = texts[i];
+        for (const std::string_view name : included_names(text)) {
+            const std::string path = reader.resolve_beside(from, name, {"glsl"}).path;
+            if (path.empty()) continue;
+            if (!found.insert(std::filesystem::path(path).lexically_normal().string()).second) continue;
+            std::string error;
+            const auto inner = reader.read_once(path, error);
+            texts.push_back({path, inner ? std::string_view(*inner) : ""});
+        }
+    }
+    return texts;
+}
 
 std::vector<std::string> used_files(const Plan& plan, const Sources& sources, const Files& files) {
     std::vector<std::string> paths = files.read_paths();

@@ -1,4 +1,4 @@
-// Draws that are alike but for their matrices, by one call each hundred or so. Their order is that of the instances.
+// Draws that differ only in their matrices are drawn by one call, as instances in the same order.
 #include <algorithm>
 
 #include "src/runtime/impl.h"
@@ -44,11 +44,17 @@ void Runtime::Impl::find_batches(Index pass) {
             make_instancing(program, named == none ? Program{} : scene.programs[named], caps, counters);
         if (!instancing) continue;
         for (std::size_t at = first; at < end; at += instancing->capacity)
-            ready.batches.push_back({at, std::min(instancing->capacity, end - at), {}, {}, {}, {}});
+            ready.batches.push_back({at,
+                                     std::min(instancing->capacity, end - at),
+                                     {},
+                                     controls_of(named, *instancing->program),
+                                     {},
+                                     {},
+                                     {}});
     }
 }
 
-// False: some of the draws are left out; they are to be done one by one.
+// Returns false if some of the draws are hidden: the caller then draws them one by one.
 bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, PassView& view) {
     const auto items = std::span(passes[pass].items).subspan(batch.first, batch.count);
     if (std::ranges::any_of(items, [&](const auto& item) { return hidden(frame, item->draw); })) return false;
@@ -56,8 +62,8 @@ bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, Pas
     const runtime::Instancing& instancing = *ready.program->instancing;
     std::vector<runtime::DrawContext>& contexts = batch.contexts;
     contexts.clear();
-    for (const auto& item : items) contexts.push_back(context(plan.scene.draws[item->draw], frame, view));
-    set_up(ready, *instancing.program, contexts.front(), frame);
+    for (const auto& item : items) contexts.push_back(context(item->draw, frame, view));
+    set_up(ready, *instancing.program, batch.controls, contexts.front(), frame);
     instance_values(instancing, contexts, batch.values);
     if (!batch.matrices) batch.matrices = gl::Buffer(gl::make(glGenBuffers));
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, batch.matrices.get());

@@ -1,4 +1,4 @@
-// What each draw reads: textures by the units of its samplers, noise, harmonics.
+// Finds and binds what each draw reads: textures by the units of its samplers, noise, harmonics.
 #include <fmt/format.h>
 
 #include "src/runtime/impl.h"
@@ -12,7 +12,7 @@ using runtime::SamplerUniform;
 
 namespace {
 
-// The dimensions of the built-in noise that stands on this sampler, 0 for none.
+// Returns the dimensions of the built-in noise that the sampler reads; 0 if it reads none.
 int noise_dimensions(const SamplerUniform& sampler, bool named, int unit) {
     if (sampler.target == TextureTarget::d2 && ((sampler.name == "Noise2" && !named) || unit == 2)) return 2;
     if (sampler.target == TextureTarget::d3 && ((sampler.name == "Noise3" && !named) || unit == 3)) return 3;
@@ -43,7 +43,7 @@ std::vector<Sampled> Runtime::Impl::sampled_by(const Draw& draw, const LinkedPro
     if (draw.program == none) return result;
     for (const SamplerUniform& sampler : program.samplers) {
         if (!sampler.target) continue;
-        // What the Program line says of a sampler is read as every other value is.
+        // A sampler that the Program line sets reads that unit.
         const Control* control = given.find(draw.program, sampler.name);
         const bool named = control && control->listed;
         for (int element = 0; element < sampler.size; ++element) {
@@ -63,7 +63,7 @@ std::vector<Sampled> Runtime::Impl::sampled_by(const Draw& draw, const LinkedPro
     return result;
 }
 
-// The cube map of the last Irradiance before the draw, or of the text's last one, as with all that is bound.
+// The last Irradiance before the draw counts, otherwise the last one of the text, as for textures.
 Index Runtime::Impl::harmonics_of(const Draw& draw, const LinkedProgram& program) const {
     const Scene& scene = plan.scene;
     if (!program.reads(glsl::System::harmonics)) return none;
@@ -108,7 +108,7 @@ void Runtime::Impl::bind_harmonics(ReadyDraw& ready, Index pass, Diagnostics& di
     ready.harmonics = textures.harmonics(source);
 }
 
-// Every sampler is bound: what the last program has left on its unit may be another scene's.
+// Every sampler is bound, because its unit may still hold a texture of another scene.
 void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
     const Scene& scene = plan.scene;
     const Draw& draw = scene.draws[ready.draw];
@@ -122,7 +122,7 @@ void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
         const runtime::GpuTexture* gpu = nullptr;
         Filter filter;
         if (sampled.texture != none) {
-            // What is computed from the target would show the frame before.
+            // A map that is computed from the target would show the frame before.
             const Index source = scene.textures[sampled.texture].source;
             auto problem = feedback_error(scene, pass, ready.draw, sampled.texture);
             if (!problem) problem = feedback_error(scene, pass, ready.draw, source);

@@ -1,4 +1,4 @@
-// From a Plan to what can be drawn: programs, then what their active uniforms call for.
+// Makes the resources of a plan: programs first, then what their active uniforms need.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,30 +12,6 @@ using runtime::ReadyDraw;
 using runtime::ReadyPass;
 
 namespace {
-
-GLenum input_of(Topology topology) {
-    switch (topology) {
-        case Topology::points:
-            return GL_POINTS;
-        case Topology::lines:
-        case Topology::line_strip:
-        case Topology::line_loop:
-            return GL_LINES;
-        case Topology::triangles:
-        case Topology::triangle_strip:
-        case Topology::triangle_fan:
-            return GL_TRIANGLES;
-        case Topology::lines_adjacency:
-        case Topology::line_strip_adjacency:
-            return GL_LINES_ADJACENCY;
-        case Topology::triangles_adjacency:
-        case Topology::triangle_strip_adjacency:
-            return GL_TRIANGLES_ADJACENCY;
-        case Topology::patches:
-            return GL_PATCHES;
-    }
-    return GL_TRIANGLES;
-}
 
 std::string_view input_name(GLenum input) {
     switch (input) {
@@ -59,7 +35,7 @@ int outputs_of(const Pass& pass, const gl::Caps& caps) {
     return std::clamp(static_cast<int>(pass.textures.size()), 1, std::max(1, static_cast<int>(caps.max_draw_buffers)));
 }
 
-// A mesh for each draw.
+// Gives each draw a mesh of its own.
 void own_meshes(Plan& plan) {
     std::vector<MeshRequest> meshes;
     for (Index& mesh : plan.draw_mesh) {
@@ -89,12 +65,13 @@ Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics
     if (!plan.scene.ladders.empty()) said = diagnostics.items();
 }
 
-// For the chosen rungs. What an earlier call has made is used again.
+// Prepares the chosen rungs. Resources of earlier calls are used again.
 void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     Loading loading{*files, *sources, diagnostics, {}};
     link_programs(loading);
-    Diagnostics unheard;  // who asks for the controls hears of them
-    given = make_controls(plan.scene, active, unheard);
+    value_problems = Diagnostics(files->limits());
+    given = make_controls(plan.scene, active, value_problems);
+    given.rungs = plan.rungs;
     passes.clear();
     fitted.reset();
     passes.resize(plan.scene.passes.size());
@@ -121,8 +98,9 @@ LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& varian
                 programs, [&](const auto& other) { return other.first.first == program && other.second; });
             const std::uint64_t compiled = counters.programs_compiled;
             slot->second =
-                runtime::link_program(plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders,
-                                      variant, caps, loading.files, loading.sources, from, counters, problems_of);
+                runtime::link_program({plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders,
+                                       variant, caps, loading.files, loading.sources, from, counters},
+                                      problems_of);
             if (another) counters.variants += counters.programs_compiled - compiled;
         }
     }
@@ -130,7 +108,7 @@ LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& varian
     return slot->second.get();
 }
 
-// A program that nothing draws with is compiled all the same: its sliders and its errors are the user's.
+// Programs that no draw uses are compiled too, because the user wants their sliders and errors.
 void Runtime::Impl::link_programs(Loading& loading) {
     const Scene& scene = plan.scene;
     std::vector<runtime::Variant> first(scene.programs.size());
@@ -156,7 +134,8 @@ void Runtime::Impl::link_programs(Loading& loading) {
     tell(LoadProgress::Stage::programs, "", scene.programs.size(), scene.programs.size());
 }
 
-// Passes off-screen that the window shows something of, by however many others. Nothing of the others is loaded.
+// A pass is live if the window shows something of it, directly or through other passes. Nothing is loaded for the
+// others.
 void Runtime::Impl::find_live_passes(Loading& loading) {
     const Scene& scene = plan.scene;
     std::vector<Index> open;
@@ -225,10 +204,10 @@ void Runtime::Impl::ready_passes(Loading& loading) {
     tell(LoadProgress::Stage::draws, "", all, all);
 }
 
-// All that is declared, read or not.
+// Loads everything that is declared, whether it is read or not.
 void Runtime::Impl::load_all(Loading& loading) {
-    Diagnostics unheard;  // who does not see it need not hear of it
-    textures.resume(loading.files, unheard);
+    Diagnostics unheard;  // the user does not see these resources
+    textures.resume(unheard);
     for (Index texture = 0; texture < plan.scene.textures.size(); ++texture) textures.realise(texture);
     textures.noise(2);
     textures.noise(3);
@@ -288,7 +267,7 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     ready_mesh(ready.mesh, loaded, loading);
     const auto& mesh = meshes[ready.mesh];
     variant.wide = raster.line_width > static_cast<double>(caps.max_line_width) &&
-                   input_of(mesh->topology) == GL_LINES && !ready.program->geometry_input &&
+                   runtime::facts_of(mesh->topology).input == GL_LINES && !ready.program->geometry_input &&
                    !ready.program->tessellates;
     if (variant.wide && !caps.geometry) {
         loading.diagnostics.warning("thin-lines", draw.span,
@@ -305,15 +284,16 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     bind_textures(ready, pass, loading.diagnostics);
     bind_harmonics(ready, pass, loading.diagnostics);
     bind_tree(ready, loaded ? &*loaded : nullptr, loading);
+    ready.controls = controls_of(draw.program, *ready.program);
     return ready;
 }
 
-// GL refuses a draw whose primitives are not what the program takes.
+// GL refuses a draw whose primitives differ from those that the program takes.
 bool Runtime::Impl::match_topology(ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics) {
     const LinkedProgram& program = *ready.program;
-    const GLenum input = input_of(mesh.topology);
+    const GLenum input = runtime::facts_of(mesh.topology).input;
     const Span span = plan.scene.draws[ready.draw].span;
-    ready.mode = runtime::gl_mode(mesh.topology);
+    ready.mode = runtime::facts_of(mesh.topology).mode;
     ready.patch_vertices = mesh.patch_vertices;
     if (program.tessellates) {
         if (input == GL_PATCHES) return true;

@@ -1,4 +1,4 @@
-// Near and far planes as tight as the scene allows, so that surfaces that nearly touch do not fight over pixels.
+// Fits the near and far planes to the scene, so that surfaces that nearly touch do not fight over pixels.
 #include <utility>
 #include "src/plan/lens.h"
 
@@ -19,17 +19,13 @@ std::optional<DepthRange> Runtime::Impl::fit(const Frame& frame) const {
     PassView view;  // of whatever size
     std::vector<DepthBox> boxes;
     Index camera = none;
-    for (Index pass = 0; pass < passes.size(); ++pass) {
-        if (scene.passes[pass].kind != Pass::Kind::window) continue;
-        for (const auto& item : passes[pass].items) {
-            if (!item) continue;
-            const Draw& draw = scene.draws[item->draw];
-            const runtime::GpuMesh& mesh = *meshes[item->mesh];
-            if (camera == none) camera = draw.camera;
-            if (!item->program->plain_depth || mesh.has_w || draw.camera != camera) return std::nullopt;
-            const runtime::DrawContext& c = context(draw, frame, view);
-            boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
-        }
+    for (const runtime::ReadyDraw* item : window_draws()) {
+        const Draw& draw = scene.draws[item->draw];
+        const runtime::GpuMesh& mesh = *meshes[item->mesh];
+        if (camera == none) camera = draw.camera;
+        if (!item->program->plain_depth || mesh.has_w || draw.camera != camera) return std::nullopt;
+        const runtime::DrawContext& c = context(item->draw, frame, view);
+        boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
     }
     if (boxes.empty()) return std::nullopt;
     const glm::dmat4 eye = frame.view.eye.matrix() * view_matrix(scene.cameras[camera]);
@@ -40,32 +36,33 @@ std::optional<DepthRange> Runtime::Impl::fit(const Frame& frame) const {
     return fit_depth(boxes);
 }
 
+std::vector<const runtime::ReadyDraw*> Runtime::Impl::window_draws() const {
+    std::vector<const runtime::ReadyDraw*> draws;
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        for (const auto& item : passes[pass].items)
+            if (item && plan.scene.passes[pass].kind == Pass::Kind::window) draws.push_back(&*item);
+    return draws;
+}
+
 Runtime::Drawn Runtime::Impl::drawn(const Frame& frame) const {
     const Scene& scene = plan.scene;
+    const std::vector<const runtime::ReadyDraw*> draws = window_draws();
     Drawn result;
-    Index camera = none;
-    for (Index pass = 0; pass < passes.size(); ++pass)
-        for (const auto& item : passes[pass].items) {
-            if (!item || scene.passes[pass].kind != Pass::Kind::window) continue;
-            if (result.first == none) result.first = item->draw;
-            camera = scene.draws[item->draw].camera;
-        }
-    if (camera == none) return result;
+    if (draws.empty()) return result;
+    const Index camera = scene.draws[draws.back()->draw].camera;
+    result.first = draws.front()->draw;
     result.camera = scene.cameras[camera];
     PassView view;
-    for (Index pass = 0; pass < passes.size(); ++pass)
-        for (const auto& item : passes[pass].items) {
-            if (!item || scene.passes[pass].kind != Pass::Kind::window) continue;
-            const Draw& draw = scene.draws[item->draw];
-            if (draw.camera != camera) continue;
-            const runtime::DrawContext& c = context(draw, frame, view);
-            const runtime::GpuMesh& mesh = *meshes[item->mesh];
-            result.boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
-        }
+    for (const runtime::ReadyDraw* item : draws) {
+        if (scene.draws[item->draw].camera != camera) continue;
+        const runtime::DrawContext& c = context(item->draw, frame, view);
+        const runtime::GpuMesh& mesh = *meshes[item->mesh];
+        result.boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
+    }
     return result;
 }
 
-// The projection undone: z in front of the eye that it takes to this depth.
+// This inverts the projection: the result is the distance that it maps to this depth.
 double Runtime::Impl::distance(Index draw, double depth, const Frame& frame, const Surface& surface) const {
     const double aspect = static_cast<double>(surface.width) / surface.height, ndc = 2 * depth - 1;
     const Camera& camera = plan.scene.cameras[plan.scene.draws[draw].camera];

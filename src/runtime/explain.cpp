@@ -46,7 +46,7 @@ std::string_view name(Explanation::Kind kind) {
 
 namespace {
 
-// Gathers what a runtime has. Reads it only.
+// Gathers what a runtime has, without changing it.
 class Explainer {
 public:
     explicit Explainer(const Runtime::Impl& impl) : impl_(impl), scene_(impl.plan.scene) {
@@ -70,7 +70,6 @@ public:
 private:
     const Draw& draw_of(const runtime::ReadyDraw& ready) const { return scene_.draws[ready.draw]; }
 
-    // Who reads what.
     void note(const runtime::ReadyDraw& ready) {
         const Draw& draw = draw_of(ready);
         ++mesh_draws_[ready.mesh];

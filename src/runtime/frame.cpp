@@ -1,4 +1,4 @@
-// Drawing one frame: the passes in their order, each draw with the state that stood at its statement.
+// Draws a frame: the passes in their order, each draw with the state at its statement.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ glm::dmat4 matrix(const Mat4& m) {
     return result;
 }
 
-// `region`: what is scissored then, and stays so.
+// `region` is the scissor box, if one is set; it stays set.
 void clear(const Vec4& color, const std::optional<PixelRect>& region) {
     if (!region) glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -36,7 +36,7 @@ void clear(const Vec4& color, const std::optional<PixelRect>& region) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-// The view of each cube face from `center`, so that the face's first row is its top row.
+// Returns the view of a cube face from `center`. It is such that the first row of the face is its top row.
 glm::dmat4 face_view(int face, const Vec3& center) {
     static const std::array<glm::dvec3, 6> forward{glm::dvec3(1, 0, 0),  glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
                                                    glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),  glm::dvec3(0, 0, -1)};
@@ -48,7 +48,7 @@ glm::dmat4 face_view(int face, const Vec3& center) {
 
 }  // namespace
 
-// What all draws of a pass through one camera share.
+// All draws of a pass through one camera share these values.
 DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView& view) const {
     const Scene& scene = plan.scene;
     DrawContext result;
@@ -74,15 +74,15 @@ DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView
     return result;
 }
 
-DrawContext& Runtime::Impl::context(const Draw& draw, const Frame& frame, PassView& view) const {
+DrawContext& Runtime::Impl::context(Index index, const Frame& frame, PassView& view) const {
     const Scene& scene = plan.scene;
+    const Draw& draw = scene.draws[index];
     if (!view.shared || view.camera != draw.camera) {
         view.shared = look(draw.camera, frame, view);
         view.camera = draw.camera;
     }
     DrawContext& result = *view.shared;
     result.model = draw.matrix == none ? glm::dmat4(1) : matrix(scene.matrices[draw.matrix]);
-    const auto index = static_cast<Index>(&draw - scene.draws.data());
     if (!frame.view.objects.empty())
         if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
             result.model = placed(object->second, view_matrix(scene.cameras[draw.camera]), result.model);
@@ -134,7 +134,6 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     ++counters.frames;
 }
 
-// The window's background.
 Vec4 Runtime::Impl::behind(const Frame& frame) const {
     if (frame.background) return *frame.background;
     return frame.view.background ? background_of(*frame.view.background) : plan.scene.background;
@@ -175,7 +174,7 @@ void Runtime::Impl::draw_textures(Index pass, const Frame& frame) {
     finish_pass(pass);
 }
 
-// Everything that can change what the faces of a cube pass show.
+// Returns all numbers that decide what the faces of a cube pass show.
 std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const {
     std::vector<double> seen{1};
     bool moves = false;
@@ -187,7 +186,7 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
             add(object->second.numbers());
         const LinkedProgram& program = *item->program;
         moves = moves || program.reads(glsl::System::timer) || program.reads(glsl::System::time);
-        for (const Control& control : frame.controls.items)
+        for (const Control& control : values->items)
             if (control.program == plan.scene.draws[item->draw].program) add(control.value);
         if (program.reads(glsl::System::texture_matrix)) add(frame.view.texture.numbers());
         if (program.reads(glsl::System::mouse)) seen.insert(seen.end(), {frame.view.mouse_x, frame.view.mouse_y});
@@ -196,7 +195,7 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
     return seen;
 }
 
-// Then nothing is known of what changed.
+// If a pass reads other passes, seen_by() does not tell whether its picture changed.
 bool Runtime::Impl::reads_other_passes(const ReadyPass& pass) const {
     const auto reads = [&](const ReadyDraw& draw, Index rendered) {
         const auto* gpu = textures.find(rendered);
@@ -210,7 +209,7 @@ bool Runtime::Impl::reads_other_passes(const ReadyPass& pass) const {
     return false;
 }
 
-// Some texture is drawn to more than once in a frame: what reads it in between needs all that came before.
+// If a texture is drawn to more than once in a frame, passes in between need all earlier ones.
 bool Runtime::Impl::redrawn() const {
     std::set<Index> drawn;
     for (const ReadyPass& pass : passes)
@@ -219,7 +218,7 @@ bool Runtime::Impl::redrawn() const {
     return false;
 }
 
-// All faces that show something else than they would now; in a paced frame only as many as the scene says, in turns.
+// Draws the faces whose content has changed. A paced frame draws only as many as the scene says, in turns.
 void Runtime::Impl::draw_cube(Index pass, const Frame& frame) {
     ReadyPass& ready = passes[pass];
     const std::vector<double> seen = seen_by(pass, frame);
@@ -260,7 +259,7 @@ void Runtime::Impl::draw_face(Index pass, int face, const Frame& frame) {
     ++counters.cube_faces;
 }
 
-// What is made from what was drawn.
+// Updates the mipmaps and computed maps of the textures that the pass has drawn to.
 void Runtime::Impl::finish_pass(Index pass) {
     const ReadyPass& ready = passes[pass];
     glActiveTexture(GL_TEXTURE0);
@@ -296,18 +295,19 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
 }
 
 void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, PassView& view) {
-    set_up(ready, *ready.program, context(plan.scene.draws[ready.draw], frame, view), frame);
+    set_up(ready, *ready.program, ready.controls, context(ready.draw, frame, view), frame);
     draw_mesh(ready);
 }
 
-// All but the draw itself. `program` may be another form of the draw's.
-void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, DrawContext& values, const Frame& frame) {
+// Sets everything that a draw needs. `program` is the draw's own or its form for instances.
+void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const std::vector<Index>& controls,
+                           DrawContext& context, const Frame& frame) {
     const Draw& draw = plan.scene.draws[ready.draw];
     if (!savings) state.forget();
     state.program(program.program.get());
-    values.harmonics = ready.harmonics;
-    const int uploads = runtime::set_system(program, values, !savings) +
-                        (draw.program == none ? 0 : runtime::set_user(program, draw.program, frame.controls, !savings));
+    context.harmonics = ready.harmonics;
+    const int uploads = runtime::set_system(program, context, !savings) +
+                        (draw.program == none ? 0 : runtime::set_user(program, controls, *values, !savings));
     counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
     for (const runtime::BoundTexture& texture : ready.textures)
         state.texture(texture.unit, texture.target, texture.texture, texture.sampler);

@@ -1,4 +1,4 @@
-// Meshes and their trees, made when the first draw that can use them is made ready.
+// Meshes and their trees are made when the first draw that uses them is prepared.
 #include <fmt/format.h>
 
 #include <utility>
@@ -23,7 +23,8 @@ std::size_t texels_of(const content::Tree& tree, const content::Mesh& mesh) {
     return std::max({tree.nodes.size(), tree.triangles.size(), mesh.positions.size()});
 }
 
-// In the order of TreePart. A tree without triangles has a texel all the same: empty buffers can't be read.
+// Returns the texels in the order of TreePart. A tree without triangles gets one texel, because shaders cannot read
+// empty buffers.
 std::array<std::vector<content::Float4>, tree_parts> texels(content::Tree tree, const content::Mesh& mesh, bool empty) {
     if (tree.triangles.empty()) tree.triangles.push_back({0, 0, 0, 0});
     return {std::move(tree.nodes), std::move(tree.triangles),
@@ -34,7 +35,7 @@ std::array<std::vector<content::Float4>, tree_parts> texels(content::Tree tree, 
 
 }  // namespace runtime
 
-// `loaded`: what was read for it, if it was.
+// Sets `loaded` to the mesh if it had to be read.
 void Runtime::Impl::ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading) {
     auto& slot = meshes[mesh];
     if (slot) return;
@@ -62,8 +63,8 @@ void Runtime::Impl::ready_mesh(Index mesh, std::optional<content::Mesh>& loaded,
     store->trees.put(identity.key, trees[mesh], {}, {}, 0);
 }
 
-// Makes the parts that the draw's program reads and no earlier one did. `mesh` is the draw's, where it was just
-// loaded; null: it is loaded again, and said what there was to say.
+// Makes the parts that the draw's program is the first to read. `mesh` is the draw's mesh if it was just loaded; if it
+// is null, the mesh is loaded again, and its problems have been reported.
 void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading) {
     const auto read = runtime::parts_read(*ready.program);
     runtime::GpuTree& tree = *trees[ready.mesh];
@@ -83,8 +84,8 @@ void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* me
 void Runtime::Impl::make_tree(runtime::GpuTree& tree, const content::Mesh& mesh,
                               const std::array<bool, runtime::tree_parts>& read, Index draw, Diagnostics& diagnostics) {
     const runtime::Stopwatch watch;
-    bool too_large = false;
-    content::Tree made = content::make_tree(mesh, &too_large);
+    content::Tree made = content::make_tree(mesh);
+    const bool too_large = made.too_large;
     const Span span = plan.scene.draws[draw].span;
     const auto limit = static_cast<std::size_t>(caps.max_texture_buffer);
     const std::size_t needed = runtime::texels_of(made, mesh);

@@ -68,12 +68,14 @@ struct ReadyDraw {
     std::vector<BoundTexture> textures;
     std::vector<Index> sources;                     // cube maps that what it samples is computed from
     const content::Harmonics* harmonics = nullptr;  // where the program reads them
+    std::vector<Index> controls;                    // of the program's uniforms, as LinkedProgram::user
 };
 
 // Items of a pass, one after the other, that are alike but for their matrices: instances of one draw.
 struct Batch {
     std::size_t first = 0, count = 0;
     gl::Buffer matrices;
+    std::vector<Index> controls;        // as ReadyDraw::controls, of the form for instances
     std::vector<float> last;            // what it holds
     std::vector<DrawContext> contexts;  // of a frame, kept for their memory
     std::vector<float> values;          // so are these
@@ -148,6 +150,9 @@ struct Runtime::Impl {
 
     // ladders.cpp
     bool choose(const Rungs& rungs);
+    // Chooses the rungs of a frame's controls, and makes `values` of them.
+    void take(const Controls& controls);
+    std::vector<Index> controls_of(Index program, const runtime::LinkedProgram& linked) const;
     // Parts of pictures need other programs, where these ask for places in the picture.
     void take_parts(bool wanted);
     Rungs rungs_of(Index program) const;
@@ -176,8 +181,8 @@ struct Runtime::Impl {
     void finish_pass(Index pass);
     void draw_items(Index pass, const Frame& frame, PassView& view);
     bool draw_batch(Index pass, runtime::Batch& batch, const Frame& frame, PassView& view);
-    void set_up(const runtime::ReadyDraw& ready, runtime::LinkedProgram& program, runtime::DrawContext& values,
-                const Frame& frame);
+    void set_up(const runtime::ReadyDraw& ready, runtime::LinkedProgram& program, const std::vector<Index>& controls,
+                runtime::DrawContext& context, const Frame& frame);
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
     void count_draw(Topology topology, std::uint32_t count, std::uint64_t instances = 1);
@@ -185,6 +190,9 @@ struct Runtime::Impl {
     bool redrawn() const;
     void draw_axes(const Frame& frame, const Surface& surface);
     void ready_axes();
+
+    // The draws of the window that were found possible, in their order.
+    std::vector<const runtime::ReadyDraw*> window_draws() const;
 
     // depth.cpp
     // The planes that all draws in the window lie between; none where some program might see the difference, or
@@ -197,12 +205,12 @@ struct Runtime::Impl {
     Vec4 behind(const Frame& frame) const;
     runtime::DrawContext look(Index camera, const Frame& frame, const PassView& view) const;
     // Stands in `view` until the next call.
-    runtime::DrawContext& context(const Draw& draw, const Frame& frame, PassView& view) const;
+    runtime::DrawContext& context(Index draw, const Frame& frame, PassView& view) const;
 
     // pick.cpp
     bool ready_picker(int width, int height);
     void draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth);
-    void pick_window(Index pass, const Frame& frame, PassView& view, bool& first);
+    void pick_window(Index pass, const Frame& frame, PassView& view);
     std::vector<Index> pick(const Frame& frame, int width, int height, PixelRect region);
     void outline(const Frame& frame, const Surface& surface, Index draw, float line);
 
@@ -218,6 +226,9 @@ struct Runtime::Impl {
     Diagnostics problems;                            // of the rungs chosen since
     std::vector<std::vector<ActiveUniform>> active;  // by Scene::programs
     Controls given;                                  // the values of the scene's text
+    Diagnostics value_problems;                      // of `given`
+    const Controls* values = nullptr;                // of the frame that is drawn, at the places of `given`
+    Controls moved;                                  // a frame's controls, if they had to be moved to these places
     std::vector<std::shared_ptr<runtime::GpuMesh>> meshes;
     std::map<Index, LoadedMesh> loaded_meshes;             // that were read and not asked for yet
     std::vector<std::shared_ptr<runtime::GpuTree>> trees;  // as `meshes`; what no program reads is not there

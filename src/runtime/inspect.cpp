@@ -6,7 +6,7 @@ namespace snell {
 
 namespace {
 
-// A rectangle of the framebuffer that is bound for reading.
+// Reads a rectangle of the framebuffer that is bound for reading.
 void read(const PixelRect& region, GLenum format, std::vector<float>& values) {
     const auto& [left, bottom, width, height] = region;
     const std::size_t channels = format == GL_RGBA ? 4 : 1;
@@ -25,7 +25,7 @@ bool FloatPicture::resize(int width, int height) {
     return static_cast<bool>(target_.framebuffer);
 }
 
-// Draws the surface's region, or all, and reads it: the bottom row first.
+// Draws the surface's region, by default all of it, and reads it with the bottom row first.
 void FloatPicture::take(Runtime& runtime, const Frame& frame, const Surface& surface, std::vector<float>& rows) {
     const auto shoot = [&](const Frame& shot, std::vector<float>& values) {
         runtime.draw(shot, surface);

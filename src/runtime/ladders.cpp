@@ -1,4 +1,4 @@
-// Other rungs while a scene runs: what they need is compiled and loaded when they are first chosen, and kept.
+// Changes rungs while a scene runs. What a rung needs is compiled and loaded when it is first chosen, and kept.
 #include <algorithm>
 
 #include "src/runtime/impl.h"
@@ -22,7 +22,7 @@ bool Runtime::Impl::choose(const Rungs& rungs) {
     if (rungs == plan.rungs || !exist(rungs, plan.scene.ladders)) return false;
     plan.rungs = rungs;
     Diagnostics all;
-    textures.resume(*files, all);
+    textures.resume(all);
     prepare(all);
     problems = {};
     for (const Diagnostic& diagnostic : all.items()) {
@@ -33,23 +33,42 @@ bool Runtime::Impl::choose(const Rungs& rungs) {
     return true;
 }
 
+void Runtime::Impl::take(const Controls& controls) {
+    choose(controls.rungs);
+    values = &controls;
+    if (same_uniforms(controls, given)) return;
+    moved = given;
+    carry_over(controls, plan.scene, moved, plan.scene);
+    values = &moved;
+}
+
+std::vector<Index> Runtime::Impl::controls_of(Index program, const runtime::LinkedProgram& linked) const {
+    std::vector<Index> places;
+    for (const runtime::UserUniform& uniform : linked.user) {
+        const Control* control = given.find(program, uniform.name);
+        const bool usable = control && control->active && control->value.size() == uniform.last.size();
+        places.push_back(usable ? static_cast<Index>(control - given.items.data()) : none);
+    }
+    return places;
+}
+
 void Runtime::Impl::take_parts(bool wanted) {
     if (parts == wanted) return;
     parts = wanted;
     const auto reads_place = [](const auto& program) { return program.second && program.second->reads_place; };
     if (std::ranges::none_of(programs, reads_place)) return;
     Diagnostics heard_before;
-    textures.resume(*files, heard_before);
+    textures.resume(heard_before);
     prepare(heard_before);
 }
 
-// The chosen rungs that a program knows of.
+// A program knows only the ladders before it.
 Rungs Runtime::Impl::rungs_of(Index program) const {
     const auto known = static_cast<std::ptrdiff_t>(plan.scene.programs[program].ladders);
     return {plan.rungs.begin(), plan.rungs.begin() + known};
 }
 
-// What the chosen rungs make of a program; of one that they break, what it was before.
+// Links the program for the chosen rungs. If it does not compile, the program stays as it was before.
 runtime::LinkedProgram* Runtime::Impl::link_chosen(Index program, runtime::Variant variant, Loading& loading) {
     variant.rungs = rungs_of(program);
     runtime::LinkedProgram* linked = link(program, variant, loading);

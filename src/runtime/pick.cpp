@@ -13,26 +13,14 @@ namespace runtime {
 
 namespace {
 
-gl::Program over_the_screen(bool es, const std::string& fragment) {
-    const std::string head =
-        es ? "#version 300 es\nprecision highp float;\nprecision highp sampler2D;\n" : "#version 330 core\n";
-    const gl::Compiled first = gl::compile(GL_VERTEX_SHADER, head +
-                                                                 "void main() { gl_Position = vec4(gl_VertexID == 1 ? "
-                                                                 "3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }\n");
-    const gl::Compiled second =
-        gl::compile(GL_FRAGMENT_SHADER, head + "uniform sampler2D cover;\nout vec4 color;\n" + fragment);
-    if (!first.shader || !second.shader) return {};
-    return std::move(gl::link({&first.shader, &second.shader}, {}).program);
-}
-
 constexpr const char* ids_fragment =
-    "uniform vec4 id;\nvoid main() {\n"
+    "uniform sampler2D cover;\nout vec4 color;\nuniform vec4 id;\nvoid main() {\n"
     "    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a >= 1.) discard;\n    color = id;\n}\n";
 
 // Each of the four samples lies between four texels: together they see all around the pixel. A dark rim around the
 // bright line is seen on any picture.
 constexpr const char* outline_fragment =
-    "uniform float width;\n"
+    "uniform sampler2D cover;\nout vec4 color;\nuniform float width;\n"
     "bool covered(float away) {\n    vec2 size = vec2(textureSize(cover, 0));\n    float least = 1.;\n"
     "    for (int i = 0; i < 4; ++i)\n"
     "        least = min(least, texture(cover, (gl_FragCoord.xy + away * vec2((i & 1) * 2 - 1, (i & 2) - 1)) / "
@@ -72,11 +60,12 @@ void Picker::scissor() const {
 
 void Picker::begin(const PixelRect& region) {
     region_ = region;
-    if (!ids_program_) ids_program_ = over_the_screen(es_, ids_fragment);
+    if (!ids_program_) ids_program_ = gl::covering_program(es_, ids_fragment);
     clear();
 }
 
 void Picker::clear() {
+    fresh_ = true;
     glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
     scissor();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -86,17 +75,19 @@ void Picker::clear() {
 
 void Picker::whole() {
     region_ = {0, 0, width_, height_};
-    cover(true);
+    fresh_ = true;
+    cover();
 }
 
-void Picker::cover(bool first) {
+void Picker::cover() {
     glBindFramebuffer(GL_FRAMEBUFFER, cover_target_.framebuffer.get());
     glViewport(0, 0, width_, height_);
     scissor();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glClearColor(1, 1, 1, 1);
-    glClear(first ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
+    glClear(fresh_ ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
+    fresh_ = false;
 }
 
 void Picker::pass(GLuint program) {
@@ -139,7 +130,7 @@ std::vector<Index> Picker::read() {
 }
 
 void Picker::outline(GLuint framebuffer, float width) {
-    if (!outline_program_) outline_program_ = over_the_screen(es_, outline_fragment);
+    if (!outline_program_) outline_program_ = gl::covering_program(es_, outline_fragment);
     if (!outline_program_) return;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glDisable(GL_SCISSOR_TEST);
@@ -157,7 +148,6 @@ void blend_into_cover(const RasterState& raster) {
 
 }  // namespace runtime
 
-// The targets, and a state in which draws can be made.
 bool Runtime::Impl::ready_picker(int width, int height) {
     if (width <= 0 || height <= 0) return false;
     if (!picker) picker = std::make_shared<runtime::Picker>(caps.es);
@@ -170,25 +160,21 @@ bool Runtime::Impl::ready_picker(int width, int height) {
     return ready;
 }
 
-// One draw, into the cover.
 void Runtime::Impl::draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth) {
-    const Draw& draw = plan.scene.draws[ready.draw];
-    set_up(ready, *ready.program, context(draw, frame, view), frame);
-    runtime::blend_into_cover(plan.scene.rasters[draw.raster]);
+    set_up(ready, *ready.program, ready.controls, context(ready.draw, frame, view), frame);
+    runtime::blend_into_cover(plan.scene.rasters[plan.scene.draws[ready.draw].raster]);
     if (!depth) glDisable(GL_DEPTH_TEST);
     draw_mesh(ready);
     state.forget();
 }
 
-void Runtime::Impl::pick_window(Index pass, const Frame& frame, PassView& view, bool& first) {
+void Runtime::Impl::pick_window(Index pass, const Frame& frame, PassView& view) {
     const Pass& declared = plan.scene.passes[pass];
     for (std::size_t i = 0; i < declared.items.size(); ++i) {
         if (declared.items[i].kind == Item::Kind::clear) {
             picker->clear();
-            first = true;
         } else if (const auto& item = passes[pass].items[i]; item && !runtime::hidden(frame, item->draw)) {
-            picker->cover(first);
-            first = false;
+            picker->cover();
             draw_cover(*item, frame, view, true);
             picker->commit(item->draw);
         }
@@ -207,12 +193,11 @@ std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height
     PassView view{width, height, plan.scene.background};
     view.depth = fitted_depth(frame);
     view.shift = frame.shift;
-    bool first = true;
     const bool only_window = frame.standing && !redrawn();
     for (Index pass = 0; pass < passes.size(); ++pass) {
         if (!passes[pass].live) continue;
         if (plan.scene.passes[pass].kind == Pass::Kind::window) {
-            pick_window(pass, frame, view, first);
+            pick_window(pass, frame, view);
         } else if (!only_window) {
             glDisable(GL_SCISSOR_TEST);
             if (plan.scene.passes[pass].kind == Pass::Kind::textures)
@@ -226,21 +211,17 @@ std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height
 }
 
 void Runtime::Impl::outline(const Frame& frame, const Surface& surface, Index draw, float line) {
-    for (Index pass = 0; pass < passes.size(); ++pass) {
-        if (plan.scene.passes[pass].kind != Pass::Kind::window) continue;
-        for (const auto& item : passes[pass].items) {
-            if (!item || item->draw != draw || !ready_picker(surface.width, surface.height)) continue;
-            const int before = picker->programs();
-            picker->whole();
-            PassView view{surface.width, surface.height, plan.scene.background};
-            view.depth = fitted_depth(frame);
-            view.shift = frame.shift;
-            draw_cover(*item, frame, view, false);
-            picker->outline(surface.framebuffer, line);
-            counters.programs_compiled += static_cast<std::uint64_t>(picker->programs() - before);
-            return;
-        }
-    }
+    const auto draws = window_draws();
+    const auto found = std::ranges::find(draws, draw, &runtime::ReadyDraw::draw);
+    if (found == draws.end() || !ready_picker(surface.width, surface.height)) return;
+    const int before = picker->programs();
+    picker->whole();
+    PassView view{surface.width, surface.height, plan.scene.background};
+    view.depth = fitted_depth(frame);
+    view.shift = frame.shift;
+    draw_cover(**found, frame, view, false);
+    picker->outline(surface.framebuffer, line);
+    counters.programs_compiled += static_cast<std::uint64_t>(picker->programs() - before);
 }
 
 }  // namespace snell

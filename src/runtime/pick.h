@@ -30,8 +30,8 @@ public:
     void begin(const PixelRect& region);
     // For a draw by itself, everywhere.
     void whole();
-    // Before a draw into what is bound then. `first`: nothing stands in its way yet.
-    void cover(bool first);
+    // Before a draw into what is bound then. The first one after clear() meets no depths of others.
+    void cover();
     // After it: these pixels are the draw's.
     void commit(Index draw);
     // Everything is erased.
@@ -47,6 +47,7 @@ private:
     void scissor() const;
 
     bool es_;
+    bool fresh_ = true;
     int width_ = 0, height_ = 0;
     PixelRect region_;
     gl::Texture cover_, ids_;

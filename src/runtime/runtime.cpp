@@ -16,6 +16,8 @@ gl::Pixels Runtime::display_pixels() const {
     return scene().output == Encoding::srgb ? gl::Pixels::srgb8 : gl::Pixels::rgba8;
 }
 const std::vector<std::vector<ActiveUniform>>& Runtime::active_uniforms() const { return impl_->active; }
+const Controls& Runtime::controls() const { return impl_->given; }
+const Diagnostics& Runtime::value_problems() const { return impl_->value_problems; }
 bool Runtime::animated() const { return impl_->animated; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
 bool Runtime::sampled(Index texture) const { return impl_->textures.asked(texture); }
@@ -23,7 +25,7 @@ bool Runtime::choose(const Rungs& rungs) { return impl_->choose(rungs); }
 const Rungs& Runtime::rungs() const { return impl_->plan.rungs; }
 const Diagnostics& Runtime::ladder_problems() const { return impl_->problems; }
 void Runtime::draw(const Frame& frame, const Surface& surface) {
-    impl_->choose(frame.controls.rungs);
+    impl_->take(frame.controls);
     impl_->draw(frame, surface);
 }
 void Runtime::skip_frame() { ++impl_->counters.frames_skipped; }
@@ -32,10 +34,11 @@ double Runtime::distance(Index draw, double depth, const Frame& frame, const Sur
     return impl_->distance(draw, depth, frame, surface);
 }
 std::vector<Index> Runtime::pick(const Frame& frame, int width, int height, const PixelRect& region) {
-    impl_->choose(frame.controls.rungs);
+    impl_->take(frame.controls);
     return impl_->pick(frame, width, height, region);
 }
 void Runtime::outline(const Frame& frame, const Surface& surface, Index draw, float line) {
+    impl_->take(frame.controls);
     impl_->outline(frame, surface, draw, line);
 }
 Runtime::Drawn Runtime::drawn(const Frame& frame) const { return impl_->drawn(frame); }

@@ -98,22 +98,25 @@ public:
     gl::Pixels display_pixels() const;
     // By Scene::programs, for the current rungs; empty for one that failed.
     const std::vector<std::vector<ActiveUniform>>& active_uniforms() const;
+    // The values that the scene's text gives its uniforms, for the current rungs.
+    const Controls& controls() const;
+    // The problems of these values, which the constructor does not report.
+    const Diagnostics& value_problems() const;
     // Some drawn program reads Timer or uTime: every moment is another picture.
     bool animated() const;
     bool uses_mouse() const;
     // Something that is drawn reads the texture (Scene::textures), directly or by what is computed from it.
     bool sampled(Index texture) const;
 
-    // Compiles and loads what other rungs need and what they did not need before; what they share and what they
-    // had is kept. True: the programs may be others now, and with them active_uniforms(). A program that does not
-    // compile stays as it was; why is in ladder_problems().
+    // Compiles and loads what other rungs need, and keeps the rest. True: the programs may be others now, and with
+    // them active_uniforms() and controls(). A program that does not compile stays as it was; why is in
+    // ladder_problems().
     bool choose(const Rungs& rungs);
     const Rungs& rungs() const;
     // Of the rungs that were chosen last, without what was found when the runtime was made.
     const Diagnostics& ladder_problems() const;
 
-    // Chooses the rungs of `frame.controls` first. Uniforms that only these have get the values of controls that were
-    // made from what they made active.
+    // Chooses the rungs of `frame.controls` first. Uniforms that `frame.controls` lacks have the values of controls().
     void draw(const Frame& frame, const Surface& surface);
     // What the last frame drew still stands: counted.
     void skip_frame();

@@ -103,7 +103,7 @@ void LibraryTest::set_cube(const Colors& colors, int size) {
         texels[static_cast<std::size_t>(face)] = {gl::Pixels::rgba32f, size, size, 1,
                                                   reinterpret_cast<const std::byte*>(pixels.data())};
     }
-    cube = gl::make_cube(texels, {gl::Sampling::Mode::nearest, 1, true});
+    cube = gl::make_texture(GL_TEXTURE_CUBE_MAP, texels, {gl::Sampling::Mode::nearest, 1, true});
 }
 
 std::vector<glm::vec4> LibraryTest::run(std::string_view before, std::string_view body,

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "src/plan/files.h"
+#include "src/plan/used_files.h"
 #include "tests/scratch.h"
 
 namespace snell {
@@ -108,6 +109,48 @@ TEST(Limits, AreSetByName) {
         EXPECT_FALSE(error.empty());
     }
     EXPECT_EQ(limits, before);
+}
+
+// ---- which files a program's shaders include, by their texts alone -------------------------------------
+
+class ShaderTexts : public testing::Test {
+protected:
+    // The paths after the stage, relative to the folder.
+    std::vector<std::string> included(const std::string& text) {
+        PlannedProgram program;
+        program.stages.push_back({Stage::fragment, sources.add(folder.path("main.frag"), text), {}});
+        Files reader(folder.path());
+        const std::vector<ShaderText> texts = shader_texts(program, sources, reader);
+        EXPECT_EQ(texts.at(0).text, text);
+        std::vector<std::string> names;
+        for (std::size_t i = 1; i < texts.size(); ++i) names.push_back(texts[i].path.substr(folder.path().size() + 1));
+        return names;
+    }
+
+    Scratch folder;
+    Sources sources;
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(ShaderTexts, EveryWayToWriteAnInclude) {
+    folder.write("a.glsl", "");
+    for (const char* text : {"#include \"a.glsl\"\n", "#include\"a.glsl\"", "  #  include  \"a.glsl\"\n",
+                             "// #include \"a.glsl\"\n", "#if 0\n#include \"a.glsl\"\n#endif\n", "#include \"a\"\n"})
+        EXPECT_EQ(included(text), Names{"a.glsl"}) << text;
+    for (const char* text : {"", "include", "#include <a.glsl>\n", "#include \"a.glsl\n", "#include \"b.glsl\"\n",
+                             "#include\n\"a.glsl\"\n"})
+        EXPECT_TRUE(included(text).empty()) << text;
+}
+
+TEST_F(ShaderTexts, ChainsAndCirclesOfIncludesEnd) {
+    folder.write("a.glsl", "#include \"lib/b.glsl\"\n#include \"lib/c.glsl\"\n");
+    folder.write("lib/b.glsl", "#include \"c.glsl\"\n");
+    folder.write("lib/c.glsl", "#include \"b.glsl\"\n#include \"../a.glsl\"\n");
+    for (int i = 0; i < 40; ++i)
+        folder.write("f" + std::to_string(i) + ".glsl", "#include \"f" + std::to_string(i + 1) + ".glsl\"\n");
+    EXPECT_EQ(included("#include \"f0.glsl\"\n").size(), 40U);
+    EXPECT_EQ(included("#include \"a.glsl\"\n"), (Names{"a.glsl", "lib/b.glsl", "lib/c.glsl"}));
 }
 
 }  // namespace

@@ -59,8 +59,11 @@ std::string tex(const std::vector<std::uint32_t>& sizes, char value) {
     return text + std::string(texels * 4, value);
 }
 
+Image top_first(const Image& image) { return image.bottom_first ? content::flipped(image) : image; }
+
+// From the top left.
 std::array<int, 3> pixel(const Image& any, int x, int y) {
-    const Image image = content::to_rgba(any);
+    const Image image = content::to_rgba(top_first(any));
     const std::size_t at =
         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
         image.pixel_bytes();
@@ -70,7 +73,7 @@ std::array<int, 3> pixel(const Image& any, int x, int y) {
 
 bool is_checkerboard(const Image& image) {
     const Image checks = content::to_rgba(content::checkerboard(image.width));
-    return content::to_rgba(image).pixels == checks.pixels;
+    return content::to_rgba(top_first(image)).pixels == checks.pixels;
 }
 
 class Loading : public testing::Test {
@@ -111,6 +114,35 @@ TEST_F(Loading, Picture) {
     EXPECT_EQ(image.width, 5);
     EXPECT_EQ(image.height, 3);
     EXPECT_EQ(pixel(image, 4, 2), (std::array{4, 2, 0}));
+}
+
+// Raw textures have their first row at t = 0, pictures their top row first, and faces of cube maps are uploaded so.
+TEST_F(Loading, ReadyToUpload) {
+    folder.write("picture.bmp", bmp(2, 4));
+    std::string raw = little(2, 4) + little(4, 4);
+    for (const char y : {0, 1, 2, 3}) raw += std::string{0, y, 0, 9, 1, y, 0, 9};
+    folder.write("raw.tex", raw);
+    for (const bool is_raw : {false, true}) {
+        const Image image = load(TextureTarget::d2, is_raw ? "raw.tex" : "picture.bmp");
+        EXPECT_EQ(image.channels, 4);
+        EXPECT_TRUE(image.bottom_first);
+        ASSERT_EQ(image.pixels.size(), 32U);
+        for (std::size_t row = 0; row < 4; ++row)
+            EXPECT_EQ(std::to_integer<std::size_t>(image.pixels[8 * row + 1]), is_raw ? row : 3 - row);
+    }
+    EXPECT_TRUE(load(TextureTarget::d2, "missing.bmp").bottom_first);
+    EXPECT_EQ(load(TextureTarget::d1, "missing.bmp").pixels.size(), 256U);
+    EXPECT_TRUE(load_noise(2, 16, files, diagnostics).bottom_first);
+    folder.write("square.bmp", bmp(4, 4));
+    folder.write("square.tex", little(4, 4) + little(4, 4) + std::string(48, 3) + std::string(16, 7));
+    const content::CubeFaces faces =
+        cube({"square.bmp", "square.tex", "square.bmp", "square.bmp", "square.bmp", "square.bmp"});
+    for (const Image& face : faces) {
+        EXPECT_EQ(face.channels, 4);
+        EXPECT_FALSE(face.bottom_first);
+    }
+    EXPECT_EQ(std::to_integer<int>(faces[0].pixels[1]), 0) << "the top row";
+    EXPECT_EQ(std::to_integer<int>(faces[1].pixels[1]), 7) << "the last row of the file";
 }
 
 TEST_F(Loading, PictureThatCannotBeReadIsAVisibleCheckerboard) {

@@ -117,6 +117,50 @@ TEST_F(LadderScenes, ControlsFollowTheRung) {
     EXPECT_TRUE(near(draw(*document).center(), {0, 0, 128, 255}, 3)) << "values are kept";
 }
 
+// The uniform that only one rung of the first program has moves the places of the second program's controls.
+TEST_F(LadderScenes, ControlsOfAnotherRungKeepTheirValuesAtOtherPlaces) {
+    folder.write("more.frag",
+                 "#if KIND == KIND_b\nuniform float uMore;\n#else\nconst float uMore = 0.;\n#endif\n"
+                 "void main() { gl_FragColor = vec4(1., uMore, 0., 1.); }\n");
+    folder.write("color.frag", color_fragment);
+    auto document = open(
+        "Ladder KIND a b\nOrtho -2 2 -2 2\nVertex plain.vert\nFragment more.frag\nProgram First\nTranslate -1 0 0\n"
+        "QuadXY\nFragment color.frag\nProgram Second uColor [1. 0. 0. 1.]\nTranslate 2 0 0\nQuadXY\n");
+    expect_clean(*document);
+    document->controls.find(1, "uColor")->value = {0, 0, 1, 1};
+    EXPECT_EQ(draw(*document).at(48, 32), blue);
+    document->controls.rungs = {1};
+    const Picture picture = draw(*document);  // with the controls of the rung before
+    EXPECT_EQ(picture.at(16, 32), red);
+    EXPECT_EQ(picture.at(48, 32), blue);
+    ASSERT_FALSE(same_uniforms(document->controls, document->runtime->controls())) << "the test tests something";
+    follow_rungs(*document);
+    EXPECT_EQ(draw(*document), picture);
+}
+
+TEST_F(LadderScenes, ControlsInAnotherOrderAreFoundByName) {
+    folder.write("two.frag",
+                 "uniform float uRed, uGreen;\nvoid main() { gl_FragColor = vec4(uRed, uGreen, 0., 1.); }\n");
+    auto document =
+        open("Ortho -1 1 -1 1\nVertex plain.vert\nFragment two.frag\nProgram P uRed 1. uGreen 0.\nQuadXY\n");
+    EXPECT_EQ(draw(*document).center(), red);
+    std::swap(document->controls.items[0].value, document->controls.items[1].value);
+    std::swap(document->controls.items[0], document->controls.items[1]);
+    EXPECT_EQ(draw(*document).center(), green);
+}
+
+TEST_F(LadderScenes, ProgramsOfOneTextHaveTheirOwnValues) {
+    folder.write("color.frag", color_fragment);
+    auto document = open(
+        "Ortho -2 2 -2 2\nVertex plain.vert\nFragment color.frag\nProgram A uColor [1. 0. 0. 1.]\nTranslate -1 0 0\n"
+        "QuadXY\nProgram B uColor [0. 1. 0. 1.]\nTranslate 2 0 0\nQuadXY\n");
+    expect_clean(*document);
+    EXPECT_EQ(document->runtime->counters().programs_compiled, 1u);
+    const Picture picture = draw(*document);
+    EXPECT_EQ(picture.at(16, 32), red);
+    EXPECT_EQ(picture.at(48, 32), green);
+}
+
 TEST_F(LadderScenes, TexturesOfAnotherRungAreReadWhenItIsChosen) {
     folder.write("green.bmp", bmp(1, 1, {{0, 255, 0}}));
     folder.write(

@@ -181,6 +181,35 @@ TEST_F(Language, AProgramWithoutAFragmentShaderShowsItsColour) {
     EXPECT_TRUE(near(picture.center(), green));
 }
 
+// The names of snell mean single values; an array of that name is the scene's mistake, and reads as zero.
+TEST_F(Language, ArraysWhereSnellHasOneValueAreZero) {
+    folder.write("array.frag",
+                 "uniform float uTime[2];\nuniform mat4 uModelMatrix[2];\n"
+                 "void main() { gl_FragColor = vec4(uTime[0], uModelMatrix[1][0][0] + uTime[1], 1., 1.); }\n");
+    const std::string scene = std::string(square) + "Vertex plain.vert\nFragment array.frag\nProgram P\nQuadXY\n";
+    EXPECT_EQ(draw(scene, {.time = 1}).center(), blue);
+}
+
+TEST_F(Language, MatricesOfEveryShapeGetTheirNumbersColumnByColumn) {
+    for (int columns = 2; columns <= 4; ++columns)
+        for (int rows = 2; rows <= 4; ++rows) {
+            const std::string c = std::to_string(columns), r = std::to_string(rows);
+            const std::string type = "mat" + c + (columns == rows ? "" : "x" + r);
+            folder.write("m.frag",
+                         "#version 330\nuniform " + type +
+                             " uM;\nout vec4 color;\nvoid main() {\n    bool good = true;\n    for (int c = 0; c < " +
+                             c + "; ++c) for (int r = 0; r < " + r + "; ++r) good = good && uM[c][r] == float(c * " +
+                             r + " + r + 1);\n    color = good ? vec4(0., 1., 0., 1.) : vec4(1., 0., 0., 1.);\n}\n");
+            std::string numbers;
+            for (int i = 1; i <= columns * rows; ++i) numbers += std::to_string(i) + ". ";
+            EXPECT_EQ(draw(std::string(square) + "Vertex plain.vert\nFragment m.frag\nProgram P uM [" + numbers +
+                           "]\nQuadXY\n")
+                          .center(),
+                      green)
+                << type;
+        }
+}
+
 TEST_F(Language, ProgramWithoutArgumentsIsTheBuiltInOne) {
     const Picture picture =
         draw(std::string(square) +

@@ -85,9 +85,8 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
     document->runtime.emplace(std::move(plan), *document->files, document->sources, caps, document->diagnostics,
                               options);
     report_gl_errors(document->diagnostics);
-    document->controls =
-        make_controls(document->runtime->scene(), document->runtime->active_uniforms(), document->diagnostics);
-    document->controls.rungs = document->runtime->rungs();
+    document->controls = document->runtime->controls();
+    document->diagnostics.append(document->runtime->value_problems());
     excuse_unsampled(*document);
     document->diagnostics.sort();
     return document;
@@ -96,8 +95,7 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
 bool follow_rungs(Document& document) {
     Runtime& runtime = *document.runtime;
     if (!runtime.choose(document.controls.rungs)) return false;
-    Diagnostics known;  // problems with the scene's values were reported when it was read
-    Controls controls = make_controls(runtime.scene(), runtime.active_uniforms(), known);
+    Controls controls = runtime.controls();
     carry_over(document.controls, runtime.scene(), controls, runtime.scene());
     document.controls = std::move(controls);
     return true;

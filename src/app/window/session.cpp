@@ -153,8 +153,8 @@ void Session::recover(const Recovery& recovery) {
     RuntimeOptions options;
     options.progress = progress_;
     document->runtime.emplace(kept.plan, *document->files, document->sources, caps_, document->diagnostics, options);
-    document->controls = make_controls(document->scene(), document->runtime->active_uniforms(), document->diagnostics);
-    document->controls.rungs = document->runtime->rungs();
+    document->controls = document->runtime->controls();
+    document->diagnostics.append(document->runtime->value_problems());
     carry_over(kept.controls, kept.plan.scene, document->controls, document->scene());
     shown_ = std::move(document);
     plan_ = kept.plan;

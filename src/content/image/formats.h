@@ -54,5 +54,11 @@ inline std::uint32_t read_u32(std::string_view bytes, std::size_t at) {
 inline std::int32_t read_i32(std::string_view bytes, std::size_t at) {
     return static_cast<std::int32_t>(read_u32(bytes, at));
 }
+// Reads a big-endian number in the same way.
+inline std::uint32_t read_big_u32(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
 
 }  // namespace snell::content

@@ -14,9 +14,7 @@ int big_endian_16(std::string_view b, std::size_t at) {
     return static_cast<unsigned char>(b[at]) << 8 | static_cast<unsigned char>(b[at + 1]);
 }
 
-std::int64_t big_endian_32(std::string_view b, std::size_t at) {
-    return std::int64_t{big_endian_16(b, at)} << 16 | big_endian_16(b, at + 2);
-}
+std::int64_t big_endian_32(std::string_view b, std::size_t at) { return read_big_u32(b, at); }
 
 ImageHeader header_of(std::string_view format, std::int64_t width, std::int64_t height) {
     constexpr std::int64_t most = std::numeric_limits<int>::max();

@@ -9,15 +9,8 @@ namespace snell::content {
 namespace {
 
 std::size_t channel_bytes(PixelType type) {
-    switch (type) {
-        case PixelType::u8:
-            return 1;
-        case PixelType::f16:
-            return 2;
-        case PixelType::f32:
-            return 4;
-    }
-    return 0;
+    constexpr std::array<std::size_t, 3> bytes{1, 2, 4};  // as PixelType
+    return bytes[static_cast<std::size_t>(type)];
 }
 
 // The value 1 in a channel of this type.
@@ -130,20 +123,18 @@ Image checkerboard(int size) {
     return image;
 }
 
-Image flipped(const Image& image) {
-    Image result = image;
-    const std::size_t row = image.row_bytes(), rows = static_cast<std::size_t>(image.height);
-    for (std::size_t z = 0; z < static_cast<std::size_t>(image.depth); ++z) {
-        for (std::size_t y = 0; y < rows; ++y) {
-            std::memcpy(result.pixels.data() + (z * rows + rows - 1 - y) * row,
-                        image.pixels.data() + (z * rows + y) * row, row);
-        }
+Image flipped(Image image) {
+    const auto row = static_cast<std::ptrdiff_t>(image.row_bytes()), rows = std::ptrdiff_t{image.height};
+    for (std::ptrdiff_t z = 0; z < image.depth; ++z) {
+        const auto slice = image.pixels.begin() + z * rows * row;
+        for (std::ptrdiff_t y = 0; y < rows / 2; ++y)
+            std::swap_ranges(slice + y * row, slice + (y + 1) * row, slice + (rows - 1 - y) * row);
     }
-    result.bottom_first = !image.bottom_first;
-    return result;
+    image.bottom_first = !image.bottom_first;
+    return image;
 }
 
-Image to_rgba(const Image& image) {
+Image to_rgba(Image image) {
     if (image.channels == 4) return image;
     Image result = image;
     result.channels = 4;

@@ -66,10 +66,10 @@ std::optional<ImageHeader> read_header(std::string_view first_bytes, std::size_t
 // The placeholder for an image that cannot be read: magenta and black checks.
 Image checkerboard(int size = 64);
 
-Image flipped(const Image& image);   // reverses the order of the rows
+Image flipped(Image image);          // reverses the order of the rows
 Image to_bytes(const Image& image);  // converts to u8, clamped to 0..1 and rounded; NaN becomes 0
 Image to_half(const Image& image);   // converts to f16; what was encoded is light then
-Image to_rgba(const Image& image);   // converts to 4 channels: grey is copied to red, green and blue, alpha is 1
+Image to_rgba(Image image);          // converts to 4 channels: grey is copied to red, green and blue, alpha is 1
 // The sRGB curve (IEC 61966-2-1) and its inverse, odd functions: negative numbers keep their sign.
 double light_of_srgb(double encoded);
 double srgb_of_light(double light);

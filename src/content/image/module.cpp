@@ -178,17 +178,8 @@ SnellOiioShape module_shape(const Image& image) {
     shape.depth = image.depth;
     shape.channels = image.channels;
     shape.has_alpha = image.channels % 2 == 0;
-    switch (image.type) {
-        case PixelType::u8:
-            shape.type = snell_oiio_u8;
-            break;
-        case PixelType::f16:
-            shape.type = snell_oiio_f16;
-            break;
-        case PixelType::f32:
-            shape.type = snell_oiio_f32;
-            break;
-    }
+    constexpr std::array types{snell_oiio_u8, snell_oiio_f16, snell_oiio_f32};  // as PixelType
+    shape.type = types[static_cast<std::size_t>(image.type)];
     return shape;
 }
 

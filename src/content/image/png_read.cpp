@@ -98,12 +98,8 @@ ImageResult unreadable(const Reader& reader) {
 
 std::optional<ImageHeader> png_header(std::string_view first_bytes) {
     if (first_bytes.size() < 24 || !first_bytes.starts_with(signature)) return std::nullopt;
-    const auto big_endian = [&](std::size_t at) {
-        int value = 0;
-        for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(first_bytes[at + i]);
-        return value;
-    };
-    return ImageHeader{"png", big_endian(16), big_endian(20), 1};
+    return ImageHeader{"png", static_cast<int>(read_big_u32(first_bytes, 16)),
+                       static_cast<int>(read_big_u32(first_bytes, 20)), 1};
 }
 
 ImageResult decode_png(std::string_view bytes, const ImageLimits& limits) {

@@ -144,10 +144,17 @@ struct Reader {
         return true;
     }
 
-    bool corner(const tinyobj::index_t& written, ObjCorner& c, bool& attributes_exist) const {
-        attributes_exist &= resolve(written.texcoord_index, data.texcoords.size(), c.texcoord);
-        attributes_exist &= resolve(written.normal_index, data.normals.size(), c.normal);
-        return resolve(written.vertex_index, data.positions.size(), c.position) && c.position >= 0;
+    struct Found {
+        ObjCorner corner;
+        bool position = false, attributes = false;  // whether they exist
+    };
+    Found corner(const tinyobj::index_t& written) const {
+        Found found;
+        ObjCorner& c = found.corner;
+        const bool texcoord = resolve(written.texcoord_index, data.texcoords.size(), c.texcoord);
+        found.attributes = resolve(written.normal_index, data.normals.size(), c.normal) && texcoord;
+        found.position = resolve(written.vertex_index, data.positions.size(), c.position) && c.position >= 0;
+        return found;
     }
 
     // Detects indices beyond 32 bits, which tinyobjloader wraps around: 4294967297 would be read as 1.
@@ -167,8 +174,10 @@ struct Reader {
         const std::size_t begin = data.corners.size();
         bool drop = false, attributes_exist = true;
         for (const tinyobj::index_t& w : written) {
-            ObjCorner c;
-            if (!corner(w, c, attributes_exist)) {
+            const Found found = corner(w);
+            const ObjCorner& c = found.corner;
+            attributes_exist = attributes_exist && found.attributes;
+            if (!found.position) {
                 out_of_range.at(lines.number());
                 drop = true;
                 break;

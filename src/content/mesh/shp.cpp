@@ -23,12 +23,17 @@ void append_big_endian(std::string& s, std::uint32_t v) {
     for (const int shift : {24, 16, 8, 0}) s.push_back(static_cast<char>(v >> shift & 0xff));
 }
 
-// Makes the index file of a .shp from its record headers. Sizes are in 16-bit words. Sets `cut` if the file is shorter
-// than its header states; an incomplete last record is left out.
-std::string make_index(std::string_view shp, bool& cut) {
+struct IndexFile {
+    std::string bytes;
+    bool cut = false;  // the file is shorter than its header states
+};
+
+// Makes the index file of a .shp from its record headers. Sizes are in 16-bit words. An incomplete last record is left
+// out.
+IndexFile make_index(std::string_view shp) {
     std::string records;
     std::size_t at = header_bytes;
-    cut = false;
+    bool cut = false;
     while (at + record_header_bytes <= shp.size()) {
         const std::uint32_t words = big_endian(shp.data() + at + 4);
         const std::size_t end = at + record_header_bytes + std::size_t{words} * 2;
@@ -45,7 +50,7 @@ std::string make_index(std::string_view shp, bool& cut) {
     std::string size;
     append_big_endian(size, static_cast<std::uint32_t>((header_bytes + records.size()) / 2));
     index.replace(24, 4, size);
-    return index + records;
+    return {index + records, cut};
 }
 
 // A file in memory, behind shapelib's file interface. shapelib passes no context to FOpen, so the two files are in
@@ -197,9 +202,8 @@ MeshResult parse_shp(std::string_view shp, const MeshLimits& limits) {
     if (shp.size() < header_bytes || big_endian(shp.data()) != 9994)
         return fail("shp-not-a-shape-file", "this is not an ESRI shape file: it does not begin with the number 9994");
 
-    bool cut = false;
-    const std::string shx = make_index(shp, cut);
-    const Shp file = open_shp(shp, shx);
+    const IndexFile shx = make_index(shp);
+    const Shp file = open_shp(shp, shx.bytes);
     if (!file) return fail("shp-damaged", "the file's header is invalid");
 
     Mesh& mesh = result.mesh;
@@ -215,7 +219,7 @@ MeshResult parse_shp(std::string_view shp, const MeshLimits& limits) {
         else
             add_object(*object, mesh, left);
     }
-    report(left, cut, result.issues);
+    report(left, shx.cut, result.issues);
     if (mesh.indices.empty()) return fail("shp-empty", "the file contains no drawable lines");
     mesh.compute_bounds();
     return result;

@@ -201,12 +201,13 @@ private:
 
 }  // namespace
 
-Tree make_tree(const Mesh& mesh, bool* too_large) {
+Tree make_tree(const Mesh& mesh) {
     std::vector<Corners> triangles = triangles_of(mesh);
     const bool large = mesh.positions.size() >= tree_limit || triangles.size() >= tree_limit;
-    if (too_large) *too_large = large;
     if (large) triangles.clear();
-    return Builder(mesh, std::move(triangles)).build();
+    Tree tree = Builder(mesh, std::move(triangles)).build();
+    tree.too_large = large;
+    return tree;
 }
 
 std::vector<Float4> tree_normals(const Mesh& mesh) {

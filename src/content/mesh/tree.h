@@ -24,6 +24,7 @@ struct Tree {
     // Three texels for each triangle, in the order of the leaves: each has a corner (counter-clockwise seen from
     // outside) and the number of its vertex in the mesh.
     std::vector<Float4> triangles;
+    bool too_large = false;  // the mesh has tree_limit or more triangles or vertices; the tree is that of an empty mesh
 
     std::size_t triangle_count() const { return triangles.size() / 3; }
     std::size_t bytes() const { return (nodes.size() + triangles.size()) * sizeof(Float4); }
@@ -31,9 +32,8 @@ struct Tree {
 
 // Builds the tree over all triangles of the mesh, whatever its topology. Nodes are split by the surface area heuristic
 // (Wald 2007, with bins along the longest side), or at the median where the tree would otherwise become too deep.
-// Triangles with a corner that is not finite, or with an index out of range, are left out. Sets `too_large` if the mesh
-// has tree_limit or more triangles or vertices; the tree is then that of an empty mesh.
-Tree make_tree(const Mesh& mesh, bool* too_large = nullptr);
+// Triangles with a corner that is not finite, or with an index out of range, are left out.
+Tree make_tree(const Mesh& mesh);
 
 // One texel for each vertex, with w = 0. For a mesh without normals, a single texel of zeros.
 std::vector<Float4> tree_normals(const Mesh& mesh);

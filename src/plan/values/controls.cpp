@@ -354,6 +354,12 @@ Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveU
     return controls;
 }
 
+bool same_uniforms(const Controls& a, const Controls& b) {
+    return std::ranges::equal(a.items, b.items, [](const Control& x, const Control& y) {
+        return x.program == y.program && x.name == y.name && x.active == y.active && x.value.size() == y.value.size();
+    });
+}
+
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
     // Programs are matched by name; several programs with one name are matched by their order.
     const auto occurrence = [](const Scene& scene, Index program) {

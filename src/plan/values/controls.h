@@ -21,7 +21,6 @@ struct ActiveUniform {
     ValueType type = ValueType::float_;
     int components = 1;  // 1 to 4; for a matrix, columns times rows
     int array_size = 1;
-    int location = -1;
     bool system = false;          // set by snell itself, such as matrices and Timer
     std::vector<double> initial;  // the value in the program after linking
 };
@@ -57,6 +56,9 @@ struct Controls {
 // to be corrected.
 Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
                        Diagnostics& diagnostics);
+
+// True if both hold the same uniforms at the same places: an index into the one means the same in the other.
+bool same_uniforms(const Controls& a, const Controls& b);
 
 // Assigns the value that a text such as "uEta=1.3", "Glass.uEta=1.3", "uColor=1,.5,0", "uColor.g=.5" or "uOn=true"
 // names. Returns false and reports an error, which suggests the nearest name, if there is no such uniform or the value

@@ -15,7 +15,7 @@ using glsl::System;
 
 constexpr std::size_t most_instances = 256;
 
-// What another model transformation changes.
+// A model transformation changes these.
 bool of_the_model(System system) {
     switch (system) {
         case System::model_view:
@@ -85,7 +85,7 @@ InstancedText instanced_text(const glsl::Translation& translation, std::size_t b
     return result;
 }
 
-// Every matrix has an array of its own.
+// Each matrix has its own array.
 void instance_values(const Instancing& instancing, const std::vector<DrawContext>& contexts,
                      std::vector<float>& values) {
     std::vector<float>& value = instancing.program->scratch;

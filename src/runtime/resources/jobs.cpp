@@ -15,12 +15,12 @@ namespace {
 
 constexpr auto between_looks = std::chrono::milliseconds(50);
 
-// Which are done, and who waits for that.
+// Records which jobs are done, and wakes the thread that waits for them.
 class Board {
 public:
     explicit Board(const std::vector<Job>& jobs) : jobs_(jobs), done_(jobs.size(), false) {}
 
-    // Until there are no more; by any number of threads.
+    // Does jobs until none is left. Any number of threads may call it.
     void work() {
         for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
             jobs_[i].work();
@@ -59,6 +59,14 @@ private:
 
 }  // namespace
 
+void say_once(const Diagnostics& said, Diagnostics& diagnostics) {
+    for (const Diagnostic& diagnostic : said.items())
+        if (std::ranges::none_of(diagnostics.items(), [&](const Diagnostic& other) {
+                return other.is_at(diagnostic.code, diagnostic.span);
+            }))
+            diagnostics.add(diagnostic);
+}
+
 void run(const std::vector<Job>& jobs, const Watcher& watcher) {
     if (jobs.empty()) {
         if (watcher) watcher({LoadProgress::Stage::files, "", 0, 0});
@@ -67,7 +75,7 @@ void run(const std::vector<Job>& jobs, const Watcher& watcher) {
     Board board(jobs);
     const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1U);
     const std::size_t count = std::min(cores, jobs.size());
-    // Who watches does not work, unless nobody else does.
+    // The thread that reports progress does no jobs, unless no other thread could be started.
     const auto threads = content::start_threads(watcher ? count : count - 1, [&board] { board.work(); });
     if (!watcher || threads.empty()) board.work();
     if (watcher) board.watch(watcher);

@@ -15,7 +15,7 @@ struct Stream {
     size_t floats;
 };
 
-// Positions with w where the mesh has it.
+// Returns the positions with their w.
 std::vector<float> homogeneous(const content::Mesh& mesh) {
     std::vector<float> positions;
     positions.reserve(mesh.positions.size() * 4);
@@ -86,67 +86,36 @@ GpuMesh upload(const content::Mesh& mesh) {
     return gpu;
 }
 
-GLenum gl_mode(Topology topology) {
-    switch (topology) {
-        case Topology::points:
-            return GL_POINTS;
-        case Topology::lines:
-            return GL_LINES;
-        case Topology::line_strip:
-            return GL_LINE_STRIP;
-        case Topology::line_loop:
-            return GL_LINE_LOOP;
-        case Topology::triangles:
-            return GL_TRIANGLES;
-        case Topology::triangle_strip:
-            return GL_TRIANGLE_STRIP;
-        case Topology::triangle_fan:
-            return GL_TRIANGLE_FAN;
-        case Topology::lines_adjacency:
-            return GL_LINES_ADJACENCY;
-        case Topology::line_strip_adjacency:
-            return GL_LINE_STRIP_ADJACENCY;
-        case Topology::triangles_adjacency:
-            return GL_TRIANGLES_ADJACENCY;
-        case Topology::triangle_strip_adjacency:
-            return GL_TRIANGLE_STRIP_ADJACENCY;
-        case Topology::patches:
-            return GL_PATCHES;
-    }
-    return GL_TRIANGLES;
+const TopologyFacts& facts_of(Topology topology) {
+    static constexpr TopologyFacts facts[]{{GL_POINTS, GL_POINTS},
+                                           {GL_LINES, GL_LINES, 2, 0, 2},
+                                           {GL_LINE_STRIP, GL_LINES, 2, 1, 1},
+                                           {GL_LINE_LOOP, GL_LINES, 2, 0, 1},
+                                           {GL_TRIANGLES, GL_TRIANGLES, 3, 0, 3},
+                                           {GL_TRIANGLE_STRIP, GL_TRIANGLES, 3, 2, 1},
+                                           {GL_TRIANGLE_FAN, GL_TRIANGLES, 3, 2, 1},
+                                           {GL_LINES_ADJACENCY, GL_LINES_ADJACENCY, 4, 0, 4},
+                                           {GL_LINE_STRIP_ADJACENCY, GL_LINES_ADJACENCY, 4, 3, 1},
+                                           {GL_TRIANGLES_ADJACENCY, GL_TRIANGLES_ADJACENCY, 6, 0, 6},
+                                           {GL_TRIANGLE_STRIP_ADJACENCY, GL_TRIANGLES_ADJACENCY, 6, 4, 2},
+                                           {GL_PATCHES, GL_PATCHES}};
+    static_assert(std::size(facts) == static_cast<std::size_t>(Topology::patches) + 1);
+    return facts[static_cast<std::size_t>(topology)];
+}
+
+std::uint64_t TopologyFacts::primitives(std::uint32_t count) const {
+    return count < least ? 0 : (count - shared) / step;
 }
 
 std::uint64_t triangle_count(Topology topology, std::uint32_t count) {
-    switch (topology) {
-        case Topology::triangles:
-            return count / 3;
-        case Topology::triangle_strip:
-        case Topology::triangle_fan:
-            return count > 2 ? count - 2 : 0;
-        case Topology::triangles_adjacency:
-            return count / 6;
-        case Topology::triangle_strip_adjacency:
-            return count > 5 ? (count - 4) / 2 : 0;
-        default:
-            return 0;
-    }
+    const TopologyFacts& facts = facts_of(topology);
+    const bool triangles = facts.input == GL_TRIANGLES || facts.input == GL_TRIANGLES_ADJACENCY;
+    return triangles ? facts.primitives(count) : 0;
 }
 
 std::uint64_t line_count(Topology topology, std::uint32_t count) {
-    switch (topology) {
-        case Topology::lines:
-            return count / 2;
-        case Topology::line_strip:
-            return count > 1 ? count - 1 : 0;
-        case Topology::line_loop:
-            return count > 1 ? count : 0;
-        case Topology::lines_adjacency:
-            return count / 4;
-        case Topology::line_strip_adjacency:
-            return count > 3 ? count - 3 : 0;
-        default:
-            return 0;
-    }
+    const TopologyFacts& facts = facts_of(topology);
+    return facts.input == GL_LINES || facts.input == GL_LINES_ADJACENCY ? facts.primitives(count) : 0;
 }
 
 }  // namespace snell::runtime

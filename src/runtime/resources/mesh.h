@@ -25,7 +25,15 @@ struct GpuMesh {
 
 GpuMesh upload(const content::Mesh& mesh);
 
-GLenum gl_mode(Topology topology);
+struct TopologyFacts {
+    GLenum mode;   // of the draw
+    GLenum input;  // what a geometry shader gets
+    // `least` indices make the first primitive; of `count` indices all but `shared` make one each `step`.
+    std::uint32_t least = 1, shared = 0, step = 1;
+
+    std::uint64_t primitives(std::uint32_t count) const;
+};
+const TopologyFacts& facts_of(Topology topology);
 // How many triangles `count` indices make; 0 for points and lines.
 std::uint64_t triangle_count(Topology topology, std::uint32_t count);
 std::uint64_t line_count(Topology topology, std::uint32_t count);

@@ -23,21 +23,22 @@ namespace snell::runtime {
 // A uniform that the runtime sets, with what it was last set to.
 struct SystemUniform {
     glsl::System system;
+    GLenum kind = GL_FLOAT;  // GL_FLOAT_MAT4 …
     GLint location = -1;
-    int size = 1;  // of the array
+    int size = 1;            // of the array
+    std::size_t floats = 1;  // of all its elements
     std::vector<float> last;
 };
 
 // A uniform that a Control sets.
 struct UserUniform {
     std::string name;
-    std::string_view glsl_type;  // static text
     ValueType type = ValueType::float_;
+    GLenum kind = GL_FLOAT;  // GL_FLOAT_VEC3 …
     GLint location = -1;
     int components = 1, size = 1;
     std::vector<double> last;     // what the program holds
     std::vector<double> initial;  // what it holds where nothing sets it
-    std::size_t control = 0;      // among Controls::items, when it was looked for last
 };
 
 // A sampler and the GL texture units that it was given for good; the scene's own units are only names.
@@ -82,12 +83,26 @@ struct Variant {
     auto operator<=>(const Variant&) const = default;
 };
 
-// `ladders`: as Variant::rungs. What the store has is not compiled again; null: everything is. Null when it failed; why
-// is in `diagnostics`, at the program's statement or in its shaders.
-std::shared_ptr<LinkedProgram> link_program(const Program& program, const std::vector<glsl::StageInput>& stages,
-                                            std::span<const Ladder> ladders, const Variant& variant,
-                                            const gl::Caps& caps, Files& files, Sources& sources, Store* store,
-                                            Counters& counters, Diagnostics& diagnostics);
+struct LinkRequest {
+    const Program& program;
+    const std::vector<glsl::StageInput>& stages;
+    std::span<const Ladder> ladders;  // of Variant::rungs
+    const Variant& variant;
+    const gl::Caps& caps;
+    Files& files;
+    Sources& sources;
+    Store* store;  // what it has is not compiled again; null: everything is compiled
+    Counters& counters;
+};
+
+// Returns null if the program cannot be made; `diagnostics` says why, at the program's statement or in its shaders.
+std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnostics& diagnostics);
+
+// Fills `active`, `system`, `user` and `samplers` from the driver's list of active uniforms.
+void find_uniforms(LinkedProgram& linked, const Program& program, const glsl::Translation& translation,
+                   const gl::Caps& caps);
+// Gives each sampler its GL units, for good.
+void assign_units(const LinkedProgram& linked);
 
 // The form of the program that draws instances; null where there is none. `program` is the one that it was linked for.
 const Instancing* make_instancing(LinkedProgram& linked, const Program& program, const gl::Caps& caps,

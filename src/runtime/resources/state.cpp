@@ -1,6 +1,7 @@
 #include "src/runtime/resources/state.h"
 
 #include <algorithm>
+#include <array>
 
 #include "src/glsl/glsl.h"
 
@@ -9,34 +10,21 @@ namespace snell::runtime {
 namespace {
 
 GLenum factor(BlendFactor f) {
-    switch (f) {
-        case BlendFactor::zero:
-            return GL_ZERO;
-        case BlendFactor::one:
-            return GL_ONE;
-        case BlendFactor::src_color:
-            return GL_SRC_COLOR;
-        case BlendFactor::one_minus_src_color:
-            return GL_ONE_MINUS_SRC_COLOR;
-        case BlendFactor::dst_color:
-            return GL_DST_COLOR;
-        case BlendFactor::one_minus_dst_color:
-            return GL_ONE_MINUS_DST_COLOR;
-        case BlendFactor::src_alpha:
-            return GL_SRC_ALPHA;
-        case BlendFactor::one_minus_src_alpha:
-            return GL_ONE_MINUS_SRC_ALPHA;
-        case BlendFactor::dst_alpha:
-            return GL_DST_ALPHA;
-        case BlendFactor::one_minus_dst_alpha:
-            return GL_ONE_MINUS_DST_ALPHA;
-        case BlendFactor::src_alpha_saturate:
-            return GL_SRC_ALPHA_SATURATE;
-    }
-    return GL_ONE;
+    constexpr std::array factors{GL_ZERO,
+                                 GL_ONE,
+                                 GL_SRC_COLOR,
+                                 GL_ONE_MINUS_SRC_COLOR,
+                                 GL_DST_COLOR,
+                                 GL_ONE_MINUS_DST_COLOR,
+                                 GL_SRC_ALPHA,
+                                 GL_ONE_MINUS_SRC_ALPHA,
+                                 GL_DST_ALPHA,
+                                 GL_ONE_MINUS_DST_ALPHA,
+                                 GL_SRC_ALPHA_SATURATE};  // as BlendFactor
+    return static_cast<GLenum>(factors[static_cast<std::size_t>(f)]);
 }
 
-// Alpha 1 makes these two factors one and zero: the same picture without reading the target.
+// With alpha 1 these factors are one and zero, so the picture is the same without blending.
 bool is_plain_alpha(const RasterState& state) {
     return state.src == BlendFactor::src_alpha && state.dst == BlendFactor::one_minus_src_alpha;
 }

@@ -13,31 +13,16 @@ namespace snell::runtime {
 namespace {
 
 gl::Sampling sampling(const Filter& filter, bool clamp) {
-    gl::Sampling result;
-    switch (filter.mode) {
-        case Filter::Mode::nearest:
-            result.mode = gl::Sampling::Mode::nearest;
-            break;
-        case Filter::Mode::linear:
-            result.mode = gl::Sampling::Mode::linear;
-            break;
-        case Filter::Mode::mipmap:
-            result.mode = gl::Sampling::Mode::mipmap;
-            break;
-        case Filter::Mode::anisotropic:
-            result.mode = gl::Sampling::Mode::anisotropic;
-            break;
-    }
-    result.anisotropy = static_cast<float>(filter.anisotropy);
-    result.clamp = clamp;
-    return result;
+    using Mode = gl::Sampling::Mode;
+    constexpr std::array modes{Mode::nearest, Mode::linear, Mode::mipmap, Mode::anisotropic};  // as Filter::Mode
+    return {modes[static_cast<std::size_t>(filter.mode)], static_cast<float>(filter.anisotropy), clamp};
 }
 
 bool mipmapped(const Filter& filter) {
     return filter.mode == Filter::Mode::mipmap || filter.mode == Filter::Mode::anisotropic;
 }
 
-// How many levels a texture has; how it is filtered and wrapped, samplers say.
+// The texture itself only needs the right number of levels; sampler objects decide about filters and wrapping.
 gl::Sampling storage(const Texture& declared, const GpuTexture& gpu) {
     gl::Sampling result = sampling(declared.filter, declared.target == TextureTarget::cube);
     if (gpu.mipmapped && !mipmapped(declared.filter)) result.mode = gl::Sampling::Mode::mipmap;
@@ -45,15 +30,9 @@ gl::Sampling storage(const Texture& declared, const GpuTexture& gpu) {
 }
 
 gl::Pixels pixels(const content::Image& image) {
-    switch (image.type) {
-        case content::PixelType::u8:
-            return image.srgb ? gl::Pixels::srgb8 : gl::Pixels::rgba8;
-        case content::PixelType::f16:
-            return gl::Pixels::rgba16f;
-        case content::PixelType::f32:
-            return gl::Pixels::rgba32f;
-    }
-    return gl::Pixels::rgba8;
+    if (image.srgb && image.type == content::PixelType::u8) return gl::Pixels::srgb8;
+    constexpr std::array types{gl::Pixels::rgba8, gl::Pixels::rgba16f, gl::Pixels::rgba32f};  // as content::PixelType
+    return types[static_cast<std::size_t>(image.type)];
 }
 
 gl::Texels texels(const content::Image& rgba) {
@@ -67,17 +46,9 @@ std::array<gl::Texels, 6> face_texels(const content::CubeFaces& faces) {
 }
 
 GLenum gl_target(TextureTarget target, const gl::Caps& caps) {
-    switch (target) {
-        case TextureTarget::d1:
-            return caps.es ? GL_TEXTURE_2D : GL_TEXTURE_1D;
-        case TextureTarget::d2:
-            return GL_TEXTURE_2D;
-        case TextureTarget::d3:
-            return GL_TEXTURE_3D;
-        case TextureTarget::cube:
-            return GL_TEXTURE_CUBE_MAP;
-    }
-    return GL_TEXTURE_2D;
+    if (target == TextureTarget::d1 && caps.es) return GL_TEXTURE_2D;
+    constexpr std::array targets{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};  // as TextureTarget
+    return static_cast<GLenum>(targets[static_cast<std::size_t>(target)]);
 }
 
 bool same_declaration(const Texture& a, const Texture& b) {
@@ -86,7 +57,7 @@ bool same_declaration(const Texture& a, const Texture& b) {
            std::ranges::equal(a.files, b.files, {}, &FileName::name, &FileName::name);
 }
 
-// With mipmaps the levels below add a third.
+// The smaller levels add a third.
 std::size_t with_levels(std::size_t bytes, bool levels) { return levels ? bytes * 4 / 3 : bytes; }
 
 }  // namespace
@@ -100,6 +71,7 @@ Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Count
       store_(std::move(store)),
       savings_(savings),
       diagnostics_(&diagnostics),
+      reader_(scene, files),
       textures_(scene.textures.size()),
       drawn_to_(scene.textures.size(), false) {
     for (const Pass& pass : scene.passes)
@@ -121,25 +93,33 @@ Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Count
     }
 }
 
+void Textures::preload(const std::vector<Index>& wanted, const std::set<int>& noise, std::vector<Job>& jobs) {
+    for (const int dimensions : noise) {
+        const Identity identity = noise_identity(dimensions, reader_.noise_size(dimensions), *files_);
+        if (!find_noise(dimensions) && !store_->textures.has(identity.key)) reader_.preload({none, dimensions}, jobs);
+    }
+    std::set<Index> textures;
+    for (const Index index : wanted) {
+        Index texture = same_[index];
+        if (const Index source = scene_->textures[texture].source; source != none) {
+            if (textures_[texture] || store_->textures.has(key_of(texture).key)) continue;
+            texture = same_[source];  // what it is computed from
+        }
+        if (textures_[texture] || scene_->textures[texture].files.empty()) continue;
+        if (!store_->textures.has(key_of(texture).key)) textures.insert(texture);
+    }
+    for (const Index texture : textures) reader_.preload({texture}, jobs);
+}
+
 void Textures::finish() {
-    empty_image_cache();
-    faces_.clear();
-    preloaded_.clear();
-    preloaded_noise_.clear();
-    files_ = nullptr;
+    forget_pictures();
     diagnostics_ = nullptr;
 }
 
-void Textures::empty_image_cache() {
-    const ImageCache::Stats stats = images_.stats();
+void Textures::forget_pictures() {
+    const ImageCache::Stats stats = reader_.forget();
     counters_->images_decoded += stats.images;
     counters_->bytes_decoded += stats.bytes;
-    images_.clear();
-}
-
-void Textures::resume(Files& files, Diagnostics& diagnostics) {
-    files_ = &files;
-    diagnostics_ = &diagnostics;
 }
 
 const GpuTexture* Textures::find(Index texture) const {
@@ -165,12 +145,17 @@ const GpuTexture* Textures::find_noise(int dimensions) const {
 
 const GpuTexture* Textures::realise(Index texture) {
     if (texture >= textures_.size()) return nullptr;
-    auto& slot = textures_[same_[texture]];
-    if (!slot) slot = take_or_make(same_[texture]);
+    const Index first = same_[texture];
+    auto& slot = textures_[first];
+    if (!slot) {
+        const double read = reader_.milliseconds({first});
+        slot = take_or_make(
+            key_of(first), places(first), [&] { return make(first); }, read);
+    }
     return slot->texture ? slot.get() : nullptr;
 }
 
-// Where what is said of a texture may point to.
+// Returns the places that messages about the texture may point to.
 std::vector<Span> Textures::places(Index texture) const {
     const Texture& declared = scene_->textures[texture];
     std::vector<Span> result{declared.span};
@@ -179,7 +164,7 @@ std::vector<Span> Textures::places(Index texture) const {
     return result;
 }
 
-// Empty: it is this runtime's own.
+// Returns an empty key if the texture belongs to this runtime alone.
 Identity Textures::key_of(Index texture) const {
     const Texture& declared = scene_->textures[texture];
     const bool own = drawn_to_[texture] || (declared.source != none && drawn_to_[declared.source]);
@@ -189,25 +174,20 @@ Identity Textures::key_of(Index texture) const {
     return identity;
 }
 
-std::shared_ptr<GpuTexture> Textures::take_or_make(Index texture) {
-    const Identity identity = key_of(texture);
-    const std::vector<Span> at = places(texture);
+template <class Make>
+std::shared_ptr<GpuTexture> Textures::take_or_make(const Identity& identity, const std::vector<Span>& at,
+                                                   const Make& make, double read_ms) {
     if (auto known = store_->textures.take(identity.key, at, *diagnostics_)) {
         for (const std::string& path : identity.files) files_->keep(path);
         counters_->gpu_bytes += known->bytes;
         return known;
     }
     const std::size_t said = diagnostics_->items().size();
-    const auto before = preloaded_.find(texture);
-    const double read = before == preloaded_.end() ? 0 : before->second.milliseconds;
     const Stopwatch watch;
-    auto made = std::make_shared<GpuTexture>(make(texture));
-    made->load_ms = read + watch.milliseconds();
+    auto made = std::make_shared<GpuTexture>(make());
+    made->load_ms = read_ms + watch.milliseconds();
     store_->textures.put(identity.key, made, at, *diagnostics_, said);
-    if (!savings_) {
-        empty_image_cache();
-        faces_.clear();
-    }
+    if (!savings_) forget_pictures();
     return made;
 }
 
@@ -240,8 +220,7 @@ void Textures::count(const GpuTexture& texture, bool uploaded) {
 
 GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     GpuTexture gpu;
-    auto preloaded = take_preloaded(texture);
-    const content::Image image = preloaded ? std::move(preloaded->image) : read_image(texture, *diagnostics_);
+    const content::Image image = reader_.take({texture}, *diagnostics_).image;
     gpu.size = {image.width, image.height, image.depth};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = gl_target(declared.target, *caps_);
@@ -252,17 +231,9 @@ GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     return gpu;
 }
 
-const content::CubeFaces& Textures::faces(Index texture) {
-    const auto [found, fresh] = faces_.try_emplace(same_[texture]);
-    if (!fresh) return found->second;
-    auto preloaded = take_preloaded(same_[texture]);
-    found->second = preloaded ? std::move(preloaded->faces) : read_faces(same_[texture], *diagnostics_);
-    return found->second;
-}
-
 GpuTexture Textures::make_cube(const Texture& declared, Index texture) {
     GpuTexture gpu;
-    const content::CubeFaces& all = faces(texture);
+    const content::CubeFaces& all = reader_.faces(texture, *diagnostics_);
     const auto uploads = face_texels(all);
     std::size_t bytes = 0;
     for (const content::Image& face : all) bytes += face.bytes();
@@ -270,7 +241,7 @@ GpuTexture Textures::make_cube(const Texture& declared, Index texture) {
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = GL_TEXTURE_CUBE_MAP;
     gpu.mipmapped = mipmapped(declared.filter) || !savings_;
-    gpu.texture = gl::make_cube(uploads, storage(declared, gpu));
+    gpu.texture = gl::make_texture(GL_TEXTURE_CUBE_MAP, uploads, storage(declared, gpu));
     gpu.bytes = with_levels(bytes, gpu.mipmapped);
     count(gpu, true);
     return gpu;
@@ -286,51 +257,52 @@ GpuTexture Textures::make_empty(const Texture& declared) {
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = gl_target(declared.target, *caps_);
     gpu.mipmapped = mipmapped(declared.filter) || !savings_;
-    // Zeros rather than nothing: reading what was never written must not show old memory.
+    // The texels are set to zero, because texels that were never written would show old memory.
     const gl::Pixels pixels = declared.bits == 16 ? gl::Pixels::rgba16f : gl::Pixels::rgba8;
     const std::size_t bytes = gl::texel_bytes(pixels) * static_cast<std::size_t>(gpu.size[0]) *
                               static_cast<std::size_t>(gpu.size[1]) * static_cast<std::size_t>(gpu.size[2]);
     const std::vector<std::byte> zeros(bytes);
-    gl::Texels texels{pixels, gpu.size[0], gpu.size[1], gpu.size[2], zeros.data()};
-    if (cube) {
-        std::array<gl::Texels, 6> faces;
-        faces.fill(texels);
-        gpu.texture = gl::make_cube(faces, storage(declared, gpu));
-    } else {
-        gpu.texture = gl::make_texture(gpu.target, texels, storage(declared, gpu));
-    }
+    const std::vector<gl::Texels> images(cube ? 6 : 1, {pixels, gpu.size[0], gpu.size[1], gpu.size[2], zeros.data()});
+    gpu.texture = gl::make_texture(gpu.target, images, storage(declared, gpu));
     gpu.bytes = with_levels(bytes * (cube ? 6 : 1), gpu.mipmapped);
     count(gpu, false);
+    return gpu;
+}
+
+GpuTexture Textures::make_computed(const Texture& declared) {
+    GpuTexture gpu;
+    const Texture& source = scene_->textures[declared.source];
+    CubeLevels levels;
+    if (source.files.empty()) {  // black until something is drawn there
+        levels = black_levels(declared.computed, computed_size(*scene_, declared, std::max(1, source.size[0])));
+    } else {
+        const auto light = content::cube_light(reader_.faces(same_[declared.source], *diagnostics_));
+        levels = computed_levels(declared.computed, light, computed_size(*scene_, declared, light.size));
+        ++counters_->convolutions;
+    }
+    gpu.size = {levels.size(), levels.size(), 1};
+    if (!fits(declared, gpu.size)) return gpu;
+    gpu.target = GL_TEXTURE_CUBE_MAP;
+    gpu.texture = gl::make_cube_levels(levels.texels);
+    gpu.bytes = levels.bytes;
+    count(gpu, true);
     return gpu;
 }
 
 const GpuTexture* Textures::noise(int dimensions) {
     auto& slot = noise_[dimensions];
     if (slot) return slot.get();
-    const Identity identity = savings_ ? noise_identity(dimensions, noise_size(dimensions), *files_) : Identity{};
-    if ((slot = store_->textures.take(identity.key, {}, *diagnostics_))) {
-        for (const std::string& path : identity.files) files_->keep(path);
-        counters_->gpu_bytes += slot->bytes;
-        return slot.get();
-    }
-    const std::size_t said = diagnostics_->items().size();
-    const Stopwatch watch;
-    slot = std::make_shared<GpuTexture>(make_noise(dimensions));
-    slot->load_ms += watch.milliseconds();
-    store_->textures.put(identity.key, slot, {}, *diagnostics_, said);
+    Identity identity;
+    if (savings_) identity = noise_identity(dimensions, reader_.noise_size(dimensions), *files_);
+    const double read = reader_.milliseconds({none, dimensions});
+    slot = take_or_make(
+        identity, {}, [&] { return make_noise(dimensions); }, read);
     return slot.get();
 }
 
 GpuTexture Textures::make_noise(int dimensions) {
     GpuTexture gpu;
-    content::Image image;
-    if (auto found = preloaded_noise_.extract(dimensions); !found.empty()) {
-        say_once(found.mapped().said, *diagnostics_);
-        image = std::move(found.mapped().image);
-        gpu.load_ms = found.mapped().milliseconds;
-    } else {
-        image = read_noise(dimensions, *diagnostics_);
-    }
+    const content::Image image = reader_.take({none, dimensions}, *diagnostics_).image;
     gpu.target = dimensions == 3 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
     gpu.size = {image.width, image.height, image.depth};
     gpu.texture = gl::make_texture(gpu.target, texels(image), {});
@@ -338,6 +310,52 @@ GpuTexture Textures::make_noise(int dimensions) {
     counters_->noise_bytes += gpu.bytes;
     count(gpu, true);
     return gpu;
+}
+
+const content::Harmonics* Textures::harmonics(Index texture) {
+    const Index source = same_[texture];
+    auto& harmonics = harmonics_[source];
+    if (harmonics) return harmonics.get();
+    Identity identity;
+    if (savings_ && !drawn_to_[source]) identity = texture_identity(*scene_, source, *files_);
+    if (!identity.key.empty()) identity.key += 'h';
+    const std::vector<Span> at = places(source);
+    if ((harmonics = store_->harmonics.take(identity.key, at, *diagnostics_))) {
+        for (const std::string& path : identity.files) files_->keep(path);
+        return harmonics.get();
+    }
+    const std::size_t said = diagnostics_->items().size();
+    harmonics = std::make_shared<content::Harmonics>();
+    if (!scene_->textures[source].files.empty()) {
+        *harmonics = content::harmonics(content::cube_light(reader_.faces(source, *diagnostics_)));
+        ++counters_->convolutions;
+    }
+    store_->harmonics.put(identity.key, harmonics, at, *diagnostics_, said);
+    return harmonics.get();
+}
+
+void Textures::refresh(Index source) {
+    const GpuTexture* cube = find(source);
+    if (!cube) return;
+    std::optional<content::CubeLight> light;
+    const auto now = [&]() -> const content::CubeLight& {
+        if (!light) light = read_light(cube->texture.get(), cube->size[0]);
+        return *light;
+    };
+    for (Index i = 0; i < textures_.size(); ++i) {
+        const Texture& declared = scene_->textures[i];
+        if (declared.computed == Computed::no || declared.source != source || !textures_[i] || !textures_[i]->texture)
+            continue;
+        const int size = computed_size(*scene_, declared, now().size);
+        const CubeLevels levels = computed_levels(declared.computed, now(), size);
+        gl::replace_cube_levels(textures_[i]->texture.get(), levels.texels);
+        counters_->bytes_uploaded += levels.bytes;
+        ++counters_->convolutions;
+    }
+    if (const auto found = harmonics_.find(source); found != harmonics_.end()) {
+        *found->second = content::harmonics(now());
+        ++counters_->convolutions;
+    }
 }
 
 const gl::Black& Textures::nothing(std::string_view sampler) {

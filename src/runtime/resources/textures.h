@@ -15,12 +15,11 @@
 #include "src/gl/black.h"
 #include "src/gl/caps.h"
 #include "src/gl/texture.h"
-#include "src/plan/files.h"
 #include "src/plan/identity.h"
-#include "src/plan/plan.h"
+#include "src/runtime/resources/computed.h"
 #include "src/runtime/resources/counters.h"
-#include "src/runtime/resources/jobs.h"
 #include "src/runtime/resources/store.h"
+#include "src/runtime/resources/texture_reader.h"
 
 namespace snell::runtime {
 
@@ -39,7 +38,7 @@ public:
     Textures(const Scene& scene, Files& files, const gl::Caps& caps, Counters& counters, std::shared_ptr<Store> store,
              bool savings, Diagnostics& diagnostics);
 
-    // What reads those from files, and noise of so many dimensions; realise() and noise() find them when it is done.
+    // Adds the jobs that read the files of textures, and noise of so many dimensions, before they are realised.
     void preload(const std::vector<Index>& wanted, const std::set<int>& noise, std::vector<Job>& jobs);
     // Null when it can't be had (too large for this OpenGL; an error was given).
     const GpuTexture* realise(Index texture);
@@ -47,9 +46,9 @@ public:
     // What a sampler of that GLSL type (static text) reads where nothing is bound.
     const gl::Black& nothing(std::string_view sampler);
     GLuint sampler(const Filter& filter, bool clamp, bool cube);
-    // Of the cube map `texture`, which is not computed; computed now, if nobody asked before. Stays where it is.
+    // Returns the harmonics of a cube map that is not computed itself. They stay at their place.
     const content::Harmonics* harmonics(Index texture);
-    // What was drawn into a cube map is another: what is computed from it is computed again.
+    // Computes again what is computed from a cube map into which something was drawn.
     void refresh(Index source);
     // Null when it was not realised.
     const GpuTexture* find(Index texture) const;
@@ -58,39 +57,25 @@ public:
     bool asked(Index texture) const;
     // The first texture that is declared just so, and shares everything with this one.
     Index first(Index texture) const { return same_[texture]; }
-    // The files and their decoded pictures are needed only while textures are realised.
+    // The decoded pictures are needed only while textures are realised.
     void finish();
     // Makes realise() possible again, until the next finish().
-    void resume(Files& files, Diagnostics& diagnostics);
+    void resume(Diagnostics& diagnostics) { diagnostics_ = &diagnostics; }
 
 private:
-    // What preload() has read of a texture: one of both.
-    struct Preloaded {
-        content::Image image;
-        content::CubeFaces faces;
-        Diagnostics said;
-        double milliseconds = 0;
-    };
-    void preload_image(Index texture, Preloaded& into);
-    void preload_noise(int dimensions, Preloaded& into);
-    std::optional<Preloaded> take_preloaded(Index texture);
-    content::Image read_image(Index texture, Diagnostics& diagnostics);
-    content::CubeFaces read_faces(Index texture, Diagnostics& diagnostics);
-    content::Image read_noise(int dimensions, Diagnostics& diagnostics);
-    int noise_size(int dimensions) const { return dimensions == 3 ? scene_->noise3d : scene_->noise2d; }
     Identity key_of(Index texture) const;
-    std::shared_ptr<GpuTexture> take_or_make(Index texture);
-    GpuTexture make(Index texture);
-    GpuTexture make_noise(int dimensions);
     std::vector<Span> places(Index texture) const;
-    void empty_image_cache();
+    // Takes a texture from the store, or makes it, for which its files were read in `read_ms`, and puts it there.
+    template <class Make>
+    std::shared_ptr<GpuTexture> take_or_make(const Identity& identity, const std::vector<Span>& at, const Make& make,
+                                             double read_ms);
+    GpuTexture make(Index texture);
     GpuTexture make_from_image(const Texture& declared, Index texture);
+    GpuTexture make_noise(int dimensions);
     GpuTexture make_cube(const Texture& declared, Index texture);
     GpuTexture make_empty(const Texture& declared);
     GpuTexture make_computed(const Texture& declared);
-    const content::CubeFaces& faces(Index texture);
-    int computed_size(const Texture& declared, int source_size) const;
-    std::vector<content::CubeLight> compute(const Texture& declared, const content::CubeLight& light);
+    void forget_pictures();
     bool fits(const Texture& declared, std::array<int, 3> size);
     void count(const GpuTexture& texture, bool uploaded);
 
@@ -101,6 +86,7 @@ private:
     std::shared_ptr<Store> store_;
     bool savings_ = true;
     Diagnostics* diagnostics_;
+    TextureReader reader_;
     std::vector<std::shared_ptr<GpuTexture>> textures_;  // by Scene::textures
     std::vector<Index> same_;     // the first texture that is declared just so; empty ones are all different
     std::vector<bool> drawn_to_;  // by Scene::textures: what they show is this runtime's own
@@ -112,10 +98,6 @@ private:
         auto operator<=>(const SamplerKey&) const = default;
     };
     std::map<SamplerKey, gl::Sampler> samplers_;
-    ImageCache images_;
-    std::map<Index, Preloaded> preloaded_;
-    std::map<int, Preloaded> preloaded_noise_;   // by dimensions
-    std::map<Index, content::CubeFaces> faces_;  // by the first texture that is declared just so
     std::map<Index, std::shared_ptr<content::Harmonics>> harmonics_;
 };
 

@@ -32,7 +32,7 @@ void append(Floats& out, std::initializer_list<double> numbers) {
     for (const double number : numbers) out.push_back(static_cast<float>(number));
 }
 
-// A singular matrix has no inverse: zero instead of infinities that would spread over the picture.
+// The inverse of a singular matrix is zero here, because infinities would spread over the picture.
 glm::dmat4 inverse(const glm::dmat4& matrix) {
     const glm::dmat4 result = glm::inverse(matrix);
     for (int i = 0; i < 4; ++i)
@@ -41,7 +41,7 @@ glm::dmat4 inverse(const glm::dmat4& matrix) {
     return result;
 }
 
-// As many coefficients as the program reads; black where nothing names a cube map.
+// Appends as many coefficients as the program reads. They are zero if no statement names a cube map.
 void append_harmonics(Floats& out, const DrawContext& c, int size) {
     const std::size_t wanted = 3 * static_cast<std::size_t>(size);
     const std::size_t there = c.harmonics ? std::min(c.harmonics->size() * 3, wanted) : 0;
@@ -172,104 +172,44 @@ void append_value(Floats& out, System system, const DrawContext& c, int size) {
     }
 }
 
-void upload(const SystemUniform& uniform, const std::vector<float>& v) {
-    const GLint at = uniform.location;
-    if (uniform.system == System::face_index) {
-        glUniform1i(at, static_cast<GLint>(v[0]));
-        return;
-    }
-    switch (v.size() / static_cast<size_t>(uniform.size)) {
-        case 1:
-            glUniform1fv(at, uniform.size, v.data());
-            break;
-        case 2:
-            glUniform2fv(at, uniform.size, v.data());
-            break;
-        case 3:
-            glUniform3fv(at, uniform.size, v.data());
-            break;
-        case 9:
-            glUniformMatrix3fv(at, uniform.size, GL_FALSE, v.data());
-            break;
-        case 16:
-            glUniformMatrix4fv(at, uniform.size, GL_FALSE, v.data());
-            break;
-        default:
-            break;
-    }
+void upload(const SystemUniform& uniform, const std::vector<float>& values) {
+    if (uniform.system == System::face_index)
+        glUniform1i(uniform.location, static_cast<GLint>(values[0]));
+    else
+        gl::set_floats(uniform.kind, uniform.location, uniform.size, values.data());
 }
 
-void upload_matrix(const UserUniform& uniform, const std::vector<float>& v) {
-    const std::string_view type = uniform.glsl_type;
-    const GLint at = uniform.location;
-    const float* data = v.data();
-    const int n = uniform.size;
-    if (type == "mat2") glUniformMatrix2fv(at, n, GL_FALSE, data);
-    if (type == "mat3") glUniformMatrix3fv(at, n, GL_FALSE, data);
-    if (type == "mat4") glUniformMatrix4fv(at, n, GL_FALSE, data);
-    if (type == "mat2x3") glUniformMatrix2x3fv(at, n, GL_FALSE, data);
-    if (type == "mat2x4") glUniformMatrix2x4fv(at, n, GL_FALSE, data);
-    if (type == "mat3x2") glUniformMatrix3x2fv(at, n, GL_FALSE, data);
-    if (type == "mat3x4") glUniformMatrix3x4fv(at, n, GL_FALSE, data);
-    if (type == "mat4x2") glUniformMatrix4x2fv(at, n, GL_FALSE, data);
-    if (type == "mat4x3") glUniformMatrix4x3fv(at, n, GL_FALSE, data);
-}
-
-template <typename T, typename One, typename Two, typename Three, typename Four>
-void upload_vector(const UserUniform& uniform, const std::vector<double>& values, One one, Two two, Three three,
-                   Four four) {
+template <typename T, typename Upload>
+void converted(const std::vector<double>& values, const Upload& upload) {
     std::array<T, 16> few;  // what sliders have: no heap for them
     std::vector<T> many(values.size() > few.size() ? values.size() : 0);
     T* const v = many.empty() ? few.data() : many.data();
     std::ranges::transform(values, v, [](double value) { return static_cast<T>(value); });
-    switch (uniform.components) {
-        case 1:
-            one(uniform.location, uniform.size, v);
-            break;
-        case 2:
-            two(uniform.location, uniform.size, v);
-            break;
-        case 3:
-            three(uniform.location, uniform.size, v);
-            break;
-        default:
-            four(uniform.location, uniform.size, v);
-            break;
-    }
+    upload(v);
 }
 
-void upload(const UserUniform& uniform, ValueType type, const std::vector<double>& values) {
-    switch (type) {
+void upload(const UserUniform& uniform, const std::vector<double>& values) {
+    const auto set = [&](const auto& one, const auto& two, const auto& three, const auto& four) {
+        const std::array by_components{one, two, three, four};
+        return [&uniform, call = by_components[static_cast<std::size_t>(uniform.components - 1)]](const auto* v) {
+            call(uniform.location, uniform.size, v);
+        };
+    };
+    switch (uniform.type) {
         case ValueType::float_:
-            upload_vector<GLfloat>(uniform, values, glUniform1fv, glUniform2fv, glUniform3fv, glUniform4fv);
-            break;
+        case ValueType::matrix:
+            return converted<GLfloat>(
+                values, [&](const auto* v) { gl::set_floats(uniform.kind, uniform.location, uniform.size, v); });
         case ValueType::bool_:
         case ValueType::int_:
-            upload_vector<GLint>(uniform, values, glUniform1iv, glUniform2iv, glUniform3iv, glUniform4iv);
-            break;
+            return converted<GLint>(values, set(glUniform1iv, glUniform2iv, glUniform3iv, glUniform4iv));
         case ValueType::uint_:
-            upload_vector<GLuint>(uniform, values, glUniform1uiv, glUniform2uiv, glUniform3uiv, glUniform4uiv);
-            break;
+            return converted<GLuint>(values, set(glUniform1uiv, glUniform2uiv, glUniform3uiv, glUniform4uiv));
         case ValueType::double_:
-            upload_vector<GLdouble>(uniform, values, glUniform1dv, glUniform2dv, glUniform3dv, glUniform4dv);
-            break;
-        case ValueType::matrix:
-            upload_matrix(uniform, std::vector<float>(values.begin(), values.end()));
-            break;
+            return converted<GLdouble>(values, set(glUniform1dv, glUniform2dv, glUniform3dv, glUniform4dv));
         case ValueType::sampler:
-            break;  // bound once for all
+            return;  // bound once for all
     }
-}
-
-// Mostly where it was the last time.
-const Control* control_of(UserUniform& uniform, Index program, const Controls& controls) {
-    const auto& items = controls.items;
-    if (uniform.control < items.size() && items[uniform.control].program == program &&
-        items[uniform.control].name == uniform.name)
-        return &items[uniform.control];
-    const Control* found = controls.find(program, uniform.name);
-    if (found) uniform.control = static_cast<std::size_t>(found - items.data());
-    return found;
 }
 
 }  // namespace
@@ -293,7 +233,7 @@ void append_system(Floats& values, System system, const DrawContext& context, in
 }
 
 int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
-    // Coefficients may be others at the same place.
+    // The harmonics may have changed although their address is the same.
     if (!all && !context.harmonics && program.shown == context) return 0;
     program.shown = context;
     int uploads = 0;
@@ -302,7 +242,8 @@ int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
         if (uniform.system == System::face_index) continue;
         value.clear();
         append_value(value, uniform.system, context, uniform.size);
-        if (value.empty() || (value == uniform.last && !all)) continue;
+        // A scene may declare an array where snell has one value: it stays zero.
+        if (value.size() != uniform.floats || (value == uniform.last && !all)) continue;
         upload(uniform, value);
         uniform.last = value;
         ++uploads;
@@ -310,15 +251,14 @@ int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
     return uploads;
 }
 
-int set_user(LinkedProgram& program, Index index, const Controls& controls, bool all) {
+int set_user(LinkedProgram& program, const std::vector<Index>& places, const Controls& controls, bool all) {
     int uploads = 0;
-    for (UserUniform& uniform : program.user) {
-        const Control* control = control_of(uniform, index, controls);
-        const bool usable = control && control->active && control->value.size() == uniform.last.size();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        UserUniform& uniform = program.user[i];
         // Another draw with the same program may have set what this one leaves alone.
-        const std::vector<double>& value = usable ? control->value : uniform.initial;
-        if (value == uniform.last && !(all && usable)) continue;
-        upload(uniform, uniform.type, value);
+        const std::vector<double>& value = places[i] == none ? uniform.initial : controls.items[places[i]].value;
+        if (value == uniform.last && !(all && places[i] != none)) continue;
+        upload(uniform, value);
         uniform.last = value;
         ++uploads;
     }

@@ -28,7 +28,8 @@ void append_system(std::vector<float>& values, glsl::System system, const DrawCo
 
 // The program must be in use. Both return how many uniforms were uploaded; `all`: those that did not change, too.
 int set_system(LinkedProgram& program, const DrawContext& context, bool all = false);
-int set_user(LinkedProgram& program, Index index, const Controls& controls, bool all = false);
+// `places`: the control of each of LinkedProgram::user; none: the uniform keeps its initial value.
+int set_user(LinkedProgram& program, const std::vector<Index>& places, const Controls& controls, bool all = false);
 int set_face_index(LinkedProgram& program, int face);
 
 }  // namespace snell::runtime
