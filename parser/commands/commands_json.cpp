@@ -66,7 +66,7 @@ std::string argument(const Parameter& p) {
 }
 
 std::string row(const Command& c) {
-    std::string out = "  {\"name\": " + json(c.name) + ", \"group\": " + json(group_name(c.group));
+    std::string out = "  {\"name\": " + json(c.name) + ", \"group\": " + json(c.group);
     out += ", \"aliases\": [" + (c.alias.empty() ? "" : json(c.alias)) + "]";
     out += std::string(", \"addition\": ") + (c.addition ? "true" : "false");
     out +=
@@ -81,26 +81,6 @@ std::string row(const Command& c) {
 }
 
 }  // namespace
-
-std::string_view group_name(CommandGroup group) {
-    switch (group) {
-        case CommandGroup::view:
-            return "View";
-        case CommandGroup::transformations:
-            return "Transformations";
-        case CommandGroup::geometry:
-            return "Geometry";
-        case CommandGroup::textures:
-            return "Textures";
-        case CommandGroup::programs:
-            return "Programs";
-        case CommandGroup::state:
-            return "State";
-        case CommandGroup::other:
-            return "Other";
-    }
-    return "";
-}
 
 std::string commands_json() {
     std::string out = "[\n";

@@ -98,16 +98,15 @@ std::string language(const std::string& intro) {
     std::string_view group;
     std::string contents = "\n## Commands\n";
     for (const Command& c : commands()) {
-        if (group_name(c.group) != group) contents += "\n\n**" + std::string(group_name(c.group)) + "**:";
-        group = group_name(c.group);
+        if (c.group != group) contents += "\n\n**" + std::string(c.group) + "**:";
+        group = c.group;
         contents += " [" + std::string(c.name) + "](#" + lower(c.name) + ")";
     }
     out += contents + "\n";
     group = {};
     for (const Command& c : commands()) {
-        if (group_name(c.group) != group)
-            out += "\n## Commands: " + lower(group_name(c.group)) + "\n";  // a command is named Geometry, too
-        group = group_name(c.group);
+        if (c.group != group) out += "\n## Commands: " + lower(c.group) + "\n";  // a command is named Geometry, too
+        group = c.group;
         out += section(c);
     }
     return out;
