@@ -273,7 +273,7 @@ Walker::Expr Walker::postfix() {
 
 void Walker::select(Expr& e, std::string_view member) {
     const glsl::Type type = e.v.type;
-    const bool vector = type.dims == 0 && type.cols == 1 && type.base >= Base::boolean && type.base <= Base::dreal;
+    const bool vector = type.dims == 0 && type.cols == 1 && type.basic();
     const bool same = member == "xyz" || member == "rgb" || member == "stp";
     e.whole = false;
     if (vector && same && type.rows >= 3) {  // also xyz of a position of four components

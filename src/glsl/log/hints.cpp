@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "src/glsl/log/log.h"
+#include "src/glsl/read/legacy.h"
 
 namespace snell::glsl::log {
 namespace {
@@ -62,6 +63,10 @@ const StageOutput* stage_of(const Translation& translation, std::optional<Stage>
     return nullptr;
 }
 
+std::string hand_on(std::string_view attribute) {
+    return fmt::format("only the vertex shader has attributes: hand '{}' on in a varying of its own", attribute);
+}
+
 // `name` as an output of another stage: the input was forgotten here.
 bool hint_other_stage(std::string_view name, const Context& context, Diagnostic& diagnostic) {
     for (const StageOutput& other : context.translation.stages) {
@@ -69,9 +74,12 @@ bool hint_other_stage(std::string_view name, const Context& context, Diagnostic&
         for (const FileId file : other.files)
             for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || d.qualifier == "const") continue;
+                const bool given = d.qualifier == "in" || d.qualifier == "attribute";
                 const bool passed = d.qualifier == "out" || d.qualifier == "varying";
                 const std::string_view here = passed && d.qualifier == "out" ? "in" : d.qualifier;
-                diagnostic.help = fmt::format("declare it in this shader too: {} {} {};", here, d.type, name);
+                diagnostic.help = given && other.stage == Stage::vertex
+                                      ? hand_on(name)
+                                      : fmt::format("declare it in this shader too: {} {} {};", here, d.type, name);
                 diagnostic.notes.push_back(
                     {span_of(file, d), fmt::format("the {} shader declares it here", stage_word(other.stage))});
                 return true;
@@ -104,6 +112,12 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         return;
     }
     if (hint_other_stage(name, context, diagnostic)) return;
+    const std::string_view meaning = gstap_meaning(name, Stage::vertex);
+    const LegacyName* legacy = legacy_name(meaning.empty() ? name : meaning);
+    if (legacy && legacy->kind == LegacyKind::attribute && context.stage && context.stage->stage != Stage::vertex) {
+        diagnostic.help = hand_on(name);
+        return;
+    }
     if (const std::string_view built_in = nearest(name, builtin_names()); !built_in.empty() && built_in != name)
         diagnostic.help = fmt::format("did you mean '{}'?", built_in);
 }

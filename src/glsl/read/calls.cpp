@@ -50,18 +50,15 @@ int fit(const Type& have, const Type& want) {
 }
 
 struct Overload {
-    char result;
-    std::string_view parameters;
+    char result = 'X';
+    std::string parameters;
     std::size_t least = 0;  // parameters that must be given
 };
 
-Overload read_overload(std::string_view text, std::string& storage) {
-    Overload o{text[0], {}, 0};
-    storage.assign(text.substr(2));
-    const std::size_t optional = storage.find('[');
-    o.least = optional == std::string::npos ? storage.size() : optional;
-    if (optional != std::string::npos) storage.erase(optional, 1);
-    o.parameters = storage;
+Overload read_overload(std::string_view text) {
+    Overload o{text[0], std::string(text.substr(2))};
+    o.least = std::min(o.parameters.find('['), o.parameters.size());
+    std::erase(o.parameters, '[');
     return o;
 }
 
@@ -116,8 +113,8 @@ Expression Parser::call(int name_token) {
     std::vector<Expression> given = arguments();
     e.last = p_ - 1;
     if (call_user(e, name, given) || foreign_function(name, given, e)) return e;
-    bool wraps = false;
-    std::string_view modern = modern_texture_function(name, wraps);
+    const std::string_view modern = modern_texture_function(name);
+    const bool wraps = !modern.empty() && name.starts_with("shadow");
     if (wraps) {
         Edit& before = u_.edit(e.first);
         before.before = "vec4(" + before.before;
@@ -243,18 +240,14 @@ void Parser::call_builtin(Expression& result, std::string_view name, std::vector
     if (name == "modf" || name == "frexp") {
         if (given.size() > 1) note_write(given[1], nullptr, "out");
     }
-    std::string best_text, text;
-    Overload best{'X', {}, 0};
+    Overload best;
     int best_fit = 0;
     while (!signatures.empty()) {
         const std::size_t end = std::min(signatures.find(' '), signatures.size());
-        const Overload o = read_overload(signatures.substr(0, end), text);
-        const int one = match(o, given);
-        if (one > best_fit) {
+        Overload o = read_overload(signatures.substr(0, end));
+        if (const int one = match(o, given); one > best_fit) {
             best_fit = one;
-            best_text = text;
-            best = o;
-            best.parameters = best_text;
+            best = std::move(o);
         }
         signatures.remove_prefix(std::min(end + 1, signatures.size()));
     }

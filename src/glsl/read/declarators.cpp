@@ -152,8 +152,7 @@ void Parser::function(const Type& result, int first, int name) {
     while (!at_end() && !is(")")) {
         const int before = p_;
         const Qualifiers q = qualifiers();
-        bool defines = false;
-        const std::optional<Type> type = type_specifier(defines);
+        const std::optional<Type> type = type_specifier();
         if (!type) break;
         Parameter parameter{*type, q.storage == Storage::out || q.storage == Storage::inout ? q.storage : Storage::in};
         dimensions(parameter.type, nullptr);

@@ -54,7 +54,7 @@ Type arithmetic(const Type& a, const Type& b, std::string_view op) {
     return make_type(base, a.rows, a.cols);
 }
 
-bool known(const Type& type) { return type.dims == 0 && type.base >= Base::boolean && type.base <= Base::dreal; }
+bool known(const Type& type) { return type.dims == 0 && type.basic(); }
 
 // Whether GLSL, with what is forgiven, takes these operands; both types are known.
 bool takes(std::string_view op, const Type& a, const Type& b) {
@@ -198,8 +198,7 @@ Expression Parser::assignment() {
         target.constant = false;
         target.value.clear();
         target.alpha_one = plain && value.alpha_one;
-        target.global = -1;
-        target.legacy = {};
+        target.no_variable();
     }
     --depth_;
     return target;
@@ -224,8 +223,7 @@ Expression Parser::ternary() {
     a.value.clear();
     a.first = condition.first;
     a.last = b.last;
-    a.global = -1;
-    a.legacy = {};
+    a.no_variable();
     return a;
 }
 
@@ -309,8 +307,7 @@ Expression Parser::unary() {
     }
     if (op != "-" && op != "+") e.value.clear();
     e.alpha_one = false;
-    e.global = -1;
-    e.legacy = {};
+    e.no_variable();
     return e;
 }
 

@@ -71,11 +71,12 @@ Cleaned clean(std::string_view text) {
     return out;
 }
 
-std::size_t skip_trivia(std::string_view text, std::size_t i, bool& line_start) {
+Trivia skip_trivia(std::string_view text, std::size_t i) {
+    bool line_end = false;
     while (i < text.size()) {
         const char c = text[i];
         if (c == '\n') {
-            line_start = true;
+            line_end = true;
             ++i;
         } else if (blank(c) || c == '\r') {
             ++i;
@@ -90,7 +91,7 @@ std::size_t skip_trivia(std::string_view text, std::size_t i, bool& line_start) 
             break;
         }
     }
-    return i < text.size() ? i : text.size();
+    return {std::min(i, text.size()), line_end};
 }
 
 namespace {

@@ -150,12 +150,8 @@ Qualifiers Parser::qualifiers() {
     return q;
 }
 
-std::optional<Type> Parser::type_specifier(bool& defines) {
-    defines = false;
-    if (is("struct")) {
-        defines = true;
-        return structure();
-    }
+std::optional<Type> Parser::type_specifier() {
+    if (is("struct")) return structure();
     if (token().kind != Kind::identifier) return std::nullopt;
     if (const auto type = builtin_type(text())) {
         ++p_;
@@ -234,8 +230,7 @@ void Parser::members(int structure, std::vector<std::pair<int, int>>* tokens) {
     while (!at_end() && !is("}")) {
         const int first = p_;
         qualifiers();
-        bool defines = false;
-        const std::optional<Type> type = type_specifier(defines);
+        const std::optional<Type> type = type_specifier();
         if (!type) {
             skip_to_semicolon();
             if (p_ == first) ++p_;
@@ -343,15 +338,14 @@ void Parser::external() {
     Group group;
     group.first = first;
     group.type_first = p_;
-    bool defines = false;
-    std::optional<Type> type = type_specifier(defines);
+    group.defines_struct = is("struct");
+    std::optional<Type> type = type_specifier();
     if (!type && is("main") && is("(", 1)) {
         diagnostics_.warning("untyped-main", u_.span(p_), "main wants 'void' before it");
         u_.edit(p_).before = "void ";
         return function(make_type(Base::none), p_, p_);
     }
     if (!type) return skip_declaration();
-    group.defines_struct = defines;
     group.type_last = p_ - 1;
     Type base = *type;
     if (is("[")) {
@@ -359,7 +353,7 @@ void Parser::external() {
         group.type_last = p_ - 1;
     }
     if (accept(";")) {  // struct X { … };
-        if (defines) u_.erase(first, group.type_first - 1);
+        if (group.defines_struct) u_.erase(first, group.type_first - 1);
         return;
     }
     if (token().kind == Kind::identifier && is("(", 1)) return function(base, first, p_);

@@ -37,8 +37,7 @@ bool Parser::starts_declaration() const {
 void Parser::local_declaration() {
     const int first = p_;
     const Qualifiers q = qualifiers();
-    bool defines = false;
-    const std::optional<Type> type = type_specifier(defines);
+    const std::optional<Type> type = type_specifier();
     if (!type) return skip_to_semicolon();
     Type base = *type;
     dimensions(base, nullptr);

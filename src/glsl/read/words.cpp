@@ -183,66 +183,6 @@ const Words& reserved_words() {
     return words;
 }
 
-struct TextureFunction {
-    std::string_view stem, modern;
-};
-constexpr TextureFunction texture_functions[] = {
-    {"texture1D", "texture"},
-    {"texture2D", "texture"},
-    {"texture3D", "texture"},
-    {"textureCube", "texture"},
-    {"texture2DRect", "texture"},
-    {"texture1DArray", "texture"},
-    {"texture2DArray", "texture"},
-    {"texture1DProj", "textureProj"},
-    {"texture2DProj", "textureProj"},
-    {"texture3DProj", "textureProj"},
-    {"texture2DRectProj", "textureProj"},
-    {"texture1DLod", "textureLod"},
-    {"texture2DLod", "textureLod"},
-    {"texture3DLod", "textureLod"},
-    {"textureCubeLod", "textureLod"},
-    {"texture1DArrayLod", "textureLod"},
-    {"texture2DArrayLod", "textureLod"},
-    {"texture1DProjLod", "textureProjLod"},
-    {"texture2DProjLod", "textureProjLod"},
-    {"texture3DProjLod", "textureProjLod"},
-    {"texture1DGrad", "textureGrad"},
-    {"texture2DGrad", "textureGrad"},
-    {"texture3DGrad", "textureGrad"},
-    {"textureCubeGrad", "textureGrad"},
-    {"texture2DProjGrad", "textureProjGrad"},
-    {"texture1DOffset", "textureOffset"},
-    {"texture2DOffset", "textureOffset"},
-    {"texture3DOffset", "textureOffset"},
-    {"texture2DLodOffset", "textureLodOffset"},
-    {"texelFetch1D", "texelFetch"},
-    {"texelFetch2D", "texelFetch"},
-    {"texelFetch3D", "texelFetch"},
-    {"texelFetch2DRect", "texelFetch"},
-    {"texelFetchBuffer", "texelFetch"},
-    {"texelFetch1DArray", "texelFetch"},
-    {"texelFetch2DArray", "texelFetch"},
-    {"textureSize1D", "textureSize"},
-    {"textureSize2D", "textureSize"},
-    {"textureSize3D", "textureSize"},
-    {"textureSizeCube", "textureSize"},
-    {"textureSizeBuffer", "textureSize"},
-    {"textureQueryLOD", "textureQueryLod"},
-    {"shadow1D", "texture"},
-    {"shadow2D", "texture"},
-    {"shadowCube", "texture"},
-    {"shadow2DRect", "texture"},
-    {"shadow1DArray", "texture"},
-    {"shadow2DArray", "texture"},
-    {"shadow1DProj", "textureProj"},
-    {"shadow2DProj", "textureProj"},
-    {"shadow1DLod", "textureLod"},
-    {"shadow2DLod", "textureLod"},
-    {"shadow1DProjLod", "textureProjLod"},
-    {"shadow2DProjLod", "textureProjLod"},
-};
-
 }  // namespace
 
 std::string_view type_name(Base base, int rows, int cols) {
@@ -275,19 +215,30 @@ bool is_reserved_word(std::string_view word) { return reserved_words().contains(
 
 bool is_language_word(std::string_view word) {
     if (word.starts_with("gl_") || is_qualifier(word) || is_statement_word(word) || is_reserved_word(word)) return true;
-    bool wraps = false;
-    return builtin_type(word) || !builtin_signatures(word).empty() || !modern_texture_function(word, wraps).empty();
+    return builtin_type(word) || !builtin_signatures(word).empty() || !modern_texture_function(word).empty();
 }
 
-std::string_view modern_texture_function(std::string_view name, bool& wraps) {
-    if (!name.starts_with("te") && !name.starts_with("sh")) return {};
-    // Extensions wrote ARB or EXT behind the same names.
+// STEM DIMENSION [Proj] [Lod, Grad] [Offset] becomes the function without the dimension. Extensions wrote ARB or EXT
+// behind the same names.
+std::string_view modern_texture_function(std::string_view name) {
+    if (name == "textureQueryLOD") return "textureQueryLod";
+    constexpr std::string_view results[] = {"texture",        "textureProj",      "textureLod",
+                                            "textureProjLod", "textureGrad",      "textureProjGrad",
+                                            "textureOffset",  "textureLodOffset", "textureProjOffset"};
+    constexpr std::string_view dimensions[] = {"1DArray", "2DArray", "2DRect", "1D", "2D", "3D", "Cube", "Buffer"};
     if (name.ends_with("ARB") || name.ends_with("EXT")) name.remove_suffix(3);
-    for (const TextureFunction& f : texture_functions)
-        if (f.stem == name) {
-            wraps = name.starts_with("shadow");
-            return f.modern;
+    for (const std::string_view stem : {"textureSize", "texelFetch", "texture", "shadow"}) {
+        if (!name.starts_with(stem)) continue;
+        const std::string_view rest = name.substr(stem.size());
+        for (const std::string_view dimension : dimensions) {
+            if (!rest.starts_with(dimension)) continue;
+            const std::string_view suffix = rest.substr(dimension.size());
+            if (stem.starts_with("textureS") || stem == "texelFetch") return suffix.empty() ? stem : "";
+            for (const std::string_view result : results)
+                if (result.substr(7) == suffix) return result;
+            return {};
         }
+    }
     return {};
 }
 
@@ -319,7 +270,7 @@ std::string zero_within(std::span<const Struct> structs, const Type& type, int& 
         return std::string(name) + "[" + std::to_string(type.size) + "](" + all + ")";
     }
     --budget;
-    if (type.base >= Base::boolean && type.base <= Base::dreal) return zero(type);
+    if (type.basic()) return zero(type);
     if (type.base != Base::structure || type.structure < 0) return {};
     const Struct& s = structs[static_cast<std::size_t>(type.structure)];
     if (s.name.empty() || s.members.empty()) return {};

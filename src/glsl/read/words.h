@@ -26,9 +26,9 @@ bool is_reserved_word(std::string_view word);
 // A keyword, type or built-in function: a macro of this name would change what we write.
 bool is_language_word(std::string_view word);
 
-// Legacy texture functions: texture2D → texture, texture2DLod → textureLod …; empty for others. `wraps` is set
-// when the old function gave a vec4 where the new one gives a float (shadow2D).
-std::string_view modern_texture_function(std::string_view name, bool& wraps);
+// What a legacy texture function is called now: texture2D → texture, shadow2DLod → textureLod …; empty for others.
+// The functions that begin with `shadow` gave a vec4 where the new ones give a float.
+std::string_view modern_texture_function(std::string_view name);
 
 struct BuiltinFunction {
     std::string_view name;

@@ -228,11 +228,11 @@ std::string zero_statements(const Unit& u, const std::string& variable, const Ty
     }
     if (type.base == Base::structure && type.structure >= 0) {
         std::string all;
-        for (const Member& m : u.structs[static_cast<std::size_t>(type.structure)].members)
+        for (const Member& m : u.structure(type).members)
             if (budget > 0) all += zero_statements(u, variable + "." + std::string(m.name), m.type, budget) + " ";
         return all;
     }
-    if (type.base < Base::boolean || type.base > Base::dreal) return {};
+    if (!type.basic()) return {};
     return variable + " = " + zero(type) + ";";
 }
 
@@ -244,9 +244,7 @@ std::string set_zero(const Unit& u, const std::string& variable, const Type& typ
 }
 
 std::string converted(std::string_view text, const Type& from, const Type& to) {
-    if (from.dims || to.dims || from.base < Base::boolean || to.base < Base::boolean || from.base > Base::dreal ||
-        to.base > Base::dreal || (from.cols > 1) != (to.cols > 1))
-        return {};
+    if (from.dims || to.dims || !from.basic() || !to.basic() || (from.cols > 1) != (to.cols > 1)) return {};
     const std::string name(type_name(to.base, to.rows, to.cols));
     if (to.cols > 1 || from.rows >= to.rows) return name + "(" + std::string(text) + ")";
     if (from.rows == 1) return name + "(" + std::string(text) + ")";

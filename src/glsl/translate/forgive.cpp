@@ -62,7 +62,7 @@ void copy_assigned(Program& program, Unit& u) {
         const bool constant = s == Storage::in || s == Storage::uniform;
         if (!constant || !g.written || g.removed || g.type.dims || !g.new_type.empty() || g.name.starts_with("gl_"))
             continue;
-        if (g.type.base < Base::boolean || g.type.base > Base::dreal) continue;
+        if (!g.type.basic()) continue;
         const std::string name(u.now(g.name_token)), copy = "snell_copy_" + name;
         program.warn(u, g.name_token, "assigned-input",
                      "'" + name + "' comes from outside and cannot be assigned: a copy is");

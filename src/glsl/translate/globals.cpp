@@ -49,10 +49,6 @@ std::string qualifier_text(const Qualifiers& q) {
     return out;
 }
 
-bool erase_layout(Qualifiers& q, std::string_view name) {
-    return std::erase_if(q.layout, [&](const LayoutItem& i) { return i.name == name; }) > 0;
-}
-
 // The words of a qualifier in the order that versions before 4.20 want.
 bool in_order(const Unit& u, const Qualifiers& q) {
     int last = 0, open = 0;
@@ -79,8 +75,8 @@ void adjust_interface(const Target& target, const Unit& u, Global& g) {
     const bool color_output = u.stage == Stage::fragment && q.storage == Storage::out;
     if (!vertex_input && !color_output) {
         const bool may = target.es ? target.version >= 310 : target.version >= 410;
-        if (!may && erase_layout(q, "location")) g.dirty = true;
-        if (!may && erase_layout(q, "component")) g.dirty = true;
+        if (!may && q.erase_layout("location")) g.dirty = true;
+        if (!may && q.erase_layout("component")) g.dirty = true;
     }
     if (q.invariant && (target.version < 420 || (u.stage == Stage::fragment && q.storage == Storage::in))) {
         q.invariant = false;
@@ -115,14 +111,9 @@ void adjust_interface(const Target& target, const Unit& u, Global& g) {
 // The texture units that a sampler's layout(binding) names become its default where the target has no bindings.
 void keep_binding(Program& program, const Global& g) {
     if (g.type.base != Base::sampler || g.removed) return;
-    const auto binding = std::find_if(g.qualifiers.layout.begin(), g.qualifiers.layout.end(),
-                                      [](const LayoutItem& i) { return i.name == "binding"; });
-    const bool known = std::any_of(program.defaults.begin(), program.defaults.end(),
-                                   [&](const UniformDefault& d) { return d.name == g.name; });
-    if (binding == g.qualifiers.layout.end() || known) return;
-    int first = -1;
-    std::from_chars(binding->value.data(), binding->value.data() + binding->value.size(), first);
-    if (first < 0) return;
+    const int first = g.qualifiers.layout_number("binding");
+    if (first < 0 || std::ranges::find(program.defaults, g.name, &UniformDefault::name) != program.defaults.end())
+        return;
     UniformDefault units{std::string(g.name), {}};
     for (int n = 0; n < (g.type.dims ? std::max(g.type.size, 1) : 1); ++n) units.values.push_back(first + n);
     program.defaults.push_back(std::move(units));
@@ -141,9 +132,9 @@ void adjust(Program& program, const Unit& u, Global& g) {
     if (q.storage == Storage::uniform) {
         const bool binding = target.es ? target.version >= 310 : target.version >= 420;
         if (!binding) keep_binding(program, g);
-        if (!binding && erase_layout(q, "binding")) g.dirty = true;
+        if (!binding && q.erase_layout("binding")) g.dirty = true;
         const bool location = target.es ? target.version >= 310 : target.version >= 430;
-        if (!location && erase_layout(q, "location")) g.dirty = true;
+        if (!location && q.erase_layout("location")) g.dirty = true;
         if (!q.interpolation.empty() || q.invariant) {
             q.interpolation = {};
             q.invariant = false;

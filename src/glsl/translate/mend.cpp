@@ -127,9 +127,8 @@ void collect_hiding(const Unit& u, std::set<std::string_view>& called, std::map<
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
         const Token& t = u.tokens[i];
         if (t.kind != Kind::identifier || (i > 0 && u.tokens[i - 1].text == ".")) continue;
-        bool wraps = false;
         if (u.tokens[i + 1].text == "(") {
-            const std::string_view modern = modern_texture_function(t.text, wraps);
+            const std::string_view modern = modern_texture_function(t.text);
             const std::string_view name = modern.empty() ? t.text : modern;
             // A type before it: the user's own function of that name, which calls are meant for.
             const bool defined =
