@@ -2,6 +2,7 @@
 
 #include "parser/commands/commands.h"
 #include "parser/names.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 
 namespace snell {
@@ -46,7 +47,7 @@ std::string_view kind(ArgumentKind kind) {
 
 std::string choices(std::string_view list) {
     std::string out;
-    for (const std::string_view word : split_choices(list)) out += (out.empty() ? "[" : ", ") + json(word);
+    for (const std::string_view word : split(list, '/')) out += (out.empty() ? "[" : ", ") + json(word);
     return out + "]";
 }
 

@@ -294,7 +294,7 @@ private:
         const std::string_view text = take_chunk(out);
         const int place = find_choice(p.choices, text);
         if (out == nullptr) return place >= 0;
-        const std::vector<std::string_view> words = split_choices(p.choices);
+        const std::vector<std::string_view> words = split(p.choices, '/');
         out->number = place;
         if (place >= 0) {
             out->text = words[static_cast<std::size_t>(place)];

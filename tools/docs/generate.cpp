@@ -124,7 +124,7 @@ std::vector<std::string> choice_words() {
     std::set<std::string> words;
     for (const Command& c : commands())
         for (const Parameter& p : c.signature.parameters)
-            for (const std::string_view word : split_choices(p.choices)) words.emplace(word);
+            for (const std::string_view word : split(p.choices, '/')) words.emplace(word);
     for (const std::string_view name : topology_names()) words.emplace(name);
     return {words.begin(), words.end()};
 }
