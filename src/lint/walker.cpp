@@ -11,10 +11,6 @@ namespace snell::lint {
 using glsl::Kind;
 using glsl::Storage;
 
-bool assigns(std::string_view op) {
-    return op.size() >= 1 && op.back() == '=' && op != "==" && op != "!=" && op != "<=" && op != ">=";
-}
-
 Walker::Walker(const glsl::Unit& unit, const Surroundings& around, const Varyings* given, Report report)
     : u_(unit), around_(around), given_(given), report_(std::move(report)) {
     scopes_.emplace_back();
@@ -39,7 +35,7 @@ Varyings Walker::run() {
     for (const glsl::Function& f : u_.functions) {
         if (&f == main || f.open < 0) continue;
         for (int k = f.open; k < f.close; ++k)
-            if (assigns(u_.at(k + 1).text) && find(u_.at(k).text) >= 0) unstable_.insert(find(u_.at(k).text));
+            if (glsl::assigns(u_.at(k + 1).text) && find(u_.at(k).text) >= 0) unstable_.insert(find(u_.at(k).text));
     }
     call_user(*main, {});
     if (ended_) state_ = merge(std::move(*ended_), state_);
@@ -149,7 +145,7 @@ void Walker::forget_assigned(int first, int last) {
         const bool stepped = after == "++" || after == "--" || before == "++" || before == "--";
         const bool handed = (before == "(" || before == ",") && (after == ")" || after == ",");
         const int slot = find(t.text);
-        if (slot >= 0 && (stepped || handed || assigns(after))) forget(slot);
+        if (slot >= 0 && (stepped || handed || glsl::assigns(after))) forget(slot);
     }
 }
 

@@ -37,25 +37,6 @@ void main() {
 }
 )";
 
-// Zero of any type that is passable.
-std::string zeros(const Unit& u, Type type) {
-    const int size = type.dims ? type.size : 1;
-    const bool array = std::exchange(type.dims, 0) != 0;
-    std::string name(type_name(type.base, type.rows, type.cols)), one;
-    if (type.base == Base::structure) {
-        const Struct& s = u.structure(type);
-        name = s.name;
-        for (const Member& m : s.members) one += (one.empty() ? "" : ", ") + zeros(u, m.type);
-        one = name + "(" + one + ")";
-    } else {
-        one = zero(type);
-    }
-    if (!array) return one;
-    std::string all = one;
-    for (int n = 1; n < size; ++n) all += ", " + one;
-    return name + "[" + std::to_string(size) + "](" + all + ")";
-}
-
 // What stands before a member of an interface block, in the geometry stage: "snell_from[0]." and "snell_to.".
 struct Ends {
     std::string first, second, out;
@@ -169,7 +150,7 @@ private:
             g->qualifiers.first = old.first;
             g->qualifiers.last = old.last;
             // The text may read it above the statement that sets it, or never set it: drivers warn of either.
-            g->initial = zeros(*u, g->type);
+            g->initial = zero_of(u->structs, g->type);
             g->dirty = true;
         }
     }

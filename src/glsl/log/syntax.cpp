@@ -4,30 +4,14 @@
 #include <cctype>
 
 #include "src/glsl/log/log.h"
+#include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
 
-// Names of types that other languages have.
-std::string_view foreign_type(std::string_view name) {
-    for (const std::string_view base : {"float", "half", "fixed"})
-        if (name.starts_with(base) && name.size() == base.size() + 1) switch (name.back()) {
-                case '2':
-                    return "vec2";
-                case '3':
-                    return "vec3";
-                case '4':
-                    return "vec4";
-            }
-    if (name == "half" || name == "fixed" || name == "real") return "float";
-    if (name == "float3x3") return "mat3";
-    if (name == "float4x4") return "mat4";
-    return {};
-}
-
 // `vex3 a`: two names in a row, of which the first is no type.
 bool hint_unknown_type(std::string_view type, const Span& span, Diagnostic& diagnostic) {
-    std::string_view meant = foreign_type(type);
+    std::string_view meant = type == "real" ? "float" : foreign_type(type);
     if (meant.empty()) {
         meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
                                "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",

@@ -9,27 +9,6 @@ namespace snell::glsl {
 
 namespace {
 
-int precedence(std::string_view op) {
-    if (op.empty() || op.size() > 2) return 0;
-    if (op == "||") return 1;
-    if (op == "^^") return 2;
-    if (op == "&&") return 3;
-    if (op == "|") return 4;
-    if (op == "^") return 5;
-    if (op == "&") return 6;
-    if (op == "==" || op == "!=") return 7;
-    if (op == "<" || op == ">" || op == "<=" || op == ">=") return 8;
-    if (op == "<<" || op == ">>") return 9;
-    if (op == "+" || op == "-") return 10;
-    if (op == "*" || op == "/" || op == "%") return 11;
-    return 0;
-}
-
-bool assigns(std::string_view op) {
-    return op == "=" || op == "+=" || op == "-=" || op == "*=" || op == "/=" || op == "%=" || op == "&=" ||
-           op == "|=" || op == "^=" || op == "<<=" || op == ">>=";
-}
-
 // Componentwise arithmetic of known constants; a scalar goes with every component.
 std::vector<double> fold(const std::vector<double>& a, const std::vector<double>& b, char op) {
     if (a.empty() || b.empty() || (a.size() != b.size() && a.size() != 1 && b.size() != 1)) return {};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "src/glsl/read/words.h"
+
 namespace snell::glsl {
 
 void Macros::undefine(std::string_view name) {
@@ -181,18 +183,7 @@ struct Condition {
 
     std::string_view peek() const { return at < tokens.size() ? tokens[at].text : std::string_view(); }
 
-    static int precedence(std::string_view op) {
-        struct Level {
-            std::string_view op;
-            int level;
-        };
-        constexpr Level levels[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
-                                    {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
-                                    {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
-        for (const Level& l : levels)
-            if (l.op == op) return l.level;
-        return 0;
-    }
+    static int level_of(std::string_view op) { return op == "^^" ? 0 : precedence(op); }
 
     long long apply(std::string_view op, long long a, long long b) {
         const auto ua = static_cast<unsigned long long>(a), ub = static_cast<unsigned long long>(b);
@@ -261,7 +252,7 @@ struct Condition {
 
     long long binary(int least) {
         long long left = unary();
-        for (int level = precedence(peek()); level >= least && !failed; level = precedence(peek())) {
+        for (int level = level_of(peek()); level >= least && level > 0 && !failed; level = level_of(peek())) {
             const std::string_view op = tokens[at++].text;
             left = apply(op, left, binary(level + 1));
         }
