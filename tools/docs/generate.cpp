@@ -6,6 +6,7 @@
 #include "parser/commands/commands.h"
 #include "parser/names.h"
 #include "parser/text/limits.h"
+#include "parser/text/words.h"
 #include "src/lint/lint.h"
 
 namespace snell::docs {
