@@ -15,7 +15,7 @@ bool same(const T& a, const T& b) {
 }
 bool same(const Bindings& a, const Bindings& b) { return a.entries == b.entries; }
 
-// False also for what is not a number.
+// The result is false for NaN, too.
 bool representable(double v) { return std::abs(v) <= std::numeric_limits<float>::max(); }
 
 }  // namespace

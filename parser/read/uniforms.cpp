@@ -62,7 +62,7 @@ private:
 
     bool names_uniform(std::size_t i) const { return is(i, TokenKind::word) && !looks_numeric(text(i)); }
 
-    // Behind a name, what could also be a name is a value when it is true or false.
+    // After a name, the words true and false are values.
     bool begins_value_of_name(std::size_t i) const {
         return begins_value(i) || (is(i, TokenKind::word) && truth(text(i)) >= 0);
     }
@@ -178,7 +178,7 @@ private:
         }
     }
 
-    // Takes one number; false when it can't be used.
+    // Reads one number; returns false if it cannot be used.
     bool number(UniformValue& u) {
         const Span where = lexer_.span(tokens_[at_]);
         const std::string_view word = text(at_++);

@@ -79,7 +79,7 @@ Walker::Expr Walker::ternary() {
     for (const int k : names)
         if (const auto found = conditions_.find(u_.at(k).text); found != conditions_.end()) conditions_.erase(found);
     a.v = either(a.v, b.v);
-    // Chosen by a comparison: which bound is reached is open.
+    // A comparison chose the value, so it is unknown which bound is reached.
     a.v.range.real_lo = a.v.range.real_hi = false;
     a.v.varies = together(a.v.varies, condition.v.varies);
     a.slot = -1;

@@ -1,4 +1,4 @@
-// How often loops go round, as far as is known before the shader runs.
+// Estimates how often loops repeat, without running the shader.
 #include <fmt/format.h>
 
 #include <algorithm>

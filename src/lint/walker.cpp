@@ -1,4 +1,4 @@
-// Statements: which values may stand where.
+// Statements, and the values that variables may have after them.
 #include "src/lint/walker.h"
 
 #include <algorithm>
@@ -114,7 +114,7 @@ void Walker::branch() {
     nonuniform_ -= varies ? 1 : 0;
     const bool ended = taken.dead || state_.dead;
     const bool returned = taken.returned || state_.returned;
-    // Where a path ended, what follows runs under the condition, too.
+    // If a path ended here, the rest runs under the condition, too.
     if (!ended)
         for (int k = open + 1; k < close; ++k)
             if (const auto found = conditions_.find(u_.at(k).text); found != conditions_.end())

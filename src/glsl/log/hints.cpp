@@ -1,4 +1,4 @@
-// What would help: hints for the mistakes that students make most.
+// Hints for the most common mistakes.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -14,7 +14,7 @@ using log::Entry;
 using log::Kind;
 using log::Place;
 
-// Independent mistakes shown for one shader; a student mends a few and tries again.
+// The number of independent mistakes shown for one shader: students fix a few and try again.
 constexpr std::size_t most_errors = 6;
 
 std::string_view code_of(Kind kind) {
@@ -77,7 +77,7 @@ bool about_names(const Found& found) {
     return found.entry.kind == Kind::undeclared || found.entry.kind == Kind::no_function;
 }
 
-// What drivers say of an expression in which another error stands.
+// Drivers report these kinds for expressions that contain another error.
 bool is_consequence(const Found& found) { return !about_names(found) && found.entry.kind != Kind::redeclared; }
 
 // Whether `later` would vanish if `cause` were mended.

@@ -152,7 +152,7 @@ void hint_end_of_file(const Place& place, const Context& context, Diagnostic& di
     const std::string_view text = context.sources.text(place.file);
     const std::size_t brace = unclosed_brace(text);
     if (brace == std::string_view::npos) {
-        // Some compilers stop reading at a character that they don't know.
+        // Some compilers stop at the first character that they do not know.
         for (const Word& w : context.texts.words(place.file))
             if (hint_character({place.file, w.begin, w.end}, text, diagnostic)) return;
         diagnostic.help = "the last statement lacks its end: a ';', a ')' or a body in { }";

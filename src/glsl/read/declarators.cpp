@@ -144,7 +144,7 @@ void Parser::function(const Type& result, int first, int name) {
     f.result = result;
     f.name_token = name;
     f.first = first;
-    // OpenGL ES lets nobody redefine a built-in function.
+    // OpenGL ES forbids redefinitions of built-in functions.
     if (target_.es && !builtin_signatures(f.name).empty()) u_.replace(name, "snell_user_" + std::string(f.name));
     p_ = name + 2;
     open_scope();

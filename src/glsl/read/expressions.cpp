@@ -81,7 +81,7 @@ void Parser::warn(std::string_view code, int token, std::string message) {
     if (told_.insert(code).second) diagnostics_.warning(code, u_.span(token), std::move(message));
 }
 
-// What no version allows and some compilers read nevertheless.
+// No version allows these conversions, but some compilers accept them.
 void Parser::forgive(const Expression& e, const Type& due, std::string_view code, std::string_view what) {
     warn(code, e.first, std::string(what));
     wrap(e, type_name(due.base, due.rows, 1));
@@ -143,7 +143,7 @@ Expression Parser::expression() {
     Expression e = assignment();
     while (is(",")) {
         const int first = e.first;
-        // Before a comma, what does nothing is left out: OpenGL ES 1.00 has constants with commas.
+        // An operand before a comma that has no effect is removed: OpenGL ES 1.00 has constants with commas.
         if (e.constant && first >= 0 && e.last == p_ - 1) u_.erase(first, p_);
         ++p_;
         e = assignment();

@@ -174,7 +174,7 @@ bool Macros::substitute(const Macro& macro, const std::vector<std::vector<MacroT
 
 namespace {
 
-// Precedence climbing over the integers, as the preprocessor of C.
+// Evaluates by precedence climbing, as the preprocessor of C does.
 struct Condition {
     const std::vector<MacroToken>& tokens;
     std::size_t at = 0;

@@ -277,7 +277,7 @@ std::vector<Expression> Parser::arguments() {
         if (p_ == before) ++p_;
     }
     if (!accept(")") && !at_end()) {
-        // Not understood: go to the closing parenthesis, but not past the statement.
+        // The arguments were not understood: parsing resumes after the closing parenthesis, within the statement.
         int open = 1;
         while (!at_end() && !is(";") && !is("{") && !is("}") && open > 0) {
             if (is("(")) ++open;

@@ -30,7 +30,7 @@ public:
         end.lead = take_lead(text_.size());
         unit_.tokens.push_back(end);
     }
-    // Something only the expanded form says rightly.
+    // True if only the expanded form has the meaning of the text.
     bool must_expand() const { return macros_.asked_context() || macros_.pasted() || shadows_language_ || broken_; }
 
 private:
@@ -287,7 +287,7 @@ void Preprocessor::define(std::string_view rest) {
     shadows_language_ = shadows_language_ || is_language_word(name) || name.starts_with("snell_");
     for (const MacroToken& t : macro.body) shadows_language_ = shadows_language_ || t.text == name || t.text == "##";
     unit_.defined.emplace_back(name);
-    // What is set from outside wins over the shader's own choice.
+    // A macro from outside overrides the shader's own.
     for (const Define& d : options_.defines)
         if (d.name == name) return;
     macros_.define(name, std::move(macro));
@@ -330,7 +330,7 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
     const std::string_view name = rest.substr(i + 1, close - i - 1);
     std::optional<IncludeText> got;
     if (options_.include) got = options_.include(file_name_.back(), name, angle);
-    // Its names are there without it.
+    // The names of gstap.h are always known.
     if (!got && name == "gstap.h") got = IncludeText{"gstap.h", ""};
     if (!got) {
         diagnostics_.error("missing-include", where, "cannot read the included file '" + std::string(name) + "'");

@@ -1,4 +1,4 @@
-// Slips that a forgiving compiler reads past and whose meaning is clear.
+// Mistakes whose meaning is clear, and which some compilers accept.
 #include <algorithm>
 
 #include "src/glsl/read/words.h"
@@ -26,7 +26,7 @@ static void lift_prototypes(Unit& u) {
     put();
 }
 
-// Functions and variables had namespaces of their own.
+// In old versions, functions and variables had separate namespaces.
 void separate_functions(Unit& u) {
     for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()); ++i) {
         const std::string_view t = u.at(i).text;

@@ -1,4 +1,4 @@
-// What one stage gives and the next takes: made to match by name.
+// Inputs of each stage are matched by name with the outputs of the stage before.
 #include <algorithm>
 
 #include "src/glsl/read/words.h"

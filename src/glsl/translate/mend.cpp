@@ -15,7 +15,7 @@ struct Place {
     int token = 0;
 };
 
-// Words of other languages that some compilers read past.
+// Some compilers ignore these words of other languages.
 bool meaningless(std::string_view word) {
     return word == "static" || word == "inline" || word == "extern" || word == "public";
 }
@@ -27,7 +27,7 @@ bool stands_as_name(const Unit& u, std::size_t i) {
     if (word == "layout" || word == "precision" || word == "highp" || word == "mediump" || word == "lowp") return false;
     if (word == "subroutine") return next.text != "(" && next.kind == Kind::punct;
     if (next.kind != Kind::punct || next.text == "{") return false;
-    // A newer type's name, as a variable: it is used as one.
+    // The name of a newer type is a variable if it is used as one.
     if (builtin_type(word)) return std::string_view("=;*+-/.").find(next.text[0]) != std::string_view::npos;
     const bool type_like =
         word.starts_with("hvec") || word.starts_with("fvec") || word == "atomic_uint" || word == "sampler3DRect";
@@ -68,7 +68,7 @@ void mend_number(Program& program, Unit& u, int i) {
     } else if ((t.ends_with("lf") || t.ends_with("LF")) && (program.target().es || !program.target().fp64)) {
         u.replace(i, t.substr(0, t.size() - 2));
     }
-    // The edits vector may grow: the token needs a text that stays.
+    // The text is kept by the unit, because the edit moves when their vector grows.
     if (u.at(i).edit >= 0) u.tokens[static_cast<std::size_t>(i)].text = u.keep(std::string(u.now(i)));
 }
 
@@ -136,7 +136,7 @@ void collect_hiding(const Unit& u, std::set<std::string_view>& called, std::map<
         if (u.tokens[i + 1].text == "(") {
             const std::string_view modern = modern_texture_function(t.text);
             const std::string_view name = modern.empty() ? t.text : modern;
-            // A type before it: the user's own function of that name, which calls are meant for.
+            // After a type, this is the user's own function of that name, which the calls mean.
             const bool defined =
                 i > 0 && u.tokens[i - 1].kind == Kind::identifier && !is_statement_word(u.tokens[i - 1].text);
             if (!defined && !builtin_signatures(name).empty()) called.insert(name);
@@ -186,7 +186,7 @@ void mend_for_es(Unit& u) {
         const std::string_view t = u.tokens[i].text;
         // The token's own text stays sampler1D, so that calls can be told apart.
         if (t == "sampler1D") u.replace(static_cast<int>(i), "sampler2D");
-        // One precision everywhere: uniforms must agree in it across stages.
+        // All precisions become highp, because uniforms must agree across stages.
         if (t == "mediump" || t == "lowp") u.replace(static_cast<int>(i), "highp");
     }
 }
