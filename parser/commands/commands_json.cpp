@@ -24,25 +24,8 @@ std::string json(std::string_view text) {
 }
 
 std::string_view kind(ArgumentKind kind) {
-    switch (kind) {
-        case ArgumentKind::number:
-            return "number";
-        case ArgumentKind::integer:
-            return "int";
-        case ArgumentKind::path:
-            return "path";
-        case ArgumentKind::name:
-            return "name";
-        case ArgumentKind::choice:
-            return "choice";
-        case ArgumentKind::vec3:
-            return "vec3";
-        case ArgumentKind::uniforms:
-            return "uniforms";
-        case ArgumentKind::rest:
-            return "rest";
-    }
-    return "";
+    constexpr std::string_view names[] = {"number", "int", "path", "name", "choice", "vec3", "uniforms", "rest"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 std::string choices(std::string_view list) {

@@ -12,18 +12,7 @@ namespace {
 // 1 for true, 0 for false, -1 for neither.
 int truth(std::string_view text) { return same_word(text, "true") ? 1 : same_word(text, "false") ? 0 : -1; }
 
-char closer(char open) {
-    switch (open) {
-        case '<':
-            return '>';
-        case '[':
-            return ']';
-        case '{':
-            return '}';
-        default:
-            return ')';
-    }
-}
+char closer(char open) { return open == '<' ? '>' : open == '[' ? ']' : open == '{' ? '}' : ')'; }
 
 class UniformReader {
 public:

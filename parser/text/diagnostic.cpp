@@ -38,15 +38,8 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 const char* name(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::error:
-            return "error";
-    }
-    return "";
+    constexpr const char* names[] = {"note", "warning", "error"};
+    return names[static_cast<std::size_t>(severity)];
 }
 
 Diagnostic& Diagnostics::add(Diagnostic diagnostic) {

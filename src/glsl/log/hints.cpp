@@ -6,6 +6,7 @@
 
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/legacy.h"
+#include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
@@ -81,7 +82,7 @@ bool hint_other_stage(std::string_view name, const Context& context, Diagnostic&
                                       ? hand_on(name)
                                       : fmt::format("declare it in this shader too: {} {} {};", here, d.type, name);
                 diagnostic.notes.push_back(
-                    {span_of(file, d), fmt::format("the {} shader declares it here", stage_word(other.stage))});
+                    {span_of(file, d), fmt::format("the {} shader declares it here", stage_name(other.stage))});
                 return true;
             }
     }
@@ -182,7 +183,7 @@ void hint_not_written(const Entry& entry, const Context& context, Diagnostic& di
             const Declared* d = nearest_declared(user_name(entry.a, text), outputs);
             if (!d) continue;
             diagnostic.help = fmt::format("the {} shader calls it '{}': the names must agree, capitals included",
-                                          stage_word(s.stage), d->name);
+                                          stage_name(s.stage), d->name);
             diagnostic.notes.push_back({span_of(file, *d), "the output is declared here"});
             return;
         }
@@ -196,7 +197,7 @@ void hint_types_differ(std::string_view name, const Place& place, const Context&
             for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || span_of(file, d) == place.span) continue;
                 diagnostic.notes.push_back(
-                    {span_of(file, d), fmt::format("the {} shader declares '{}' here", stage_word(s.stage), d.type)});
+                    {span_of(file, d), fmt::format("the {} shader declares '{}' here", stage_name(s.stage), d.type)});
             }
     diagnostic.help = "declare it with the same type in every shader of the program";
 }

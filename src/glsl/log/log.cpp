@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "src/glsl/read/words.h"
+
 namespace snell::glsl {
 namespace {
 
@@ -18,47 +20,23 @@ using log::Place;
 constexpr std::size_t most_errors = 6;
 
 std::string_view code_of(Kind kind) {
-    switch (kind) {
-        case Kind::undeclared:
-            return "glsl-undeclared";
-        case Kind::no_function:
-        case Kind::no_overload:
-        case Kind::few_arguments:
-        case Kind::many_arguments:
-            return "glsl-call";
-        case Kind::convert:
-        case Kind::returns:
-        case Kind::operands:
-        case Kind::condition:
-        case Kind::constructor_few:
-        case Kind::constructor_many:
-        case Kind::swizzle:
-            return "glsl-type";
-        case Kind::redeclared:
-            return "glsl-redeclared";
-        case Kind::read_only:
-            return "glsl-read-only";
-        case Kind::not_constant:
-            return "glsl-not-constant";
-        case Kind::syntax:
-        case Kind::end_of_file:
-        case Kind::if_unfinished:
-            return "glsl-syntax";
-        case Kind::no_return:
-            return "glsl-no-return";
-        case Kind::needs_version:
-            return "glsl-version";
-        case Kind::no_main:
-            return "glsl-no-main";
-        case Kind::no_body:
-            return "glsl-no-body";
-        case Kind::not_written:
-        case Kind::types_differ:
-            return "glsl-interface";
-        case Kind::other:
-        case Kind::noise:
-            break;
-    }
+    using enum Kind;
+    const std::pair<std::string_view, std::initializer_list<Kind>> codes[] = {
+        {"glsl-undeclared", {undeclared}},
+        {"glsl-call", {no_function, no_overload, few_arguments, many_arguments}},
+        {"glsl-type", {convert, returns, operands, condition, constructor_few, constructor_many, swizzle}},
+        {"glsl-redeclared", {redeclared}},
+        {"glsl-read-only", {read_only}},
+        {"glsl-not-constant", {not_constant}},
+        {"glsl-syntax", {syntax, end_of_file, if_unfinished}},
+        {"glsl-no-return", {no_return}},
+        {"glsl-version", {needs_version}},
+        {"glsl-no-main", {no_main}},
+        {"glsl-no-body", {no_body}},
+        {"glsl-interface", {not_written, types_differ}},
+    };
+    for (const auto& [code, kinds] : codes)
+        if (std::ranges::find(kinds, kind) != kinds.end()) return code;
     return "glsl-driver";
 }
 
@@ -100,7 +78,7 @@ std::set<std::string_view> doubtful_names(const Found& cause, log::Texts& texts)
 
 std::string told_of(const Entry& entry, const Context& context, std::string_view program) {
     const auto stage = context.stage ? std::optional(context.stage->stage) : entry.stage;
-    if (stage) return fmt::format(" ({} shader of '{}')", log::stage_word(*stage), program);
+    if (stage) return fmt::format(" ({} shader of '{}')", stage_name(*stage), program);
     return fmt::format(" (program '{}')", program);
 }
 
@@ -141,16 +119,16 @@ Diagnostic explain(const Found& found, const Context& context, std::string_view 
     return diagnostic;
 }
 
-struct Group {
+struct Mistake {
     Found cause;
     std::set<std::string_view> doubtful;
     std::vector<Found> rest;
 };
 
-std::vector<Group> folded(const std::vector<Found>& all, log::Texts& texts) {
-    std::vector<Group> groups;
+std::vector<Mistake> folded(const std::vector<Found>& all, log::Texts& texts) {
+    std::vector<Mistake> groups;
     for (const Found& found : all) {
-        const auto caused_by = [&](const Group& group) {
+        const auto caused_by = [&](const Mistake& group) {
             if (follows(found, group.cause)) return true;
             const auto beside = [&](const Found& other) { return is_consequence(found) && same_line(found, other); };
             if (std::any_of(group.rest.begin(), group.rest.end(), beside)) return true;
@@ -180,7 +158,7 @@ void explain_log(std::string_view log, const Translation& translation, const Sta
         const Place place = log::place(entry, context);
         list.push_back({std::move(entry), place});
     }
-    const std::vector<Group> groups = folded(errors, texts);
+    const std::vector<Mistake> groups = folded(errors, texts);
     for (std::size_t i = 0; i < groups.size() && i < most_errors; ++i) {
         Diagnostic diagnostic = explain(groups[i].cause, context, program);
         if (!groups[i].rest.empty())

@@ -10,35 +10,15 @@ namespace {
 
 // What one character of a signature asks for, given the size of the generic parameters (0: not known yet).
 std::optional<Type> parameter_type(char code, int size) {
-    switch (code) {
-        case 'F':
-            return make_type(Base::real, size);
-        case 'I':
-            return make_type(Base::integer, size);
-        case 'U':
-            return make_type(Base::uinteger, size);
-        case 'B':
-            return make_type(Base::boolean, size);
-        case 'f':
-            return make_type(Base::real);
-        case 'i':
-            return make_type(Base::integer);
-        case 'u':
-            return make_type(Base::uinteger);
-        case 'b':
-            return make_type(Base::boolean);
-        case '2':
-            return make_type(Base::real, 2);
-        case '3':
-            return make_type(Base::real, 3);
-        case '4':
-            return make_type(Base::real, 4);
-        default:
-            return std::nullopt;
-    }
+    constexpr Base bases[] = {Base::real, Base::integer, Base::uinteger, Base::boolean};
+    constexpr std::string_view vectors = "FIUB", scalars = "fiub";
+    if (const std::size_t n = vectors.find(code); n != vectors.npos) return make_type(bases[n], size);
+    if (const std::size_t n = scalars.find(code); n != scalars.npos) return make_type(bases[n]);
+    if (code >= '2' && code <= '4') return make_type(Base::real, code - '0');
+    return std::nullopt;
 }
 
-bool generic(char code) { return code == 'F' || code == 'I' || code == 'U' || code == 'B'; }
+bool generic(char code) { return std::string_view("FIUB").find(code) != std::string_view::npos; }
 
 // How well a value of type `have` serves where `want` is due: 0 not at all, 1 by conversion, 2 exactly.
 int fit(const Type& have, const Type& want) {

@@ -191,15 +191,10 @@ Expression Parser::primary() {
             ++p_;
             return constructor(*type, p_ - 1);
         }
-        for (std::size_t n = 0; n < u_.structs.size(); ++n)
-            if (u_.structs[n].name == t.text && (is("(", 1) || is("[", 1))) {
-                Type type;
-                type.base = Base::structure;
-                type.structure = static_cast<std::int32_t>(n);
-                type.name = t.text;
-                ++p_;
-                return constructor(type, p_ - 1);
-            }
+        if (const auto type = structure_named(t.text); type && (is("(", 1) || is("[", 1))) {
+            ++p_;
+            return constructor(*type, p_ - 1);
+        }
         if (is("(", 1)) return call(p_);
     } else if (is("(", 1) && u_.function_names.contains(t.text)) {
         u_.shared_by_kinds.insert(t.text);

@@ -46,6 +46,7 @@ private:
     bool layout(Qualifiers& q);
     std::optional<Type> type_specifier();
     std::optional<Type> structure();
+    std::optional<Type> structure_named(std::string_view name) const;
     std::optional<Type> legacy_structure(std::string_view text);
     void members(int structure, std::vector<std::pair<int, int>>* tokens);
     int dimensions(Type& type, std::string* text);

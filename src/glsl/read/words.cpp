@@ -136,6 +136,12 @@ bool is_language_word(std::string_view word) {
     return builtin_type(word) || !builtin_signatures(word).empty() || !modern_texture_function(word).empty();
 }
 
+std::string_view stage_name(Stage stage) {
+    constexpr std::string_view names[] = {"vertex", "tessellation control", "tessellation evaluation", "geometry",
+                                          "fragment"};
+    return names[static_cast<std::size_t>(stage)];
+}
+
 int precedence(std::string_view op) {
     constexpr std::pair<std::string_view, int> table[] = {
         {"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},  {"&", 6},  {"==", 7}, {"!=", 7}, {"<", 8}, {">", 8},

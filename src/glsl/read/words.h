@@ -26,6 +26,9 @@ bool is_reserved_word(std::string_view word);
 // A keyword, type or built-in function: a macro of this name would change what we write.
 bool is_language_word(std::string_view word);
 
+// "vertex", "tessellation control" …, for messages.
+std::string_view stage_name(Stage stage);
+
 // How tightly an operator of two operands binds, from 1 for || to 11 for *; 0 for other words.
 int precedence(std::string_view op);
 // = += *= and their like.

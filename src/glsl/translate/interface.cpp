@@ -42,11 +42,9 @@ std::string element_dims(const Unit& u, const std::string& dims) {
 }
 
 void warn_of_zero(Program& program, const Unit& u, int token, std::string_view name, const Unit& from) {
-    static constexpr std::string_view stage_names[] = {"vertex", "tessellation control", "tessellation evaluation",
-                                                       "geometry", "fragment"};
     program.warn(u, token, "input-without-output",
-                 "'" + std::string(name) + "' is not an output of the " +
-                     std::string(stage_names[static_cast<std::size_t>(from.stage)]) + " shader: it is read as zero");
+                 "'" + std::string(name) + "' is not an output of the " + std::string(stage_name(from.stage)) +
+                     " shader: it is read as zero");
 }
 
 void read_as_zero(Program& program, Unit& u, Global& g, const Unit& from) {
