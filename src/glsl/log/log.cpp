@@ -21,22 +21,17 @@ constexpr std::size_t most_errors = 6;
 
 std::string_view code_of(Kind kind) {
     using enum Kind;
-    const std::pair<std::string_view, std::initializer_list<Kind>> codes[] = {
-        {"glsl-undeclared", {undeclared}},
-        {"glsl-call", {no_function, no_overload, few_arguments, many_arguments}},
-        {"glsl-type", {convert, returns, operands, condition, constructor_few, constructor_many, swizzle}},
-        {"glsl-redeclared", {redeclared}},
-        {"glsl-read-only", {read_only}},
-        {"glsl-not-constant", {not_constant}},
-        {"glsl-syntax", {syntax, end_of_file, if_unfinished}},
-        {"glsl-no-return", {no_return}},
-        {"glsl-version", {needs_version}},
-        {"glsl-no-main", {no_main}},
-        {"glsl-no-body", {no_body}},
-        {"glsl-interface", {not_written, types_differ}},
-    };
-    for (const auto& [code, kinds] : codes)
-        if (std::ranges::find(kinds, kind) != kinds.end()) return code;
+    static constexpr std::pair<Kind, std::string_view> codes[] = {
+        {undeclared, "glsl-undeclared"}, {no_function, "glsl-call"},      {no_overload, "glsl-call"},
+        {few_arguments, "glsl-call"},    {many_arguments, "glsl-call"},   {convert, "glsl-type"},
+        {returns, "glsl-type"},          {operands, "glsl-type"},         {condition, "glsl-type"},
+        {constructor_few, "glsl-type"},  {constructor_many, "glsl-type"}, {swizzle, "glsl-type"},
+        {redeclared, "glsl-redeclared"}, {read_only, "glsl-read-only"},   {not_constant, "glsl-not-constant"},
+        {syntax, "glsl-syntax"},         {end_of_file, "glsl-syntax"},    {if_unfinished, "glsl-syntax"},
+        {no_return, "glsl-no-return"},   {needs_version, "glsl-version"}, {no_main, "glsl-no-main"},
+        {no_body, "glsl-no-body"},       {not_written, "glsl-interface"}, {types_differ, "glsl-interface"}};
+    for (const auto& [of, code] : codes)
+        if (of == kind) return code;
     return "glsl-driver";
 }
 
