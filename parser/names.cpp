@@ -8,45 +8,32 @@
 namespace snell {
 namespace {
 
-constexpr std::array<std::string_view, 12> topologies{"gl_points",
-                                                      "gl_lines",
-                                                      "gl_line_strip",
-                                                      "gl_line_loop",
-                                                      "gl_triangles",
-                                                      "gl_triangle_strip",
-                                                      "gl_triangle_fan",
-                                                      "gl_lines_adjacency",
-                                                      "gl_line_strip_adjacency",
-                                                      "gl_triangles_adjacency",
-                                                      "gl_triangle_strip_adjacency",
-                                                      "gl_patches"};
+constexpr std::array<std::string_view, 12> topologies = {"gl_points",
+                                                         "gl_lines",
+                                                         "gl_line_strip",
+                                                         "gl_line_loop",
+                                                         "gl_triangles",
+                                                         "gl_triangle_strip",
+                                                         "gl_triangle_fan",
+                                                         "gl_lines_adjacency",
+                                                         "gl_line_strip_adjacency",
+                                                         "gl_triangles_adjacency",
+                                                         "gl_triangle_strip_adjacency",
+                                                         "gl_patches"};
 
 // The word at a place of a list of choices.
-std::string_view choice(std::string_view choices, std::size_t place) { return split_choices(choices)[place]; }
+std::string_view choice(std::string_view choices, std::size_t place) { return split(choices, '/')[place]; }
 
 }  // namespace
-
-std::vector<std::string_view> split_choices(std::string_view choices) {
-    std::vector<std::string_view> words;
-    while (!choices.empty()) {
-        const std::size_t end = std::min(choices.find('/'), choices.size());
-        words.push_back(choices.substr(0, end));
-        choices.remove_prefix(std::min(end + 1, choices.size()));
-    }
-    return words;
-}
 
 int find_choice(std::string_view choices, std::string_view word) {
     if (choices == "on/off") {
         if (word == "1" || same_word(word, "true")) return 0;
         if (word == "0" || same_word(word, "false")) return 1;
     }
-    for (int i = 0; !choices.empty(); ++i) {
-        const std::size_t end = std::min(choices.find('/'), choices.size());
-        if (same_word(choices.substr(0, end), word)) return i;
-        choices.remove_prefix(std::min(end + 1, choices.size()));
-    }
-    return -1;
+    const std::vector<std::string_view> words = split(choices, '/');
+    const auto found = std::ranges::find_if(words, [&](std::string_view w) { return same_word(w, word); });
+    return found == words.end() ? -1 : static_cast<int>(found - words.begin());
 }
 
 std::optional<Topology> topology_named(std::string_view name) {

@@ -9,8 +9,6 @@
 
 namespace snell {
 
-// Splits choices such as "on/off" into words.
-std::vector<std::string_view> split_choices(std::string_view choices);
 // Returns the index of a word among the choices, without regard to case, or -1. For on and off, it also accepts 1, 0,
 // true and false.
 int find_choice(std::string_view choices, std::string_view word);

@@ -10,7 +10,7 @@
 namespace snell::text_of {
 namespace {
 
-// True when the name needs no quotes.
+// Returns true if the name needs no quotes.
 bool plain(std::string_view name) {
     for (const char c : name) {
         const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');

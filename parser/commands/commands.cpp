@@ -1,4 +1,5 @@
-// The table itself. Adding a command: one row here, one function in handlers.h.
+// The table itself, in the groups of docs/language.md. A command is one row here, its handler is declared in
+// handlers.h.
 #include "parser/commands/commands.h"
 
 #include <array>
@@ -10,110 +11,143 @@
 namespace snell {
 namespace {
 
-constexpr bool addition = true;
-using Group = CommandGroup;
+// A command that glman lacks.
+constexpr Command addition(Command row) {
+    row.addition = true;
+    return row;
+}
 
 // clang-format off
-constexpr Command table[] = {
-    // ---- view
-    {"WindowSize", "wx:int=600 wy:int=600", "Initial size of the drawing area, in pixels.", handle::window_size, {}, false, Group::view},
-    {"Ortho", "xl=-3 xr=3 yb=-3 yt=3", "Orthographic projection: left, right, bottom and top of the visible area.", handle::ortho, {}, false, Group::view},
-    {"Perspective", "fov=50", "Perspective projection with a vertical field of view in degrees.", handle::perspective, "Persp", false, Group::view},
-    {"LookAt", " | ex ey=0 ez=0 lx=0 ly=0 lz=0 ux=0 uy=1 uz=0", "Places the eye: its position, the point it looks at, and the up direction. Replaces the previous LookAt. Without arguments: at the origin, looking along -Z.", handle::look_at, {}, false, Group::view},
-    {"Background", "r=.0706 g=.1059 b=.1294 a=1 | color:vec3", "Colour that the current target is cleared to. Values outside 0..1 are clamped.", handle::background, {}, false, Group::view},
-    {"Output", "encoding:raw/srgb=srgb", "What the colours of shaders are in the window, Background included. raw: the numbers that the display gets. srgb: light, which is encoded by the sRGB curve after blending. Default of a scene: raw.", handle::output, {}, addition, Group::view},
-    {"Clear", "", "Clears colour and depth of the current target now.", handle::clear, {}, false, Group::view},
+constexpr Command view_rows[] = {
+    {"WindowSize", "wx:int=600 wy:int=600", "Initial size of the drawing area, in pixels.", handle::window_size},
+    {"Ortho", "xl=-3 xr=3 yb=-3 yt=3", "Orthographic projection: left, right, bottom and top of the visible area.", handle::ortho},
+    {"Perspective", "fov=50", "Perspective projection with a vertical field of view in degrees.", handle::perspective, "Persp"},
+    {"LookAt", " | ex ey=0 ez=0 lx=0 ly=0 lz=0 ux=0 uy=1 uz=0", "Places the eye: its position, the point it looks at, and the up direction. Replaces the previous LookAt. Without arguments: at the origin, looking along -Z.", handle::look_at},
+    {"Background", "r=.0706 g=.1059 b=.1294 a=1 | color:vec3", "Colour that the current target is cleared to. Values outside 0..1 are clamped.", handle::background},
+    addition({"Output", "encoding:raw/srgb=srgb", "What the colours of shaders are in the window, Background included. raw: the numbers that the display gets. srgb: light, which is encoded by the sRGB curve after blending. Default of a scene: raw.", handle::output}),
+    {"Clear", "", "Clears colour and depth of the current target now.", handle::clear},
+};
 
-    // ---- transformations
-    {"Translate", "x y=0 z=0", "Moves the following draws.", handle::translate, {}, false, Group::transformations},
-    {"Rotate", "angle x=0 y=0 z=0", "Rotates the following draws by an angle in degrees about an axis through the origin.", handle::rotate, {}, false, Group::transformations},
-    {"Scale", "s | sx sy sz=1", "Scales the following draws, by one factor or along each axis.", handle::scale, {}, false, Group::transformations},
-    {"PushMatrix", "", "Saves the current transformation for the matching PopMatrix.", handle::push_matrix, "TransformBegin", false, Group::transformations},
-    {"PopMatrix", "", "Restores the transformation that the matching PushMatrix saved.", handle::pop_matrix, "TransformEnd", false, Group::transformations},
+constexpr Command transformations_rows[] = {
+    {"Translate", "x y=0 z=0", "Moves the following draws.", handle::translate},
+    {"Rotate", "angle x=0 y=0 z=0", "Rotates the following draws by an angle in degrees about an axis through the origin.", handle::rotate},
+    {"Scale", "s | sx sy sz=1", "Scales the following draws, by one factor or along each axis.", handle::scale},
+    {"PushMatrix", "", "Saves the current transformation for the matching PopMatrix.", handle::push_matrix, "TransformBegin"},
+    {"PopMatrix", "", "Restores the transformation that the matching PushMatrix saved.", handle::pop_matrix, "TransformEnd"},
+};
 
-    // ---- geometry
-    {"Sphere", "radius=1 slices:int=60 stacks:int=60", "Solid sphere around the origin, with poles on Y.", handle::sphere, {}, false, Group::geometry},
-    {"Torus", "outer=1 inner=.5 sides:int=20 rings:int=40", "Solid torus around Y. The larger radius is the ring's, the smaller the tube's.", handle::torus, {}, false, Group::geometry},
-    {"Cone", "radius=1 height=1 slices:int=60 stacks:int=1", "Solid, capped cone with its base on y = 0 and its tip at +Y.", handle::cone, {}, false, Group::geometry},
-    {"Cylinder", "radius=1 height=1 slices:int=60 stacks:int=1", "Solid, capped cylinder with its base on y = 0, along +Y.", handle::cylinder, {}, false, Group::geometry},
-    {"Box", "dx=2 dy=2 dz=2", "Solid box about the origin with sides of these lengths.", handle::box, "Cube", false, Group::geometry},
-    {"Teapot", "", "The Utah teapot, its spout to +X.", handle::teapot, {}, false, Group::geometry},
-    {"DiskXY", "z=0 radius=1 slices:int=60 rings:int=1", "Disk parallel to the XY plane, facing +Z.", handle::disk_xy, {}, false, Group::geometry},
-    {"QuadXY", "z=0 size=1 nx:int=1 ny:int=1", "Square parallel to the XY plane from -size to size, split into nx by ny cells.", handle::quad_xy, {}, false, Group::geometry},
-    {"QuadXZ", "y=0 size=1 nx:int=1 nz:int=1", "Square parallel to the XZ plane from -size to size, split into nx by nz cells.", handle::quad_xz, {}, false, Group::geometry},
-    {"QuadYZ", "x=0 size=1 ny:int=1 nz:int=1", "Square parallel to the YZ plane from -size to size, split into ny by nz cells.", handle::quad_yz, {}, false, Group::geometry},
-    {"QuadBox", "n:int=10", "n squares parallel to XY from z = -1 to z = 1, with 3D texture coordinates.", handle::quad_box, {}, false, Group::geometry},
-    {"Soccerball", "radius=1", "Truncated icosahedron; the number of each face is in FaceIndex.", handle::soccerball, {}, false, Group::geometry},
-    {"PointCloud", "nx:int=10 ny:int=10 nz:int=10", "Points that fill the cube from -1 to 1 regularly.", handle::point_cloud, {}, false, Group::geometry},
-    {"JitterCloud", "nx:int=10 ny:int=10 nz:int=10", "Points that fill the cube from -1 to 1, each moved randomly within its cell.", handle::jitter_cloud, {}, false, Group::geometry},
-    {"Xarrow", "n:int=100", "Arrow on the X axis from 0 to 1, of n slices.", handle::xarrow, {}, false, Group::geometry},
-    {"WireSphere", "radius=1 slices:int=60 stacks:int=60", "Edges of the Sphere.", handle::wire_sphere, {}, false, Group::geometry},
-    {"WireTorus", "outer=1 inner=.5 sides:int=20 rings:int=40", "Edges of the Torus.", handle::wire_torus, {}, false, Group::geometry},
-    {"WireCone", "radius=1 height=1 slices:int=60 stacks:int=1", "Edges of the Cone.", handle::wire_cone, {}, false, Group::geometry},
-    {"WireCylinder", "radius=1 height=1 slices:int=60 stacks:int=1", "Edges of the Cylinder.", handle::wire_cylinder, {}, false, Group::geometry},
-    {"WireBox", "dx=2 dy=2 dz=2", "Edges of the Box.", handle::wire_box, "WireCube", false, Group::geometry},
-    {"WireTeapot", "", "Edges of the Teapot.", handle::wire_teapot, {}, false, Group::geometry},
-    {"Obj", "file:path", "The faces of a Wavefront .obj file, as triangles.", handle::obj, {}, false, Group::geometry},
-    {"ObjAdj", "file:path", "The faces of a Wavefront .obj file, as triangles with adjacency for geometry shaders.", handle::obj_adj, {}, false, Group::geometry},
-    {"ObjPatch", "file:path", "The faces of a Wavefront .obj file, as patches of three vertices for tessellation shaders.", handle::obj_patch, {}, false, Group::geometry},
-    {"WireObj", "file:path", "The edges of a Wavefront .obj file.", handle::wire_obj, {}, false, Group::geometry},
-    {"Shp", "file:path", "The polylines of an ESRI shape file.", handle::shp, {}, false, Group::geometry},
-    {"LinesAdjacency", "v0:vec3 v1:vec3 v2:vec3 v3:vec3", "One line from v1 to v2 with its neighbours, for geometry shaders.", handle::lines_adjacency, {}, false, Group::geometry},
-    {"Triangles", "v0:vec3 v1:vec3 v2:vec3", "One triangle with the normal of its plane.", handle::triangles, {}, false, Group::geometry},
-    {"glBegin", "topology:name", "Begins a list of vertices: gl_patches, gl_points, gl_lines, gl_line_strip, gl_line_loop, gl_triangles, gl_triangle_strip, gl_triangle_fan, or one of these lines and triangles with _adjacency.", handle::gl_begin, {}, false, Group::geometry},
-    {"glVertex", "x y=0 z=0 w=1", "One vertex of the list, with the current colour, normal and texture coordinates.", handle::gl_vertex, {}, false, Group::geometry},
-    {"glColor", "r=1 g=1 b=1 a=1 | color:vec3", "Colour of the vertices that follow, and of the draws after the list.", handle::color, {}, false, Group::geometry},
-    {"glNormal", "x y z", "Normal of the vertices that follow.", handle::gl_normal, {}, false, Group::geometry},
-    {"glTexCoord", "s t=0 p=0", "Texture coordinates of the vertices that follow.", handle::gl_tex_coord, {}, false, Group::geometry},
-    {"glEnd", "", "Ends the list that glBegin began, and draws it.", handle::gl_end, {}, false, Group::geometry},
-    {"NumPatchVertices", "n:int=3", "Vertices per patch of the following gl_patches.", handle::num_patch_vertices, {}, false, Group::geometry},
+constexpr Command geometry_rows[] = {
+    {"Sphere", "radius=1 slices:int=60 stacks:int=60", "Solid sphere around the origin, with poles on Y.", handle::sphere},
+    {"Torus", "outer=1 inner=.5 sides:int=20 rings:int=40", "Solid torus around Y. The larger radius is the ring's, the smaller the tube's.", handle::torus},
+    {"Cone", "radius=1 height=1 slices:int=60 stacks:int=1", "Solid, capped cone with its base on y = 0 and its tip at +Y.", handle::cone},
+    {"Cylinder", "radius=1 height=1 slices:int=60 stacks:int=1", "Solid, capped cylinder with its base on y = 0, along +Y.", handle::cylinder},
+    {"Box", "dx=2 dy=2 dz=2", "Solid box about the origin with sides of these lengths.", handle::box, "Cube"},
+    {"Teapot", "", "The Utah teapot, its spout to +X.", handle::teapot},
+    {"DiskXY", "z=0 radius=1 slices:int=60 rings:int=1", "Disk parallel to the XY plane, facing +Z.", handle::disk_xy},
+    {"QuadXY", "z=0 size=1 nx:int=1 ny:int=1", "Square parallel to the XY plane from -size to size, split into nx by ny cells.", handle::quad_xy},
+    {"QuadXZ", "y=0 size=1 nx:int=1 nz:int=1", "Square parallel to the XZ plane from -size to size, split into nx by nz cells.", handle::quad_xz},
+    {"QuadYZ", "x=0 size=1 ny:int=1 nz:int=1", "Square parallel to the YZ plane from -size to size, split into ny by nz cells.", handle::quad_yz},
+    {"QuadBox", "n:int=10", "n squares parallel to XY from z = -1 to z = 1, with 3D texture coordinates.", handle::quad_box},
+    {"Soccerball", "radius=1", "Truncated icosahedron; the number of each face is in FaceIndex.", handle::soccerball},
+    {"PointCloud", "nx:int=10 ny:int=10 nz:int=10", "Points that fill the cube from -1 to 1 regularly.", handle::point_cloud},
+    {"JitterCloud", "nx:int=10 ny:int=10 nz:int=10", "Points that fill the cube from -1 to 1, each moved randomly within its cell.", handle::jitter_cloud},
+    {"Xarrow", "n:int=100", "Arrow on the X axis from 0 to 1, of n slices.", handle::xarrow},
+    {"WireSphere", "radius=1 slices:int=60 stacks:int=60", "Edges of the Sphere.", handle::wire_sphere},
+    {"WireTorus", "outer=1 inner=.5 sides:int=20 rings:int=40", "Edges of the Torus.", handle::wire_torus},
+    {"WireCone", "radius=1 height=1 slices:int=60 stacks:int=1", "Edges of the Cone.", handle::wire_cone},
+    {"WireCylinder", "radius=1 height=1 slices:int=60 stacks:int=1", "Edges of the Cylinder.", handle::wire_cylinder},
+    {"WireBox", "dx=2 dy=2 dz=2", "Edges of the Box.", handle::wire_box, "WireCube"},
+    {"WireTeapot", "", "Edges of the Teapot.", handle::wire_teapot},
+    {"Obj", "file:path", "The faces of a Wavefront .obj file, as triangles.", handle::obj},
+    {"ObjAdj", "file:path", "The faces of a Wavefront .obj file, as triangles with adjacency for geometry shaders.", handle::obj_adj},
+    {"ObjPatch", "file:path", "The faces of a Wavefront .obj file, as patches of three vertices for tessellation shaders.", handle::obj_patch},
+    {"WireObj", "file:path", "The edges of a Wavefront .obj file.", handle::wire_obj},
+    {"Shp", "file:path", "The polylines of an ESRI shape file.", handle::shp},
+    {"LinesAdjacency", "v0:vec3 v1:vec3 v2:vec3 v3:vec3", "One line from v1 to v2 with its neighbours, for geometry shaders.", handle::lines_adjacency},
+    {"Triangles", "v0:vec3 v1:vec3 v2:vec3", "One triangle with the normal of its plane.", handle::triangles},
+    {"glBegin", "topology:name", "Begins a list of vertices: gl_patches, gl_points, gl_lines, gl_line_strip, gl_line_loop, gl_triangles, gl_triangle_strip, gl_triangle_fan, or one of these lines and triangles with _adjacency.", handle::gl_begin},
+    {"glVertex", "x y=0 z=0 w=1", "One vertex of the list, with the current colour, normal and texture coordinates.", handle::gl_vertex},
+    {"glColor", "r=1 g=1 b=1 a=1 | color:vec3", "Colour of the vertices that follow, and of the draws after the list.", handle::color},
+    {"glNormal", "x y z", "Normal of the vertices that follow.", handle::gl_normal},
+    {"glTexCoord", "s t=0 p=0", "Texture coordinates of the vertices that follow.", handle::gl_tex_coord},
+    {"glEnd", "", "Ends the list that glBegin began, and draws it.", handle::gl_end},
+    {"NumPatchVertices", "n:int=3", "Vertices per patch of the following gl_patches.", handle::num_patch_vertices},
+};
 
-    // ---- textures
-    {"Texture1D", "unit:int file:path", "Binds a one-dimensional image to a texture unit.", handle::texture_1d, {}, false, Group::textures},
-    {"Texture2D", "unit:int dims:int dimt:int | unit:int file:path encoding:raw/srgb?", "Binds an image to a texture unit, or creates an empty texture of dims by dimt to draw to. In snell also: srgb, the file holds colours as displays show them, and shaders read the light that they stand for. Default: raw, shaders read the numbers of the file.", handle::texture_2d, {}, false, Group::textures},
-    {"Texture3D", "unit:int dims:int dimt:int dimp:int | unit:int file:path", "Binds a volume to a texture unit, or creates an empty one.", handle::texture_3d, {}, false, Group::textures},
-    {"CubeMap", "unit:int posx:path negx:path posy:path negy:path posz:path negz:path encoding:raw/srgb? | unit:int file:path encoding:raw/srgb? | unit:int size:int", "Binds a cube map of six images to a texture unit. In snell also: one file, which is one of six numbered faces, a panorama, a cross or a strip; the size of an empty cube map to draw to; srgb, as in Texture2D.", handle::cube_map, {}, false, Group::textures},
-    {"Noise2D", "n:int=64", "Resolution of the built-in texture Noise2.", handle::noise_2d, {}, false, Group::textures},
-    {"Noise3D", "n:int=64", "Resolution of the built-in texture Noise3.", handle::noise_3d, {}, false, Group::textures},
-    {"Clamp", "", "Textures of the following draws clamp at their edges instead of repeating.", handle::clamp, {}, false, Group::textures},
-    {"Filter", "mode:nearest/linear/mipmap/anisotropic=linear n:int=16", "Filter of the textures named after it; n is the maximum anisotropy.", handle::filter, {}, addition, Group::textures},
-    {"RenderToTexture", "units:int...", "Renders the following draws to the 2D textures on these units, one for each output of the fragment shader. Without arguments: to the window.", handle::render_to_texture, {}, false, Group::textures},
-    {"RenderToCube", "unit:int x=0 y=0 z=0 faces:int=6 | unit:int center:vec3 faces:int=6", "Renders the following draws to the six faces of the cube map on this unit, seen from this point. In the window, 1, 2 or 3 faces a frame can be redrawn instead of all 6.", handle::render_to_cube, {}, addition, Group::textures},
-    {"Irradiance", "unit:int from:int size:int=16", "Binds the irradiance of the cube map on unit `from`, the light that matt surfaces collect, to a unit: a cube map of size texels per side to look up by the normal.", handle::irradiance, {}, addition, Group::textures},
-    {"Prefilter", "unit:int from:int size:int?", "Binds prefiltered reflections of the cube map on unit `from` to a unit: a chain of levels, the last for roughness 1, the first the cube map itself with size texels per side (default: its own size, at most 128, or 64 if it is drawn to).", handle::prefilter, {}, addition, Group::textures},
+constexpr Command textures_rows[] = {
+    {"Texture1D", "unit:int file:path", "Binds a one-dimensional image to a texture unit.", handle::texture_1d},
+    {"Texture2D", "unit:int dims:int dimt:int | unit:int file:path encoding:raw/srgb?", "Binds an image to a texture unit, or creates an empty texture of dims by dimt to draw to. In snell also: srgb, the file holds colours as displays show them, and shaders read the light that they stand for. Default: raw, shaders read the numbers of the file.", handle::texture_2d},
+    {"Texture3D", "unit:int dims:int dimt:int dimp:int | unit:int file:path", "Binds a volume to a texture unit, or creates an empty one.", handle::texture_3d},
+    {"CubeMap", "unit:int posx:path negx:path posy:path negy:path posz:path negz:path encoding:raw/srgb? | unit:int file:path encoding:raw/srgb? | unit:int size:int", "Binds a cube map of six images to a texture unit. In snell also: one file, which is one of six numbered faces, a panorama, a cross or a strip; the size of an empty cube map to draw to; srgb, as in Texture2D.", handle::cube_map},
+    {"Noise2D", "n:int=64", "Resolution of the built-in texture Noise2.", handle::noise_2d},
+    {"Noise3D", "n:int=64", "Resolution of the built-in texture Noise3.", handle::noise_3d},
+    {"Clamp", "", "Textures of the following draws clamp at their edges instead of repeating.", handle::clamp},
+    addition({"Filter", "mode:nearest/linear/mipmap/anisotropic=linear n:int=16", "Filter of the textures named after it; n is the maximum anisotropy.", handle::filter}),
+    {"RenderToTexture", "units:int...", "Renders the following draws to the 2D textures on these units, one for each output of the fragment shader. Without arguments: to the window.", handle::render_to_texture},
+    addition({"RenderToCube", "unit:int x=0 y=0 z=0 faces:int=6 | unit:int center:vec3 faces:int=6", "Renders the following draws to the six faces of the cube map on this unit, seen from this point. In the window, 1, 2 or 3 faces a frame can be redrawn instead of all 6.", handle::render_to_cube}),
+    addition({"Irradiance", "unit:int from:int size:int=16", "Binds the irradiance of the cube map on unit `from`, the light that matt surfaces collect, to a unit: a cube map of size texels per side to look up by the normal.", handle::irradiance}),
+    addition({"Prefilter", "unit:int from:int size:int?", "Binds prefiltered reflections of the cube map on unit `from` to a unit: a chain of levels, the last for roughness 1, the first the cube map itself with size texels per side (default: its own size, at most 128, or 64 if it is drawn to).", handle::prefilter}),
+};
 
-    // ---- programs
-    {"Vertex", "file:path?", "Vertex shader of the programs that follow; without an argument: none.", handle::vertex, {}, false, Group::programs},
-    {"TessControl", "file:path?", "Tessellation control shader of the programs that follow; without an argument: none.", handle::tess_control, {}, false, Group::programs},
-    {"TessEvaluation", "file:path?", "Tessellation evaluation shader of the programs that follow; without an argument: none.", handle::tess_evaluation, {}, false, Group::programs},
-    {"Geometry", "file:path?", "Geometry shader of the programs that follow; without an argument: none.", handle::geometry, {}, false, Group::programs},
-    {"Fragment", "file:path?", "Fragment shader of the programs that follow; without an argument: none.", handle::fragment, {}, false, Group::programs},
-    {"GeometryInput", "topology:gl_points/gl_lines/gl_lines_adjacency/gl_triangles/gl_triangles_adjacency?", "Input primitive of geometry shaders without a layout.", handle::geometry_input, {}, false, Group::programs},
-    {"GeometryOutput", "topology:gl_points/gl_line_strip/gl_triangle_strip?", "Output primitive of geometry shaders without a layout.", handle::geometry_output, {}, false, Group::programs},
-    {"Program", "name:name? values:uniforms", "Links the current shaders to the program of the following draws, and sets its uniforms: a number, an array [x y z], a range <min current max> on a slider, <true> or <false>, a colour {r g b} or {r g b a}. Without arguments the built-in program draws.", handle::program, {}, false, Group::programs},
-    {"GSTAP", "", "The shaders use the names of the book Graphics Shaders without declaring them: the uniforms uModelViewMatrix, uProjectionMatrix, uModelViewProjectionMatrix, uNormalMatrix and uModelViewMatrixInverse, and in vertex shaders the attributes aVertex, aNormal, aColor and aTexCoord0 to aTexCoord7. snell always provides them, with or without this command; a declaration in the shader wins.", handle::gstap, {}, false, Group::programs},
-    {"Ladder", "name:name rungs:rest", "Declares methods from cheap to exact, the current one in angle brackets; the programs that follow are compiled for it.", handle::ladder, {}, addition, Group::programs},
+constexpr Command programs_rows[] = {
+    {"Vertex", "file:path?", "Vertex shader of the programs that follow; without an argument: none.", handle::vertex},
+    {"TessControl", "file:path?", "Tessellation control shader of the programs that follow; without an argument: none.", handle::tess_control},
+    {"TessEvaluation", "file:path?", "Tessellation evaluation shader of the programs that follow; without an argument: none.", handle::tess_evaluation},
+    {"Geometry", "file:path?", "Geometry shader of the programs that follow; without an argument: none.", handle::geometry},
+    {"Fragment", "file:path?", "Fragment shader of the programs that follow; without an argument: none.", handle::fragment},
+    {"GeometryInput", "topology:gl_points/gl_lines/gl_lines_adjacency/gl_triangles/gl_triangles_adjacency?", "Input primitive of geometry shaders without a layout.", handle::geometry_input},
+    {"GeometryOutput", "topology:gl_points/gl_line_strip/gl_triangle_strip?", "Output primitive of geometry shaders without a layout.", handle::geometry_output},
+    {"Program", "name:name? values:uniforms", "Links the current shaders to the program of the following draws, and sets its uniforms: a number, an array [x y z], a range <min current max> on a slider, <true> or <false>, a colour {r g b} or {r g b a}. Without arguments the built-in program draws.", handle::program},
+    {"GSTAP", "", "The shaders use the names of the book Graphics Shaders without declaring them: the uniforms uModelViewMatrix, uProjectionMatrix, uModelViewProjectionMatrix, uNormalMatrix and uModelViewMatrixInverse, and in vertex shaders the attributes aVertex, aNormal, aColor and aTexCoord0 to aTexCoord7. snell always provides them, with or without this command; a declaration in the shader wins.", handle::gstap},
+    addition({"Ladder", "name:name rungs:rest", "Declares methods from cheap to exact, the current one in angle brackets; the programs that follow are compiled for it.", handle::ladder}),
+};
 
-    // ---- state
-    {"Color", "r=1 g=1 b=1 a=1 | color:vec3", "The current colour: gl_Color of the draws that follow.", handle::color, {}, false, Group::state},
-    {"LineWidth", "w=1", "Width of lines, in pixels.", handle::line_width, {}, false, Group::state},
-    {"PointSize", "s=1", "Size of points, in pixels.", handle::point_size, {}, false, Group::state},
-    {"PointSizeMode", "mode:int=0", "1: the vertex shader sets the size of points in gl_PointSize. 0: PointSize does.", handle::point_size_mode, {}, false, Group::state},
-    {"Flat", "", "Flat shading: each face has the colour of one vertex.", handle::flat, {}, false, Group::state},
-    {"Smooth", "", "Smooth shading: colours are interpolated over each face. Default.", handle::smooth, {}, false, Group::state},
-    {"Blend", "state:on/off=on | src:" SNELL_BLEND_FACTORS " dst:" SNELL_BLEND_FACTORS, "Blends draws with the existing picture, by alpha or by these factors. Default: on.", handle::blend, {}, addition, Group::state},
-    {"CullFace", "face:none/back/front=back", "Faces that are culled. Default: none.", handle::cull_face, {}, addition, Group::state},
-    {"DepthTest", "state:on/off=on", "Nearer surfaces hide farther ones. Default: on.", handle::depth_test, {}, addition, Group::state},
-    {"DepthWrite", "state:on/off=on", "Draws write their depth. Default: on.", handle::depth_write, {}, addition, Group::state},
-    {"Wireframe", "state:on/off=on", "Draws only the edges of triangles. Default: off.", handle::wireframe, {}, addition, Group::state},
+constexpr Command state_rows[] = {
+    {"Color", "r=1 g=1 b=1 a=1 | color:vec3", "The current colour: gl_Color of the draws that follow.", handle::color},
+    {"LineWidth", "w=1", "Width of lines, in pixels.", handle::line_width},
+    {"PointSize", "s=1", "Size of points, in pixels.", handle::point_size},
+    {"PointSizeMode", "mode:int=0", "1: the vertex shader sets the size of points in gl_PointSize. 0: PointSize does.", handle::point_size_mode},
+    {"Flat", "", "Flat shading: each face has the colour of one vertex.", handle::flat},
+    {"Smooth", "", "Smooth shading: colours are interpolated over each face. Default.", handle::smooth},
+    addition({"Blend", "state:on/off=on | src:" SNELL_BLEND_FACTORS " dst:" SNELL_BLEND_FACTORS, "Blends draws with the existing picture, by alpha or by these factors. Default: on.", handle::blend}),
+    addition({"CullFace", "face:none/back/front=back", "Faces that are culled. Default: none.", handle::cull_face}),
+    addition({"DepthTest", "state:on/off=on", "Nearer surfaces hide farther ones. Default: on.", handle::depth_test}),
+    addition({"DepthWrite", "state:on/off=on", "Draws write their depth. Default: on.", handle::depth_write}),
+    addition({"Wireframe", "state:on/off=on", "Draws only the edges of triangles. Default: off.", handle::wireframe}),
+};
 
-    // ---- other
-    {"Timer", "secs=10", "Period of the uniform Timer, which runs from 0 to 1 repeatedly.", handle::timer, {}, false, Group::other},
-    {"MessageBox", "text:rest", "Shows a message.", handle::message_box, {}, false, Group::other},
-    {"Verbose", "", "Prints more messages.", handle::verbose, {}, false, Group::other},
-    {"Include", "file:path", "Reads another scene here, as if its text were in this place.", handle::include, {}, addition, Group::other},
+constexpr Command other_rows[] = {
+    {"Timer", "secs=10", "Period of the uniform Timer, which runs from 0 to 1 repeatedly.", handle::timer},
+    {"MessageBox", "text:rest", "Shows a message.", handle::message_box},
+    {"Verbose", "", "Prints more messages.", handle::verbose},
+    addition({"Include", "file:path", "Reads another scene here, as if its text were in this place.", handle::include}),
 };
 // clang-format on
+
+struct RowGroup {
+    std::string_view name;
+    std::span<const Command> rows;
+};
+constexpr RowGroup row_groups[] = {{"View", view_rows},         {"Transformations", transformations_rows},
+                                   {"Geometry", geometry_rows}, {"Textures", textures_rows},
+                                   {"Programs", programs_rows}, {"State", state_rows},
+                                   {"Other", other_rows}};
+
+constexpr auto table = [] {
+    constexpr std::size_t count = [] {
+        std::size_t sum = 0;
+        for (const RowGroup& group : row_groups) sum += group.rows.size();
+        return sum;
+    }();
+    std::array<Command, count> all{};
+    auto* next = all.begin();
+    for (const RowGroup& group : row_groups)
+        for (const Command& row : group.rows) {
+            *next = row;
+            next++->group = group.name;
+        }
+    return all;
+}();
 
 // Setting one bit makes letters lower case, and tells other characters well enough apart.
 constexpr std::uint32_t hash(std::string_view word) {

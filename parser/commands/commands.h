@@ -16,16 +16,14 @@ class Arguments;
 
 using Handler = void (*)(Builder&, const Arguments&);
 
-enum class CommandGroup : std::uint8_t { view, transformations, geometry, textures, programs, state, other };
-
 struct Command {
     std::string_view name;
     Signature signature;
     std::string_view doc;  // one or more sentences
     Handler handler;
     std::string_view alias = {};
-    bool addition = false;  // not a command of glman
-    CommandGroup group = CommandGroup::other;
+    bool addition = false;        // not a command of glman
+    std::string_view group = {};  // heading in docs/language.md
 
     constexpr bool takes(ArgumentKind kind) const {
         for (const Parameter& p : signature.parameters)
@@ -35,8 +33,6 @@ struct Command {
 };
 
 std::span<const Command> commands();
-
-std::string_view group_name(CommandGroup group);
 
 // Finds a command by name or alias, without regard to case; returns nullptr if there is none.
 const Command* find_command(std::string_view word);

@@ -2,6 +2,7 @@
 
 #include "parser/commands/commands.h"
 #include "parser/names.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 
 namespace snell {
@@ -23,30 +24,13 @@ std::string json(std::string_view text) {
 }
 
 std::string_view kind(ArgumentKind kind) {
-    switch (kind) {
-        case ArgumentKind::number:
-            return "number";
-        case ArgumentKind::integer:
-            return "int";
-        case ArgumentKind::path:
-            return "path";
-        case ArgumentKind::name:
-            return "name";
-        case ArgumentKind::choice:
-            return "choice";
-        case ArgumentKind::vec3:
-            return "vec3";
-        case ArgumentKind::uniforms:
-            return "uniforms";
-        case ArgumentKind::rest:
-            return "rest";
-    }
-    return "";
+    constexpr std::string_view names[] = {"number", "int", "path", "name", "choice", "vec3", "uniforms", "rest"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 std::string choices(std::string_view list) {
     std::string out;
-    for (const std::string_view word : split_choices(list)) out += (out.empty() ? "[" : ", ") + json(word);
+    for (const std::string_view word : split(list, '/')) out += (out.empty() ? "[" : ", ") + json(word);
     return out + "]";
 }
 
@@ -66,7 +50,7 @@ std::string argument(const Parameter& p) {
 }
 
 std::string row(const Command& c) {
-    std::string out = "  {\"name\": " + json(c.name) + ", \"group\": " + json(group_name(c.group));
+    std::string out = "  {\"name\": " + json(c.name) + ", \"group\": " + json(c.group);
     out += ", \"aliases\": [" + (c.alias.empty() ? "" : json(c.alias)) + "]";
     out += std::string(", \"addition\": ") + (c.addition ? "true" : "false");
     out +=
@@ -81,26 +65,6 @@ std::string row(const Command& c) {
 }
 
 }  // namespace
-
-std::string_view group_name(CommandGroup group) {
-    switch (group) {
-        case CommandGroup::view:
-            return "View";
-        case CommandGroup::transformations:
-            return "Transformations";
-        case CommandGroup::geometry:
-            return "Geometry";
-        case CommandGroup::textures:
-            return "Textures";
-        case CommandGroup::programs:
-            return "Programs";
-        case CommandGroup::state:
-            return "State";
-        case CommandGroup::other:
-            return "Other";
-    }
-    return "";
-}
 
 std::string commands_json() {
     std::string out = "[\n";

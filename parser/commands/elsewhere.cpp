@@ -27,7 +27,7 @@ constexpr std::string_view culling =
     "corners run counter-clockwise";
 constexpr std::string_view stencil = "there is no stencil buffer in the language";
 
-// What glEnable and glDisable are given. The command follows, and on or off.
+// The arguments of glEnable and glDisable that a command replaces: it takes on or off.
 constexpr auto capabilities = std::to_array<Entry>({
     {"BLEND", "Blend"},
     {"DEPTH_TEST", "DepthTest"},
@@ -52,7 +52,7 @@ constexpr auto other_capabilities = std::to_array<Entry>({
     {"ALPHA_TEST", "write discard in the fragment shader"},
 });
 
-// Without gl, glu or glut before and what tells the types behind.
+// Words of OpenGL without gl, glu or glut before them, and without the letters of types behind them.
 constexpr auto words = std::to_array<Entry>({
     {"BlendFunc", "'Blend src dst' sets the factors, as in 'Blend src_alpha one_minus_src_alpha'; 'Blend off' ends it"},
     {"ShadeModel", "'Flat' or 'Smooth' does it"},
@@ -117,7 +117,7 @@ std::string_view without_start(std::string_view word, std::string_view start) {
                                                                                         : word;
 }
 
-// "Color3fv" without what tells the number and type of arguments.
+// Returns "Color" for "Color3fv": the rest states the number and type of arguments.
 std::string_view without_types(std::string_view word) {
     const std::string_view whole = word;
     if (word.size() > 2 && lower(word.back()) == 'v') word.remove_suffix(1);
@@ -148,7 +148,7 @@ std::string help_for_opengl(std::string_view word, std::string_view argument) {
             if (const std::string_view help = find(words, form); !help.empty()) return std::string(help);
         if (bare == word) break;
     }
-    // glTranslatef, gluLookAt, glColor3f: the language has it by its name.
+    // The language has the commands of glTranslatef, gluLookAt and glColor3f by their plain names.
     for (const std::string_view name : {without_types(word), bare, without_types(bare), without_start(bare, "u")})
         if (const Command* command = name == word ? nullptr : find_command(name); command != nullptr) {
             std::string usage(command->name);

@@ -43,7 +43,7 @@ struct Signature {
     std::uint8_t count = 0;  // number of alternatives, at least one
 
     // NOLINTNEXTLINE(google-explicit-constructor): rows of the table are written as text.
-    consteval Signature(const char* signature);
+    consteval Signature(const char* signature = "");
 
     constexpr std::size_t parameter_count(std::size_t alternative) const {
         return alternatives[alternative].end - std::size_t{alternatives[alternative].begin};

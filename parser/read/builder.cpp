@@ -15,7 +15,7 @@ bool same(const T& a, const T& b) {
 }
 bool same(const Bindings& a, const Bindings& b) { return a.entries == b.entries; }
 
-// False also for what is not a number.
+// The result is false for NaN, too.
 bool representable(double v) { return std::abs(v) <= std::numeric_limits<float>::max(); }
 
 }  // namespace
@@ -145,17 +145,16 @@ std::optional<Index> Builder::bound(int unit, TextureTarget target) const {
     return std::nullopt;
 }
 
-// Said once.
-bool Builder::refuse(bool& said, std::string_view code, std::uint64_t Limits::*limit, Span span) {
-    if (!said)
-        report_.error(code, span, "only the first " + std::to_string(limits_.*limit) + " are kept",
-                      limit_help(limits_, limit));
-    return said = true;
+// Each limit is reported once.
+void Builder::refuse(std::string_view code, std::uint64_t Limits::*limit, Span span) {
+    if (!refused_.insert(code).second) return;
+    report_.error(code, span, "only the first " + std::to_string(limits_.*limit) + " are kept",
+                  limit_help(limits_, limit));
 }
 
 void Builder::begin_pass(Pass pass) {
     if (scene_.passes.size() >= limits_.passes)
-        refuse(refused_pass_, "too-many-passes", &Limits::passes, pass.span);
+        refuse("too-many-passes", &Limits::passes, pass.span);
     else
         append(scene_.passes, std::move(pass));
 }
@@ -173,7 +172,7 @@ Program* Builder::program() { return program_ == none ? nullptr : &scene_.progra
 
 void Builder::draw(const Shape& shape, Span span, bool wire) {
     if (scene_.draws.size() >= limits_.draws) {
-        refuse(refused_draw_, "too-many-draws", &Limits::draws, span);
+        refuse("too-many-draws", &Limits::draws, span);
         return;
     }
     Draw draw;

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -111,7 +112,7 @@ private:
     Index bindings_index();
     template <class T>
     void append(std::vector<T>& list, T value);
-    bool refuse(bool& said, std::string_view code, std::uint64_t Limits::*limit, Span span);
+    void refuse(std::string_view code, std::uint64_t Limits::*limit, Span span);
 
     Scene& scene_;
     Report& report_;
@@ -124,7 +125,7 @@ private:
     MatrixEntry matrix_;
     std::vector<OpenMatrix> stack_;
     std::size_t refused_pushes_ = 0;
-    bool refused_draw_ = false, refused_pass_ = false;
+    std::set<std::string_view> refused_;  // codes
     Bindings bindings_;
     Index bindings_index_ = none;
     Index program_ = none;

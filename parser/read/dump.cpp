@@ -14,19 +14,8 @@ std::string place(const Sources& sources, FileId file, std::uint32_t offset) {
 }
 
 std::string_view kind(TokenKind kind) {
-    switch (kind) {
-        case TokenKind::word:
-            return "word";
-        case TokenKind::text:
-            return "text";
-        case TokenKind::open:
-            return "open";
-        case TokenKind::close:
-            return "close";
-        case TokenKind::comma:
-            return "comma";
-    }
-    return "";
+    constexpr std::string_view names[] = {"word", "text", "open", "close", "comma"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 std::string values(const double* v, std::size_t count) { return text_of::numbers("", v, count); }

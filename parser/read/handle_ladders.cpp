@@ -12,12 +12,12 @@ bool digit(char c) { return c >= '0' && c <= '9'; }
 bool name_part(char c) { return digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool whole_number(std::string_view text) { return std::ranges::all_of(text, digit); }
 
-// As a preprocessor sees it. Two underscores in a row are reserved there.
+// This is an identifier of the preprocessor, which reserves two underscores in a row.
 bool identifier(std::string_view text) {
     return !text.empty() && std::ranges::all_of(text, name_part) && !digit(text.front());
 }
 
-// Words that shaders can't do without, or that GLSL keeps for itself.
+// These words are common in shaders, or reserved by GLSL.
 bool reserved(std::string_view name) {
     constexpr std::string_view words[] = {"attribute", "bool",    "break",   "case",          "centroid",  "const",
                                           "continue",  "default", "defined", "discard",       "do",        "double",
@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    // Its place; a place that there is not when it can't be used.
+    // Returns the rung's index, or the number of rungs if the rung cannot be used.
     std::size_t add(const Token& token) {
         const std::string_view rung = lexer_.text(token);
         const Span span = lexer_.span(token);

@@ -36,7 +36,7 @@ struct Angle {
     double sine, cosine;
 };
 
-// Reduced before it is turned into radians: large angles keep their digits, and quarter turns are exact.
+// The angle is reduced in degrees, so that large angles keep their digits and quarter turns are exact.
 Angle angle_of(double degrees) {
     const double reduced = std::fmod(degrees, 360);
     const double quarter = reduced / 90;
@@ -48,7 +48,7 @@ Angle angle_of(double degrees) {
     return {std::sin(radians), std::cos(radians)};
 }
 
-// Mesa's and everyone's glRotate: OpenGL specification, "Matrices", for a unit axis.
+// This is glRotate for a unit axis, as the OpenGL specification defines it under "Matrices".
 Mat4 rotation(const Angle& angle, const Vec3& u) {
     const double c = angle.cosine, s = angle.sine, t = 1 - c;
     return {u[0] * u[0] * t + c,
@@ -77,7 +77,7 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Scaled by the largest component first, so that neither tiny nor huge vectors lose their direction.
+// The vector is divided by its largest component, so that neither tiny nor huge vectors lose their direction.
 Vec3 scaled_to_one(const Vec3& v) {
     const double m = largest(v);
     return m > 0 ? Vec3{v[0] / m, v[1] / m, v[2] / m} : v;

@@ -67,7 +67,7 @@ void noise(Builder& b, const Arguments& a, int& resolution, std::uint64_t Limits
                      a.integer(0) > largest ? limit_help(b.limits(), limit) : "");
 }
 
-// What stands on the unit; an error and `none` when nothing does.
+// Returns the texture on the unit; reports an error and returns `none` if there is none.
 Index target_on(Builder& b, const Arguments& a, std::size_t i, TextureTarget target) {
     if (!good_unit(b, a, i)) return none;
     const auto index = b.bound(a.integer(i), target);

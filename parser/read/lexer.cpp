@@ -43,7 +43,7 @@ constexpr std::array<Class, 256> classes = [] {
 
 Class class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
 
-// Blanks that are no blanks of the language: read as such, with a warning.
+// These characters look like blanks but are not blanks of the language. They are read as blanks, with a warning.
 bool odd_blank(const utf8::Char& c) {
     const char32_t code = c.code;
     if (code == 0xA0) return true;  // also as a byte of Latin-1

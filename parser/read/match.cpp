@@ -99,7 +99,7 @@ private:
                 skip_separators();
                 if (at_ == tokens_.size() || (i > 0 && lacks_keyword(p))) break;
                 if (!take(p, nullptr)) {
-                    // A word where a number belongs takes its place all the same.
+                    // A word in the place of a number uses up that place.
                     if (p.kind != ArgumentKind::number && p.kind != ArgumentKind::integer) return {true, 0, 0};
                     result.mismatch = true;
                 }
@@ -179,7 +179,7 @@ private:
         ++at_;
         out->span = lexer_.span(token);
         const Number number = read_number(text);
-        // A word is taken for the default, as glman's scanner did, or for 0; the numbers that follow keep their places.
+        // A word becomes the default, as in glman, or 0, so that the numbers that follow keep their places.
         // Units and sizes without a default can't be guessed.
         const bool mendable =
             number.fault == NumberFault::not_a_number && !p.repeated && (p.optional || p.kind == ArgumentKind::number);
@@ -300,7 +300,7 @@ private:
         const std::string_view text = take_chunk(out);
         const int place = find_choice(p.choices, text);
         if (out == nullptr) return place >= 0;
-        const std::vector<std::string_view> words = split_choices(p.choices);
+        const std::vector<std::string_view> words = split(p.choices, '/');
         out->number = place;
         if (place >= 0) {
             out->text = words[static_cast<std::size_t>(place)];

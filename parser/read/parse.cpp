@@ -122,7 +122,7 @@ private:
 
     int line_of(FileId file, std::uint32_t offset) const { return sources_.position(file, offset).line; }
 
-    // One '\\' that is missing makes every line after it a statement of its own, and is one mistake.
+    // A missing '\\' makes a statement of every line after it, but is a single mistake.
     void report_lost_lines() {
         if (!lost_) return;
         const Span program = lost_->program;
@@ -183,7 +183,7 @@ private:
                           limit_help(limits_, &Limits::include_depth));
             return;
         }
-        // Files that include others twice each would be read 2^depth times.
+        // Without a limit, files that include others twice each would be read 2^depth times.
         if (++included_ > limits_.includes) {
             if (included_ == limits_.includes + 1)
                 report_.error("too-many-includes", span,
@@ -207,7 +207,7 @@ private:
         read(file, std::move(included->name), span);
     }
 
-    // A scene that is being read is not what was to be included.
+    // A scene that is being read cannot be the one that was meant.
     std::string suggested(std::string_view nearest) const {
         const auto last = [](std::string_view path) { return path.substr(path.rfind('/') + 1); };
         const bool open =

@@ -69,7 +69,7 @@ bool StatementReader::swallows_command(std::size_t first) const {
     const Token& value = tokens_[first + 1];
     const char bracket = lexer_.text()[value.begin];
     if (value.kind == TokenKind::open) return bracket == '[' && found->takes(ArgumentKind::vec3);
-    // Commands may be written in any case, but hardly anyone does: 'scale 2.' in a list of uniforms is one.
+    // Commands may be written in any case, but 'scale 2.' in a list of uniforms is almost certainly a uniform.
     const bool as_in_table = word == found->name || word == found->alias;
     const bool lone_value = count == 2 && (plausible_number(lexer_.text(value)) || truth(lexer_.text(value)));
     return as_in_table || !lone_value;

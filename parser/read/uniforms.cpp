@@ -12,18 +12,7 @@ namespace {
 // 1 for true, 0 for false, -1 for neither.
 int truth(std::string_view text) { return same_word(text, "true") ? 1 : same_word(text, "false") ? 0 : -1; }
 
-char closer(char open) {
-    switch (open) {
-        case '<':
-            return '>';
-        case '[':
-            return ']';
-        case '{':
-            return '}';
-        default:
-            return ')';
-    }
-}
+char closer(char open) { return open == '<' ? '>' : open == '[' ? ']' : open == '{' ? '}' : ')'; }
 
 class UniformReader {
 public:
@@ -62,7 +51,7 @@ private:
 
     bool names_uniform(std::size_t i) const { return is(i, TokenKind::word) && !looks_numeric(text(i)); }
 
-    // Behind a name, what could also be a name is a value when it is true or false.
+    // After a name, the words true and false are values.
     bool begins_value_of_name(std::size_t i) const {
         return begins_value(i) || (is(i, TokenKind::word) && truth(text(i)) >= 0);
     }
@@ -178,7 +167,7 @@ private:
         }
     }
 
-    // Takes one number; false when it can't be used.
+    // Reads one number; returns false if it cannot be used.
     bool number(UniformValue& u) {
         const Span where = lexer_.span(tokens_[at_]);
         const std::string_view word = text(at_++);

@@ -9,7 +9,7 @@
 namespace snell {
 namespace {
 
-// Words longer than this are never near anything; it bounds the cost on hostile input.
+// No suggestion is made for longer words, which bounds the cost of hostile input.
 constexpr std::size_t longest_word = 64;
 
 // Optimal string alignment: insertions, deletions, substitutions and swaps of neighbours, each once.
@@ -38,15 +38,8 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 const char* name(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::error:
-            return "error";
-    }
-    return "";
+    constexpr const char* names[] = {"note", "warning", "error"};
+    return names[static_cast<std::size_t>(severity)];
 }
 
 Diagnostic& Diagnostics::add(Diagnostic diagnostic) {
@@ -121,7 +114,7 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
         if (candidate.size() > longest_word) continue;
         if (std::abs(static_cast<int>(candidate.size()) - static_cast<int>(word.size())) >= best_distance) continue;
         const int d = distance(word, candidate);
-        // A word of which nothing is left is not meant.
+        // A candidate that shares no letter with the word is not what the user meant.
         if (d < best_distance && d < static_cast<int>(std::max(word.size(), candidate.size()))) {
             best = candidate;
             best_distance = d;

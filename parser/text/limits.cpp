@@ -10,12 +10,14 @@ namespace {
 constexpr std::uint64_t million = 1'000'000, gib = std::uint64_t{1} << 30;
 
 // Offsets in a text are 32 bits wide, and so are the indices of vertices: six for each.
-constexpr std::array<LimitFacts, 19> table{{
+constexpr std::array<LimitFacts, 20> table{{
     {"text-bytes", &Limits::text_bytes, "bytes", "of the text of one scene or included scene", 4 * gib - 1},
     {"statements", &Limits::statements, "statements", "of a scene and the files that it includes", 1000 * million},
     {"include-depth", &Limits::include_depth, "files", "that include each other in a chain, of scenes or shaders",
      1000},
     {"includes", &Limits::includes, "files", "that are included, of a scene or a program", 60'000},
+    {"expression-depth", &Limits::expression_depth, "operators, brackets and statements",
+     "of a shader, each within the one before", 5'000},
     {"matrix-stack", &Limits::matrix_stack, "matrices", "pushed at once", 100 * million},
     {"draws", &Limits::draws, "draws", "of a scene", 1000 * million},
     {"passes", &Limits::passes, "passes", "of a scene", million},

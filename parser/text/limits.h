@@ -14,6 +14,7 @@ struct Limits {
     std::uint64_t statements = 4'000'000;
     std::uint64_t include_depth = 16;
     std::uint64_t includes = 1'000;
+    std::uint64_t expression_depth = 2'000;
     std::uint64_t matrix_stack = 10'000;
     std::uint64_t draws = 4'000'000;
     std::uint64_t passes = 1'000;

@@ -1,7 +1,8 @@
-// Compares words without regard to case (ASCII).
+// Words: compared without regard to case (ASCII), and split.
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 namespace snell {
 
@@ -12,6 +13,16 @@ constexpr bool same_word(std::string_view a, std::string_view b) {
     for (std::size_t i = 0; i < a.size(); ++i)
         if (lower(a[i]) != lower(b[i])) return false;
     return true;
+}
+
+// The parts between separators; of an empty text there are none.
+inline std::vector<std::string_view> split(std::string_view text, char separator = ' ') {
+    std::vector<std::string_view> words;
+    while (!text.empty()) {
+        words.push_back(text.substr(0, text.find(separator)));
+        text.remove_prefix(words.back().size() < text.size() ? words.back().size() + 1 : text.size());
+    }
+    return words;
 }
 
 // Removes the quotes of `text`, which must begin with one: '"', or a curved quote, which has three bytes. `closed`

@@ -54,7 +54,7 @@ struct Options {
     bool placed = false;
     int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
     IncludeReader include;
-    Limits limits;  // of includes
+    Limits limits;  // of includes and of nesting
 };
 
 // Operands that an operator does not take, as far as types are known: to explain what a driver refuses without naming

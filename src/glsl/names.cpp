@@ -2,65 +2,10 @@
 #include <array>
 #include <iterator>
 
+#include "parser/text/words.h"
 #include "src/glsl/glsl.h"
 
 namespace snell::glsl {
-
-std::vector<AttributeName> attribute_names() {
-    using enum Attribute;
-    return {
-        {"snell_Vertex", vertex},
-        {"snell_Normal", normal},
-        {"snell_Color", color},
-        {"snell_MultiTexCoord0", texcoord},
-        {"snell_Tangent", tangent},
-        {"snell_SecondaryColor", secondary_color},
-        {"snell_FogCoord", fog_coord},
-        {"snell_VertexId", vertex_id},
-        {"aVertex", vertex},
-        {"aNormal", normal},
-        {"aColor", color},
-        {"aTexCoord0", texcoord},
-        {"aTexCoord1", texcoord},
-        {"aTexCoord2", texcoord},
-        {"aTexCoord3", texcoord},
-        {"aTexCoord4", texcoord},
-        {"aTexCoord5", texcoord},
-        {"aTexCoord6", texcoord},
-        {"aTexCoord7", texcoord},
-        {"aTangent", tangent},
-        {"Tangent", tangent},
-        {"position", vertex},
-        {"i_position", vertex},
-        {"a_position", vertex},
-        {"aPosition", vertex},
-        {"aPos", vertex},
-        {"in_position", vertex},
-        {"vertexPosition", vertex},
-        {"normal", normal},
-        {"i_normal", normal},
-        {"a_normal", normal},
-        {"in_normal", normal},
-        {"vertexNormal", normal},
-        {"color", color},
-        {"i_color", color},
-        {"a_color", color},
-        {"in_color", color},
-        {"vertexColor", color},
-        {"texCoord", texcoord},
-        {"texCoord0", texcoord},
-        {"i_texcoord", texcoord},
-        {"i_texCoord", texcoord},
-        {"a_texcoord", texcoord},
-        {"a_texCoord", texcoord},
-        {"aTexCoord", texcoord},
-        {"aTexCoords", texcoord},
-        {"in_texcoord", texcoord},
-        {"tangent", tangent},
-        {"i_tangent", tangent},
-        {"a_tangent", tangent},
-    };
-}
 
 namespace {
 
@@ -158,98 +103,70 @@ static_assert(documented(attributes, [](const AttributeFacts& f) { return static
 static_assert(std::size(systems) == static_cast<std::size_t>(System::harmonics) + 1 &&
               documented(systems, [](const SystemFacts& f) { return static_cast<std::size_t>(f.system); }));
 
-struct Meaning {
-    std::string_view name;
-    System system;
+// What each is called in shaders: by the translator (snell_…), by glman and GSTAP, in lecture notes, in snake_case and
+// in camelCase.
+template <typename Meaning>
+struct Named {
+    Meaning meaning;
+    std::string_view names;
 };
 
-constexpr Meaning legacy_systems[] = {
-    {"snell_ModelViewMatrix", System::model_view},
-    {"snell_ProjectionMatrix", System::projection},
-    {"snell_ModelViewProjectionMatrix", System::model_view_projection},
-    {"snell_NormalMatrix", System::normal_matrix},
-    {"snell_ModelViewMatrixInverse", System::model_view_inverse},
-    {"snell_ProjectionMatrixInverse", System::projection_inverse},
-    {"snell_ModelViewProjectionMatrixInverse", System::model_view_projection_inverse},
-    {"snell_ModelViewMatrixTranspose", System::model_view_transpose},
-    {"snell_ProjectionMatrixTranspose", System::projection_transpose},
-    {"snell_ModelViewProjectionMatrixTranspose", System::model_view_projection_transpose},
-    {"snell_ModelViewMatrixInverseTranspose", System::model_view_inverse_transpose},
-    {"snell_ProjectionMatrixInverseTranspose", System::projection_inverse_transpose},
-    {"snell_ModelViewProjectionMatrixInverseTranspose", System::model_view_projection_inverse_transpose},
-    {"snell_TextureMatrix", System::texture_matrix},
-    {"snell_TextureMatrixInverse", System::texture_matrix_inverse},
-    {"snell_TextureMatrixTranspose", System::texture_matrix_transpose},
-    {"snell_TextureMatrixInverseTranspose", System::texture_matrix_inverse_transpose},
-    {"snell_NormalScale", System::normal_scale},
-    {"snell_PointSize", System::point_size},
-    {"snell_FixedPointSize", System::fixed_point_size},
-    {"snell_LineWidth", System::line_width},
-    {"snell_Viewport", System::viewport},
-    {"snell_Place", System::place},
+constexpr Named<Attribute> attribute_words[] = {
+    {Attribute::vertex,
+     "snell_Vertex aVertex position i_position a_position aPosition aPos in_position vertexPosition"},
+    {Attribute::normal, "snell_Normal aNormal normal i_normal a_normal in_normal vertexNormal"},
+    {Attribute::color, "snell_Color aColor color i_color a_color in_color vertexColor"},
+    {Attribute::texcoord,
+     "snell_MultiTexCoord0 aTexCoord0 aTexCoord1 aTexCoord2 aTexCoord3 aTexCoord4 aTexCoord5 aTexCoord6 aTexCoord7 "
+     "texCoord texCoord0 i_texcoord i_texCoord a_texcoord a_texCoord aTexCoord aTexCoords in_texcoord"},
+    {Attribute::tangent, "snell_Tangent aTangent Tangent tangent i_tangent a_tangent"},
+    {Attribute::secondary_color, "snell_SecondaryColor"},
+    {Attribute::fog_coord, "snell_FogCoord"},
+    {Attribute::vertex_id, "snell_VertexId"},
 };
 
-constexpr Meaning modern_systems[] = {
-    // glman's own
-    {"Timer", System::timer},
-    {"Noise2", System::noise2},
-    {"Noise3", System::noise3},
-    {"FaceIndex", System::face_index},
-    {"uTime", System::time},
-    {"uResolution", System::resolution},
-    {"uMouse", System::mouse},
-    {"uHarmonics", System::harmonics},
-    // GSTAP
-    {"uModelViewMatrix", System::model_view},
-    {"uProjectionMatrix", System::projection},
-    {"uModelViewProjectionMatrix", System::model_view_projection},
-    {"uNormalMatrix", System::normal_matrix},
-    {"uModelViewMatrixInverse", System::model_view_inverse},
-    {"uProjectionMatrixInverse", System::projection_inverse},
-    {"uModelViewProjectionMatrixInverse", System::model_view_projection_inverse},
-    // the letters of lecture notes
-    {"PVM", System::model_view_projection},
-    {"MVP", System::model_view_projection},
-    {"VM", System::model_view},
-    {"MV", System::model_view},
-    {"VP", System::view_projection},
-    {"PV", System::view_projection},
-    {"M", System::model},
-    {"V", System::view},
-    {"P", System::projection},
-    {"camWorldPos", System::camera_position},
-    // u_snake_case
-    {"u_model_mat", System::model},
-    {"u_view_mat", System::view},
-    {"u_proj_mat", System::projection},
-    {"u_viewProj_mat", System::view_projection},
-    {"u_modelView_mat", System::model_view},
-    {"u_modelViewProj_mat", System::model_view_projection},
-    {"u_normal_mat", System::normal_matrix},
-    {"u_camera_position", System::camera_position},
-    {"u_cameraPosition", System::camera_position},
-    // camelCase
-    {"modelMatrix", System::model},
-    {"viewMatrix", System::view},
-    {"projectionMatrix", System::projection},
-    {"modelViewMatrix", System::model_view},
-    {"modelViewProjectionMatrix", System::model_view_projection},
-    {"viewProjectionMatrix", System::view_projection},
-    {"normalMatrix", System::normal_matrix},
-    {"cameraPosition", System::camera_position},
-    {"model", System::model},
-    {"view", System::view},
-    {"projection", System::projection},
-    {"mvp", System::model_view_projection},
-    {"uModelMatrix", System::model},
-    {"uViewMatrix", System::view},
-    {"uViewProjectionMatrix", System::view_projection},
-    {"uCameraPosition", System::camera_position},
-    // snell's own
-    {"uModelMatrixInverse", System::model_inverse},
-    {"uViewMatrixInverse", System::view_inverse},
-    {"uModelNormalMatrix", System::model_normal_matrix},
-    {"uViewerPositionEye", System::viewer_position_eye},
+constexpr Named<System> system_words[] = {
+    {System::model_view, "snell_ModelViewMatrix uModelViewMatrix VM MV u_modelView_mat modelViewMatrix"},
+    {System::projection, "snell_ProjectionMatrix uProjectionMatrix P u_proj_mat projectionMatrix projection"},
+    {System::model_view_projection,
+     "snell_ModelViewProjectionMatrix uModelViewProjectionMatrix PVM MVP u_modelViewProj_mat modelViewProjectionMatrix "
+     "mvp"},
+    {System::normal_matrix, "snell_NormalMatrix uNormalMatrix u_normal_mat normalMatrix"},
+    {System::model_view_inverse, "snell_ModelViewMatrixInverse uModelViewMatrixInverse"},
+    {System::projection_inverse, "snell_ProjectionMatrixInverse uProjectionMatrixInverse"},
+    {System::model_view_projection_inverse, "snell_ModelViewProjectionMatrixInverse uModelViewProjectionMatrixInverse"},
+    {System::model_view_transpose, "snell_ModelViewMatrixTranspose"},
+    {System::projection_transpose, "snell_ProjectionMatrixTranspose"},
+    {System::model_view_projection_transpose, "snell_ModelViewProjectionMatrixTranspose"},
+    {System::model_view_inverse_transpose, "snell_ModelViewMatrixInverseTranspose"},
+    {System::projection_inverse_transpose, "snell_ProjectionMatrixInverseTranspose"},
+    {System::model_view_projection_inverse_transpose, "snell_ModelViewProjectionMatrixInverseTranspose"},
+    {System::texture_matrix, "snell_TextureMatrix"},
+    {System::texture_matrix_inverse, "snell_TextureMatrixInverse"},
+    {System::texture_matrix_transpose, "snell_TextureMatrixTranspose"},
+    {System::texture_matrix_inverse_transpose, "snell_TextureMatrixInverseTranspose"},
+    {System::model, "M u_model_mat modelMatrix model uModelMatrix"},
+    {System::view, "V u_view_mat viewMatrix view uViewMatrix"},
+    {System::view_projection, "VP PV u_viewProj_mat viewProjectionMatrix uViewProjectionMatrix"},
+    {System::model_inverse, "uModelMatrixInverse"},
+    {System::view_inverse, "uViewMatrixInverse"},
+    {System::model_normal_matrix, "uModelNormalMatrix"},
+    {System::camera_position, "camWorldPos u_camera_position u_cameraPosition cameraPosition uCameraPosition"},
+    {System::viewer_position_eye, "uViewerPositionEye"},
+    {System::normal_scale, "snell_NormalScale"},
+    {System::timer, "Timer"},
+    {System::time, "uTime"},
+    {System::resolution, "uResolution"},
+    {System::mouse, "uMouse"},
+    {System::noise2, "Noise2"},
+    {System::noise3, "Noise3"},
+    {System::face_index, "FaceIndex"},
+    {System::point_size, "snell_PointSize"},
+    {System::fixed_point_size, "snell_FixedPointSize"},
+    {System::line_width, "snell_LineWidth"},
+    {System::viewport, "snell_Viewport"},
+    {System::place, "snell_Place"},
+    {System::harmonics, "uHarmonics"},
 };
 
 void add_light(std::vector<UniformDefault>& out, int n) {
@@ -294,13 +211,18 @@ std::span<const AttributeFacts, attribute_count> attribute_facts() { return attr
 
 std::span<const SystemFacts> system_facts() { return systems; }
 
+std::vector<AttributeName> attribute_names() {
+    std::vector<AttributeName> names;
+    for (const auto& [attribute, words] : attribute_words)
+        for (const std::string_view name : split(words)) names.push_back({name, attribute});
+    return names;
+}
+
 std::vector<SystemName> system_names() {
     std::vector<SystemName> names;
-    const auto add = [&](const Meaning& m, bool legacy) {
-        names.push_back({m.name, m.system, systems[static_cast<std::size_t>(m.system)].type, legacy});
-    };
-    for (const Meaning& m : legacy_systems) add(m, true);
-    for (const Meaning& m : modern_systems) add(m, false);
+    for (const auto& [system, words] : system_words)
+        for (const std::string_view name : split(words))
+            names.push_back({name, system, systems[static_cast<std::size_t>(system)].type, name.starts_with("snell_")});
     return names;
 }
 
@@ -326,15 +248,12 @@ std::vector<UniformDefault> fixed_function_defaults() {
         const std::string index = "[" + std::to_string(n) + "]";
         out.push_back({"snell_TextureEnvColor" + index, {0, 0, 0, 0}});
         out.push_back({"snell_ClipPlane" + index, {0, 0, 0, 0}});
-        const double s = 1;
-        out.push_back({"snell_ObjectPlaneS" + index, {s, 0, 0, 0}});
-        out.push_back({"snell_ObjectPlaneT" + index, {0, s, 0, 0}});
-        out.push_back({"snell_ObjectPlaneR" + index, {0, 0, 0, 0}});
-        out.push_back({"snell_ObjectPlaneQ" + index, {0, 0, 0, 0}});
-        out.push_back({"snell_EyePlaneS" + index, {s, 0, 0, 0}});
-        out.push_back({"snell_EyePlaneT" + index, {0, s, 0, 0}});
-        out.push_back({"snell_EyePlaneR" + index, {0, 0, 0, 0}});
-        out.push_back({"snell_EyePlaneQ" + index, {0, 0, 0, 0}});
+        for (const std::string plane : {"snell_ObjectPlane", "snell_EyePlane"}) {
+            out.push_back({plane + "S" + index, {1, 0, 0, 0}});
+            out.push_back({plane + "T" + index, {0, 1, 0, 0}});
+            out.push_back({plane + "R" + index, {0, 0, 0, 0}});
+            out.push_back({plane + "Q" + index, {0, 0, 0, 0}});
+        }
     }
     return out;
 }

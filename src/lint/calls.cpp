@@ -39,8 +39,7 @@ Walker::Expr Walker::call() {
     } else if (const auto type = glsl::builtin_type(name)) {
         e.v = constructed(*type, given);
     } else {
-        bool wraps = false;
-        const std::string_view modern = glsl::modern_texture_function(name, wraps);
+        const std::string_view modern = glsl::modern_texture_function(name);
         const Varies before = e.v.varies;
         e.v = call_builtin(modern.empty() ? name : modern, given, e.first, e.last);
         if (e.v.varies == before && !given.empty()) {

@@ -12,15 +12,6 @@ using glsl::Kind;
 
 namespace {
 
-int precedence(std::string_view op) {
-    constexpr std::pair<std::string_view, int> table[] = {
-        {"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},  {"&", 6},  {"==", 7}, {"!=", 7}, {"<", 8}, {">", 8},
-        {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9}, {"+", 10}, {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
-    for (const auto& [text, level] : table)
-        if (text == op) return level;
-    return 0;
-}
-
 bool is_constant(const Value& v) { return v.range.lo == v.range.hi && v.range.real_lo; }
 
 // One number, the same in every component.
@@ -44,8 +35,7 @@ Walker::Expr Walker::assignment() {
     }
     ++depth_;
     Expr target = ternary();
-    constexpr std::string_view ops[] = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
-    if (std::find(std::begin(ops), std::end(ops), text()) != std::end(ops)) {
+    if (glsl::assigns(text())) {
         const std::string_view op = text();
         ++p_;
         const Expr value = assignment();
@@ -89,7 +79,7 @@ Walker::Expr Walker::ternary() {
     for (const int k : names)
         if (const auto found = conditions_.find(u_.at(k).text); found != conditions_.end()) conditions_.erase(found);
     a.v = either(a.v, b.v);
-    // Chosen by a comparison: which bound is reached is open.
+    // A comparison chose the value, so it is unknown which bound is reached.
     a.v.range.real_lo = a.v.range.real_hi = false;
     a.v.varies = together(a.v.varies, condition.v.varies);
     a.slot = -1;
@@ -100,7 +90,7 @@ Walker::Expr Walker::ternary() {
 
 Walker::Expr Walker::binary(int least) {
     Expr left = unary();
-    for (int level = precedence(text()); level >= least && level > 0; level = precedence(text())) {
+    for (int level = glsl::precedence(text()); level >= least && level > 0; level = glsl::precedence(text())) {
         const std::string_view op = text();
         ++p_;
         const Expr right = binary(level + 1);
@@ -273,7 +263,7 @@ Walker::Expr Walker::postfix() {
 
 void Walker::select(Expr& e, std::string_view member) {
     const glsl::Type type = e.v.type;
-    const bool vector = type.dims == 0 && type.cols == 1 && type.base >= Base::boolean && type.base <= Base::dreal;
+    const bool vector = type.dims == 0 && type.cols == 1 && type.basic();
     const bool same = member == "xyz" || member == "rgb" || member == "stp";
     e.whole = false;
     if (vector && same && type.rows >= 3) {  // also xyz of a position of four components

@@ -1,4 +1,4 @@
-// How often loops go round, as far as is known before the shader runs.
+// Estimates how often loops repeat, without running the shader.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ bool Walker::assigned(std::string_view name, int first, int last) const {
         // A function may change what it is given; float(i) doesn't.
         const bool converted = before == "(" && glsl::builtin_type(u_.at(k - 2).text);
         const bool handed = !converted && (before == "(" || before == ",") && (after == ")" || after == ",");
-        if (is_step(before) || is_step(after) || assigns(after) || handed) return true;
+        if (is_step(before) || is_step(after) || glsl::assigns(after) || handed) return true;
     }
     return false;
 }

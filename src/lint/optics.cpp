@@ -1,4 +1,4 @@
-// Calls that light is made of, and what may be wrong with them.
+// Lints of the calls that compute light: reflect, refract, pow, lookups.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -114,7 +114,7 @@ void Walker::want_ratio(const std::vector<Expr>& given) {
         }
     }
     if (!value || *value <= 1 || (!names_index(name) && !names_index(called))) return;
-    // Its reciprocal is taken elsewhere: whoever wrote that knows which is which.
+    // An author who divides by the name elsewhere knows the difference.
     for (std::size_t k = 1; k < u_.tokens.size(); ++k) {
         if (u_.tokens[k].text != "/") continue;
         for (std::size_t j = k + 1; j < std::min(k + 4, u_.tokens.size()); ++j)
@@ -208,7 +208,7 @@ bool Walker::of_interest(int first, int last) const {
     return false;
 }
 
-// What only the whole of main shows.
+// These lints need all of main.
 void Walker::finish() {
     for (const Schlick& s : schlicks_)
         for (const int vector : {s.cosine.first, s.cosine.second}) {
@@ -225,7 +225,7 @@ void Walker::finish() {
                fmt::format("blue's n1/n2 is larger than red's by {:.3g}: blue is bent least",
                            blue->second.bend.shift - red->second.bend.shift));
     }
-    // Another rung or another macro may read it.
+    // With conditionals, another rung or macro may read the variable.
     if (u_.has_conditionals) return;
     for (const auto& [name, made] : made_)
         if (std::count_if(u_.tokens.begin(), u_.tokens.end(),

@@ -1,4 +1,4 @@
-// Statements: which values may stand where.
+// Statements, and the values that variables may have after them.
 #include "src/lint/walker.h"
 
 #include <algorithm>
@@ -10,10 +10,6 @@ namespace snell::lint {
 
 using glsl::Kind;
 using glsl::Storage;
-
-bool assigns(std::string_view op) {
-    return op.size() >= 1 && op.back() == '=' && op != "==" && op != "!=" && op != "<=" && op != ">=";
-}
 
 Walker::Walker(const glsl::Unit& unit, const Surroundings& around, const Varyings* given, Report report)
     : u_(unit), around_(around), given_(given), report_(std::move(report)) {
@@ -39,7 +35,7 @@ Varyings Walker::run() {
     for (const glsl::Function& f : u_.functions) {
         if (&f == main || f.open < 0) continue;
         for (int k = f.open; k < f.close; ++k)
-            if (assigns(u_.at(k + 1).text) && find(u_.at(k).text) >= 0) unstable_.insert(find(u_.at(k).text));
+            if (glsl::assigns(u_.at(k + 1).text) && find(u_.at(k).text) >= 0) unstable_.insert(find(u_.at(k).text));
     }
     call_user(*main, {});
     if (ended_) state_ = merge(std::move(*ended_), state_);
@@ -118,7 +114,7 @@ void Walker::branch() {
     nonuniform_ -= varies ? 1 : 0;
     const bool ended = taken.dead || state_.dead;
     const bool returned = taken.returned || state_.returned;
-    // Where a path ended, what follows runs under the condition, too.
+    // If a path ended here, the rest runs under the condition, too.
     if (!ended)
         for (int k = open + 1; k < close; ++k)
             if (const auto found = conditions_.find(u_.at(k).text); found != conditions_.end())
@@ -149,7 +145,7 @@ void Walker::forget_assigned(int first, int last) {
         const bool stepped = after == "++" || after == "--" || before == "++" || before == "--";
         const bool handed = (before == "(" || before == ",") && (after == ")" || after == ",");
         const int slot = find(t.text);
-        if (slot >= 0 && (stepped || handed || assigns(after))) forget(slot);
+        if (slot >= 0 && (stepped || handed || glsl::assigns(after))) forget(slot);
     }
 }
 

@@ -29,9 +29,6 @@ struct Surroundings {
     bool cube_faces = false;                               // it draws into the faces of a cube map
 };
 
-// = += *= and their like.
-bool assigns(std::string_view op);
-
 using Varyings = std::map<std::string_view, Value>;
 
 class Walker {

@@ -43,6 +43,18 @@ TEST(MesaLog, FoldsWhatFollowsFromOneUndeclaredName) {
     EXPECT_EQ(p.note(1, 0), "demo.frag:2:14 uLightColor: this uniform is declared but never used");
 }
 
+// An attribute is not what another shader lacks.
+TEST(MesaLog, AttributesAreOfTheVertexShader) {
+    for (const std::string name : {"aVertex", "gl_Vertex", "aTexCoord3", "aOwn"}) {
+        Program p;
+        p.vertex("in vec4 aOwn;\nvoid main() { gl_Position = aOwn; }\n");
+        p.fragment("out vec4 color;\nvoid main() { color = " + name + "; }\n");
+        p.explain("0:2(23): error: `" + name + "' undeclared\n");
+        ASSERT_EQ(p.diagnostics.items().size(), 1u);
+        EXPECT_EQ(p.help(0), "only the vertex shader has attributes: hand '" + name + "' on in a varying of its own");
+    }
+}
+
 TEST(MesaLog, MissingSemicolonOnTheLineBefore) {
     Program p;
     p.fragment(

@@ -44,6 +44,53 @@ TEST(GlslOld, StructuresInStructures) {
         fragment(text);
 }
 
+// Variables of structures without a name begin as zero like all others, in every scope, alone and in arrays.
+TEST(GlslOld, StructuresWithoutNames) {
+    const std::string text =
+        "struct { float a; vec3 b; } s;\nuniform struct { vec4 a; } light;\n"
+        "void main() { struct { float x; } t[2], u; gl_FragColor = vec4(s.b, s.a) + t[1].x + u.x + light.a; }\n";
+    const Translated t = fragment(text);
+    EXPECT_TRUE(t.has(Stage::fragment, "s = struct_of_s(0.0, vec3(0.0));"));
+    EXPECT_TRUE(t.has(Stage::fragment, "t[2] = struct_of_t[2](struct_of_t(0.0), struct_of_t(0.0))"));
+    EXPECT_TRUE(t.has(Stage::fragment, "u = struct_of_t(0.0)"));
+    expect_valid(
+        {{Stage::vertex, "uniform struct { vec4 a; } light;\nvoid main() { gl_Position = light.a * ftransform(); }\n"},
+         {Stage::fragment, text}});
+    for (const char* broken : {"struct {", "struct { float x;", "struct { struct { float x; }; } ;", "struct {}"})
+        fragment(broken);
+}
+
+// OpenGL ES has no arrays that get their size by their use.
+TEST(GlslOld, ArraysWithoutSize) {
+    const std::string vertex =
+        "varying vec4 c[];\nvoid main() { c[0] = c[2] = vec4(1.); gl_Position = ftransform(); }\n";
+    const std::string fragment = "varying vec4 c[];\nvoid main() { gl_FragColor = c[0] + c[1]; }\n";
+    const Texts texts{{Stage::vertex, vertex}, {Stage::fragment, fragment}};
+    expect_valid(texts, {es300, es320});
+    const Translated t = translated(texts, es300);
+    EXPECT_TRUE(t.has(Stage::vertex, "vec4 c[3];"));
+    EXPECT_TRUE(t.has(Stage::fragment, "vec4 c[3];"));
+    EXPECT_TRUE(translated(texts).has(Stage::fragment, "vec4 c[];"));  // desktops count themselves
+    expect_valid({{Stage::fragment,
+                   "float w[];\nfloat f() { return w[1]; }\nfloat w[3];\n"
+                   "void main() { w[2] = 1.; gl_FragColor = vec4(f()); }\n"}},
+                 {es320});
+    const Translated refused =
+        test::fragment("uniform int n;\nfloat w[];\nvoid main() { w[n] = 1.; gl_FragColor = vec4(w[0]); }\n", es320);
+    EXPECT_EQ(refused.count("array-size"), 1);
+    EXPECT_EQ(refused.sources.position(0, refused.diagnostics.items().front().span.begin).line, 2);
+}
+
+TEST(GlslOld, InvariantEverything) {
+    const std::string pragma = "#pragma STDGL invariant(all)\n";
+    const Texts texts{{Stage::vertex, pragma + "void main() { gl_Position = ftransform(); }\n"},
+                      {Stage::fragment, pragma + "void main() { gl_FragColor = vec4(1.); }\n"}};
+    expect_valid(texts);
+    const Translated t = translated(texts);
+    EXPECT_TRUE(t.has(Stage::vertex, "#pragma STDGL"));
+    EXPECT_FALSE(t.has(Stage::fragment, "#pragma"));
+}
+
 TEST(GlslOld, PrototypesInFunctions) {
     const Translated t = fragment(
         "void main() {\n    float f(in float x), y;\n    vec3 v(1.);\n    float g(float) + 1.;\n"

@@ -1,4 +1,5 @@
 // Any bytes, and any mutation of a valid shader: no crash, no hang.
+#include <array>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -110,6 +111,56 @@ TEST(GlslRobust, DeepNesting) {
     for (int n = 0; n < 20000; ++n) structs += "struct A { struct B { ";
     EXPECT_FALSE(fragment(structs).translation.stages.empty());
     EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20 * patience);
+}
+
+std::string repeated(int count, const std::string& text) {
+    std::string all;
+    for (int n = 0; n < count; ++n) all += text;
+    return all;
+}
+
+// Mesa walks a tree of expressions and statements by recursion: one that is too deep would end the process.
+TEST(GlslRobust, DeepTreesAreRefused) {
+    const auto refused = [](const std::string& body) {
+        const Translated t = fragment("uniform float u;\nvoid main() {\n" + body + " gl_FragColor = vec4(u); }\n");
+        if (t.translation.ok) return 0;
+        EXPECT_EQ(t.count("too-deep"), 1);
+        return t.sources.position(0, t.diagnostics.items().front().span.begin).line;
+    };
+    constexpr int many = 17000, few = 600;
+    const auto with = [&](int count, const std::string& open, const std::string& inside, const std::string& close) {
+        return refused("float a = 0.;\na = " + repeated(count, open) + inside + repeated(count, close) + ";");
+    };
+    for (const auto& [open, inside, close] : std::vector<std::array<std::string, 3>>{{"u + ", "u", ""},
+                                                                                     {"sin(", "u", ")"},
+                                                                                     {"(", "u", ")"},
+                                                                                     {"- ", "u", ""},
+                                                                                     {"a = ", "u", ""},
+                                                                                     {"u > 1. ? u : ", "u", ""},
+                                                                                     {"", "vec2(u)", ".xx"}}) {
+        SCOPED_TRACE(open + close);
+        EXPECT_EQ(with(many, open, inside, close), 4);
+        EXPECT_EQ(with(few, open, inside, close), 0);
+    }
+    const auto statements = [&](const std::string& each, int count, const std::string& after = "") {
+        return refused("float a = 0.;\n" + repeated(count, each) + "a = 1.;" + repeated(count, after));
+    };
+    for (const std::string each : {"if (u > 1.) ", "if (u > 1.) a = 2.; else ", "if (u > 1.) { a = 2.; } else "}) {
+        EXPECT_EQ(statements(each, many), 4) << each;
+        EXPECT_EQ(statements(each, few), 0) << each;
+    }
+    EXPECT_EQ(statements("{", many, "}"), 4);
+    // Length alone is harmless.
+    EXPECT_EQ(statements("a += u * 2.;", many), 0);
+    EXPECT_EQ(refused("float a[" + std::to_string(many) + "] = float[](" + repeated(many - 1, "-1., ") + "1.);"), 0);
+}
+
+TEST(GlslRobust, EmptyShaders) {
+    for (const char* text : {"", "// nothing\n", "#version 330\n", "#if 0\nvoid main() {}\n#endif\n"}) {
+        const Translated t = fragment(text);
+        EXPECT_FALSE(t.translation.ok) << text;
+        EXPECT_EQ(t.count("glsl-no-main"), 1) << text;
+    }
 }
 
 // What is moved or written out member by member: each may be many, or multiply.

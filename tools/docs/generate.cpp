@@ -6,6 +6,7 @@
 #include "parser/commands/commands.h"
 #include "parser/names.h"
 #include "parser/text/limits.h"
+#include "parser/text/words.h"
 #include "src/lint/lint.h"
 
 namespace snell::docs {
@@ -98,16 +99,15 @@ std::string language(const std::string& intro) {
     std::string_view group;
     std::string contents = "\n## Commands\n";
     for (const Command& c : commands()) {
-        if (group_name(c.group) != group) contents += "\n\n**" + std::string(group_name(c.group)) + "**:";
-        group = group_name(c.group);
+        if (c.group != group) contents += "\n\n**" + std::string(c.group) + "**:";
+        group = c.group;
         contents += " [" + std::string(c.name) + "](#" + lower(c.name) + ")";
     }
     out += contents + "\n";
     group = {};
     for (const Command& c : commands()) {
-        if (group_name(c.group) != group)
-            out += "\n## Commands: " + lower(group_name(c.group)) + "\n";  // a command is named Geometry, too
-        group = group_name(c.group);
+        if (c.group != group) out += "\n## Commands: " + lower(c.group) + "\n";  // a command is named Geometry, too
+        group = c.group;
         out += section(c);
     }
     return out;
@@ -125,7 +125,7 @@ std::vector<std::string> choice_words() {
     std::set<std::string> words;
     for (const Command& c : commands())
         for (const Parameter& p : c.signature.parameters)
-            for (const std::string_view word : split_choices(p.choices)) words.emplace(word);
+            for (const std::string_view word : split(p.choices, '/')) words.emplace(word);
     for (const std::string_view name : topology_names()) words.emplace(name);
     return {words.begin(), words.end()};
 }

@@ -37,31 +37,6 @@ void main() {
 }
 )";
 
-std::string_view location(const Global& g) {
-    for (const LayoutItem& i : g.qualifiers.layout)
-        if (i.name == "location") return i.value;
-    return {};
-}
-
-// Zero of any type that is passable.
-std::string zeros(const Unit& u, Type type) {
-    const int size = type.dims ? type.size : 1;
-    const bool array = std::exchange(type.dims, 0) != 0;
-    std::string name(type_name(type.base, type.rows, type.cols)), one;
-    if (type.base == Base::structure) {
-        const Struct& s = u.structs[static_cast<std::size_t>(type.structure)];
-        name = s.name;
-        for (const Member& m : s.members) one += (one.empty() ? "" : ", ") + zeros(u, m.type);
-        one = name + "(" + one + ")";
-    } else {
-        one = zero(type);
-    }
-    if (!array) return one;
-    std::string all = one;
-    for (int n = 1; n < size; ++n) all += ", " + one;
-    return name + "[" + std::to_string(size) + "](" + all + ")";
-}
-
 // What stands before a member of an interface block, in the geometry stage: "snell_from[0]." and "snell_to.".
 struct Ends {
     std::string first, second, out;
@@ -96,7 +71,8 @@ private:
             if (in.qualifiers.storage != Storage::in || in.removed || in.name.starts_with("gl_")) continue;
             const auto given = std::find_if(vertex_.globals.begin(), vertex_.globals.end(), [&](const Global& out) {
                 if (out.qualifiers.storage != Storage::out || out.removed) return false;
-                return out.name == in.name || (!location(in).empty() && location(out) == location(in));
+                const std::string_view at = in.qualifiers.layout_value("location");
+                return out.name == in.name || (!at.empty() && out.qualifiers.layout_value("location") == at);
             });
             possible_ = possible_ && given != vertex_.globals.end() && passable(vertex_, given->type);
             if (possible_) pairs.push_back({&*given, &in});
@@ -106,9 +82,9 @@ private:
 
     bool passable(const Unit& u, const Type& type) const {
         if (type.dims > 1 || (type.dims == 1 && type.size <= 0)) return false;
-        if (type.base != Base::structure) return type.base >= Base::boolean && type.base <= Base::dreal;
+        if (type.base != Base::structure) return type.basic();
         if (type.structure < 0) return false;
-        const Struct& s = u.structs[static_cast<std::size_t>(type.structure)];
+        const Struct& s = u.structure(type);
         return std::all_of(s.members.begin(), s.members.end(), [&](const Member& m) { return passable(u, m.type); });
     }
 
@@ -116,7 +92,7 @@ private:
         std::string text;
         if (type.base == Base::structure) {
             define(type.structure);
-            text = vertex_.structs[static_cast<std::size_t>(type.structure)].name;
+            text = vertex_.structure(type).name;
         } else {
             text = (es_ && type.base != Base::boolean ? "highp " : "") +
                    std::string(type_name(type.base, type.rows, type.cols));
@@ -147,7 +123,7 @@ private:
         if (type.base != Base::structure)
             return "    " + ends.out + " = " + ends.first + " * (1.0 - t) + " + ends.second + " * t;\n";
         std::string text;
-        for (const Member& m : u.structs[static_cast<std::size_t>(type.structure)].members)
+        for (const Member& m : u.structure(type).members)
             text += between(u, ends.member("." + std::string(m.name)), m.type, flat, depth);
         return text;
     }
@@ -174,7 +150,7 @@ private:
             g->qualifiers.first = old.first;
             g->qualifiers.last = old.last;
             // The text may read it above the statement that sets it, or never set it: drivers warn of either.
-            g->initial = zeros(*u, g->type);
+            g->initial = zero_of(u->structs, g->type);
             g->dirty = true;
         }
     }

@@ -1,10 +1,12 @@
-// What would help: hints for the mistakes that students make most.
+// Hints for the most common mistakes.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
 #include "src/glsl/log/log.h"
+#include "src/glsl/read/legacy.h"
+#include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
@@ -62,6 +64,10 @@ const StageOutput* stage_of(const Translation& translation, std::optional<Stage>
     return nullptr;
 }
 
+std::string hand_on(std::string_view attribute) {
+    return fmt::format("only the vertex shader has attributes: hand '{}' on in a varying of its own", attribute);
+}
+
 // `name` as an output of another stage: the input was forgotten here.
 bool hint_other_stage(std::string_view name, const Context& context, Diagnostic& diagnostic) {
     for (const StageOutput& other : context.translation.stages) {
@@ -69,11 +75,14 @@ bool hint_other_stage(std::string_view name, const Context& context, Diagnostic&
         for (const FileId file : other.files)
             for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || d.qualifier == "const") continue;
+                const bool given = d.qualifier == "in" || d.qualifier == "attribute";
                 const bool passed = d.qualifier == "out" || d.qualifier == "varying";
                 const std::string_view here = passed && d.qualifier == "out" ? "in" : d.qualifier;
-                diagnostic.help = fmt::format("declare it in this shader too: {} {} {};", here, d.type, name);
+                diagnostic.help = given && other.stage == Stage::vertex
+                                      ? hand_on(name)
+                                      : fmt::format("declare it in this shader too: {} {} {};", here, d.type, name);
                 diagnostic.notes.push_back(
-                    {span_of(file, d), fmt::format("the {} shader declares it here", stage_word(other.stage))});
+                    {span_of(file, d), fmt::format("the {} shader declares it here", stage_name(other.stage))});
                 return true;
             }
     }
@@ -104,6 +113,12 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         return;
     }
     if (hint_other_stage(name, context, diagnostic)) return;
+    const std::string_view meaning = gstap_meaning(name, Stage::vertex);
+    const LegacyName* legacy = legacy_name(meaning.empty() ? name : meaning);
+    if (legacy && legacy->kind == LegacyKind::attribute && context.stage && context.stage->stage != Stage::vertex) {
+        diagnostic.help = hand_on(name);
+        return;
+    }
     if (const std::string_view built_in = nearest(name, builtin_names()); !built_in.empty() && built_in != name)
         diagnostic.help = fmt::format("did you mean '{}'?", built_in);
 }
@@ -168,7 +183,7 @@ void hint_not_written(const Entry& entry, const Context& context, Diagnostic& di
             const Declared* d = nearest_declared(user_name(entry.a, text), outputs);
             if (!d) continue;
             diagnostic.help = fmt::format("the {} shader calls it '{}': the names must agree, capitals included",
-                                          stage_word(s.stage), d->name);
+                                          stage_name(s.stage), d->name);
             diagnostic.notes.push_back({span_of(file, *d), "the output is declared here"});
             return;
         }
@@ -182,7 +197,7 @@ void hint_types_differ(std::string_view name, const Place& place, const Context&
             for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || span_of(file, d) == place.span) continue;
                 diagnostic.notes.push_back(
-                    {span_of(file, d), fmt::format("the {} shader declares '{}' here", stage_word(s.stage), d.type)});
+                    {span_of(file, d), fmt::format("the {} shader declares '{}' here", stage_name(s.stage), d.type)});
             }
     diagnostic.help = "declare it with the same type in every shader of the program";
 }

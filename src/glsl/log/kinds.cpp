@@ -1,4 +1,4 @@
-// The words of drivers → what is meant.
+// Maps the messages of drivers to kinds of errors.
 #include <array>
 #include <cctype>
 

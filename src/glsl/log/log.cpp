@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "src/glsl/read/words.h"
+
 namespace snell::glsl {
 namespace {
 
@@ -14,51 +16,22 @@ using log::Entry;
 using log::Kind;
 using log::Place;
 
-// Independent mistakes shown for one shader; a student mends a few and tries again.
+// The number of independent mistakes shown for one shader: students fix a few and try again.
 constexpr std::size_t most_errors = 6;
 
 std::string_view code_of(Kind kind) {
-    switch (kind) {
-        case Kind::undeclared:
-            return "glsl-undeclared";
-        case Kind::no_function:
-        case Kind::no_overload:
-        case Kind::few_arguments:
-        case Kind::many_arguments:
-            return "glsl-call";
-        case Kind::convert:
-        case Kind::returns:
-        case Kind::operands:
-        case Kind::condition:
-        case Kind::constructor_few:
-        case Kind::constructor_many:
-        case Kind::swizzle:
-            return "glsl-type";
-        case Kind::redeclared:
-            return "glsl-redeclared";
-        case Kind::read_only:
-            return "glsl-read-only";
-        case Kind::not_constant:
-            return "glsl-not-constant";
-        case Kind::syntax:
-        case Kind::end_of_file:
-        case Kind::if_unfinished:
-            return "glsl-syntax";
-        case Kind::no_return:
-            return "glsl-no-return";
-        case Kind::needs_version:
-            return "glsl-version";
-        case Kind::no_main:
-            return "glsl-no-main";
-        case Kind::no_body:
-            return "glsl-no-body";
-        case Kind::not_written:
-        case Kind::types_differ:
-            return "glsl-interface";
-        case Kind::other:
-        case Kind::noise:
-            break;
-    }
+    using enum Kind;
+    static constexpr std::pair<Kind, std::string_view> codes[] = {
+        {undeclared, "glsl-undeclared"}, {no_function, "glsl-call"},      {no_overload, "glsl-call"},
+        {few_arguments, "glsl-call"},    {many_arguments, "glsl-call"},   {convert, "glsl-type"},
+        {returns, "glsl-type"},          {operands, "glsl-type"},         {condition, "glsl-type"},
+        {constructor_few, "glsl-type"},  {constructor_many, "glsl-type"}, {swizzle, "glsl-type"},
+        {redeclared, "glsl-redeclared"}, {read_only, "glsl-read-only"},   {not_constant, "glsl-not-constant"},
+        {syntax, "glsl-syntax"},         {end_of_file, "glsl-syntax"},    {if_unfinished, "glsl-syntax"},
+        {no_return, "glsl-no-return"},   {needs_version, "glsl-version"}, {no_main, "glsl-no-main"},
+        {no_body, "glsl-no-body"},       {not_written, "glsl-interface"}, {types_differ, "glsl-interface"}};
+    for (const auto& [of, code] : codes)
+        if (of == kind) return code;
     return "glsl-driver";
 }
 
@@ -77,7 +50,7 @@ bool about_names(const Found& found) {
     return found.entry.kind == Kind::undeclared || found.entry.kind == Kind::no_function;
 }
 
-// What drivers say of an expression in which another error stands.
+// Drivers report these kinds for expressions that contain another error.
 bool is_consequence(const Found& found) { return !about_names(found) && found.entry.kind != Kind::redeclared; }
 
 // Whether `later` would vanish if `cause` were mended.
@@ -100,7 +73,7 @@ std::set<std::string_view> doubtful_names(const Found& cause, log::Texts& texts)
 
 std::string told_of(const Entry& entry, const Context& context, std::string_view program) {
     const auto stage = context.stage ? std::optional(context.stage->stage) : entry.stage;
-    if (stage) return fmt::format(" ({} shader of '{}')", log::stage_word(*stage), program);
+    if (stage) return fmt::format(" ({} shader of '{}')", stage_name(*stage), program);
     return fmt::format(" (program '{}')", program);
 }
 
@@ -141,16 +114,16 @@ Diagnostic explain(const Found& found, const Context& context, std::string_view 
     return diagnostic;
 }
 
-struct Group {
+struct Mistake {
     Found cause;
     std::set<std::string_view> doubtful;
     std::vector<Found> rest;
 };
 
-std::vector<Group> folded(const std::vector<Found>& all, log::Texts& texts) {
-    std::vector<Group> groups;
+std::vector<Mistake> folded(const std::vector<Found>& all, log::Texts& texts) {
+    std::vector<Mistake> groups;
     for (const Found& found : all) {
-        const auto caused_by = [&](const Group& group) {
+        const auto caused_by = [&](const Mistake& group) {
             if (follows(found, group.cause)) return true;
             const auto beside = [&](const Found& other) { return is_consequence(found) && same_line(found, other); };
             if (std::any_of(group.rest.begin(), group.rest.end(), beside)) return true;
@@ -180,7 +153,7 @@ void explain_log(std::string_view log, const Translation& translation, const Sta
         const Place place = log::place(entry, context);
         list.push_back({std::move(entry), place});
     }
-    const std::vector<Group> groups = folded(errors, texts);
+    const std::vector<Mistake> groups = folded(errors, texts);
     for (std::size_t i = 0; i < groups.size() && i < most_errors; ++i) {
         Diagnostic diagnostic = explain(groups[i].cause, context, program);
         if (!groups[i].rest.empty())

@@ -157,8 +157,7 @@ void hint(const Entry& entry, const Place& place, const Context& context, Diagno
 void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic);
 void hint_end_of_file(const Place& place, const Context& context, Diagnostic& diagnostic);
 
-// "vertex" … for messages; and the stage that a message names, if any.
-std::string_view stage_word(Stage stage);
+// The stage that a message names, if any.
 std::optional<Stage> stage_in(std::string_view text);
 
 }  // namespace snell::glsl::log

@@ -104,7 +104,7 @@ bool fits_link(const Entry& entry, const Declared& d, Stage stage) {
     return true;
 }
 
-// A link log names things, not places: look for the declaration.
+// A link log names variables but not places, so their declaration is searched for.
 Place place_of_name(const Entry& entry, const Context& context) {
     Place found{.file = context.where.file, .span = context.where};
     const auto& stages = context.translation.stages;
@@ -135,7 +135,7 @@ Place place(const Entry& entry, const Context& context) {
     const std::vector<Word>& all = context.texts.words(file);
     found.file = file;
     found.line = entry.line;
-    // Where the text ends there is often no word: go back to the last.
+    // The end of the text often has no word, so the last word is used.
     if (entry.kind == Kind::end_of_file || all.empty() || entry.line > all.back().line) {
         const Word last = all.empty() ? Word{} : all.back();
         found.span = {file, last.begin, last.end};

@@ -4,30 +4,14 @@
 #include <cctype>
 
 #include "src/glsl/log/log.h"
+#include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
 
-// Names of types that other languages have.
-std::string_view foreign_type(std::string_view name) {
-    for (const std::string_view base : {"float", "half", "fixed"})
-        if (name.starts_with(base) && name.size() == base.size() + 1) switch (name.back()) {
-                case '2':
-                    return "vec2";
-                case '3':
-                    return "vec3";
-                case '4':
-                    return "vec4";
-            }
-    if (name == "half" || name == "fixed" || name == "real") return "float";
-    if (name == "float3x3") return "mat3";
-    if (name == "float4x4") return "mat4";
-    return {};
-}
-
 // `vex3 a`: two names in a row, of which the first is no type.
 bool hint_unknown_type(std::string_view type, const Span& span, Diagnostic& diagnostic) {
-    std::string_view meant = foreign_type(type);
+    std::string_view meant = type == "real" ? "float" : foreign_type(type);
     if (meant.empty()) {
         meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
                                "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",
@@ -168,7 +152,7 @@ void hint_end_of_file(const Place& place, const Context& context, Diagnostic& di
     const std::string_view text = context.sources.text(place.file);
     const std::size_t brace = unclosed_brace(text);
     if (brace == std::string_view::npos) {
-        // Some compilers stop reading at a character that they don't know.
+        // Some compilers stop at the first character that they do not know.
         for (const Word& w : context.texts.words(place.file))
             if (hint_character({place.file, w.begin, w.end}, text, diagnostic)) return;
         diagnostic.help = "the last statement lacks its end: a ';', a ')' or a body in { }";

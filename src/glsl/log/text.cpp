@@ -111,7 +111,9 @@ std::vector<Word> words(std::string_view original) {
     bool line_start = true;
     while (true) {
         const std::size_t from = at;
-        at = skip_trivia(text, at, line_start);
+        const Trivia trivia = skip_trivia(text, at);
+        at = trivia.end;
+        line_start = line_start || trivia.line_end;
         line += static_cast<int>(std::ranges::count(text.substr(from, at - from), '\n'));
         if (at >= text.size()) return words;
         if (line_start && text[at] == '#') directive_until = directive_end(text, at);

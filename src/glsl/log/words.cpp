@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <utility>
 
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/legacy.h"
+#include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
@@ -24,27 +24,6 @@ bool has_word(std::string_view text, std::string_view word) {
     }
     return false;
 }
-
-// Functions that the translation writes for older names.
-constexpr auto older_names = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"texture", "texture2D"},
-    {"texture", "texture3D"},
-    {"texture", "textureCube"},
-    {"texture", "texture1D"},
-    {"texture", "texture2DRect"},
-    {"texture", "shadow2D"},
-    {"texture", "shadow1D"},
-    {"textureLod", "texture2DLod"},
-    {"textureLod", "texture3DLod"},
-    {"textureLod", "textureCubeLod"},
-    {"textureLod", "texture1DLod"},
-    {"textureProj", "texture2DProj"},
-    {"textureProj", "texture3DProj"},
-    {"textureProj", "texture1DProj"},
-    {"textureProj", "shadow2DProj"},
-    {"textureProjLod", "texture2DProjLod"},
-    {"textureGrad", "texture2DGrad"},
-});
 
 std::string pair_message(std::string_view a, std::string_view b, std::string_view with, std::string_view without) {
     if (a.empty() || b.empty()) return std::string(without);
@@ -163,22 +142,6 @@ std::string name_message(const Entry& entry, std::string_view name) {
 
 }  // namespace
 
-std::string_view stage_word(Stage stage) {
-    switch (stage) {
-        case Stage::vertex:
-            return "vertex";
-        case Stage::tess_control:
-            return "tessellation control";
-        case Stage::tess_evaluation:
-            return "tessellation evaluation";
-        case Stage::geometry:
-            return "geometry";
-        case Stage::fragment:
-            return "fragment";
-    }
-    return {};
-}
-
 std::optional<Stage> stage_in(std::string_view text) {
     std::string lower(text);
     for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -187,7 +150,7 @@ std::optional<Stage> stage_in(std::string_view text) {
     for (int i = 0; i < stage_count; ++i) {
         const auto stage = static_cast<Stage>(i);
         for (const std::string_view after : {" shader", " info"}) {
-            const std::size_t at = lower.find(std::string(stage_word(stage)) + std::string(after));
+            const std::size_t at = lower.find(std::string(stage_name(stage)) + std::string(after));
             if (at >= first) continue;
             first = at;
             found = stage;
@@ -208,9 +171,10 @@ std::string user_name(std::string_view translated, std::string_view user) {
         const bool built_in = !rest.empty() && std::isupper(static_cast<unsigned char>(rest[0])) != 0;
         return built_in ? legacy : std::string(rest);
     }
-    if (!translated.empty() && !has_word(user, translated))
-        for (const auto& [now, before] : older_names)
-            if (now == translated && has_word(user, before)) return std::string(before);
+    // The translation writes `texture` for texture2D and the like.
+    if (translated.starts_with("te") && !has_word(user, translated))
+        for (const Word& word : words(user))
+            if (modern_texture_function(text_of(user, word)) == translated) return std::string(text_of(user, word));
     return std::string(translated);
 }
 

@@ -10,35 +10,15 @@ namespace {
 
 // What one character of a signature asks for, given the size of the generic parameters (0: not known yet).
 std::optional<Type> parameter_type(char code, int size) {
-    switch (code) {
-        case 'F':
-            return make_type(Base::real, size);
-        case 'I':
-            return make_type(Base::integer, size);
-        case 'U':
-            return make_type(Base::uinteger, size);
-        case 'B':
-            return make_type(Base::boolean, size);
-        case 'f':
-            return make_type(Base::real);
-        case 'i':
-            return make_type(Base::integer);
-        case 'u':
-            return make_type(Base::uinteger);
-        case 'b':
-            return make_type(Base::boolean);
-        case '2':
-            return make_type(Base::real, 2);
-        case '3':
-            return make_type(Base::real, 3);
-        case '4':
-            return make_type(Base::real, 4);
-        default:
-            return std::nullopt;
-    }
+    constexpr Base bases[] = {Base::real, Base::integer, Base::uinteger, Base::boolean};
+    constexpr std::string_view vectors = "FIUB", scalars = "fiub";
+    if (const std::size_t n = vectors.find(code); n != vectors.npos) return make_type(bases[n], size);
+    if (const std::size_t n = scalars.find(code); n != scalars.npos) return make_type(bases[n]);
+    if (code >= '2' && code <= '4') return make_type(Base::real, code - '0');
+    return std::nullopt;
 }
 
-bool generic(char code) { return code == 'F' || code == 'I' || code == 'U' || code == 'B'; }
+bool generic(char code) { return std::string_view("FIUB").find(code) != std::string_view::npos; }
 
 // How well a value of type `have` serves where `want` is due: 0 not at all, 1 by conversion, 2 exactly.
 int fit(const Type& have, const Type& want) {
@@ -50,18 +30,15 @@ int fit(const Type& have, const Type& want) {
 }
 
 struct Overload {
-    char result;
-    std::string_view parameters;
+    char result = 'X';
+    std::string parameters;
     std::size_t least = 0;  // parameters that must be given
 };
 
-Overload read_overload(std::string_view text, std::string& storage) {
-    Overload o{text[0], {}, 0};
-    storage.assign(text.substr(2));
-    const std::size_t optional = storage.find('[');
-    o.least = optional == std::string::npos ? storage.size() : optional;
-    if (optional != std::string::npos) storage.erase(optional, 1);
-    o.parameters = storage;
+Overload read_overload(std::string_view text) {
+    Overload o{text[0], std::string(text.substr(2))};
+    o.least = std::min(o.parameters.find('['), o.parameters.size());
+    std::erase(o.parameters, '[');
     return o;
 }
 
@@ -116,8 +93,8 @@ Expression Parser::call(int name_token) {
     std::vector<Expression> given = arguments();
     e.last = p_ - 1;
     if (call_user(e, name, given) || foreign_function(name, given, e)) return e;
-    bool wraps = false;
-    std::string_view modern = modern_texture_function(name, wraps);
+    const std::string_view modern = modern_texture_function(name);
+    const bool wraps = !modern.empty() && name.starts_with("shadow");
     if (wraps) {
         Edit& before = u_.edit(e.first);
         before.before = "vec4(" + before.before;
@@ -243,18 +220,14 @@ void Parser::call_builtin(Expression& result, std::string_view name, std::vector
     if (name == "modf" || name == "frexp") {
         if (given.size() > 1) note_write(given[1], nullptr, "out");
     }
-    std::string best_text, text;
-    Overload best{'X', {}, 0};
+    Overload best;
     int best_fit = 0;
     while (!signatures.empty()) {
         const std::size_t end = std::min(signatures.find(' '), signatures.size());
-        const Overload o = read_overload(signatures.substr(0, end), text);
-        const int one = match(o, given);
-        if (one > best_fit) {
+        Overload o = read_overload(signatures.substr(0, end));
+        if (const int one = match(o, given); one > best_fit) {
             best_fit = one;
-            best_text = text;
-            best = o;
-            best.parameters = best_text;
+            best = std::move(o);
         }
         signatures.remove_prefix(std::min(end + 1, signatures.size()));
     }

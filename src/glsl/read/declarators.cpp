@@ -144,7 +144,7 @@ void Parser::function(const Type& result, int first, int name) {
     f.result = result;
     f.name_token = name;
     f.first = first;
-    // OpenGL ES lets nobody redefine a built-in function.
+    // OpenGL ES forbids redefinitions of built-in functions.
     if (target_.es && !builtin_signatures(f.name).empty()) u_.replace(name, "snell_user_" + std::string(f.name));
     p_ = name + 2;
     open_scope();
@@ -152,8 +152,7 @@ void Parser::function(const Type& result, int first, int name) {
     while (!at_end() && !is(")")) {
         const int before = p_;
         const Qualifiers q = qualifiers();
-        bool defines = false;
-        const std::optional<Type> type = type_specifier(defines);
+        const std::optional<Type> type = type_specifier();
         if (!type) break;
         Parameter parameter{*type, q.storage == Storage::out || q.storage == Storage::inout ? q.storage : Storage::in};
         dimensions(parameter.type, nullptr);

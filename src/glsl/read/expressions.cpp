@@ -9,27 +9,6 @@ namespace snell::glsl {
 
 namespace {
 
-int precedence(std::string_view op) {
-    if (op.empty() || op.size() > 2) return 0;
-    if (op == "||") return 1;
-    if (op == "^^") return 2;
-    if (op == "&&") return 3;
-    if (op == "|") return 4;
-    if (op == "^") return 5;
-    if (op == "&") return 6;
-    if (op == "==" || op == "!=") return 7;
-    if (op == "<" || op == ">" || op == "<=" || op == ">=") return 8;
-    if (op == "<<" || op == ">>") return 9;
-    if (op == "+" || op == "-") return 10;
-    if (op == "*" || op == "/" || op == "%") return 11;
-    return 0;
-}
-
-bool assigns(std::string_view op) {
-    return op == "=" || op == "+=" || op == "-=" || op == "*=" || op == "/=" || op == "%=" || op == "&=" ||
-           op == "|=" || op == "^=" || op == "<<=" || op == ">>=";
-}
-
 // Componentwise arithmetic of known constants; a scalar goes with every component.
 std::vector<double> fold(const std::vector<double>& a, const std::vector<double>& b, char op) {
     if (a.empty() || b.empty() || (a.size() != b.size() && a.size() != 1 && b.size() != 1)) return {};
@@ -54,7 +33,7 @@ Type arithmetic(const Type& a, const Type& b, std::string_view op) {
     return make_type(base, a.rows, a.cols);
 }
 
-bool known(const Type& type) { return type.dims == 0 && type.base >= Base::boolean && type.base <= Base::dreal; }
+bool known(const Type& type) { return type.dims == 0 && type.basic(); }
 
 // Whether GLSL, with what is forgiven, takes these operands; both types are known.
 bool takes(std::string_view op, const Type& a, const Type& b) {
@@ -102,7 +81,7 @@ void Parser::warn(std::string_view code, int token, std::string message) {
     if (told_.insert(code).second) diagnostics_.warning(code, u_.span(token), std::move(message));
 }
 
-// What no version allows and some compilers read nevertheless.
+// No version allows these conversions, but some compilers accept them.
 void Parser::forgive(const Expression& e, const Type& due, std::string_view code, std::string_view what) {
     warn(code, e.first, std::string(what));
     wrap(e, type_name(due.base, due.rows, 1));
@@ -164,7 +143,7 @@ Expression Parser::expression() {
     Expression e = assignment();
     while (is(",")) {
         const int first = e.first;
-        // Before a comma, what does nothing is left out: OpenGL ES 1.00 has constants with commas.
+        // An operand before a comma that has no effect is removed: OpenGL ES 1.00 has constants with commas.
         if (e.constant && first >= 0 && e.last == p_ - 1) u_.erase(first, p_);
         ++p_;
         e = assignment();
@@ -198,8 +177,7 @@ Expression Parser::assignment() {
         target.constant = false;
         target.value.clear();
         target.alpha_one = plain && value.alpha_one;
-        target.global = -1;
-        target.legacy = {};
+        target.no_variable();
     }
     --depth_;
     return target;
@@ -224,8 +202,7 @@ Expression Parser::ternary() {
     a.value.clear();
     a.first = condition.first;
     a.last = b.last;
-    a.global = -1;
-    a.legacy = {};
+    a.no_variable();
     return a;
 }
 
@@ -309,8 +286,7 @@ Expression Parser::unary() {
     }
     if (op != "-" && op != "+") e.value.clear();
     e.alpha_one = false;
-    e.global = -1;
-    e.legacy = {};
+    e.no_variable();
     return e;
 }
 

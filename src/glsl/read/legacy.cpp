@@ -4,6 +4,8 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "parser/text/words.h"
+
 namespace snell::glsl {
 
 namespace {
@@ -25,119 +27,61 @@ constexpr std::string_view point =
     "struct snell_PointParameters { float size; float sizeMin; float sizeMax; float fadeThresholdSize; "
     "float distanceConstantAttenuation; float distanceLinearAttenuation; float distanceQuadraticAttenuation; };";
 
+// Rows of names that have all else in common.
 constexpr LegacyName names[] = {
-    {"gl_Position", core, "vec4"},
-    {"gl_PointSize", core, "float"},
-    {"gl_ClipDistance", core, "float", -1},
-    {"gl_CullDistance", core, "float", -1},
-    {"gl_VertexID", core, "int"},
-    {"gl_InstanceID", core, "int"},
-    {"gl_PrimitiveIDIn", core, "int"},
-    {"gl_PrimitiveID", core, "int"},
-    {"gl_InvocationID", core, "int"},
-    {"gl_Layer", core, "int"},
-    {"gl_ViewportIndex", core, "int"},
+    {"gl_Position gl_FragCoord", core, "vec4"},
+    {"gl_PointSize gl_FragDepth", core, "float"},
+    {"gl_ClipDistance gl_CullDistance", core, "float", -1},
+    {"gl_VertexID gl_InstanceID gl_PrimitiveIDIn gl_PrimitiveID gl_InvocationID gl_Layer "
+     "gl_ViewportIndex gl_PatchVerticesIn gl_SampleID gl_NumSamples gl_MaxVertexUniformComponents "
+     "gl_MaxFragmentUniformComponents gl_MaxVertexAttribs gl_MaxVertexTextureImageUnits "
+     "gl_MaxTextureImageUnits gl_MaxCombinedTextureImageUnits gl_MaxDrawBuffers",
+     core, "int"},
     {"gl_TessCoord", core, "vec3"},
     {"gl_TessLevelOuter", core, "float", 4},
     {"gl_TessLevelInner", core, "float", 2},
-    {"gl_PatchVerticesIn", core, "int"},
-    {"gl_FragCoord", core, "vec4"},
-    {"gl_FrontFacing", core, "bool"},
-    {"gl_PointCoord", core, "vec2"},
-    {"gl_FragDepth", core, "float"},
-    {"gl_SampleID", core, "int"},
-    {"gl_SamplePosition", core, "vec2"},
-    {"gl_HelperInvocation", core, "bool"},
-    {"gl_NumSamples", core, "int"},
-
-    {"gl_Vertex", attribute, "vec4"},
+    {"gl_FrontFacing gl_HelperInvocation", core, "bool"},
+    {"gl_PointCoord gl_SamplePosition", core, "vec2"},
+    {"gl_Vertex gl_Color gl_SecondaryColor gl_MultiTexCoord0 gl_MultiTexCoord1 gl_MultiTexCoord2 "
+     "gl_MultiTexCoord3 gl_MultiTexCoord4 gl_MultiTexCoord5 gl_MultiTexCoord6 gl_MultiTexCoord7",
+     attribute, "vec4"},
     {"gl_Normal", attribute, "vec3"},
-    {"gl_Color", attribute, "vec4"},
-    {"gl_SecondaryColor", attribute, "vec4"},
     {"gl_FogCoord", attribute, "float"},
-    {"gl_MultiTexCoord0", attribute, "vec4"},
-    {"gl_MultiTexCoord1", attribute, "vec4"},
-    {"gl_MultiTexCoord2", attribute, "vec4"},
-    {"gl_MultiTexCoord3", attribute, "vec4"},
-    {"gl_MultiTexCoord4", attribute, "vec4"},
-    {"gl_MultiTexCoord5", attribute, "vec4"},
-    {"gl_MultiTexCoord6", attribute, "vec4"},
-    {"gl_MultiTexCoord7", attribute, "vec4"},
-
-    {"gl_FrontColor", varying, "vec4"},
-    {"gl_BackColor", varying, "vec4"},
-    {"gl_FrontSecondaryColor", varying, "vec4"},
-    {"gl_BackSecondaryColor", varying, "vec4"},
+    {"gl_FrontColor gl_BackColor gl_FrontSecondaryColor gl_BackSecondaryColor", varying, "vec4"},
     {"gl_TexCoord", varying, "vec4", 8},
     {"gl_FogFragCoord", varying, "float"},
-
     {"gl_FragColor", color, "vec4"},
     {"gl_FragData", color, "vec4", 8},
-
-    {"gl_PositionIn", per_vertex_in, "vec4", -1},
-    {"gl_PointSizeIn", per_vertex_in, "float", -1},
-    {"gl_ClipVertexIn", per_vertex_in, "vec4", -1},
-    {"gl_FrontColorIn", per_vertex_in, "vec4", -1},
-    {"gl_BackColorIn", per_vertex_in, "vec4", -1},
-    {"gl_FrontSecondaryColorIn", per_vertex_in, "vec4", -1},
-    {"gl_BackSecondaryColorIn", per_vertex_in, "vec4", -1},
-    {"gl_FogFragCoordIn", per_vertex_in, "float", -1},
+    {"gl_PositionIn gl_ClipVertexIn gl_FrontColorIn gl_BackColorIn gl_FrontSecondaryColorIn "
+     "gl_BackSecondaryColorIn",
+     per_vertex_in, "vec4", -1},
+    {"gl_PointSizeIn gl_FogFragCoordIn", per_vertex_in, "float", -1},
     {"gl_TexCoordIn", per_vertex_in, "vec4", -2},
-
     {"gl_ClipVertex", ignored, "vec4"},
-
-    {"gl_ModelViewMatrix", uniform, "mat4"},
-    {"gl_ProjectionMatrix", uniform, "mat4"},
-    {"gl_ModelViewProjectionMatrix", uniform, "mat4"},
+    {"gl_ModelViewMatrix gl_ProjectionMatrix gl_ModelViewProjectionMatrix gl_ModelViewMatrixInverse "
+     "gl_ProjectionMatrixInverse gl_ModelViewProjectionMatrixInverse gl_ModelViewMatrixTranspose "
+     "gl_ProjectionMatrixTranspose gl_ModelViewProjectionMatrixTranspose "
+     "gl_ModelViewMatrixInverseTranspose gl_ProjectionMatrixInverseTranspose "
+     "gl_ModelViewProjectionMatrixInverseTranspose",
+     uniform, "mat4"},
     {"gl_NormalMatrix", uniform, "mat3"},
-    {"gl_TextureMatrix", uniform, "mat4", 8},
-    {"gl_ModelViewMatrixInverse", uniform, "mat4"},
-    {"gl_ProjectionMatrixInverse", uniform, "mat4"},
-    {"gl_ModelViewProjectionMatrixInverse", uniform, "mat4"},
-    {"gl_TextureMatrixInverse", uniform, "mat4", 8},
-    {"gl_ModelViewMatrixTranspose", uniform, "mat4"},
-    {"gl_ProjectionMatrixTranspose", uniform, "mat4"},
-    {"gl_ModelViewProjectionMatrixTranspose", uniform, "mat4"},
-    {"gl_TextureMatrixTranspose", uniform, "mat4", 8},
-    {"gl_ModelViewMatrixInverseTranspose", uniform, "mat4"},
-    {"gl_ProjectionMatrixInverseTranspose", uniform, "mat4"},
-    {"gl_ModelViewProjectionMatrixInverseTranspose", uniform, "mat4"},
-    {"gl_TextureMatrixInverseTranspose", uniform, "mat4", 8},
+    {"gl_TextureMatrix gl_TextureMatrixInverse gl_TextureMatrixTranspose "
+     "gl_TextureMatrixInverseTranspose",
+     uniform, "mat4", 8},
     {"gl_NormalScale", uniform, "float"},
-    {"gl_ClipPlane", uniform, "vec4", 8},
-    {"gl_TextureEnvColor", uniform, "vec4", 8},
-    {"gl_EyePlaneS", uniform, "vec4", 8},
-    {"gl_EyePlaneT", uniform, "vec4", 8},
-    {"gl_EyePlaneR", uniform, "vec4", 8},
-    {"gl_EyePlaneQ", uniform, "vec4", 8},
-    {"gl_ObjectPlaneS", uniform, "vec4", 8},
-    {"gl_ObjectPlaneT", uniform, "vec4", 8},
-    {"gl_ObjectPlaneR", uniform, "vec4", 8},
-    {"gl_ObjectPlaneQ", uniform, "vec4", 8},
+    {"gl_ClipPlane gl_TextureEnvColor gl_EyePlaneS gl_EyePlaneT gl_EyePlaneR gl_EyePlaneQ "
+     "gl_ObjectPlaneS gl_ObjectPlaneT gl_ObjectPlaneR gl_ObjectPlaneQ",
+     uniform, "vec4", 8},
     {"gl_LightSource", uniform, "snell_LightSourceParameters", 8, light_source},
-    {"gl_FrontMaterial", uniform, "snell_MaterialParameters", 0, material},
-    {"gl_BackMaterial", uniform, "snell_MaterialParameters", 0, material},
+    {"gl_FrontMaterial gl_BackMaterial", uniform, "snell_MaterialParameters", 0, material},
     {"gl_LightModel", uniform, "snell_LightModelParameters", 0, light_model},
-    {"gl_FrontLightModelProduct", uniform, "snell_LightModelProducts", 0, light_model_product},
-    {"gl_BackLightModelProduct", uniform, "snell_LightModelProducts", 0, light_model_product},
-    {"gl_FrontLightProduct", uniform, "snell_LightProducts", 8, light_product},
-    {"gl_BackLightProduct", uniform, "snell_LightProducts", 8, light_product},
+    {"gl_FrontLightModelProduct gl_BackLightModelProduct", uniform, "snell_LightModelProducts", 0, light_model_product},
+    {"gl_FrontLightProduct gl_BackLightProduct", uniform, "snell_LightProducts", 8, light_product},
     {"gl_Fog", uniform, "snell_FogParameters", 0, fog},
     {"gl_Point", uniform, "snell_PointParameters", 0, point},
-
-    {"gl_VerticesIn", limit, "int"},
-    {"gl_MaxLights", limit, "int"},
-    {"gl_MaxClipPlanes", limit, "int"},
-    {"gl_MaxTextureUnits", limit, "int"},
-    {"gl_MaxTextureCoords", limit, "int"},
-    {"gl_MaxVaryingFloats", limit, "int"},
-    {"gl_MaxVertexUniformComponents", core, "int"},
-    {"gl_MaxFragmentUniformComponents", core, "int"},
-    {"gl_MaxVertexAttribs", core, "int"},
-    {"gl_MaxVertexTextureImageUnits", core, "int"},
-    {"gl_MaxTextureImageUnits", core, "int"},
-    {"gl_MaxCombinedTextureImageUnits", core, "int"},
-    {"gl_MaxDrawBuffers", core, "int"},
+    {"gl_VerticesIn gl_MaxLights gl_MaxClipPlanes gl_MaxTextureUnits gl_MaxTextureCoords "
+     "gl_MaxVaryingFloats",
+     limit, "int"},
 };
 
 struct GstapName {
@@ -186,13 +130,17 @@ std::string_view legacy_struct_text(std::string_view gl_type) {
 
 const LegacyName* legacy_name(std::string_view name) {
     if (!name.starts_with("gl_")) return nullptr;
-    static const std::unordered_map<std::string_view, const LegacyName*> table = [] {
-        std::unordered_map<std::string_view, const LegacyName*> t;
-        for (const LegacyName& n : names) t.emplace(n.name, &n);
+    static const std::unordered_map<std::string_view, LegacyName> table = [] {
+        std::unordered_map<std::string_view, LegacyName> t;
+        for (LegacyName row : names)
+            for (const std::string_view one : split(row.name)) {
+                row.name = one;
+                t.emplace(one, row);
+            }
         return t;
     }();
     const auto it = table.find(name);
-    return it == table.end() ? nullptr : it->second;
+    return it == table.end() ? nullptr : &it->second;
 }
 
 }  // namespace snell::glsl

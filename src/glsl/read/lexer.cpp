@@ -71,11 +71,12 @@ Cleaned clean(std::string_view text) {
     return out;
 }
 
-std::size_t skip_trivia(std::string_view text, std::size_t i, bool& line_start) {
+Trivia skip_trivia(std::string_view text, std::size_t i) {
+    bool line_end = false;
     while (i < text.size()) {
         const char c = text[i];
         if (c == '\n') {
-            line_start = true;
+            line_end = true;
             ++i;
         } else if (blank(c) || c == '\r') {
             ++i;
@@ -90,7 +91,7 @@ std::size_t skip_trivia(std::string_view text, std::size_t i, bool& line_start) 
             break;
         }
     }
-    return i < text.size() ? i : text.size();
+    return {std::min(i, text.size()), line_end};
 }
 
 namespace {
@@ -149,40 +150,10 @@ Lexeme lex(std::string_view text, std::size_t from) {
         return {Kind::identifier, text.substr(from, i - from)};
     }
     if (digit(c) || (c == '.' && from + 1 < text.size() && digit(text[from + 1]))) return number(text, from);
-    switch (c) {
-        case '(':
-        case ')':
-        case '[':
-        case ']':
-        case '{':
-        case '}':
-        case ';':
-        case ',':
-        case '.':
-        case '~':
-        case '?':
-        case ':':
-            return {Kind::punct, text.substr(from, 1)};
-        case '+':
-        case '-':
-        case '*':
-        case '/':
-        case '%':
-        case '<':
-        case '>':
-        case '=':
-        case '!':
-        case '&':
-        case '|':
-        case '^':
-        case '#': {
-            const std::string_view rest = text.substr(from, 3);
-            for (const std::string_view op : long_operators)
-                if (op[0] == c && rest.starts_with(op)) return {Kind::punct, text.substr(from, op.size())};
-            return {Kind::punct, text.substr(from, 1)};
-        }
-        default:
-            break;
+    if (std::string_view("()[]{};,.~?:+-*/%<>=!&|^#").find(c) != std::string_view::npos) {
+        for (const std::string_view op : long_operators)
+            if (text.substr(from).starts_with(op)) return {Kind::punct, text.substr(from, op.size())};
+        return {Kind::punct, text.substr(from, 1)};
     }
     std::size_t end = from + 1;
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80 &&

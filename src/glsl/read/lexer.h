@@ -17,9 +17,12 @@ struct Cleaned {
 // followed by blanks at the end of a line moves to the end.
 Cleaned clean(std::string_view text);
 
-// The end of the blanks and comments that start at `from`; a newline counts as blank. `line_start` is set if a
-// line end was passed.
-std::size_t skip_trivia(std::string_view text, std::size_t from, bool& line_start);
+// The end of the blanks and comments that start at `from`; a newline counts as blank.
+struct Trivia {
+    std::size_t end = 0;
+    bool line_end = false;  // outside of comments
+};
+Trivia skip_trivia(std::string_view text, std::size_t from);
 // The end of the line of the directive at `i`, continuations and comments included.
 std::size_t directive_end(std::string_view text, std::size_t i);
 // The token that starts at `from`, which is no blank. Of kind end at the end of the text.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "src/glsl/read/words.h"
+
 namespace snell::glsl {
 
 void Macros::undefine(std::string_view name) {
@@ -16,40 +18,26 @@ const Macro* Macros::find(std::string_view name) const {
 
 // What the shader's own version would have defined. Extensions that the translation makes superfluous count as
 // there; those of one vendor do not.
-bool Macros::predefined(std::string_view name, long long& value) {
-    value = 1;
-    if (name == "__VERSION__") {
-        asked_context_ = true;
-        value = version_;
-        return true;
-    }
-    if (name == "__LINE__") {
-        value = line_;
-        return true;
-    }
-    if (name == "__FILE__") {
-        value = 0;
-        return true;
-    }
-    if (!name.starts_with("GL_")) return false;
-    asked_context_ = true;
-    if (name == "GL_ES") return profile_ == "es";
-    if (name == "GL_compatibility_profile") return profile_ == "compatibility";
-    if (name == "GL_core_profile") return version_ >= 150 && profile_ != "compatibility" && profile_ != "es";
-    if (name == "GL_FRAGMENT_PRECISION_HIGH") return true;
-    return name.starts_with("GL_ARB_") || name == "GL_EXT_gpu_shader4" || name == "GL_EXT_geometry_shader4" ||
-           name == "GL_OES_standard_derivatives" || name == "GL_EXT_texture_array";
+std::optional<long long> Macros::predefined(std::string_view name) {
+    if (name == "__LINE__") return line_;
+    if (name == "__FILE__") return 0;
+    asked_context_ = asked_context_ || name == "__VERSION__" || name.starts_with("GL_");
+    if (name == "__VERSION__") return version_;
+    const bool there = name == "GL_ES"                      ? profile_ == "es"
+                       : name == "GL_compatibility_profile" ? profile_ == "compatibility"
+                       : name == "GL_core_profile"
+                           ? version_ >= 150 && profile_ != "compatibility" && profile_ != "es"
+                           : name.starts_with("GL_ARB_") || name == "GL_FRAGMENT_PRECISION_HIGH" ||
+                                 name == "GL_EXT_gpu_shader4" || name == "GL_EXT_geometry_shader4" ||
+                                 name == "GL_OES_standard_derivatives" || name == "GL_EXT_texture_array";
+    return there ? std::optional(1LL) : std::nullopt;
 }
 
-bool Macros::defined(std::string_view name) {
-    long long value = 0;
-    return find(name) || predefined(name, value);
-}
+bool Macros::defined(std::string_view name) { return find(name) || predefined(name); }
 
 std::vector<MacroToken> macro_tokens(std::string_view text) {
     std::vector<MacroToken> out;
-    bool line_start = false;
-    for (std::size_t i = skip_trivia(text, 0, line_start); i < text.size(); i = skip_trivia(text, i, line_start)) {
+    for (std::size_t i = skip_trivia(text, 0).end; i < text.size(); i = skip_trivia(text, i).end) {
         const Lexeme lexeme = lex(text, i);
         out.push_back({lexeme.kind, lexeme.text});
         i += lexeme.text.size();
@@ -64,27 +52,30 @@ bool Macros::expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& 
 
 namespace {
 
-// Reads the arguments whose opening parenthesis is at in[i]; leaves i behind the closing one.
-bool read_arguments(const std::vector<MacroToken>& in, std::size_t& i,
-                    std::vector<std::vector<MacroToken>>& arguments) {
-    int depth = 0;
-    arguments.emplace_back();
-    for (; i < in.size(); ++i) {
+struct MacroArguments {
+    std::vector<std::vector<MacroToken>> each;
+    std::size_t end = 0;  // behind the closing parenthesis
+};
+
+// The arguments whose opening parenthesis is at in[i]; nothing if none closes it.
+std::optional<MacroArguments> read_arguments(const std::vector<MacroToken>& in, std::size_t i) {
+    MacroArguments arguments{{{}}, i};
+    for (int depth = 0; i < in.size(); ++i) {
         const std::string_view t = in[i].text;
         if (t == "(" || t == "[" || t == "{") {
             if (depth++ == 0) continue;
         } else if (t == ")" || t == "]" || t == "}") {
             if (--depth == 0) {
-                ++i;
-                return true;
+                arguments.end = i + 1;
+                return arguments;
             }
         } else if (t == "," && depth == 1) {
-            arguments.emplace_back();
+            arguments.each.emplace_back();
             continue;
         }
-        arguments.back().push_back(in[i]);
+        arguments.each.back().push_back(in[i]);
     }
-    return false;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -102,33 +93,26 @@ bool Macros::expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& 
             ++i;
             continue;
         }
-        if (!macro || (macro->function && (i + 1 >= in.size() || in[i + 1].text != "("))) {
+        const bool called = macro && macro->function && i + 1 < in.size() && in[i + 1].text == "(";
+        const auto arguments = called ? read_arguments(in, i + 1) : std::nullopt;
+        if (!macro || (macro->function && !arguments)) {
             out.push_back(t);
             ++i;
             continue;
         }
-        std::vector<std::vector<MacroToken>> arguments;
-        std::size_t next = i + 1;
-        if (macro->function && !read_arguments(in, next, arguments)) {
-            out.push_back(t);
-            ++i;
-            continue;
-        }
+        std::size_t next = arguments ? arguments->end : i + 1;
         std::vector<MacroToken> replaced;
-        if (!substitute(*macro, arguments, replaced, active)) return false;
+        if (!substitute(*macro, arguments ? arguments->each : decltype(arguments->each){}, replaced, active))
+            return false;
         active.push_back(t.text);
         // A function-like macro's name at the end takes its arguments from what follows.
-        const bool trailing = !replaced.empty() && next < in.size() && in[next].text == "(" &&
-                              find(replaced.back().text) && find(replaced.back().text)->function;
-        if (trailing) {
-            std::size_t end = next;
-            std::vector<std::vector<MacroToken>> unused;
-            if (read_arguments(in, end, unused)) {
+        const Macro* last = replaced.empty() ? nullptr : find(replaced.back().text);
+        if (last && last->function && next < in.size() && in[next].text == "(")
+            if (const auto following = read_arguments(in, next)) {
                 replaced.insert(replaced.end(), in.begin() + static_cast<std::ptrdiff_t>(next),
-                                in.begin() + static_cast<std::ptrdiff_t>(end));
-                next = end;
+                                in.begin() + static_cast<std::ptrdiff_t>(following->end));
+                next = following->end;
             }
-        }
         const bool fine = expand(replaced, out, active);
         active.pop_back();
         if (!fine) return false;
@@ -190,7 +174,7 @@ bool Macros::substitute(const Macro& macro, const std::vector<std::vector<MacroT
 
 namespace {
 
-// Precedence climbing over the integers, as the preprocessor of C.
+// Evaluates by precedence climbing, as the preprocessor of C does.
 struct Condition {
     const std::vector<MacroToken>& tokens;
     std::size_t at = 0;
@@ -199,18 +183,7 @@ struct Condition {
 
     std::string_view peek() const { return at < tokens.size() ? tokens[at].text : std::string_view(); }
 
-    static int precedence(std::string_view op) {
-        struct Level {
-            std::string_view op;
-            int level;
-        };
-        constexpr Level levels[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
-                                    {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
-                                    {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
-        for (const Level& l : levels)
-            if (l.op == op) return l.level;
-        return 0;
-    }
+    static int level_of(std::string_view op) { return op == "^^" ? 0 : precedence(op); }
 
     long long apply(std::string_view op, long long a, long long b) {
         const auto ua = static_cast<unsigned long long>(a), ub = static_cast<unsigned long long>(b);
@@ -279,7 +252,7 @@ struct Condition {
 
     long long binary(int least) {
         long long left = unary();
-        for (int level = precedence(peek()); level >= least && !failed; level = precedence(peek())) {
+        for (int level = level_of(peek()); level >= least && level > 0 && !failed; level = level_of(peek())) {
             const std::string_view op = tokens[at++].text;
             left = apply(op, left, binary(level + 1));
         }
@@ -308,9 +281,8 @@ std::optional<bool> Macros::condition(std::string_view text, int line) {
     std::vector<MacroToken> out;
     if (!expand(in, out)) return std::nullopt;
     for (MacroToken& t : out) {
-        long long value = 0;
-        if (t.kind == Kind::identifier && predefined(t.text, value))
-            t = {Kind::integer, arena_.emplace_back(std::to_string(value))};
+        if (t.kind != Kind::identifier) continue;
+        if (const auto value = predefined(t.text)) t = {Kind::integer, arena_.emplace_back(std::to_string(*value))};
     }
     Condition condition{out};
     const long long value = condition.binary(1);

@@ -48,7 +48,7 @@ private:
     bool expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& out, std::vector<std::string_view>& active);
     bool substitute(const Macro& macro, const std::vector<std::vector<MacroToken>>& arguments,
                     std::vector<MacroToken>& out, std::vector<std::string_view>& active);
-    bool predefined(std::string_view name, long long& value);
+    std::optional<long long> predefined(std::string_view name);
 
     Arena& arena_;
     std::map<std::string, Macro, std::less<>> macros_;

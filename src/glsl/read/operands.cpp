@@ -23,7 +23,7 @@ void Parser::select(Expression& e, std::string_view member) {
     }
     if (e.type.base == Base::structure && e.type.dims == 0 && e.type.structure >= 0) {
         Type found;
-        for (const Member& m : u_.structs[static_cast<std::size_t>(e.type.structure)].members)
+        for (const Member& m : u_.structure(e.type).members)
             if (m.name == member) found = m.type;
         e.type = found;
         e.value.clear();
@@ -39,8 +39,7 @@ void Parser::select(Expression& e, std::string_view member) {
         u_.replace(p_ - 2, "");
         u_.replace(p_ - 1, ")");
     }
-    if (e.type.dims || e.type.cols > 1 || e.type.base < Base::boolean || e.type.base > Base::dreal ||
-        member.size() > 4) {
+    if (e.type.dims || e.type.cols > 1 || !e.type.basic() || member.size() > 4) {
         e.type = {};
         e.value.clear();
         return;
@@ -56,65 +55,79 @@ void Parser::select(Expression& e, std::string_view member) {
     e.type = make_type(e.type.base, static_cast<int>(member.size()));
 }
 
+// e[…], behind its bracket; false if the bracket is never closed.
+bool Parser::index(Expression& e) {
+    const Expression at = expression();
+    if (at.type.base == Base::real) convert(at, make_type(Base::integer), Due::operand);
+    if (!accept("]")) return false;
+    if (e.global >= 0 && !e.selected) {
+        Global& g = u_.globals[static_cast<std::size_t>(e.global)];
+        if (at.value.size() == 1 && at.value[0] < 1e6)
+            g.most_index = std::max(g.most_index, static_cast<int>(at.value[0]));
+        else
+            g.indexed_freely = true;
+    }
+    if (e.type.dims > 0) {
+        --e.type.dims;
+        e.type.size = -1;
+    } else if (e.type.cols > 1) {
+        e.type = make_type(e.type.base, e.type.rows);
+    } else if (e.type.rows > 1) {
+        e.type = make_type(e.type.base);
+        const bool alpha = at.value.size() != 1 || at.value[0] > 2.5;
+        e.selection = alpha ? "?a" : "x";
+    } else {
+        e.type = {};
+    }
+    e.constant = e.constant && at.constant;
+    e.value.clear();
+    e.alpha_one = false;
+    e.selected = true;
+    return true;
+}
+
+// e.length(), behind its name.
+void Parser::length(Expression& e) {
+    skip_balanced();
+    e.value = e.type.size > 0 ? std::vector<double>{static_cast<double>(e.type.size)} : std::vector<double>{};
+    e.constant = true;
+    e.type = make_type(Base::integer);
+    e.no_variable();
+}
+
 Expression Parser::postfix() {
     Expression e = primary();
+    const auto called = [&] {
+        const Token& before = u_.at(std::max(p_ - 1, 0));
+        return is("(") && p_ > 0 && (before.text == "]" || before.kind == Kind::integer || before.kind == Kind::real);
+    };
     for (;;) {
-        if (is("[")) {
-            ++p_;
-            const Expression index = expression();
-            if (index.type.base == Base::real) convert(index, make_type(Base::integer), Due::operand);
-            if (!accept("]")) break;
-            if (e.type.dims > 0) {
-                --e.type.dims;
-                e.type.size = -1;
-            } else if (e.type.cols > 1) {
-                e.type = make_type(e.type.base, e.type.rows);
-            } else if (e.type.rows > 1) {
-                e.type = make_type(e.type.base);
-                const bool alpha = index.value.size() != 1 || index.value[0] > 2.5;
-                e.selection = alpha ? "?a" : "x";
-            } else {
-                e.type = {};
-            }
-            e.constant = e.constant && index.constant;
-            e.value.clear();
-            e.alpha_one = false;
-            e.selected = true;
-            e.last = p_ - 1;
+        if (accept("[")) {
+            if (!index(e)) break;
         } else if (is(".") && token(1).kind == Kind::identifier) {
             const std::string_view member = text(1);
             p_ += 2;
-            if (member == "length" && is("(")) {
-                skip_balanced();
-                const bool known = e.type.size > 0;
-                e.value = known ? std::vector<double>{static_cast<double>(e.type.size)} : std::vector<double>{};
-                e.constant = true;
-                e.type = make_type(Base::integer);
-                e.global = -1;
-                e.legacy = {};
-            } else {
+            if (member == "length" && is("("))
+                length(e);
+            else
                 select(e, member);
-            }
-            e.last = p_ - 1;
-        } else if (is("(") && p_ > 0 &&
-                   (u_.at(p_ - 1).text == "]" || u_.at(p_ - 1).kind == Kind::integer ||
-                    u_.at(p_ - 1).kind == Kind::real)) {
-            // At least one driver does not survive this.
+        } else if (called()) {  // at least one driver does not survive this
             diagnostics_.error("not-a-function", u_.span(p_),
                                "the expression before this parenthesis is not a function");
             skip_balanced();
             e = Expression{};
             e.constant = false;
+            continue;
         } else if (is("++") || is("--")) {
             note_operand(e, text());
             note_write(e, nullptr, text());
             ++p_;
-            e.last = p_ - 1;
             e.constant = false;
             e.value.clear();
         } else {
             break;
         }
+        e.last = p_ - 1;
     }
     return e;
 }
@@ -178,15 +191,10 @@ Expression Parser::primary() {
             ++p_;
             return constructor(*type, p_ - 1);
         }
-        for (std::size_t n = 0; n < u_.structs.size(); ++n)
-            if (u_.structs[n].name == t.text && (is("(", 1) || is("[", 1))) {
-                Type type;
-                type.base = Base::structure;
-                type.structure = static_cast<std::int32_t>(n);
-                type.name = t.text;
-                ++p_;
-                return constructor(type, p_ - 1);
-            }
+        if (const auto type = structure_named(t.text); type && (is("(", 1) || is("[", 1))) {
+            ++p_;
+            return constructor(*type, p_ - 1);
+        }
         if (is("(", 1)) return call(p_);
     } else if (is("(", 1) && u_.function_names.contains(t.text)) {
         u_.shared_by_kinds.insert(t.text);
@@ -215,8 +223,7 @@ Expression Parser::cast() {
     e.type = type;
     e.alpha_one = false;
     e.value.clear();
-    e.global = -1;
-    e.legacy = {};
+    e.no_variable();
     return e;
 }
 
@@ -265,7 +272,7 @@ std::vector<Expression> Parser::arguments() {
         if (p_ == before) ++p_;
     }
     if (!accept(")") && !at_end()) {
-        // Not understood: go to the closing parenthesis, but not past the statement.
+        // The arguments were not understood: parsing resumes after the closing parenthesis, within the statement.
         int open = 1;
         while (!at_end() && !is(";") && !is("{") && !is("}") && open > 0) {
             if (is("(")) ++open;
@@ -303,7 +310,7 @@ Expression Parser::constructor(const Type& type, int first) {
         return e;
     }
     if (type.base == Base::structure) {
-        const Struct& s = u_.structs[static_cast<std::size_t>(type.structure)];
+        const Struct& s = u_.structure(type);
         for (std::size_t n = 0; n < given.size() && n < s.members.size(); ++n)
             convert(given[n], s.members[n].type, Due::argument);
         return e;

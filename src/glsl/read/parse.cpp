@@ -1,6 +1,8 @@
 // Declarations outside functions.
 #include "src/glsl/read/parse.h"
 
+#include <algorithm>
+
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
@@ -150,28 +152,19 @@ Qualifiers Parser::qualifiers() {
     return q;
 }
 
-std::optional<Type> Parser::type_specifier(bool& defines) {
-    defines = false;
-    if (is("struct")) {
-        defines = true;
-        return structure();
-    }
+std::optional<Type> Parser::type_specifier() {
+    if (is("struct")) return structure();
     if (token().kind != Kind::identifier) return std::nullopt;
     if (const auto type = builtin_type(text())) {
         ++p_;
         return type;
     }
-    for (std::size_t n = 0; n < u_.structs.size(); ++n)
-        if (u_.structs[n].name == text()) {
-            const Symbol* hidden = find(text());
-            if (hidden && !hidden->function) return std::nullopt;  // a variable of the same name
-            Type type;
-            type.base = Base::structure;
-            type.structure = static_cast<std::int32_t>(n);
-            type.name = text();
-            ++p_;
-            return type;
-        }
+    if (const auto type = structure_named(text())) {
+        const Symbol* hidden = find(text());
+        if (hidden && !hidden->function) return std::nullopt;  // a variable of the same name
+        ++p_;
+        return type;
+    }
     if (const std::string_view legacy = legacy_struct_text(text()); !legacy.empty()) {
         ++p_;
         return legacy_structure(legacy);
@@ -188,20 +181,22 @@ std::optional<Type> Parser::type_specifier(bool& defines) {
 // `struct NAME { TYPE MEMBER; … };` of the language's own.
 std::optional<Type> Parser::legacy_structure(std::string_view declaration) {
     const std::vector<MacroToken> t = macro_tokens(declaration);
-    Type type;
-    type.base = Base::structure;
-    type.name = t[1].text;
-    for (std::size_t n = 0; n < u_.structs.size(); ++n)
-        if (u_.structs[n].name == type.name) {
-            type.structure = static_cast<std::int32_t>(n);
-            return type;
-        }
+    if (const auto known = structure_named(t[1].text)) return known;
     Struct s;
-    s.name = type.name;
+    s.name = t[1].text;
     for (std::size_t k = 3; k + 2 < t.size(); k += 3)
         if (const auto member = builtin_type(t[k].text)) s.members.push_back({t[k + 1].text, *member});
-    type.structure = static_cast<std::int32_t>(u_.structs.size());
     u_.structs.push_back(std::move(s));
+    return structure_named(t[1].text);
+}
+
+std::optional<Type> Parser::structure_named(std::string_view name) const {
+    const auto found = std::ranges::find(u_.structs, name, &Struct::name);
+    if (found == u_.structs.end()) return std::nullopt;
+    Type type;
+    type.base = Base::structure;
+    type.structure = static_cast<std::int32_t>(found - u_.structs.begin());
+    type.name = name;
     return type;
 }
 
@@ -234,8 +229,7 @@ void Parser::members(int structure, std::vector<std::pair<int, int>>* tokens) {
     while (!at_end() && !is("}")) {
         const int first = p_;
         qualifiers();
-        bool defines = false;
-        const std::optional<Type> type = type_specifier(defines);
+        const std::optional<Type> type = type_specifier();
         if (!type) {
             skip_to_semicolon();
             if (p_ == first) ++p_;
@@ -250,10 +244,7 @@ void Parser::members(int structure, std::vector<std::pair<int, int>>* tokens) {
             u_.structs[static_cast<std::size_t>(structure)].members.push_back(m);
             if (!accept(",")) break;
         }
-        if (!is(";"))
-            skip_to_semicolon();
-        else
-            accept(";");
+        skip_to_semicolon();
         if (tokens) tokens->emplace_back(first, p_ - 1);
         if (p_ == first) ++p_;
     }
@@ -311,10 +302,7 @@ void Parser::block(const Qualifiers& q, int first) {
     } else {
         for (const Member& m : b.members) declare(m.name, {m.type, -1, false, false, {}});
     }
-    if (!is(";"))
-        skip_to_semicolon();
-    else
-        accept(";");
+    skip_to_semicolon();
     b.last = p_ - 1;
     u_.blocks.push_back(std::move(b));
 }
@@ -343,15 +331,14 @@ void Parser::external() {
     Group group;
     group.first = first;
     group.type_first = p_;
-    bool defines = false;
-    std::optional<Type> type = type_specifier(defines);
+    group.defines_struct = is("struct");
+    std::optional<Type> type = type_specifier();
     if (!type && is("main") && is("(", 1)) {
         diagnostics_.warning("untyped-main", u_.span(p_), "main wants 'void' before it");
         u_.edit(p_).before = "void ";
         return function(make_type(Base::none), p_, p_);
     }
     if (!type) return skip_declaration();
-    group.defines_struct = defines;
     group.type_last = p_ - 1;
     Type base = *type;
     if (is("[")) {
@@ -359,7 +346,7 @@ void Parser::external() {
         group.type_last = p_ - 1;
     }
     if (accept(";")) {  // struct X { … };
-        if (defines) u_.erase(first, group.type_first - 1);
+        if (group.defines_struct) u_.erase(first, group.type_first - 1);
         return;
     }
     if (token().kind == Kind::identifier && is("(", 1)) return function(base, first, p_);

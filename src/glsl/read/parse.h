@@ -20,6 +20,8 @@ struct Expression {
     std::string_view legacy;     // the same for a built-in variable
     std::string_view selection;  // last member or swizzle selected from it
     bool selected = false;       // anything was selected from the root
+
+    void no_variable() { global = -1, legacy = {}; }
 };
 
 class Parser {
@@ -42,8 +44,9 @@ private:
     void external();
     Qualifiers qualifiers();
     bool layout(Qualifiers& q);
-    std::optional<Type> type_specifier(bool& defines);
+    std::optional<Type> type_specifier();
     std::optional<Type> structure();
+    std::optional<Type> structure_named(std::string_view name) const;
     std::optional<Type> legacy_structure(std::string_view text);
     void members(int structure, std::vector<std::pair<int, int>>* tokens);
     int dimensions(Type& type, std::string* text);
@@ -70,6 +73,8 @@ private:
     Expression binary(int least);
     Expression unary();
     Expression postfix();
+    bool index(Expression& e);
+    void length(Expression& e);
     Expression primary();
     Expression number();
     Expression name();

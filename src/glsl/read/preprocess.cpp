@@ -30,7 +30,7 @@ public:
         end.lead = take_lead(text_.size());
         unit_.tokens.push_back(end);
     }
-    // Something only the expanded form says rightly.
+    // True if only the expanded form has the meaning of the text.
     bool must_expand() const { return macros_.asked_context() || macros_.pasted() || shadows_language_ || broken_; }
 
 private:
@@ -104,7 +104,9 @@ void Preprocessor::read(FileId file) {
     at_ = lead_start_ = 0;
     bool line_start = true;
     while (true) {
-        at_ = skip_trivia(text_, at_, line_start);
+        const Trivia trivia = skip_trivia(text_, at_);
+        at_ = trivia.end;
+        line_start = line_start || trivia.line_end;
         if (at_ >= text_.size() || unit_.tokens.size() > token_limit) break;
         if (line_start && text_[at_] == '#') {
             directive(at_);
@@ -135,8 +137,7 @@ void Preprocessor::token() {
 
 // Behind the parenthesis that closes the arguments which start at or after `from`, if there are any.
 std::optional<std::size_t> Preprocessor::arguments_end(std::size_t from) const {
-    bool line_start = false;
-    std::size_t i = skip_trivia(text_, from, line_start);
+    std::size_t i = skip_trivia(text_, from).end;
     if (i >= text_.size() || text_[i] != '(') return std::nullopt;
     int depth = 0;
     while (i < text_.size()) {
@@ -144,7 +145,7 @@ std::optional<std::size_t> Preprocessor::arguments_end(std::size_t from) const {
         i += lexeme.text.size();
         if (lexeme.text == "(") ++depth;
         if (lexeme.text == ")" && --depth == 0) return i;
-        i = skip_trivia(text_, i, line_start);
+        i = skip_trivia(text_, i).end;
     }
     return std::nullopt;
 }
@@ -255,6 +256,8 @@ void Preprocessor::perform(std::string_view name, std::string_view rest, std::si
     } else if (name == "undef") {
         const std::vector<MacroToken> tokens = macro_tokens(rest);
         if (!tokens.empty()) macros_.undefine(tokens.front().text);
+    } else if (name == "pragma" && unit_.stage == Stage::fragment && rest.find("STDGL") != rest.npos) {
+        return blank_out(start, end);  // `invariant(all)`, which newer versions refuse where nothing is passed on
     } else if (name != "pragma" && name != "line" && name != "error" && !name.empty()) {
         diagnostics_.warning("unknown-directive", span(start, end), "unknown directive: it is left out");
         return blank_out(start, end);
@@ -265,9 +268,7 @@ void Preprocessor::perform(std::string_view name, std::string_view rest, std::si
 }
 
 void Preprocessor::define(std::string_view rest) {
-    std::size_t i = 0;
-    bool line_start = false;
-    i = skip_trivia(rest, 0, line_start);
+    const std::size_t i = skip_trivia(rest, 0).end;
     std::size_t name_end = i;
     while (name_end < rest.size() && identifier_part(rest[name_end])) ++name_end;
     const std::string_view name = rest.substr(i, name_end - i);
@@ -286,7 +287,7 @@ void Preprocessor::define(std::string_view rest) {
     shadows_language_ = shadows_language_ || is_language_word(name) || name.starts_with("snell_");
     for (const MacroToken& t : macro.body) shadows_language_ = shadows_language_ || t.text == name || t.text == "##";
     unit_.defined.emplace_back(name);
-    // What is set from outside wins over the shader's own choice.
+    // A macro from outside overrides the shader's own.
     for (const Define& d : options_.defines)
         if (d.name == name) return;
     macros_.define(name, std::move(macro));
@@ -317,9 +318,7 @@ void Preprocessor::extension(std::string_view rest, std::size_t start, std::size
 }
 
 void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t end) {
-    std::size_t i = 0;
-    bool line_start = false;
-    i = skip_trivia(rest, 0, line_start);
+    const std::size_t i = skip_trivia(rest, 0).end;
     const bool angle = i < rest.size() && rest[i] == '<';
     const char closer = angle ? '>' : '"';
     const std::size_t close = i + 1 < rest.size() ? rest.find(closer, i + 1) : std::string_view::npos;
@@ -331,7 +330,7 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
     const std::string_view name = rest.substr(i + 1, close - i - 1);
     std::optional<IncludeText> got;
     if (options_.include) got = options_.include(file_name_.back(), name, angle);
-    // Its names are there without it.
+    // The names of gstap.h are always known.
     if (!got && name == "gstap.h") got = IncludeText{"gstap.h", ""};
     if (!got) {
         diagnostics_.error("missing-include", where, "cannot read the included file '" + std::string(name) + "'");

@@ -37,8 +37,7 @@ bool Parser::starts_declaration() const {
 void Parser::local_declaration() {
     const int first = p_;
     const Qualifiers q = qualifiers();
-    bool defines = false;
-    const std::optional<Type> type = type_specifier(defines);
+    const std::optional<Type> type = type_specifier();
     if (!type) return skip_to_semicolon();
     Type base = *type;
     dimensions(base, nullptr);
@@ -46,7 +45,7 @@ void Parser::local_declaration() {
     declarators(q, base, {}, false);
 }
 
-// GLSL 1.10 has them; they go before the function.
+// GLSL 1.10 allows prototypes within functions; they are moved ahead of the function.
 void Parser::local_prototype(const Type& result, int first) {
     const int name = p_++;
     skip_balanced();
@@ -123,7 +122,7 @@ void Parser::statement() {
     } else {
         expression();
         if (!accept(";") && !is("}")) {
-            // Not understood, or a semicolon is missing: go on after the line's statement.
+            // The statement was not understood, or lacks its semicolon: parsing resumes after it.
             if (!starts_declaration() && !is_statement_word(text())) skip_to_semicolon();
         }
     }

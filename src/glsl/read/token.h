@@ -1,6 +1,7 @@
 // Tokens of one stage after preprocessing, with everything needed to write the text back as it was.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -60,6 +61,8 @@ struct Type {
     bool integral() const { return base == Base::integer || base == Base::uinteger; }
     bool floating() const { return base == Base::real || base == Base::dreal; }
     bool numeric() const { return integral() || floating(); }
+    // A number, a truth value, or a vector or matrix of them; or an array of these.
+    bool basic() const { return base >= Base::boolean && base <= Base::dreal; }
 };
 
 struct Member {
@@ -90,6 +93,23 @@ struct Qualifiers {
     std::string_view precision;
     std::string memory;         // coherent, readonly …
     int first = -1, last = -1;  // tokens; none: first > last or -1
+
+    // The value that the layout gives a name; empty if it gives none.
+    std::string_view layout_value(std::string_view name) const {
+        for (const LayoutItem& item : layout)
+            if (item.name == name) return item.value;
+        return {};
+    }
+    // The same as a number that is 0 or larger; -1 if there is none.
+    int layout_number(std::string_view name) const {
+        const std::string_view digits = layout_value(name);
+        int n = -1;
+        std::from_chars(digits.data(), digits.data() + digits.size(), n);
+        return n;
+    }
+    bool erase_layout(std::string_view name) {
+        return std::erase_if(layout, [&](const LayoutItem& item) { return item.name == name; }) > 0;
+    }
 };
 
 // One declared global variable.
@@ -108,9 +128,11 @@ struct Global {
     bool read = false, written = false;
     std::string new_type;  // instead of the type's name
     std::string new_name;
-    std::string initial;        // what it begins with where the text gives it nothing
-    std::vector<double> value;  // of a constant initialiser, where known
-    std::vector<int> uses;      // tokens
+    std::string initial;          // what it begins with where the text gives it nothing
+    std::vector<double> value;    // of a constant initialiser, where known
+    std::vector<int> uses;        // tokens
+    int most_index = -1;          // of the constants that index an array
+    bool indexed_freely = false;  // or something else indexes it
 };
 
 // One declaration with one or several declarators, ended by a semicolon.
@@ -217,6 +239,7 @@ struct Unit {
             return edits[static_cast<std::size_t>(t.edit)].text;
         return t.text;
     }
+    const Struct& structure(const Type& type) const { return structs[static_cast<std::size_t>(type.structure)]; }
     const Token& at(int token) const { return tokens[static_cast<std::size_t>(token)]; }
     Span span(int token) const {
         const Token& t = at(token);

@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "parser/text/words.h"
+
 namespace snell::glsl {
 
 namespace {
@@ -31,67 +33,20 @@ constexpr std::string_view matrix_names[2][5][5] = {
      {"", "", "dmat4x2", "dmat4x3", "dmat4"}},
 };
 
-constexpr std::string_view samplers[] = {
-    "sampler1D",
-    "sampler2D",
-    "sampler3D",
-    "samplerCube",
-    "sampler2DRect",
-    "sampler1DShadow",
-    "sampler2DShadow",
-    "samplerCubeShadow",
-    "sampler2DRectShadow",
-    "sampler1DArray",
-    "sampler2DArray",
-    "sampler1DArrayShadow",
-    "sampler2DArrayShadow",
-    "samplerBuffer",
-    "sampler2DMS",
-    "sampler2DMSArray",
-    "samplerCubeArray",
-    "samplerCubeArrayShadow",
-    "isampler1D",
-    "isampler2D",
-    "isampler3D",
-    "isamplerCube",
-    "isampler2DRect",
-    "isampler1DArray",
-    "isampler2DArray",
-    "isamplerBuffer",
-    "isampler2DMS",
-    "isampler2DMSArray",
-    "isamplerCubeArray",
-    "usampler1D",
-    "usampler2D",
-    "usampler3D",
-    "usamplerCube",
-    "usampler2DRect",
-    "usampler1DArray",
-    "usampler2DArray",
-    "usamplerBuffer",
-    "usampler2DMS",
-    "usampler2DMSArray",
-    "usamplerCubeArray",
-    "image1D",
-    "image2D",
-    "image3D",
-    "imageCube",
-    "image2DRect",
-    "image1DArray",
-    "image2DArray",
-    "imageBuffer",
-    "iimage1D",
-    "iimage2D",
-    "iimage3D",
-    "uimage1D",
-    "uimage2D",
-    "uimage3D",
-    "iimage2DArray",
-    "uimage2DArray",
-    "iimageBuffer",
-    "uimageBuffer",
-    "atomic_uint",
-};
+Words words_of(std::string_view text) {
+    const std::vector<std::string_view> all = split(text);
+    return {all.begin(), all.end()};
+}
+
+constexpr std::string_view samplers =
+    "sampler1D sampler2D sampler3D samplerCube sampler2DRect sampler1DShadow sampler2DShadow samplerCubeShadow "
+    "sampler2DRectShadow sampler1DArray sampler2DArray sampler1DArrayShadow sampler2DArrayShadow samplerBuffer "
+    "sampler2DMS sampler2DMSArray samplerCubeArray samplerCubeArrayShadow isampler1D isampler2D isampler3D "
+    "isamplerCube isampler2DRect isampler1DArray isampler2DArray isamplerBuffer isampler2DMS isampler2DMSArray "
+    "isamplerCubeArray usampler1D usampler2D usampler3D usamplerCube usampler2DRect usampler1DArray usampler2DArray "
+    "usamplerBuffer usampler2DMS usampler2DMSArray usamplerCubeArray image1D image2D image3D imageCube image2DRect "
+    "image1DArray image2DArray imageBuffer iimage1D iimage2D iimage3D uimage1D uimage2D uimage3D iimage2DArray "
+    "uimage2DArray iimageBuffer uimageBuffer atomic_uint";
 
 const Types& types() {
     static const Types table = [] {
@@ -114,7 +69,7 @@ const Types& types() {
         add("dmat2x2", Base::dreal, 2, 2);
         add("dmat3x3", Base::dreal, 3, 3);
         add("dmat4x4", Base::dreal, 4, 4);
-        for (const std::string_view s : samplers) {
+        for (const std::string_view s : split(samplers)) {
             Type type;
             type.base = Base::sampler;
             type.name = s;
@@ -124,124 +79,6 @@ const Types& types() {
     }();
     return table;
 }
-
-const Words& qualifiers() {
-    static const Words words = {"const",    "in",        "out",       "inout",         "uniform",  "attribute",
-                                "varying",  "flat",      "smooth",    "noperspective", "centroid", "sample",
-                                "patch",    "invariant", "precise",   "highp",         "mediump",  "lowp",
-                                "layout",   "buffer",    "shared",    "coherent",      "volatile", "restrict",
-                                "readonly", "writeonly", "subroutine"};
-    return words;
-}
-
-const Words& statement_words() {
-    static const Words words = {"if",     "else",  "for",      "while",   "do",     "switch", "case",  "default",
-                                "return", "break", "continue", "discard", "struct", "true",   "false", "precision"};
-    return words;
-}
-
-// Keywords come here too where an older version has them not, and students' names are among them.
-const Words& reserved_words() {
-    static const Words words = {"uint",          "uvec2",
-                                "uvec3",         "uvec4",
-                                "double",        "dvec2",
-                                "dvec3",         "dvec4",
-                                "common",        "partition",
-                                "active",        "asm",
-                                "class",         "union",
-                                "enum",          "typedef",
-                                "template",      "this",
-                                "packed",        "resource",
-                                "goto",          "inline",
-                                "noinline",      "public",
-                                "static",        "extern",
-                                "external",      "interface",
-                                "long",          "short",
-                                "half",          "fixed",
-                                "unsigned",      "superp",
-                                "input",         "output",
-                                "hvec2",         "hvec3",
-                                "hvec4",         "fvec2",
-                                "fvec3",         "fvec4",
-                                "sampler3DRect", "filter",
-                                "sizeof",        "cast",
-                                "namespace",     "using",
-                                "row_major",     "sample",
-                                "patch",         "subroutine",
-                                "precise",       "invariant",
-                                "buffer",        "shared",
-                                "coherent",      "volatile",
-                                "restrict",      "readonly",
-                                "writeonly",     "smooth",
-                                "flat",          "noperspective",
-                                "centroid",      "atomic_uint",
-                                "demote",        "terminateInvocation",
-                                "superpatch",    "lowp",
-                                "mediump",       "highp",
-                                "precision",     "samplerExternalOES",
-                                "column_major",  "layout"};
-    return words;
-}
-
-struct TextureFunction {
-    std::string_view stem, modern;
-};
-constexpr TextureFunction texture_functions[] = {
-    {"texture1D", "texture"},
-    {"texture2D", "texture"},
-    {"texture3D", "texture"},
-    {"textureCube", "texture"},
-    {"texture2DRect", "texture"},
-    {"texture1DArray", "texture"},
-    {"texture2DArray", "texture"},
-    {"texture1DProj", "textureProj"},
-    {"texture2DProj", "textureProj"},
-    {"texture3DProj", "textureProj"},
-    {"texture2DRectProj", "textureProj"},
-    {"texture1DLod", "textureLod"},
-    {"texture2DLod", "textureLod"},
-    {"texture3DLod", "textureLod"},
-    {"textureCubeLod", "textureLod"},
-    {"texture1DArrayLod", "textureLod"},
-    {"texture2DArrayLod", "textureLod"},
-    {"texture1DProjLod", "textureProjLod"},
-    {"texture2DProjLod", "textureProjLod"},
-    {"texture3DProjLod", "textureProjLod"},
-    {"texture1DGrad", "textureGrad"},
-    {"texture2DGrad", "textureGrad"},
-    {"texture3DGrad", "textureGrad"},
-    {"textureCubeGrad", "textureGrad"},
-    {"texture2DProjGrad", "textureProjGrad"},
-    {"texture1DOffset", "textureOffset"},
-    {"texture2DOffset", "textureOffset"},
-    {"texture3DOffset", "textureOffset"},
-    {"texture2DLodOffset", "textureLodOffset"},
-    {"texelFetch1D", "texelFetch"},
-    {"texelFetch2D", "texelFetch"},
-    {"texelFetch3D", "texelFetch"},
-    {"texelFetch2DRect", "texelFetch"},
-    {"texelFetchBuffer", "texelFetch"},
-    {"texelFetch1DArray", "texelFetch"},
-    {"texelFetch2DArray", "texelFetch"},
-    {"textureSize1D", "textureSize"},
-    {"textureSize2D", "textureSize"},
-    {"textureSize3D", "textureSize"},
-    {"textureSizeCube", "textureSize"},
-    {"textureSizeBuffer", "textureSize"},
-    {"textureQueryLOD", "textureQueryLod"},
-    {"shadow1D", "texture"},
-    {"shadow2D", "texture"},
-    {"shadowCube", "texture"},
-    {"shadow2DRect", "texture"},
-    {"shadow1DArray", "texture"},
-    {"shadow2DArray", "texture"},
-    {"shadow1DProj", "textureProj"},
-    {"shadow2DProj", "textureProj"},
-    {"shadow1DLod", "textureLod"},
-    {"shadow2DLod", "textureLod"},
-    {"shadow1DProjLod", "textureProjLod"},
-    {"shadow2DProjLod", "textureProjLod"},
-};
 
 }  // namespace
 
@@ -269,25 +106,102 @@ std::optional<Type> builtin_type(std::string_view name) {
 
 bool has_alpha(std::string_view selection) { return selection.find_first_of("awq") != std::string_view::npos; }
 
-bool is_qualifier(std::string_view word) { return qualifiers().contains(word); }
-bool is_statement_word(std::string_view word) { return statement_words().contains(word); }
-bool is_reserved_word(std::string_view word) { return reserved_words().contains(word); }
+bool is_qualifier(std::string_view word) {
+    static const Words words = words_of(
+        "const in out inout uniform attribute varying flat smooth noperspective centroid sample patch invariant "
+        "precise highp mediump lowp layout buffer shared coherent volatile restrict readonly writeonly subroutine");
+    return words.contains(word);
+}
+
+bool is_statement_word(std::string_view word) {
+    static const Words words =
+        words_of("if else for while do switch case default return break continue discard struct true false precision");
+    return words.contains(word);
+}
+
+// Keywords that an older version lacks are here too, and students' names are among them.
+bool is_reserved_word(std::string_view word) {
+    static const Words words = words_of(
+        "uint uvec2 uvec3 uvec4 double dvec2 dvec3 dvec4 common partition active asm class union enum typedef "
+        "template this packed resource goto inline noinline public static extern external interface long short half "
+        "fixed unsigned superp input output hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 sampler3DRect filter sizeof cast "
+        "namespace using row_major sample patch subroutine precise invariant buffer shared coherent volatile "
+        "restrict readonly writeonly smooth flat noperspective centroid atomic_uint demote terminateInvocation "
+        "superpatch lowp mediump highp precision samplerExternalOES column_major layout");
+    return words.contains(word);
+}
 
 bool is_language_word(std::string_view word) {
     if (word.starts_with("gl_") || is_qualifier(word) || is_statement_word(word) || is_reserved_word(word)) return true;
-    bool wraps = false;
-    return builtin_type(word) || !builtin_signatures(word).empty() || !modern_texture_function(word, wraps).empty();
+    return builtin_type(word) || !builtin_signatures(word).empty() || !modern_texture_function(word).empty();
 }
 
-std::string_view modern_texture_function(std::string_view name, bool& wraps) {
-    if (!name.starts_with("te") && !name.starts_with("sh")) return {};
-    // Extensions wrote ARB or EXT behind the same names.
+std::string_view stage_name(Stage stage) {
+    constexpr std::string_view names[] = {"vertex", "tessellation control", "tessellation evaluation", "geometry",
+                                          "fragment"};
+    return names[static_cast<std::size_t>(stage)];
+}
+
+int precedence(std::string_view op) {
+    constexpr std::pair<std::string_view, int> table[] = {
+        {"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},  {"&", 6},  {"==", 7}, {"!=", 7}, {"<", 8}, {">", 8},
+        {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9}, {"+", 10}, {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
+    if (op.empty() || op.size() > 2) return 0;
+    for (const auto& [text, level] : table)
+        if (text == op) return level;
+    return 0;
+}
+
+bool assigns(std::string_view op) {
+    if (!op.ends_with('=')) return false;
+    op.remove_suffix(1);
+    return op.empty() || op == "<<" || op == ">>" ||
+           (op.size() == 1 && std::string_view("+-*/%&|^").find(op) != op.npos);
+}
+
+std::string_view foreign_type(std::string_view t) {
+    struct Foreign {
+        std::string_view name;
+        Base base;
+    };
+    constexpr Foreign stems[] = {{"float", Base::real},
+                                 {"half", Base::real},
+                                 {"fixed", Base::real},
+                                 {"int", Base::integer},
+                                 {"bool", Base::boolean}};
+    for (const Foreign& f : stems) {
+        if (!t.starts_with(f.name)) continue;
+        const std::string_view size = t.substr(f.name.size());
+        const auto digit = [&](std::size_t k) { return size[k] >= '2' && size[k] <= '4' ? size[k] - '0' : 0; };
+        if (size.empty()) return f.name == "half" || f.name == "fixed" ? "float" : "";
+        if (size.size() == 1 && digit(0)) return type_name(f.base, digit(0), 1);
+        if (size.size() == 3 && digit(0) && size[1] == 'x' && digit(2) == digit(0) && f.base == Base::real)
+            return type_name(f.base, digit(0), digit(0));
+    }
+    return {};
+}
+
+// STEM DIMENSION [Proj] [Lod, Grad] [Offset] becomes the function without the dimension. Extensions wrote ARB or EXT
+// behind the same names.
+std::string_view modern_texture_function(std::string_view name) {
+    if (name == "textureQueryLOD") return "textureQueryLod";
+    constexpr std::string_view results[] = {"texture",        "textureProj",      "textureLod",
+                                            "textureProjLod", "textureGrad",      "textureProjGrad",
+                                            "textureOffset",  "textureLodOffset", "textureProjOffset"};
+    constexpr std::string_view dimensions[] = {"1DArray", "2DArray", "2DRect", "1D", "2D", "3D", "Cube", "Buffer"};
     if (name.ends_with("ARB") || name.ends_with("EXT")) name.remove_suffix(3);
-    for (const TextureFunction& f : texture_functions)
-        if (f.stem == name) {
-            wraps = name.starts_with("shadow");
-            return f.modern;
+    for (const std::string_view stem : {"textureSize", "texelFetch", "texture", "shadow"}) {
+        if (!name.starts_with(stem)) continue;
+        const std::string_view rest = name.substr(stem.size());
+        for (const std::string_view dimension : dimensions) {
+            if (!rest.starts_with(dimension)) continue;
+            const std::string_view suffix = rest.substr(dimension.size());
+            if (stem.starts_with("textureS") || stem == "texelFetch") return suffix.empty() ? stem : "";
+            for (const std::string_view result : results)
+                if (result.substr(7) == suffix) return result;
+            return {};
         }
+    }
     return {};
 }
 
@@ -319,7 +233,7 @@ std::string zero_within(std::span<const Struct> structs, const Type& type, int& 
         return std::string(name) + "[" + std::to_string(type.size) + "](" + all + ")";
     }
     --budget;
-    if (type.base >= Base::boolean && type.base <= Base::dreal) return zero(type);
+    if (type.basic()) return zero(type);
     if (type.base != Base::structure || type.structure < 0) return {};
     const Struct& s = structs[static_cast<std::size_t>(type.structure)];
     if (s.name.empty() || s.members.empty()) return {};

@@ -36,15 +36,10 @@ std::optional<Attribute> by_words(std::string_view name) {
 }
 
 std::optional<Attribute> by_location(const Qualifiers& q) {
-    for (const LayoutItem& i : q.layout) {
-        if (i.name != "location") continue;
-        int n = -1;
-        std::from_chars(i.value.data(), i.value.data() + i.value.size(), n);
-        constexpr Attribute order[] = {Attribute::vertex, Attribute::normal, Attribute::texcoord, Attribute::color,
-                                       Attribute::tangent};
-        if (n >= 0 && n < 5) return order[n];
-    }
-    return std::nullopt;
+    using enum Attribute;
+    constexpr Attribute order[] = {vertex, normal, texcoord, color, tangent};
+    const int n = q.layout_number("location");
+    return n >= 0 && n < 5 ? std::optional(order[n]) : std::nullopt;
 }
 
 std::optional<Attribute> legacy_attribute(std::string_view name) {
@@ -60,7 +55,7 @@ std::optional<Attribute> legacy_attribute(std::string_view name) {
 // The value of a canonical attribute as a variable of the user's type.
 std::string value_as(Attribute a, const Type& type) {
     const AttributeFacts& c = attribute_facts()[static_cast<std::size_t>(a)];
-    if (type.dims || type.cols > 1 || type.base < Base::boolean || type.base > Base::dreal) return {};
+    if (type.dims || type.cols > 1 || !type.basic()) return {};
     const std::string type_text(type_name(type.base, type.rows, 1));
     std::string components(c.name);
     if (c.rows > 1 && type.rows < c.rows) components += std::string(".xyzw").substr(0, 1u + type.rows);
@@ -101,16 +96,14 @@ void assign_attributes(Program& program, Unit& u) {
                              "no geometry gives a vertex attribute '" + name + "': it is read as zero");
             g.qualifiers = {};
             g.dirty = true;
-            if (g.type.dims == 0 && g.type.base >= Base::boolean && g.type.base <= Base::dreal)
-                at_main_start(u, name + " = " + zero(g.type) + ";", g.name_token);
+            if (g.type.dims == 0 && g.type.basic()) at_main_start(u, name + " = " + zero(g.type) + ";", g.name_token);
             continue;
         }
         const Attribute a = *input.attribute;
         const bool known = by_exact_name(g.name) == a;
         const bool widened = (a == Attribute::normal || a == Attribute::tangent) && g.type.rows > 3;
         const bool plain = g.type.base == Base::real && g.type.cols == 1 && g.type.dims == 0 && !widened;
-        if (std::erase_if(g.qualifiers.layout, [](const LayoutItem& i) { return i.name == "location"; }) > 0)
-            g.dirty = true;
+        if (g.qualifiers.erase_layout("location")) g.dirty = true;
         if (known && plain && users[static_cast<std::size_t>(a)] == 1) continue;
         const std::string value = value_as(a, g.type);
         if (value.empty()) continue;
@@ -125,23 +118,7 @@ void assign_attributes(Program& program, Unit& u) {
 
 namespace {
 
-bool uses(const Unit& u, std::string_view name) {
-    return std::any_of(u.tokens.begin(), u.tokens.end(), [&](const Token& t) { return t.text == name; });
-}
-
-int location_of(const Qualifiers& q) {
-    for (const LayoutItem& i : q.layout)
-        if (i.name == "location") {
-            int n = -1;
-            std::from_chars(i.value.data(), i.value.data() + i.value.size(), n);
-            return n;
-        }
-    return -1;
-}
-
-}  // namespace
-
-namespace {
+int location_of(const Global& g) { return g.qualifiers.layout_number("location"); }
 
 // Colours that the shader does not write are zero, instead of what another program has left.
 void give_colors(Unit& u, const std::vector<Global*>& outputs, int targets) {
@@ -151,7 +128,7 @@ void give_colors(Unit& u, const std::vector<Global*>& outputs, int targets) {
         at_main_start(u, std::string(u.now(outputs.front()->name_token)) + " = " + zero(outputs.front()->type) + ";");
     for (int n = 0; n < targets; ++n) {
         const bool there = std::ranges::any_of(outputs, [&](const Global* g) {
-            return std::max(location_of(g->qualifiers), 0) == n && (g->written || outputs.size() == 1);
+            return std::max(location_of(*g), 0) == n && (g->written || outputs.size() == 1);
         });
         const std::string name = "snell_Unwritten" + std::to_string(n);
         if (there || !at_main_start(u, name + " = vec4(0.0);")) continue;
@@ -162,17 +139,17 @@ void give_colors(Unit& u, const std::vector<Global*>& outputs, int targets) {
 }  // namespace
 
 void assign_outputs(Program& program, Unit& u) {
-    const bool legacy = uses(u, "gl_FragColor") || uses(u, "gl_FragData");
+    const bool legacy = mentions(u, "gl_FragColor") || mentions(u, "gl_FragData");
     std::vector<Global*> outputs;
     for (Global& g : u.globals)
         if (g.qualifiers.storage == Storage::out && !g.removed && !g.name.starts_with("gl_")) outputs.push_back(&g);
     const auto located =
-        std::count_if(outputs.begin(), outputs.end(), [](const Global* g) { return location_of(g->qualifiers) >= 0; });
+        std::count_if(outputs.begin(), outputs.end(), [](const Global* g) { return location_of(*g) >= 0; });
     const bool known = outputs.size() < 2 || located == static_cast<std::ptrdiff_t>(outputs.size());
     if (!legacy && known) give_colors(u, outputs, program.options.color_outputs);
     int next = legacy ? 1 : 0;
     for (Global* g : outputs) {
-        if ((!g->written && outputs.size() + (legacy ? 1 : 0) > 1) || (legacy && location_of(g->qualifiers) == 0)) {
+        if ((!g->written && outputs.size() + (legacy ? 1 : 0) > 1) || (legacy && location_of(*g) == 0)) {
             if (legacy && g->written)
                 program.warn(
                     u, g->name_token, "two-outputs",
@@ -182,7 +159,7 @@ void assign_outputs(Program& program, Unit& u) {
             continue;
         }
         const bool several = outputs.size() > 1 || legacy;
-        if (location_of(g->qualifiers) < 0 && several && located == 0) {
+        if (location_of(*g) < 0 && several && located == 0) {
             g->qualifiers.layout.push_back({"location", std::to_string(next++)});
             g->dirty = true;
         }
@@ -190,8 +167,7 @@ void assign_outputs(Program& program, Unit& u) {
         if (g->type.base == Base::real && g->type.dims == 0 && g->type.rows < 4 && g->type.cols == 1 && find_main(u)) {
             const std::string name(u.now(g->name_token));
             const std::string out = "snell_out_" + name;
-            Qualifiers q = g->qualifiers;
-            const int at = std::max(location_of(q), 0);
+            const int at = std::max(location_of(*g), 0);
             declare_once(u, out, "layout(location = " + std::to_string(at) + ") out vec4 " + out + ";");
             g->qualifiers = {};
             g->dirty = true;

@@ -14,7 +14,7 @@ bool matches(const Unit& u, std::size_t at, std::initializer_list<std::string_vi
     return true;
 }
 
-// The vertex as it is, by the matrices as they are.
+// Matches the assignments that multiply the unchanged vertex by the unchanged matrices.
 bool is_plain_position(const Unit& u, std::size_t at) {
     return matches(u, at, {"gl_Position", "=", "ftransform", "(", ")", ";"}) ||
            matches(u, at, {"gl_Position", "=", "gl_ModelViewProjectionMatrix", "*", "gl_Vertex", ";"}) ||
@@ -28,7 +28,7 @@ bool is_across(std::string_view swizzle) {
     return std::find(across.begin(), across.end(), swizzle) != across.end();
 }
 
-// Something that depends on the planes: depth, the projection, a depth of its own.
+// Depths and the projection depend on the near and far planes.
 bool depends(const Unit& u, std::size_t at) {
     const std::string_view word = u.tokens[at].text;
     if (word == "gl_FragCoord")

@@ -1,4 +1,4 @@
-// Tokens and edits back to text.
+// Writes tokens and edits as text.
 #include <algorithm>
 
 #include "src/glsl/read/preprocess.h"
@@ -46,7 +46,7 @@ std::string extension_line(const Program& program, const Extension& e) {
                              e.name == "GL_EXT_texture_array" || e.name == "GL_ARB_texture_rectangle" ||
                              e.name.starts_with("GL_NV_") || e.name.starts_with("GL_ATI_") ||
                              e.name.starts_with("GL_ARB_") == program.target().es;
-    // What 4.5 has in its core needs no line.
+    // Extensions in the core of version 4.5 need no line.
     const bool in_core = !program.target().es && program.target().version >= 450 && e.name.starts_with("GL_ARB_");
     if (superfluous || in_core) return {};
     return "#extension " + e.name + " : " + (e.behaviour == "warn" ? "warn" : "enable");
@@ -76,7 +76,7 @@ std::string extension_lines(const Program& program, const Unit& u) {
     return lines;
 }
 
-// Extensions that the text enables itself need no line of ours.
+// An extension that the text enables itself needs no second line.
 void drop_known_extensions(Unit& u) {
     std::erase_if(u.wanted_extensions, [&](const std::string& name) {
         return std::any_of(u.extensions.begin(), u.extensions.end(),
@@ -188,7 +188,7 @@ namespace {
 
 constexpr std::string_view wrapper = "void main() { snell_main(); }\n", call = "snell_main();";
 
-// A main of ours calls the user's.
+// A new main calls the user's.
 bool wrap_main(Unit& u) {
     const Function* main = find_main(u);
     if (!main) return false;
@@ -212,7 +212,7 @@ void declare_before_main(Unit& u, std::string_view declarations, std::string_vie
 
 namespace {
 
-// As far as `budget` variables and members go: structures of structures multiply.
+// The budget bounds the number of statements, because structures of structures multiply.
 std::string zero_statements(const Unit& u, const std::string& variable, const Type& type, int& budget) {
     if (budget-- <= 0) return {};
     if (type.dims > 0) {
@@ -228,11 +228,11 @@ std::string zero_statements(const Unit& u, const std::string& variable, const Ty
     }
     if (type.base == Base::structure && type.structure >= 0) {
         std::string all;
-        for (const Member& m : u.structs[static_cast<std::size_t>(type.structure)].members)
+        for (const Member& m : u.structure(type).members)
             if (budget > 0) all += zero_statements(u, variable + "." + std::string(m.name), m.type, budget) + " ";
         return all;
     }
-    if (type.base < Base::boolean || type.base > Base::dreal) return {};
+    if (!type.basic()) return {};
     return variable + " = " + zero(type) + ";";
 }
 
@@ -244,9 +244,7 @@ std::string set_zero(const Unit& u, const std::string& variable, const Type& typ
 }
 
 std::string converted(std::string_view text, const Type& from, const Type& to) {
-    if (from.dims || to.dims || from.base < Base::boolean || to.base < Base::boolean || from.base > Base::dreal ||
-        to.base > Base::dreal || (from.cols > 1) != (to.cols > 1))
-        return {};
+    if (from.dims || to.dims || !from.basic() || !to.basic() || (from.cols > 1) != (to.cols > 1)) return {};
     const std::string name(type_name(to.base, to.rows, to.cols));
     if (to.cols > 1 || from.rows >= to.rows) return name + "(" + std::string(text) + ")";
     if (from.rows == 1) return name + "(" + std::string(text) + ")";

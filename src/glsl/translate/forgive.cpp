@@ -1,4 +1,4 @@
-// Slips that a forgiving compiler reads past and whose meaning is clear.
+// Mistakes whose meaning is clear, and which some compilers accept.
 #include <algorithm>
 
 #include "src/glsl/read/words.h"
@@ -26,7 +26,7 @@ static void lift_prototypes(Unit& u) {
     put();
 }
 
-// Functions and variables had namespaces of their own.
+// In old versions, functions and variables had separate namespaces.
 void separate_functions(Unit& u) {
     for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()); ++i) {
         const std::string_view t = u.at(i).text;
@@ -62,7 +62,7 @@ void copy_assigned(Program& program, Unit& u) {
         const bool constant = s == Storage::in || s == Storage::uniform;
         if (!constant || !g.written || g.removed || g.type.dims || !g.new_type.empty() || g.name.starts_with("gl_"))
             continue;
-        if (g.type.base < Base::boolean || g.type.base > Base::dreal) continue;
+        if (!g.type.basic()) continue;
         const std::string name(u.now(g.name_token)), copy = "snell_copy_" + name;
         program.warn(u, g.name_token, "assigned-input",
                      "'" + name + "' comes from outside and cannot be assigned: a copy is");

@@ -10,27 +10,8 @@ namespace snell::glsl {
 
 namespace {
 
-std::string storage_text(Storage s) {
-    switch (s) {
-        case Storage::plain:
-            return "";
-        case Storage::constant:
-            return "const ";
-        case Storage::in:
-            return "in ";
-        case Storage::out:
-            return "out ";
-        case Storage::inout:
-            return "inout ";
-        case Storage::uniform:
-            return "uniform ";
-        case Storage::buffer:
-            return "buffer ";
-        case Storage::shared:
-            return "shared ";
-    }
-    return "";
-}
+// In the order of Storage.
+constexpr std::string_view storage_words[] = {"", "const ", "in ", "out ", "inout ", "uniform ", "buffer ", "shared "};
 
 std::string qualifier_text(const Qualifiers& q) {
     std::string out;
@@ -44,13 +25,9 @@ std::string qualifier_text(const Qualifiers& q) {
     }
     if (!q.interpolation.empty()) out += std::string(q.interpolation) + " ";
     if (!q.auxiliary.empty()) out += std::string(q.auxiliary) + " ";
-    out += storage_text(q.storage) + q.memory;
+    out += std::string(storage_words[static_cast<std::size_t>(q.storage)]) + q.memory;
     if (!q.precision.empty()) out += std::string(q.precision) + " ";
     return out;
-}
-
-bool erase_layout(Qualifiers& q, std::string_view name) {
-    return std::erase_if(q.layout, [&](const LayoutItem& i) { return i.name == name; }) > 0;
 }
 
 // The words of a qualifier in the order that versions before 4.20 want.
@@ -73,56 +50,37 @@ bool in_order(const Unit& u, const Qualifiers& q) {
     return true;
 }
 
+// Sets a field of the declaration, which is written again if that changes it.
+template <class Field>
+void set(Global& g, Field& field, const Field& value) {
+    if (field == value) return;
+    field = value;
+    g.dirty = true;
+}
+
 void adjust_interface(const Target& target, const Unit& u, Global& g) {
+    using namespace std::string_view_literals;
     Qualifiers& q = g.qualifiers;
-    const bool vertex_input = u.stage == Stage::vertex && q.storage == Storage::in;
-    const bool color_output = u.stage == Stage::fragment && q.storage == Storage::out;
-    if (!vertex_input && !color_output) {
-        const bool may = target.es ? target.version >= 310 : target.version >= 410;
-        if (!may && erase_layout(q, "location")) g.dirty = true;
-        if (!may && erase_layout(q, "component")) g.dirty = true;
-    }
-    if (q.invariant && (target.version < 420 || (u.stage == Stage::fragment && q.storage == Storage::in))) {
-        q.invariant = false;
-        g.dirty = true;
-    }
-    if (u.stage == Stage::fragment && q.storage == Storage::in) {
-        if ((g.type.integral() || g.type.base == Base::dreal) && q.interpolation != "flat") {
-            q.interpolation = "flat";
-            g.dirty = true;
-        }
-    }
-    if (target.es && u.stage == Stage::vertex && q.storage == Storage::out && g.type.integral() &&
-        q.interpolation != "flat") {
-        q.interpolation = "flat";
-        g.dirty = true;
-    }
-    if (vertex_input && (!q.interpolation.empty() || q.invariant)) {
-        q.interpolation = {};
-        q.invariant = false;
-        g.dirty = true;
-    }
-    if (color_output && !q.interpolation.empty()) {
-        q.interpolation = {};
-        g.dirty = true;
-    }
-    if (target.es && q.interpolation == "noperspective") {
-        q.interpolation = {};
-        g.dirty = true;
-    }
+    const bool input = q.storage == Storage::in, output = q.storage == Storage::out;
+    const bool vertex_input = u.stage == Stage::vertex && input, fragment_input = u.stage == Stage::fragment && input;
+    const bool color_output = u.stage == Stage::fragment && output;
+    const bool located = vertex_input || color_output || (target.es ? target.version >= 310 : target.version >= 410);
+    if (!located && q.erase_layout("location")) g.dirty = true;
+    if (!located && q.erase_layout("component")) g.dirty = true;
+    if (target.version < 420 || fragment_input || vertex_input) set(g, q.invariant, false);
+    const bool whole = g.type.integral() || (fragment_input && g.type.base == Base::dreal);
+    if (whole && (fragment_input || (target.es && u.stage == Stage::vertex && output)))
+        set(g, q.interpolation, "flat"sv);
+    if (vertex_input || color_output || (target.es && q.interpolation == "noperspective"))
+        set(g, q.interpolation, ""sv);
 }
 
 // The texture units that a sampler's layout(binding) names become its default where the target has no bindings.
 void keep_binding(Program& program, const Global& g) {
     if (g.type.base != Base::sampler || g.removed) return;
-    const auto binding = std::find_if(g.qualifiers.layout.begin(), g.qualifiers.layout.end(),
-                                      [](const LayoutItem& i) { return i.name == "binding"; });
-    const bool known = std::any_of(program.defaults.begin(), program.defaults.end(),
-                                   [&](const UniformDefault& d) { return d.name == g.name; });
-    if (binding == g.qualifiers.layout.end() || known) return;
-    int first = -1;
-    std::from_chars(binding->value.data(), binding->value.data() + binding->value.size(), first);
-    if (first < 0) return;
+    const int first = g.qualifiers.layout_number("binding");
+    if (first < 0 || std::ranges::find(program.defaults, g.name, &UniformDefault::name) != program.defaults.end())
+        return;
     UniformDefault units{std::string(g.name), {}};
     for (int n = 0; n < (g.type.dims ? std::max(g.type.size, 1) : 1); ++n) units.values.push_back(first + n);
     program.defaults.push_back(std::move(units));
@@ -141,14 +99,11 @@ void adjust(Program& program, const Unit& u, Global& g) {
     if (q.storage == Storage::uniform) {
         const bool binding = target.es ? target.version >= 310 : target.version >= 420;
         if (!binding) keep_binding(program, g);
-        if (!binding && erase_layout(q, "binding")) g.dirty = true;
+        if (!binding && q.erase_layout("binding")) g.dirty = true;
         const bool location = target.es ? target.version >= 310 : target.version >= 430;
-        if (!location && erase_layout(q, "location")) g.dirty = true;
-        if (!q.interpolation.empty() || q.invariant) {
-            q.interpolation = {};
-            q.invariant = false;
-            g.dirty = true;
-        }
+        if (!location && q.erase_layout("location")) g.dirty = true;
+        set(g, q.interpolation, std::string_view());
+        set(g, q.invariant, false);
     }
     const bool ordered = target.es ? target.version >= 310 : target.version >= 420;
     if (!ordered && q.first >= 0 && q.first <= q.last && !in_order(u, q)) g.dirty = true;

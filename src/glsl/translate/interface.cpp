@@ -1,4 +1,4 @@
-// What one stage gives and the next takes: made to match by name.
+// Inputs of each stage are matched by name with the outputs of the stage before.
 #include <algorithm>
 
 #include "src/glsl/read/words.h"
@@ -35,41 +35,21 @@ bool in_block(const Unit& u, Storage storage, std::string_view name) {
     return false;
 }
 
-std::string_view location(const Qualifiers& q) {
-    for (const LayoutItem& i : q.layout)
-        if (i.name == "location") return i.value;
-    return {};
-}
-
-void drop_location(Global& g) {
-    if (std::erase_if(g.qualifiers.layout, [](const LayoutItem& i) { return i.name == "location"; }) > 0)
-        g.dirty = true;
-}
-
 // With a size for each vertex of the primitive where none is written.
 std::string element_dims(const Unit& u, const std::string& dims) {
     if (dims != "[]") return dims;
-    for (const StageLayout& l : u.layouts)
-        for (const LayoutItem& i : l.qualifiers.layout) {
-            if (i.name == "points") return "[1]";
-            if (i.name == "lines") return "[2]";
-            if (i.name == "lines_adjacency") return "[4]";
-            if (i.name == "triangles_adjacency") return "[6]";
-        }
-    return u.stage == Stage::geometry ? "[3]" : "[32]";
+    return "[" + std::to_string(u.stage == Stage::geometry ? vertices_in(u) : 32) + "]";
 }
 
 void warn_of_zero(Program& program, const Unit& u, int token, std::string_view name, const Unit& from) {
-    static constexpr std::string_view stage_names[] = {"vertex", "tessellation control", "tessellation evaluation",
-                                                       "geometry", "fragment"};
     program.warn(u, token, "input-without-output",
-                 "'" + std::string(name) + "' is not an output of the " +
-                     std::string(stage_names[static_cast<std::size_t>(from.stage)]) + " shader: it is read as zero");
+                 "'" + std::string(name) + "' is not an output of the " + std::string(stage_name(from.stage)) +
+                     " shader: it is read as zero");
 }
 
 void read_as_zero(Program& program, Unit& u, Global& g, const Unit& from) {
     if (!g.uses.empty()) warn_of_zero(program, u, g.name_token, g.name, from);
-    if ((g.type.base < Base::boolean || g.type.base > Base::dreal) && g.type.structure < 0) return;
+    if (!g.type.basic() && g.type.structure < 0) return;
     Qualifiers plain;
     plain.first = g.qualifiers.first;
     plain.last = g.qualifiers.last;
@@ -195,18 +175,17 @@ void match_interfaces(Program& program) {
             Global* out = find_output(*from, g.name);
             if (!out) {
                 if (in_block(*from, Storage::out, g.name)) continue;
-                const std::string_view at = location(g.qualifiers);
+                const std::string_view at = g.qualifiers.layout_value("location");
                 const bool by_location =
                     !at.empty() && std::any_of(from->globals.begin(), from->globals.end(), [&](const Global& o) {
-                        return o.qualifiers.storage == Storage::out && location(o.qualifiers) == at;
+                        return o.qualifiers.storage == Storage::out && o.qualifiers.layout_value("location") == at;
                     });
                 if (!by_location) read_as_zero(program, u, g, *from);
                 continue;
             }
-            if (location(out->qualifiers) != location(g.qualifiers)) {
-                drop_location(*out);
-                drop_location(g);
-            }
+            if (out->qualifiers.layout_value("location") != g.qualifiers.layout_value("location"))
+                for (Global* either : {out, &g})
+                    if (either->qualifiers.erase_layout("location")) either->dirty = true;
             adapt_type(program, u, g, per_vertex(*from, *out));
             adapt_interpolation(program.target(), *from, *out, u, g);
         }
@@ -274,7 +253,7 @@ void give_outputs(const Program& program, Unit& u) {
     for (const Global& g : u.globals) {  // other globals are kept in memory, which the driver clears
         const bool structure = g.type.structure >= 0 && g.type.dims == 0 && g.init_first < 0;
         if (structure && g.qualifiers.storage == Storage::plain && !g.removed &&
-            !u.structs[static_cast<std::size_t>(g.type.structure)].name.starts_with("snell_"))
+            !u.structure(g.type).name.starts_with("snell_"))
             give(u, g);
     }
     if (u.stage == Stage::tess_control || u.stage == Stage::fragment) return;

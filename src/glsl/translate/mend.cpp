@@ -15,7 +15,7 @@ struct Place {
     int token = 0;
 };
 
-// Words of other languages that some compilers read past.
+// Some compilers ignore these words of other languages.
 bool meaningless(std::string_view word) {
     return word == "static" || word == "inline" || word == "extern" || word == "public";
 }
@@ -27,23 +27,32 @@ bool stands_as_name(const Unit& u, std::size_t i) {
     if (word == "layout" || word == "precision" || word == "highp" || word == "mediump" || word == "lowp") return false;
     if (word == "subroutine") return next.text != "(" && next.kind == Kind::punct;
     if (next.kind != Kind::punct || next.text == "{") return false;
-    // A newer type's name, as a variable: it is used as one.
+    // The name of a newer type is a variable if it is used as one.
     if (builtin_type(word)) return std::string_view("=;*+-/.").find(next.text[0]) != std::string_view::npos;
     const bool type_like =
         word.starts_with("hvec") || word.starts_with("fvec") || word == "atomic_uint" || word == "sampler3DRect";
     return !(type_like && next.text == "(");
 }
 
+// The token reads `text` from now on, for the parser too. `text` stays: a literal or the unit's.
+void respell(Unit& u, std::size_t i, std::string_view text) {
+    u.replace(static_cast<int>(i), text);
+    u.tokens[i].text = text;
+}
+
+// The token goes; what leads it leads the next.
+void drop(Unit& u, std::size_t i) {
+    u.tokens[i + 1].lead = u.keep(std::string(u.tokens[i].lead) + std::string(u.tokens[i + 1].lead));
+    u.tokens.erase(u.tokens.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
 void drop_meaningless(Program& program, Unit& u) {
-    std::vector<Token> kept;
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
         const Token& t = u.tokens[i];
         if (t.kind != Kind::identifier || !meaningless(t.text) || u.tokens[i + 1].kind != Kind::identifier) continue;
         program.warn(u, static_cast<int>(i), "meaningless-word",
                      "'" + std::string(t.text) + "' has no meaning in GLSL: left out");
-        u.tokens[i + 1].lead = u.keep(std::string(t.lead) + std::string(u.tokens[i + 1].lead));
-        u.tokens.erase(u.tokens.begin() + static_cast<std::ptrdiff_t>(i));
-        --i;
+        drop(u, i--);
     }
 }
 
@@ -59,8 +68,7 @@ void mend_number(Program& program, Unit& u, int i) {
     } else if ((t.ends_with("lf") || t.ends_with("LF")) && (program.target().es || !program.target().fp64)) {
         u.replace(i, t.substr(0, t.size() - 2));
     }
-    u.tokens[static_cast<std::size_t>(i)].text = u.now(i);
-    // The edits vector may grow: the token needs a text that stays.
+    // The text is kept by the unit, because the edit moves when their vector grows.
     if (u.at(i).edit >= 0) u.tokens[static_cast<std::size_t>(i)].text = u.keep(std::string(u.now(i)));
 }
 
@@ -74,8 +82,7 @@ void no_doubles(Program& program, Unit& u) {
         if (!type) continue;
         if (!told) program.warn(u, static_cast<int>(i), "no-double", "double precision is not there: float is used");
         told = true;
-        u.replace(static_cast<int>(i), type_name(Base::real, type->rows, type->cols));
-        u.tokens[i].text = type_name(Base::real, type->rows, type->cols);
+        respell(u, i, type_name(Base::real, type->rows, type->cols));
     }
 }
 
@@ -94,8 +101,7 @@ void rename_all(Unit& u, std::string_view word, bool calls_too) {
         } else if (calls_too ? !stands_as_name(u, i)
                              : u.tokens[i + 1].text == "(" || (i > 0 && u.tokens[i - 1].text == "."))
             continue;
-        u.replace(static_cast<int>(i), name);
-        u.tokens[i].text = name;
+        respell(u, i, name);
     }
 }
 
@@ -127,11 +133,10 @@ void collect_hiding(const Unit& u, std::set<std::string_view>& called, std::map<
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
         const Token& t = u.tokens[i];
         if (t.kind != Kind::identifier || (i > 0 && u.tokens[i - 1].text == ".")) continue;
-        bool wraps = false;
         if (u.tokens[i + 1].text == "(") {
-            const std::string_view modern = modern_texture_function(t.text, wraps);
+            const std::string_view modern = modern_texture_function(t.text);
             const std::string_view name = modern.empty() ? t.text : modern;
-            // A type before it: the user's own function of that name, which calls are meant for.
+            // After a type, this is the user's own function of that name, which the calls mean.
             const bool defined =
                 i > 0 && u.tokens[i - 1].kind == Kind::identifier && !is_statement_word(u.tokens[i - 1].text);
             if (!defined && !builtin_signatures(name).empty()) called.insert(name);
@@ -141,39 +146,14 @@ void collect_hiding(const Unit& u, std::set<std::string_view>& called, std::map<
     }
 }
 
-// float3, half4, float4x4 …: types of Cg and HLSL.
-std::string_view foreign_type(std::string_view t) {
-    struct Foreign {
-        std::string_view name;
-        Base base;
-    };
-    constexpr Foreign stems[] = {{"float", Base::real},
-                                 {"half", Base::real},
-                                 {"fixed", Base::real},
-                                 {"int", Base::integer},
-                                 {"bool", Base::boolean}};
-    for (const Foreign& f : stems) {
-        if (!t.starts_with(f.name)) continue;
-        const std::string_view size = t.substr(f.name.size());
-        const auto digit = [&](std::size_t k) { return size[k] >= '2' && size[k] <= '4' ? size[k] - '0' : 0; };
-        if (size.empty()) return f.name == "half" || f.name == "fixed" ? "float" : "";
-        if (size.size() == 1 && digit(0)) return type_name(f.base, digit(0), 1);
-        if (size.size() == 3 && digit(0) && size[1] == 'x' && digit(2) == digit(0) && f.base == Base::real)
-            return type_name(f.base, digit(0), digit(0));
-    }
-    return {};
-}
-
 void mend_foreign_types(Program& program, Unit& u) {
     std::set<std::string_view> told;
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
         const Token& next = u.tokens[i + 1];
         if (u.tokens[i].kind != Kind::identifier || (next.kind != Kind::identifier && next.text != "(")) continue;
         if (u.tokens[i].text == "unsigned" && (next.text == "int" || next.text == "uint")) {
-            u.tokens[i + 1].lead = u.keep(std::string(u.tokens[i].lead) + std::string(u.tokens[i + 1].lead));
-            u.tokens.erase(u.tokens.begin() + static_cast<std::ptrdiff_t>(i));
-            u.replace(static_cast<int>(i), "uint");
-            u.tokens[i].text = "uint";
+            drop(u, i);
+            respell(u, i, "uint");
             continue;
         }
         const std::string_view type = foreign_type(u.tokens[i].text);
@@ -184,8 +164,7 @@ void mend_foreign_types(Program& program, Unit& u) {
             program.warn(
                 u, static_cast<int>(i), "foreign-type",
                 "'" + std::string(u.tokens[i].text) + "' is not a type of GLSL; it is read as " + std::string(type));
-        u.replace(static_cast<int>(i), type);
-        u.tokens[i].text = type;
+        respell(u, i, type);
     }
 }
 
@@ -197,8 +176,7 @@ void mend_dashes(Program& program, Unit& u) {
         const std::string_view s = t.text;
         if (s != "\xE2\x80\x93" && s != "\xE2\x80\x94" && s != "\xE2\x88\x92" && s != "\x96" && s != "\x97") continue;
         program.warn(u, static_cast<int>(i), "odd-minus", "this dash is not a minus sign; it is read as one");
-        u.replace(static_cast<int>(i), "-");
-        t.text = "-";
+        respell(u, i, "-");
         t.kind = Kind::punct;
     }
 }
@@ -208,7 +186,7 @@ void mend_for_es(Unit& u) {
         const std::string_view t = u.tokens[i].text;
         // The token's own text stays sampler1D, so that calls can be told apart.
         if (t == "sampler1D") u.replace(static_cast<int>(i), "sampler2D");
-        // One precision everywhere: uniforms must agree in it across stages.
+        // All precisions become highp, because uniforms must agree across stages.
         if (t == "mediump" || t == "lowp") u.replace(static_cast<int>(i), "highp");
     }
 }

@@ -42,10 +42,12 @@ struct Program {
     }
 };
 
+// An error where the tree of expressions and statements is deeper than drivers can bear.
+void refuse_deep_nesting(const Program& program, const Unit& unit);
 // Before the parse: words that became reserved, words that mean nothing here, odd numbers.
 void mend_words(Program& program, Unit& unit);
 void rename_words(Program& program);
-// Structures declared inside structures move ahead of them.
+// Structures without a name get one, and those declared inside structures move ahead of them.
 void lift_structures(Unit& unit);
 
 // A stage that the pipeline needs and the program lacks, as source text; empty if none is missing.
@@ -64,6 +66,8 @@ void separate_functions(Unit& unit);
 void declare_functions(Program& program, Unit& unit);
 // Copies of inputs and uniforms that are assigned.
 void copy_assigned(Program& program, Unit& unit);
+// Arrays without a size get that of the largest index, where the target wants one.
+void size_arrays(Program& program);
 // Uniforms of one name agree in type and initialiser; values of initialisers are recorded.
 void unify_uniforms(Program& program);
 // Blocks that pass between shaders become single variables where the target has none.
@@ -79,6 +83,8 @@ void assign_attributes(Program& program, Unit& vertex);
 void give_outputs(const Program& program, Unit& unit);
 // Colour outputs of the fragment shader.
 void assign_outputs(Program& program, Unit& fragment);
+// Vertices of the primitives that a geometry shader reads: those of a triangle, if its text does not say.
+int vertices_in(const Unit& geometry);
 // Layouts that an old geometry shader leaves to the application.
 void complete_geometry(Program& program, Unit& geometry);
 // Functions that the target lacks, where they are called: noise1 … noise4, fma.

@@ -9,6 +9,16 @@ bool mentions(const Unit& u, std::string_view name) {
     return std::any_of(u.tokens.begin(), u.tokens.end(), [&](const Token& t) { return t.text == name; });
 }
 
+int vertices_in(const Unit& u) {
+    constexpr std::pair<std::string_view, int> primitives[] = {
+        {"points", 1}, {"lines", 2}, {"triangles", 3}, {"lines_adjacency", 4}, {"triangles_adjacency", 6}};
+    for (const StageLayout& l : u.layouts)
+        for (const LayoutItem& i : l.qualifiers.layout)
+            for (const auto& [name, vertices] : primitives)
+                if (l.qualifiers.storage == Storage::in && i.name == name) return vertices;
+    return 3;
+}
+
 namespace {
 
 bool any_mentions(Program& program, std::initializer_list<std::string_view> names) {
@@ -59,16 +69,7 @@ int most_vertices(const Unit& u) {
 
 // Arrays of inputs have as many elements as the primitive has vertices, whatever was written.
 void fit_inputs(Program& program, Unit& u) {
-    int vertices = 3;
-    for (const StageLayout& l : u.layouts)
-        for (const LayoutItem& i : l.qualifiers.layout) {
-            if (l.qualifiers.storage != Storage::in) continue;
-            vertices = i.name == "points"                ? 1
-                       : i.name == "lines"               ? 2
-                       : i.name == "lines_adjacency"     ? 4
-                       : i.name == "triangles_adjacency" ? 6
-                                                         : vertices;
-        }
+    const int vertices = vertices_in(u);
     for (Global& g : u.globals) {
         if (g.qualifiers.storage != Storage::in || g.type.dims != 1 || g.type.size < 0 || g.type.size == vertices)
             continue;

@@ -1,4 +1,5 @@
-// Structures that are declared inside structures, which GLSL 1.10 has and later versions have not.
+// Structures without a name, and those that are declared inside structures, which GLSL 1.10 has and later versions have
+// not.
 #include <algorithm>
 
 #include "src/glsl/translate/program.h"
@@ -7,15 +8,14 @@ namespace snell::glsl {
 
 namespace {
 
-// The declaration `struct NAME { … }` that starts at a token; NAME may be missing.
+// The declaration `struct NAME { … }` that starts at a token.
 struct Declared {
-    int first = -1, name = -1, close = -1;
+    int first = -1, close = -1;
 };
 
 Declared declared_at(const Unit& u, int i) {
-    Declared d{i, -1, -1};
-    int k = i + 1;
-    if (u.at(k).kind == Kind::identifier) d.name = k++;
+    Declared d{i, -1};
+    int k = u.at(i + 1).kind == Kind::identifier ? i + 2 : i + 1;
     if (u.at(k).text != "{") return d;
     for (int open = 0; u.at(k).kind != Kind::end; ++k) {
         if (u.at(k).text == "{") ++open;
@@ -52,12 +52,9 @@ void lift(Unit& u, const Declared& inner, int before) {
         leads += t.lead;
         t.lead = " ";
     }
-    const std::string_view name =
-        inner.name >= 0 ? u.at(inner.name).text : u.keep("snell_struct" + std::to_string(u.arena.size()));
     const Token& like = u.at(inner.first);
-    if (inner.name < 0) moved.insert(moved.begin() + 1, made(like, name, Kind::identifier));
     moved.push_back(made(like, ";", Kind::punct));
-    Token use = made(like, name, Kind::identifier);
+    Token use = made(like, u.at(inner.first + 1).text, Kind::identifier);
     use.lead = u.keep(std::move(leads));
     u.tokens.erase(at(inner.first), at(inner.close + 1));
     u.tokens.insert(at(inner.first), use);
@@ -65,16 +62,42 @@ void lift(Unit& u, const Declared& inner, int before) {
     u.tokens.insert(at(before), moved.begin(), moved.end());
 }
 
+// A structure without a name gets one, by the variable behind it: its zero can be written then, and two stages that
+// declare the same uniform name it alike.
+void name_structures(Unit& u) {
+    std::vector<Token> named;
+    std::vector<std::size_t> open;  // of each open brace: the token of a name that is to be found; 0: none
+    named.reserve(u.tokens.size());
+    for (std::size_t i = 0; i < u.tokens.size(); ++i) {
+        const Token& t = u.tokens[i];
+        const bool nameless = t.text == "{" && i > 0 && u.tokens[i - 1].text == "struct";
+        if (nameless) named.push_back(made(t, {}, Kind::identifier));
+        if (t.text == "{") open.push_back(nameless ? named.size() - 1 : 0);
+        named.push_back(t);
+        if (t.text != "}" || open.empty()) continue;
+        const std::size_t name = open.back();
+        open.pop_back();
+        if (name == 0) continue;
+        const Token& next = u.tokens[i + 1];
+        named[name].text = u.keep(
+            "struct_of_" + (next.kind == Kind::identifier ? std::string(next.text) : std::to_string(named.size())));
+    }
+    for (const std::size_t name : open)  // never closed
+        if (name > 0) named[name].text = "struct_of_nothing";
+    if (named.size() > u.tokens.size()) u.tokens = std::move(named);
+}
+
 }  // namespace
 
 void lift_structures(Unit& u) {
+    name_structures(u);
     constexpr int most = 64;  // far beyond any shader; each moves what stands behind it
     int lifted = 0;
     for (int i = 0; i + 1 < static_cast<int>(u.tokens.size()) && lifted < most; ++i) {
         if (u.at(i).text != "struct") continue;
         const Declared outer = declared_at(u, i);
         if (outer.close < 0) {
-            if (u.at(outer.name >= 0 ? i + 2 : i + 1).text == "{") return;  // never closed
+            if (u.at(i + 1).kind == Kind::identifier && u.at(i + 2).text == "{") return;  // never closed
             continue;
         }
         int inner = i + 1;

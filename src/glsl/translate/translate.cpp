@@ -11,6 +11,11 @@ namespace {
 
 void read_unit(Program& program, Unit& u, FileId file) {
     preprocess(u, file, program.sources, program.options, program.diagnostics);
+    refuse_deep_nesting(program, u);
+    if (u.tokens.size() == 1)  // for which drivers have a message that misleads
+        program.diagnostics.error("glsl-no-main", program.sources.line_span(file, 1),
+                                  "this shader is empty: there is no function 'main'",
+                                  "every shader starts at 'void main()'");
     mend_words(program, u);
 }
 
@@ -118,6 +123,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
         provide_helpers(options.target, u);
         if (u.stage == Stage::geometry) complete_geometry(program, u);
     }
+    size_arrays(program);
     unify_uniforms(program);
     flatten_blocks(program);
     match_interfaces(program);

@@ -62,7 +62,43 @@ void drop_repeated(Program& program, Unit& u) {
     }
 }
 
+// A redeclared variable of the language, and one element for each vertex, need no size.
+bool wants_size(const Unit& u, const Global& g) {
+    const bool by_vertex =
+        (g.qualifiers.storage == Storage::in && u.stage != Stage::vertex && u.stage != Stage::fragment) ||
+        (g.qualifiers.storage == Storage::out && u.stage == Stage::tess_control);
+    return g.dims == "[]" && g.init_first < 0 && !by_vertex && !g.name.starts_with("gl_");
+}
+
 }  // namespace
+
+void size_arrays(Program& program) {
+    if (!program.target().es) return;
+    std::map<std::string_view, int> written, indexed;
+    for (const Unit& u : program.units)
+        for (const Global& g : u.globals) {
+            if (g.type.dims == 1) written[g.name] = std::max(written[g.name], g.type.size);
+            if (wants_size(u, g)) indexed[g.name] = std::max(indexed[g.name], g.most_index + 1);
+        }
+    for (Unit& u : program.units) {
+        std::set<std::string_view> sized;
+        for (Global& g : u.globals) {
+            if (!wants_size(u, g)) {  // the declaration that gives the size
+                if (sized.contains(g.name) && g.init_first < 0) g.removed = g.dirty = true;
+                continue;
+            }
+            const int size = std::max(written[g.name], g.indexed_freely ? 0 : indexed[g.name]);
+            if (size <= 0)
+                program.diagnostics.error("array-size", u.span(g.name_token),
+                                          "'" + std::string(g.name) + "' has no size, which OpenGL ES wants",
+                                          "write the number of elements, as in " + std::string(g.name) + "[4]");
+            g.type.size = std::max(size, 1);
+            g.dims = "[" + std::to_string(g.type.size) + "]";
+            g.dirty = true;
+            sized.insert(g.name);
+        }
+    }
+}
 
 void unify_uniforms(Program& program) {
     std::map<std::string_view, std::vector<Seen>> by_name;

@@ -207,17 +207,6 @@ void declare_uniform(Unit& u, const LegacyName& name) {
     declare_once(u, snell(name.name), text + ";");
 }
 
-int vertices_in(const Unit& u) {
-    for (const StageLayout& l : u.layouts)
-        for (const LayoutItem& i : l.qualifiers.layout) {
-            if (i.name == "points") return 1;
-            if (i.name == "lines") return 2;
-            if (i.name == "lines_adjacency") return 4;
-            if (i.name == "triangles_adjacency") return 6;
-        }
-    return 3;
-}
-
 std::string limit(const Unit& u, std::string_view name) {
     if (name == "gl_VerticesIn") return std::to_string(vertices_in(u));
     if (name == "gl_MaxVaryingFloats") return "64";
@@ -355,9 +344,7 @@ void functions(Unit& u, int i) {
         }
         return;
     }
-    bool wraps = false;
-    const std::string_view modern = modern_texture_function(t, wraps);
-    if (!modern.empty() && modern != t) u.replace(i, modern);
+    if (const std::string_view modern = modern_texture_function(t); !modern.empty()) u.replace(i, modern);
 }
 
 }  // namespace
