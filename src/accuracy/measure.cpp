@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t fewest_rounds = 7;  // the minimum for an interval of the median
 constexpr double too_far = 3;             // in degrees
+constexpr double rounding = 1e-7;         // of sums of samples in 32-bit floats, as an RMSE
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -70,8 +71,7 @@ private:
     struct Goal {
         const Reference* reference;
         Region own;
-        Picture last;
-        std::optional<Picture> facing, elsewhere;
+        std::optional<Picture> last, facing, elsewhere;  // a knob's last setting may be too expensive
     };
 
     double left() const { return options_.seconds - seconds_since(start_); }
@@ -116,15 +116,17 @@ private:
         References of_sweep(options_.seconds / 4);
         References& references = options_.references ? *options_.references : of_sweep;
         Goal goal{.reference = &references.of(bench_, variant(at).rungs, options_.stop)};
-        auto last = bench_.picture(variant(at), nullptr, options_.stop);
-        if (!last || goal.reference->picture.rgba.empty()) return;
-        goal.last = std::move(*last);
+        start_ = std::chrono::steady_clock::now();  // references have a time of their own
+        const bool knob = result_.sweep.kind == SweepKind::knob;
+        goal.last = bench_.picture(variant(at), nullptr, [&] { return knob ? over() : stopped(); });
+        if (goal.reference->picture.rgba.empty() || (!goal.last && !knob)) return;
         goal.own = own_region(*goal.reference);
-        if (result_.sweep.kind != SweepKind::knob) goal.facing = bench_.directions(variant(at));
+        if (!knob) goal.facing = bench_.directions(variant(at));
         if (const Rungs& other = result_.sweep.rungs[at].elsewhere; !other.empty())
             goal.elsewhere = bench_.picture({other, {}});
         judge_reference(goal);
-        compare_rung(at, goal);  // the reference and the scene's own rung first: without them the others say little
+        if (goal.last)
+            compare_rung(at, goal);  // the reference and the scene's own rung first: without them the others say little
         if (result_.sweep.current != at) compare_rung(result_.sweep.current, goal);
         for (std::size_t i = 0; i < result_.rungs.size() && !over(); ++i)
             if (!result_.rungs[i].drawn) compare_rung(i, goal);
@@ -133,15 +135,16 @@ private:
     void judge_reference(const Goal& goal) {
         const Reference& reference = *goal.reference;
         result_.finest = reference.knobs;
-        for (const Picture* picture : {&reference.picture, &goal.last})
-            if (const NonFinite bad = non_finite(*picture, goal.own); bad.count > 0 && !result_.broken) {
+        for (const Picture* picture : {&reference.picture, goal.last ? &*goal.last : nullptr})
+            if (const NonFinite bad = picture ? non_finite(*picture, goal.own) : NonFinite{};
+                bad.count > 0 && !result_.broken) {
                 result_.broken = true;
                 result_.cannot_say = fmt::format(
                     "the reference is NaN or infinite in {} pixel{}, the first at ({}, {}) from the top left",
                     bad.count, bad.count > 1 ? "s" : "", bad.x, bad.y);
             }
         if (!result_.cannot_say.empty() || reference.half.rgba.empty()) return;
-        result_.residual = compare(reference.half, reference.picture, goal.own).light.rmse;
+        result_.residual = std::max(compare(reference.half, reference.picture, goal.own).light.rmse, rounding);
     }
 
     void compare_rung(std::size_t i, const Goal& goal) {
@@ -156,7 +159,8 @@ private:
         const Picture& reference = goal.reference->picture;
         rung.whole = compare(*picture, reference);
         rung.own = compare(*picture, reference, goal.own);
-        rung.alone = compare(*picture, goal.last, goal.own).light;
+        rung.alone.rmse = std::nan("");
+        if (goal.last) rung.alone = compare(*picture, *goal.last, goal.own).light;
         rung.flip = mean_of(flip_map(*picture, reference), goal.own);
         rung.picture = std::move(*picture);
         const Rungs& other = result_.sweep.rungs[i].elsewhere;

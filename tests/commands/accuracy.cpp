@@ -48,8 +48,8 @@ protected:
 
 TEST_F(Accuracy, WritesEveryFormat) {
     ASSERT_EQ(
-        run("--size 64x64 --reps 9 --budget 8 --ladders SHADE --knobs samples -o " + folder.path("r.html") + " --svg " +
-            folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),
+        run("--size 64x64 --reps 9 --budget 40 --ladders SHADE --knobs samples -o " + folder.path("r.html") +
+            " --svg " + folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),
         0)
         << text("err.txt");
     const auto json = nlohmann::json::parse(text("r.json"));
@@ -87,7 +87,7 @@ TEST_F(Accuracy, WritesEveryFormat) {
 }
 
 TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
-    EXPECT_EQ(run("--size 200x200 --reps 5000 --budget 60 --ladders SHADE --json " + folder.path("r.json"),
+    EXPECT_EQ(run("--size 100x100 --reps 5000 --budget 60 --ladders SHADE --json " + folder.path("r.json"),
                   "timeout --foreground -s INT 3 "),  // else it comes twice, and the second ends it
               124)                                    // of `timeout`, which waited for the end
         << text("err.txt");
@@ -103,11 +103,11 @@ TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
         folder.write("r.html", "old");
         folder.write("r.json", "old");
         const std::string measure = std::string(SNELL_BIN "/snell accuracy ") + scene +
-                                    " --size 900x900 --reps 5000 --budget 60 --ladders SHADE -o " +
+                                    " --size 900x900 --reps 5000 --budget 4 --ladders SHADE -o " +
                                     folder.path("r.html") + " --json " + folder.path("r.json") + " > " +
                                     folder.path("out.txt") + " 2> " + folder.path("err.txt");
         const std::string interrupt =
-            " & p=$!; sleep .7; kill -INT $p; sleep " + std::string(between) + "; kill -INT $p 2>/dev/null; wait $p";
+            " & p=$!; sleep 1.6; kill -INT $p; sleep " + std::string(between) + "; kill -INT $p 2>/dev/null; wait $p";
         const int status = std::system((measure + interrupt).c_str());
         killed += WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT ? 1 : 0;
         const std::string html = text("r.html"), json = text("r.json");
@@ -141,7 +141,7 @@ TEST_F(Accuracy, ReferenceThatIsNotFiniteIsAnErrorAtItsRung) {
                  "SHADE == SHADE_exact\n c /= uZero;\n#endif\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
     for (const char* what : {"--ladders SHADE --no-time", "--error 0.1", "--save-quality"}) {
         EXPECT_EQ(run(std::string("--size 64x64 --reps 7 --budget 5 ") + what), 1) << what;
-        EXPECT_NE(text("err.txt").find("scene.glib:1:20: error: SHADE: the reference is NaN or infinite in "),
+        EXPECT_NE(text("err.txt").find("scene.glib:1:22: error: SHADE: the reference is NaN or infinite in "),
                   std::string::npos)
             << text("err.txt");
     }

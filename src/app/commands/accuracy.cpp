@@ -244,7 +244,8 @@ public:
 private:
     MeasureOptions next(std::size_t rungs, References& references) const {
         const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        const double left = std::max(options_.budget - spent, 0.0);
+        const double later_reference = done_.sweeps == 0 ? options_.budget / 4 : 0;
+        const double left = std::max(options_.budget - spent - later_reference, 0.0);
         const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
         MeasureOptions measuring;
         measuring.rounds = options_.rounds;

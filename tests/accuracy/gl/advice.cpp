@@ -44,7 +44,7 @@ void main() {
 
 TEST_F(Advising, OfFewCombinationsAllAreMeasuredOnce) {
     const Counsel found =
-        counsel(ladders(false), {Wish{}, Wish{.alone = .02}, Wish{.error = 0}, Wish{.milliseconds = 1e-4}});
+        counsel(ladders(false), {Wish{}, Wish{.alone = .02}, Wish{.error = 1e-6}, Wish{.milliseconds = 1e-4}});
     EXPECT_EQ(found.sweeps.size(), 1U);
     EXPECT_EQ(found.sweeps[0].rungs.size(), 27U);
     EXPECT_EQ(named(found, 0), "bad bad bad");

@@ -41,7 +41,7 @@ protected:
 };
 
 TEST_F(Misleading, RungOfNothingButNanIsLastAndNeverAdvised) {
-    for (const char* odd : {"0. / uZero", "1. / uZero"}) {
+    for (const char* odd : {"sqrt(uZero - 1.)", "1. / uZero"}) {
         const SweepResult result =
             sweep_of("Ladder L <broken> rough exact\n", std::string("#if L == L_broken\n c = vec3(") + odd +
                                                             ");\n#elif L == L_rough\n c = vec3(.4);\n#endif");
@@ -87,7 +87,7 @@ TEST_F(Misleading, RungThatTheReferenceHidesIsFlaggedAndNotAdvised) {
     const std::string body =
         "#if SHARE == SHARE_wrong\n c = vec3(.9);\n#endif\n#if BEND == BEND_all\n c = vec3(.3);\n#endif";
     const SweepResult result = sweep_of(ladders, body);
-    EXPECT_EQ(result.rungs[0].own.light.rmse, 0);
+    EXPECT_NEAR(result.rungs[0].own.light.rmse, 0, 1e-6);
     ASSERT_TRUE(result.rungs[0].elsewhere);
     EXPECT_NEAR(result.rungs[0].elsewhere->rmse, light_of(.9) - light_of(.5), 1e-5);
     EXPECT_TRUE(result.rungs[0].hidden());
@@ -108,9 +108,9 @@ TEST_F(Misleading, RungThatTheReferenceHidesIsFlaggedAndNotAdvised) {
 }
 
 TEST_F(Misleading, RungsThatDoNothingAreTiesThatTheLastOneWins) {
-    const SweepResult result = sweep_of("Ladder L <a> b c\n", "#if L == L_never\n c = vec3(0.);\n#endif");
+    const SweepResult result = sweep_of("Ladder L <a> b c\n", "#if L == 99\n c = vec3(0.);\n#endif");
     for (const RungResult& rung : result.rungs) {
-        EXPECT_EQ(rung.own.light.rmse, 0);
+        EXPECT_NEAR(rung.own.light.rmse, 0, 1e-6);
         EXPECT_TRUE(rung.below_residual);
         EXPECT_EQ(notes_text(result, rung).find("exact"), std::string::npos);
     }
@@ -165,7 +165,7 @@ void main() {
 // An edge that is antialiased only where a pixel's centre is inside: the samples of the reference see it.
 TEST_F(Misleading, RimIsJudgedByTheSamplesOfTheReference) {
     const SweepResult result = sweep_of("Ladder L <centre> covered\n", "", 0, "Rotate 20 0 0 1\nQuadXY 0 .5\n");
-    EXPECT_GT(result.rungs[1].own.light.rmse, .02) << "the last rung, which is not 'exact'";
+    EXPECT_GT(result.rungs[1].own.light.rmse, .01) << "the last rung, which is not 'exact'";
     EXPECT_EQ(result.rungs[1].alone.rmse, 0);
 }
 
