@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace snell::accuracy {
 
@@ -11,9 +13,12 @@ namespace {
 constexpr std::size_t few_combinations = 32, most_steps = 12;
 constexpr double as_exact = 1.01;  // errors that differ by less than this factor are considered equal
 
-bool exact_enough(const RungResult& rung, const Wish& wish) { return !wish.error || rung.own.rmse <= *wish.error; }
+bool exact_enough(const SweepResult& sweep, const RungResult& rung, const Wish& wish) {
+    return (!wish.error || rung.own.light.rmse + sweep.residual.value_or(0) <= *wish.error) &&
+           (!wish.alone || rung.alone.rmse <= *wish.alone);
+}
 bool quick_enough(const RungResult& rung, const Wish& wish) {
-    return !wish.milliseconds || rung.milliseconds <= *wish.milliseconds;
+    return !wish.milliseconds || rung.high <= *wish.milliseconds;
 }
 // If the intervals overlap, which one is cheaper is chance.
 bool cost_the_same(const RungResult& a, const RungResult& b) {
@@ -72,7 +77,7 @@ Sweep sweep_of(const Scene& scene, std::vector<Rungs> all, const Rungs& base) {
     for (const Rungs& rungs : all) {
         std::string name;
         for (std::size_t i = 0; i < rungs.size(); ++i) name += (i > 0 ? " " : "") + scene.ladders[i].rungs[rungs[i]];
-        sweep.rungs.push_back({std::move(name), {rungs, {}}, rungs});
+        sweep.rungs.push_back({std::move(name), {rungs, {}}, rungs, {}});
     }
     return sweep;
 }
@@ -109,7 +114,8 @@ private:
         const SweepResult& sweep = counsel_.sweeps.back();
         const auto best = choose(sweep, wish);
         advice.rung = best.value_or(sweep.sweep.current);
-        advice.met = best && fulfils(sweep.rungs[*best], wish);
+        advice.known = best.has_value();
+        advice.met = best && fulfils(sweep, sweep.rungs[*best], wish);
         advice.settled = best && settled && !sweep.interrupted && !sweep.few_rounds;
         return advice;
     }
@@ -144,34 +150,43 @@ private:
 
 }  // namespace
 
-bool fulfils(const RungResult& rung, const Wish& wish) { return exact_enough(rung, wish) && quick_enough(rung, wish); }
+bool fulfils(const SweepResult& sweep, const RungResult& rung, const Wish& wish) {
+    return exact_enough(sweep, rung, wish) && quick_enough(rung, wish);
+}
 
 std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish) {
     using Places = std::vector<std::size_t>;
     const auto rung = [&](std::size_t i) -> const RungResult& { return sweep.rungs[i]; };
-    const auto error = [&](std::size_t i) { return rung(i).own.rmse; };
+    const auto error = [&](std::size_t i) {
+        return wish.alone ? rung(i).alone.rmse : std::max(rung(i).own.light.rmse, sweep.residual.value_or(0));
+    };
     const auto cost = [&](std::size_t i) { return rung(i).ratio.middle; };
     const auto those = [](const Places& of, auto which) {
         Places found;
         std::ranges::copy_if(of, std::back_inserter(found), which);
         return found;
     };
+    // Of those whose errors are equal, the one that is nearest to the last rungs: a picture may hide what they do.
+    const auto most_exact = [&](const Places& of) {
+        const double least = error(*std::ranges::min_element(of, {}, error));
+        const Places alike = those(of, [&](std::size_t i) { return error(i) <= least * as_exact; });
+        return *std::ranges::max_element(
+            alike, {}, [&](std::size_t i) { return std::reduce(rung(i).steps.begin(), rung(i).steps.end()); });
+    };
     Places all;
     for (std::size_t i = 0; i < sweep.rungs.size(); ++i)
-        if (rung(i).drawn && rung(i).rounds > 0) all.push_back(i);
-    if (all.empty()) return std::nullopt;
-    const Places exact = those(all, [&](std::size_t i) { return exact_enough(rung(i), wish); });
+        if (rung(i).drawn && rung(i).rounds > 0 && std::isfinite(rung(i).own.light.rmse)) all.push_back(i);
+    if (all.empty() || !sweep.cannot_say.empty()) return std::nullopt;
+    const Places exact = those(all, [&](std::size_t i) { return exact_enough(sweep, rung(i), wish); });
     const Places good = those(exact, [&](std::size_t i) { return quick_enough(rung(i), wish); });
-    if (good.empty())
-        return exact.empty() ? *std::ranges::min_element(all, {}, error) : *std::ranges::min_element(exact, {}, cost);
+    if (good.empty()) return exact.empty() ? most_exact(all) : *std::ranges::min_element(exact, {}, cost);
+    Places wanted = good;
     if (wish.milliseconds) {
         const double least = error(*std::ranges::min_element(good, {}, error));
-        const Places alike = those(good, [&](std::size_t i) { return error(i) <= least * as_exact; });
-        return *std::ranges::min_element(alike, {}, cost);
+        wanted = those(good, [&](std::size_t i) { return error(i) <= least * as_exact; });
     }
-    const RungResult& cheapest = rung(*std::ranges::min_element(good, {}, cost));
-    const Places alike = those(good, [&](std::size_t i) { return cost_the_same(rung(i), cheapest); });
-    return *std::ranges::min_element(alike, {}, error);
+    const RungResult& cheapest = rung(*std::ranges::min_element(wanted, {}, cost));
+    return most_exact(those(wanted, [&](std::size_t i) { return cost_the_same(rung(i), cheapest); }));
 }
 
 Counsel advise(Bench& bench, const Rungs& now, std::span<const Wish> wishes, const MeasureOptions& options) {

@@ -12,20 +12,25 @@ namespace snell::accuracy {
 
 // Limits that a combination should meet. Without any limit, the cheapest is wanted.
 struct Wish {
-    std::optional<double> milliseconds;  // by the clock that choose_clock() picked
-    std::optional<double> error;         // RMSE in linear light over the pixels that the ladders' draws cover
+    std::optional<double> milliseconds = {};  // by the clock that choose_clock() picked
+    std::optional<double> error = {};         // RMSE of the light, over the pixels that the ladders' draws cover
+    // The same, but compared with the last rungs at the scene's knobs: what the choice of rungs alone does.
+    std::optional<double> alone = {};
 };
 
-// Returns the rung of a sweep that fulfils the wish best, among those that were drawn and timed. If several fulfil it:
+// Returns the rung of a sweep that fulfils the wish best, among those that were drawn and timed. An error counts with
+// the residual of the reference added, a time with the upper end of its interval. If several fulfil it:
 // with a limit of error alone, or without limits, the cheapest, and of equally cheap ones the most exact; with a limit
 // of time, the most exact, and of equally exact ones the cheapest. If none does, the nearest; with both limits, the
-// cheapest of those that are exact enough. Nullopt if none was timed.
+// cheapest of those that are exact enough. Of equals, the one whose rungs are nearer to the last ones. Nullopt if none
+// was timed with a finite error, or nothing can be said.
 std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish);
-// True if the rung meets the wish's limits.
-bool fulfils(const RungResult& rung, const Wish& wish);
+// True if the rung of the sweep meets the wish's limits.
+bool fulfils(const SweepResult& sweep, const RungResult& rung, const Wish& wish);
 
 struct Advice {
     Wish wish;
+    bool known = false;       // if false, nothing can be said, and the members below have no values
     bool met = false;         // if false, this is the nearest that was found
     bool everything = false;  // every combination was measured; if false, only those that differ in one ladder
     bool settled = false;     // no measured combination is better; false if the time ran out

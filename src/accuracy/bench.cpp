@@ -134,13 +134,18 @@ bool Bench::ready(const Variant& variant, bool directions) {
     return into_->valid();
 }
 
-// Samples are on a regular grid within the pixel; a single sample is at its usual position.
-void Bench::draw(const std::vector<bool>* hidden) {
+// Samples are on a regular grid within the pixel; a single sample is at its usual position. Returns false if `stop`
+// ended it.
+bool Bench::draw(const std::vector<bool>* hidden, const Stop& stop) {
     const View view;
     const bool several = knobs_.grid > 1;  // without this, the sum would add a cost that the scene does not have
     if (several) into_->begin();
     for (int i = 0; i < knobs_.grid; ++i)
         for (int j = 0; j < knobs_.grid; ++j) {
+            if (stop) {
+                gl::finish();
+                if (stop()) return false;
+            }
             Frame frame{.time = settings_.time, .view = view, .controls = controls_};
             frame.shift = {.5 - (i + .5) / knobs_.grid, .5 - (j + .5) / knobs_.grid};
             frame.hidden = hidden;
@@ -148,11 +153,11 @@ void Bench::draw(const std::vector<bool>* hidden) {
             if (several) into_->add(1 / static_cast<float>(knobs_.grid * knobs_.grid));
         }
     if (!several) into_->resolve();
+    return true;
 }
 
-std::optional<Picture> Bench::picture(const Variant& variant, const std::vector<bool>* hidden) {
-    if (!ready(variant, false)) return std::nullopt;
-    draw(hidden);
+std::optional<Picture> Bench::picture(const Variant& variant, const std::vector<bool>* hidden, const Stop& stop) {
+    if (!ready(variant, false) || !draw(hidden, stop)) return std::nullopt;
     return Picture{settings_.width, settings_.height, into_->read(knobs_.grid > 1)};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@ struct Variant {
     Rungs rungs;  // in the order of Scene::ladders
     Knobs knobs;
 };
+
+// Called between frames; returns true to stop.
+using Stop = std::function<bool()>;
 
 // The time of one frame, in milliseconds. `gpu` is 0 if there is no timer query, or its use is not allowed.
 struct Times {
@@ -53,9 +57,10 @@ public:
     // True if at least one shader can write directions.
     bool has_directions() const { return directions_; }
 
-    // Draws a picture; returns nullopt if the context cannot draw it. `hidden` tells for each draw whether it is left
-    // out.
-    std::optional<Picture> picture(const Variant& variant, const std::vector<bool>* hidden = nullptr);
+    // Draws a picture; returns nullopt if the context cannot draw it, or `stop` ended it. `hidden` tells for each draw
+    // whether it is left out.
+    std::optional<Picture> picture(const Variant& variant, const std::vector<bool>* hidden = nullptr,
+                                   const Stop& stop = {});
     // Draws the directions in which the shaders look up the environment; returns nullopt if the context cannot draw it.
     std::optional<Picture> directions(const Variant& variant);
 
@@ -80,7 +85,7 @@ private:
     Stage* stage(const PlanKnobs& knobs);
     gl::ExactTarget* target(int multisample);
     bool ready(const Variant& variant, bool directions);
-    void draw(const std::vector<bool>* hidden);
+    bool draw(const std::vector<bool>* hidden, const Stop& stop = {});
     Times timed(int frames);
 
     Plan plan_;

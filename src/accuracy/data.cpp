@@ -28,11 +28,21 @@ Interval interval(const std::vector<double>& times) {
     return values.empty() ? Interval{} : bootstrap_median(values);
 }
 
+Json interval_json(const Interval& interval) {
+    return {{"median", number(interval.middle)}, {"lo95", number(interval.low)}, {"hi95", number(interval.high)}};
+}
+
+Json figures_json(const Figures& figures) {
+    return {{"rmse", number(figures.rmse)},
+            {"psnr_db", number(figures.psnr)},
+            {"max_abs", number(figures.max)},
+            {"mean_abs", number(figures.mean)}};
+}
+
+// An RMSE of null with pixels that are not finite is infinite.
 Json error_json(const Error& error) {
-    return {{"rmse", number(error.rmse)},
-            {"psnr_db", number(error.psnr)},
-            {"max_abs", number(error.max)},
-            {"mean_abs", number(error.mean)},
+    return {{"light", figures_json(error.light)},
+            {"display", figures_json(error.display)},
             {"correlation", number(error.correlation)},
             {"pixels", error.pixels},
             {"nonfinite", error.nonfinite}};
@@ -47,18 +57,21 @@ Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t ind
     if (sweep.sweep.kind == SweepKind::lattice) json["steps"] = rung.steps;
     json["n_rounds"] = rung.rounds;
     if (rung.rounds > 0) {
-        json["ms"] = {{"median", number(rung.milliseconds)}, {"lo95", number(rung.low)}, {"hi95", number(rung.high)}};
-        json["ratio_to_current"] = {
-            {"median", number(rung.ratio.middle)}, {"lo95", number(rung.ratio.low)}, {"hi95", number(rung.ratio.high)}};
+        json["ms"] = interval_json({rung.low, rung.milliseconds, rung.high});
+        json["ratio_to_current"] = interval_json(rung.ratio);
         json["cpu_ms"] = present(rung.cpu);
         json["wall_ms"] = present(rung.wall);
         if (!present(rung.gpu).empty()) json["gpu_ms"] = present(rung.gpu);
     }
     json["own"] = error_json(rung.own);
     json["whole"] = error_json(rung.whole);
+    json["alone"] = figures_json(rung.alone);
+    if (rung.elsewhere) json["elsewhere"] = figures_json(*rung.elsewhere);
+    json["hidden"] = rung.hidden();
     json["flip_mean"] = number(rung.flip);
-    if (rung.degrees)
-        json["degrees"] = {{"mean", rung.degrees->mean}, {"p99", rung.degrees->p99}, {"max", rung.degrees->max}};
+    if (const auto& degrees = rung.degrees)
+        json["degrees"] = {
+            {"mean", number(degrees->mean)}, {"p99", number(degrees->p99)}, {"max", number(degrees->max)}};
     json["saturated"] = rung.saturated;
     json["below_residual"] = rung.below_residual;
     json["cliff"] = rung.cliff;
@@ -66,103 +79,164 @@ Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t ind
     return json;
 }
 
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
+std::string cell(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
 
 // Commas and quotes would end a cell, so they are replaced.
-std::string cell(std::string text) {
+std::string cell(std::string_view words) {
+    std::string text(words);
     for (char& c : text)
         if (c == ',' || c == '"' || c == '\n') c = ' ';
     return text;
 }
+std::string cell(bool value) { return value ? "1" : "0"; }
+std::string cell(std::size_t value) { return std::to_string(value); }
+std::string cell(int value) { return std::to_string(value); }
 
-constexpr std::string_view columns =
-    "scene,ladder,rung,is_reference,is_current,from,tuple,n_rounds,clock,ms_median,ms_mad,ms_lo95,ms_hi95,ratio,"
-    "ratio_lo95,ratio_hi95,cpu_ms_median,cpu_lo95,cpu_hi95,cpu_cv,wall_ms_median,wall_cv,gpu_ms_median,"
-    "aa_control_ratio,aa_control_lo95,aa_control_hi95,noisy,rmse,psnr_db,max_abs,mean_abs,rmse_whole,psnr_whole_db,"
-    "mask_pixels,nonfinite,correlation,flip_mean,deg_mean,deg_p99,deg_max,saturated,cliff,ref_residual,on_front,"
-    "standing,machine,cores,os,renderer,gl,width,height,reps,date,load_before,load_after";
-
-std::string row(const Report& report, const SweepResult& sweep, std::size_t index) {
+struct Row {
+    const Circumstances& where;
+    const SweepResult& sweep;
+    std::size_t index;
     const RungResult& rung = sweep.rungs[index];
-    const Circumstances& w = report.where;
-    const std::vector<double> cpu = present(rung.cpu), wall = present(rung.wall), gpu = present(rung.gpu);
-    const std::vector<double>& clock = sweep.clock == ClockKind::cpu ? cpu : sweep.clock == ClockKind::gpu ? gpu : wall;
-    const Interval cpu_interval = interval(rung.cpu);
-    const bool timed = rung.rounds > 0;
-    const auto when = [](bool known, double value) { return known ? cell(value) : std::string(); };
-    const bool front = sweep.trusted() && timed && rung.verdict.standing == Standing::front;
-    const std::vector<std::string> cells{cell(w.scene),
-                                         cell(sweep.sweep.name),
-                                         cell(rung.name),
-                                         index == sweep.sweep.reference ? "1" : "0",
-                                         index == sweep.sweep.current ? "1" : "0",
-                                         w.from,
-                                         fmt::format("{}", fmt::join(rung.steps, " ")),
-                                         std::to_string(rung.rounds),
-                                         std::string(name(sweep.clock)),
-                                         when(timed, rung.milliseconds),
-                                         when(timed, mad(clock)),
-                                         when(timed, rung.low),
-                                         when(timed, rung.high),
-                                         when(timed, rung.ratio.middle),
-                                         when(timed, rung.ratio.low),
-                                         when(timed, rung.ratio.high),
-                                         when(timed, cpu_interval.middle),
-                                         when(timed, cpu_interval.low),
-                                         when(timed, cpu_interval.high),
-                                         when(timed, variation(cpu)),
-                                         when(timed, median(wall)),
-                                         when(timed, variation(wall)),
-                                         when(!gpu.empty(), median(gpu)),
-                                         cell(sweep.control.ratio.middle),
-                                         cell(sweep.control.ratio.low),
-                                         cell(sweep.control.ratio.high),
-                                         sweep.trusted() ? "0" : "1",
-                                         when(rung.drawn, rung.own.rmse),
-                                         when(rung.drawn, rung.own.psnr),
-                                         when(rung.drawn, rung.own.max),
-                                         when(rung.drawn, rung.own.mean),
-                                         when(rung.drawn, rung.whole.rmse),
-                                         when(rung.drawn, rung.whole.psnr),
-                                         std::to_string(sweep.own_pixels),
-                                         std::to_string(rung.whole.nonfinite),
-                                         when(rung.drawn, rung.own.correlation),
-                                         when(rung.drawn, rung.flip),
-                                         when(rung.degrees.has_value(), rung.degrees ? rung.degrees->mean : 0),
-                                         when(rung.degrees.has_value(), rung.degrees ? rung.degrees->p99 : 0),
-                                         when(rung.degrees.has_value(), rung.degrees ? rung.degrees->max : 0),
-                                         rung.saturated ? "1" : "0",
-                                         rung.cliff ? "1" : "0",
-                                         when(sweep.residual.has_value(), sweep.residual.value_or(0)),
-                                         front ? "1" : "0",
-                                         cell(standing_text(sweep, rung)),
-                                         cell(w.cpu),
-                                         std::to_string(w.cores),
-                                         cell(w.os),
-                                         cell(w.renderer),
-                                         cell(w.gl),
-                                         std::to_string(w.width),
-                                         std::to_string(w.height),
-                                         std::to_string(w.rounds),
-                                         w.date,
-                                         cell(w.load_before),
-                                         cell(w.load_after)};
-    return fmt::format("{}", fmt::join(cells, ","));
+    bool timed() const { return rung.rounds > 0; }
+    const std::vector<double>& times() const {
+        return sweep.clock == ClockKind::cpu ? rung.cpu : sweep.clock == ClockKind::gpu ? rung.gpu : rung.wall;
+    }
+};
+
+bool on_front(const SweepResult& sweep, const RungResult& rung) {
+    return sweep.trusted() && rung.rounds > 0 && rung.verdict.standing == Standing::front;
+}
+
+struct Column {
+    std::string_view name;
+    std::string (*value)(const Row&);
+    enum class When : std::uint8_t { always, drawn, timed } when = When::always;  // otherwise the cell is empty
+};
+
+constexpr auto drawn = Column::When::drawn, timed = Column::When::timed;
+constexpr Column columns[]{
+    {"scene", [](const Row& r) { return cell(r.sweep.scene); }},
+    {"ladder", [](const Row& r) { return cell(r.sweep.sweep.name); }},
+    {"rung", [](const Row& r) { return cell(r.rung.name); }},
+    {"is_reference", [](const Row& r) { return cell(r.index == r.sweep.sweep.reference); }},
+    {"is_current", [](const Row& r) { return cell(r.index == r.sweep.sweep.current); }},
+    {"from", [](const Row& r) { return cell(r.where.from); }},
+    {"tuple", [](const Row& r) { return fmt::format("{}", fmt::join(r.rung.steps, " ")); }},
+    {"n_rounds", [](const Row& r) { return cell(r.rung.rounds); }},
+    {"clock", [](const Row& r) { return cell(name(r.sweep.clock)); }},
+    {"ms_median", [](const Row& r) { return cell(r.rung.milliseconds); }, timed},
+    {"ms_mad", [](const Row& r) { return cell(mad(present(r.times()))); }, timed},
+    {"ms_lo95", [](const Row& r) { return cell(r.rung.low); }, timed},
+    {"ms_hi95", [](const Row& r) { return cell(r.rung.high); }, timed},
+    {"ratio", [](const Row& r) { return cell(r.rung.ratio.middle); }, timed},
+    {"ratio_lo95", [](const Row& r) { return cell(r.rung.ratio.low); }, timed},
+    {"ratio_hi95", [](const Row& r) { return cell(r.rung.ratio.high); }, timed},
+    {"cpu_ms_median", [](const Row& r) { return cell(interval(r.rung.cpu).middle); }, timed},
+    {"cpu_lo95", [](const Row& r) { return cell(interval(r.rung.cpu).low); }, timed},
+    {"cpu_hi95", [](const Row& r) { return cell(interval(r.rung.cpu).high); }, timed},
+    {"cpu_cv", [](const Row& r) { return cell(variation(present(r.rung.cpu))); }, timed},
+    {"wall_ms_median", [](const Row& r) { return cell(median(present(r.rung.wall))); }, timed},
+    {"wall_cv", [](const Row& r) { return cell(variation(present(r.rung.wall))); }, timed},
+    {"gpu_ms_median", [](const Row& r) { return cell(median(present(r.rung.gpu))); }, timed},
+    {"aa_control_ratio", [](const Row& r) { return cell(r.sweep.control.ratio.middle); }},
+    {"aa_control_lo95", [](const Row& r) { return cell(r.sweep.control.ratio.low); }},
+    {"aa_control_hi95", [](const Row& r) { return cell(r.sweep.control.ratio.high); }},
+    {"noisy", [](const Row& r) { return cell(!r.sweep.trusted()); }},
+    {"rmse_light", [](const Row& r) { return cell(r.rung.own.light.rmse); }, drawn},
+    {"psnr_light_db", [](const Row& r) { return cell(r.rung.own.light.psnr); }, drawn},
+    {"max_abs_light", [](const Row& r) { return cell(r.rung.own.light.max); }, drawn},
+    {"mean_abs_light", [](const Row& r) { return cell(r.rung.own.light.mean); }, drawn},
+    {"rmse_display", [](const Row& r) { return cell(r.rung.own.display.rmse); }, drawn},
+    {"psnr_display_db", [](const Row& r) { return cell(r.rung.own.display.psnr); }, drawn},
+    {"rmse_whole_light", [](const Row& r) { return cell(r.rung.whole.light.rmse); }, drawn},
+    {"psnr_whole_light_db", [](const Row& r) { return cell(r.rung.whole.light.psnr); }, drawn},
+    {"rmse_alone_light", [](const Row& r) { return cell(r.rung.alone.rmse); }, drawn},
+    {"rmse_elsewhere_light", [](const Row& r) { return r.rung.elsewhere ? cell(r.rung.elsewhere->rmse) : ""; }, drawn},
+    {"hidden", [](const Row& r) { return cell(r.rung.hidden()); }, drawn},
+    {"mask_pixels", [](const Row& r) { return cell(r.sweep.own_pixels); }},
+    {"nonfinite", [](const Row& r) { return cell(r.rung.whole.nonfinite); }},
+    {"correlation", [](const Row& r) { return cell(r.rung.own.correlation); }, drawn},
+    {"flip_mean", [](const Row& r) { return cell(r.rung.flip); }, drawn},
+    {"deg_mean", [](const Row& r) { return r.rung.degrees ? cell(r.rung.degrees->mean) : ""; }, drawn},
+    {"deg_p99", [](const Row& r) { return r.rung.degrees ? cell(r.rung.degrees->p99) : ""; }, drawn},
+    {"deg_max", [](const Row& r) { return r.rung.degrees ? cell(r.rung.degrees->max) : ""; }, drawn},
+    {"saturated", [](const Row& r) { return cell(r.rung.saturated); }},
+    {"cliff", [](const Row& r) { return cell(r.rung.cliff); }},
+    {"ref_residual", [](const Row& r) { return r.sweep.residual ? cell(*r.sweep.residual) : ""; }},
+    {"below_residual", [](const Row& r) { return cell(r.rung.below_residual); }, drawn},
+    {"on_front", [](const Row& r) { return cell(on_front(r.sweep, r.rung)); }},
+    {"standing", [](const Row& r) { return cell(standing_text(r.sweep, r.rung)); }},
+    {"cannot_say", [](const Row& r) { return cell(r.sweep.cannot_say); }},
+    {"machine", [](const Row& r) { return cell(r.where.cpu); }},
+    {"cores", [](const Row& r) { return cell(r.where.cores); }},
+    {"os", [](const Row& r) { return cell(r.where.os); }},
+    {"renderer", [](const Row& r) { return cell(r.where.renderer); }},
+    {"gl", [](const Row& r) { return cell(r.where.gl); }},
+    {"width", [](const Row& r) { return cell(r.where.width); }},
+    {"height", [](const Row& r) { return cell(r.where.height); }},
+    {"reps", [](const Row& r) { return cell(r.where.rounds); }},
+    {"date", [](const Row& r) { return cell(r.where.date); }},
+    {"load_before", [](const Row& r) { return cell(r.where.load_before); }},
+    {"load_after", [](const Row& r) { return cell(r.where.load_after); }},
+};
+
+std::string row_text(const Row& row) {
+    std::vector<std::string> cells;
+    for (const Column& column : columns) {
+        const bool known = column.when == Column::When::always || (column.when == drawn && row.rung.drawn) ||
+                           (column.when == timed && row.timed());
+        cells.push_back(known ? column.value(row) : std::string());
+    }
+    return fmt::format("{}\n", fmt::join(cells, ","));
+}
+
+Json sweep_json(const SweepResult& sweep) {
+    const char* kind = sweep.sweep.kind == SweepKind::ladder ? "ladder"
+                       : sweep.sweep.kind == SweepKind::knob ? "knob"
+                                                             : "lattice";
+    Json json{{"scene", sweep.scene},
+              {"ladder", sweep.sweep.name},
+              {"kind", kind},
+              {"clock", name(sweep.clock)},
+              {"metric", sweep.metric == Metric::degrees ? "degrees" : "rmse"},
+              {"mask_pixels", sweep.own_pixels},
+              {"interrupted", sweep.interrupted},
+              {"trusted", sweep.trusted()},
+              {"cannot_say", sweep.cannot_say},
+              {"words", in_words(sweep)}};
+    json["aa_control"] = {{"ratio", number(sweep.control.ratio.middle)},
+                          {"lo95", number(sweep.control.ratio.low)},
+                          {"hi95", number(sweep.control.ratio.high)},
+                          {"noisy", sweep.control.noisy}};
+    json["family_level"] = family_level;
+    json["reference"] = {{"rung", sweep.rungs[sweep.sweep.reference].name},
+                         {"samples", sweep.finest.grid},
+                         {"tessellation", sweep.finest.plan.tessellation},
+                         {"residual", sweep.residual ? number(*sweep.residual) : Json(nullptr)},
+                         {"note", sweep.reference_note}};
+    json["front"] = Json::array();
+    json["rungs"] = Json::array();
+    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
+        if (on_front(sweep, sweep.rungs[i])) json["front"].push_back(sweep.rungs[i].name);
+        json["rungs"].push_back(rung_json(sweep, sweep.rungs[i], i));
+    }
+    return json;
 }
 
 }  // namespace
 
 std::string csv_text(const Report& report) {
-    std::string text(columns);
+    std::string text;
+    for (const Column& column : columns) text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
     text += '\n';
     for (const SweepResult& sweep : report.sweeps)
-        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row(report, sweep, i) + '\n';
+        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row_text({report.where, sweep, i});
     return text;
 }
 
 std::string json_text(const Report& report) {
     const Circumstances& w = report.where;
-    Json json{{"schema", 1},
+    Json json{{"schema", 2},
               {"tool", w.tool},
               {"date", w.date},
               {"host",
@@ -175,38 +249,11 @@ std::string json_text(const Report& report) {
               {"scene", {{"path", w.scene}, {"size", {w.width, w.height}}, {"time", w.time}, {"sets", w.sets}}},
               {"rounds", w.rounds},
               {"from", w.from},
+              {"errors", errors_are},
               {"query_over_wall", w.query_over_wall > 0 ? Json(w.query_over_wall) : Json(nullptr)},
               {"warnings", report.problems}};
     json["ladders"] = Json::array();
-    for (const SweepResult& sweep : report.sweeps) {
-        const char* kind = sweep.sweep.kind == SweepKind::ladder ? "ladder"
-                           : sweep.sweep.kind == SweepKind::knob ? "knob"
-                                                                 : "lattice";
-        Json one{{"scene", sweep.scene},
-                 {"ladder", sweep.sweep.name},
-                 {"kind", kind},
-                 {"clock", name(sweep.clock)},
-                 {"metric", sweep.metric == Metric::degrees ? "degrees" : "rmse"},
-                 {"mask_pixels", sweep.own_pixels},
-                 {"interrupted", sweep.interrupted},
-                 {"trusted", sweep.trusted()},
-                 {"words", in_words(sweep)}};
-        one["aa_control"] = {{"ratio", number(sweep.control.ratio.middle)},
-                             {"lo95", number(sweep.control.ratio.low)},
-                             {"hi95", number(sweep.control.ratio.high)},
-                             {"noisy", sweep.control.noisy}};
-        one["reference"] = {{"rung", sweep.rungs[sweep.sweep.reference].name},
-                            {"residual", sweep.residual ? number(*sweep.residual) : Json(nullptr)},
-                            {"note", sweep.residual_note}};
-        one["front"] = Json::array();
-        one["rungs"] = Json::array();
-        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
-            if (sweep.trusted() && sweep.rungs[i].rounds > 0 && sweep.rungs[i].verdict.standing == Standing::front)
-                one["front"].push_back(sweep.rungs[i].name);
-            one["rungs"].push_back(rung_json(sweep, sweep.rungs[i], i));
-        }
-        json["ladders"].push_back(std::move(one));
-    }
+    for (const SweepResult& sweep : report.sweeps) json["ladders"].push_back(sweep_json(sweep));
     return content::json_text(json) + "\n";
 }
 

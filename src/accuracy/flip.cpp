@@ -166,12 +166,17 @@ std::array<Plane, 3> opponent_planes(const Picture& picture) {
         Color linear;
         for (std::size_t c = 0; c < 3; ++c) {
             const float value = picture.rgba[4 * p + c];
-            linear[c] = std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.0F;
+            const double shown = std::isfinite(value) ? std::clamp(static_cast<double>(value), 0.0, 1.0) : 0.0;
+            linear[c] = static_cast<float>(light_of(shown));
         }
         const Color color = to_opponent(linear);
         for (std::size_t c = 0; c < 3; ++c) planes[c].values[p] = color[c];
     }
     return planes;
+}
+
+bool finite(const Picture& picture, std::size_t pixel) {
+    return std::ranges::all_of(std::span(picture.rgba).subspan(4 * pixel, 3), [](float v) { return std::isfinite(v); });
 }
 
 // Large colour differences, which are all equally bad, are compressed to the last twentieth of the scale.
@@ -202,6 +207,7 @@ std::vector<float> flip_map(const Picture& picture, const Picture& reference, do
             std::max(std::abs(edge_a.values[p] - edge_b.values[p]), std::abs(point_a.values[p] - point_b.values[p]));
         const double amplify = std::min(std::sqrt(static_cast<double>(feature) / std::numbers::sqrt2), 1.0);
         map[p] = static_cast<float>(color > 0 ? std::pow(color, 1 - amplify) : 0);
+        if (finite(picture, p) != finite(reference, p)) map[p] = 1;
     }
     return map;
 }

@@ -10,40 +10,52 @@ namespace {
 constexpr double same_error = 1e-3, better_error = 1e-2, same_cost = 1.03, widest_control = .05;
 
 bool measured(const Point& point) {
-    return std::isfinite(point.error) && point.error >= 0 &&
-           std::ranges::any_of(point.times, [](double t) { return t > 0; });
+    return point.error >= 0 && std::ranges::any_of(point.times, [](double t) { return t > 0; });
 }
 
-// Each pair's ratio is computed once; that of the swapped pair is its reciprocal.
-class Ratios {
+// The costs of all pairs.
+class Costs {
 public:
-    Ratios(std::span<const Point> points, std::uint64_t seed) : count_(points.size()), ratios_(count_ * count_) {
+    explicit Costs(std::span<const Point> points)
+        : count_(points.size()), middle_(count_ * count_, 1), cheaper_(count_ * count_, false) {
+        std::vector<std::size_t> pairs;
+        std::vector<double> chances;
         for (std::size_t i = 0; i < count_; ++i)
             for (std::size_t j = i + 1; j < count_; ++j) {
-                const Interval r = paired_ratio(points[i].times, points[j].times, seed);
-                ratios_[i * count_ + j] = r;
-                ratios_[j * count_ + i] = {1 / r.high, 1 / r.middle, 1 / r.low};
+                const std::vector<double> ratios = quotients(points[i].times, points[j].times);
+                if (ratios.empty()) continue;
+                middle_[i * count_ + j] = median(ratios);
+                middle_[j * count_ + i] = 1 / median(ratios);
+                pairs.push_back(i * count_ + j);
+                chances.push_back(chance_of_signs(ratios));
             }
+        const std::vector<bool> sure = holm(chances, family_level);
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            const std::size_t i = pairs[k] / count_, j = pairs[k] % count_;
+            cheaper_[i * count_ + j] = sure[k] && middle(i, j) < 1;
+            cheaper_[j * count_ + i] = sure[k] && middle(i, j) > 1;
+        }
     }
-    const Interval& of(std::size_t a, std::size_t b) const { return ratios_[a * count_ + b]; }
+    // The cost of a relative to that of b.
+    double middle(std::size_t a, std::size_t b) const { return middle_[a * count_ + b]; }
+    bool surely_cheaper(std::size_t a, std::size_t b) const { return cheaper_[a * count_ + b]; }
+    bool no_more(std::size_t a, std::size_t b) const { return !surely_cheaper(b, a) || middle(a, b) <= same_cost; }
 
 private:
     std::size_t count_;
-    std::vector<Interval> ratios_;
+    std::vector<double> middle_;
+    std::vector<bool> cheaper_;
 };
 
-// Relations of one rung to another; `cost` is the other's cost divided by its own.
 bool is_better(const Point& other, const Point& own) { return other.error < own.error * (1 - better_error); }
 bool is_no_worse(const Point& other, const Point& own) { return other.error <= own.error * (1 + same_error); }
-bool costs_no_more(const Interval& cost) { return equal_cost(cost) || cost.middle <= same_cost; }
 
 }  // namespace
 
-bool surely_cheaper(const Interval& ratio) { return ratio.high < 1; }
 bool equal_cost(const Interval& ratio) { return ratio.contains(1); }
 
-std::vector<Verdict> pareto_front(std::span<const Point> points, std::uint64_t seed) {
-    const Ratios ratios(points, seed);
+std::vector<Verdict> pareto_front(std::span<const Point> points) {
+    const Costs costs(points);
     std::vector<Verdict> verdicts(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!measured(points[i])) {
@@ -55,35 +67,22 @@ std::vector<Verdict> pareto_front(std::span<const Point> points, std::uint64_t s
             Verdict& verdict = verdicts[i];
             if (verdict.standing == Standing::dominated && standing != Standing::dominated) return;
             const bool first = verdict.standing != standing;
-            if (first || ratios.of(j, verdict.by).middle < 1) verdict = {standing, j};
+            if (first || costs.middle(j, verdict.by) < 1) verdict = {standing, j};
         };
         for (std::size_t j = 0; j < points.size(); ++j) {
             if (j == i || !measured(points[j])) continue;
-            const Interval& cost = ratios.of(j, i);
-            if (is_no_worse(points[j], points[i]) && surely_cheaper(cost))
+            if (is_no_worse(points[j], points[i]) && costs.surely_cheaper(j, i))
                 blame(Standing::dominated, j);
-            else if (is_better(points[j], points[i]) && costs_no_more(cost))
+            else if (is_better(points[j], points[i]) && costs.no_more(j, i))
                 blame(Standing::saves_none, j);
         }
     }
     return verdicts;
 }
 
-bool undecided(std::span<const Point> points, std::uint64_t seed) {
-    const Ratios ratios(points, seed);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        bool beaten = false, open = false;
-        for (std::size_t j = 0; j < points.size(); ++j) {
-            if (j == i || !measured(points[i]) || !measured(points[j])) continue;
-            const Interval& cost = ratios.of(j, i);
-            const bool better = is_better(points[j], points[i]);
-            beaten = beaten || (is_no_worse(points[j], points[i]) && surely_cheaper(cost)) ||
-                     (better && cost.high <= same_cost);
-            open = open || (better && cost.low <= same_cost && cost.high > same_cost);
-        }
-        if (open && !beaten) return true;
-    }
-    return false;
+std::size_t rounds_for(std::size_t rungs) {
+    const double pairs = static_cast<double>(rungs * (rungs - std::min<std::size_t>(rungs, 1))) / 2;
+    return static_cast<std::size_t>(std::ceil(1 + std::log2(std::max(pairs, 1.0) / family_level)));
 }
 
 Control control(std::span<const double> first, std::span<const double> again, std::uint64_t seed) {
@@ -93,11 +92,11 @@ Control control(std::span<const double> first, std::span<const double> again, st
     return result;
 }
 
-std::vector<bool> cliffs(std::span<const Point> ladder, std::uint64_t seed) {
+std::vector<bool> cliffs(std::span<const Point> ladder) {
+    const Costs costs(ladder);
     std::vector<bool> result(ladder.size(), false);
     for (std::size_t i = 1; i + 1 < ladder.size(); ++i)
-        result[i] = surely_cheaper(paired_ratio(ladder[i - 1].times, ladder[i].times, seed)) &&
-                    surely_cheaper(paired_ratio(ladder[i + 1].times, ladder[i].times, seed));
+        result[i] = costs.surely_cheaper(i - 1, i) && costs.surely_cheaper(i + 1, i);
     return result;
 }
 

@@ -11,9 +11,12 @@
 namespace snell::accuracy {
 
 inline constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
+// The probability that chance alone makes any of the claims of one front, all pairs together.
+inline constexpr double family_level = .05;
 
-// A rung: its error compared with the reference (in any unit, 0 is exact), and its time in each round, in milliseconds.
-// A time of 0 marks a round that it did not take part in. All rungs of a front must be from the same rounds.
+// A rung: its error compared with the reference (in any unit, 0 is none, infinite the worst), and its time in each
+// round, in milliseconds. A time of 0 marks a round that it did not take part in. All rungs of a front must be from the
+// same rounds.
 struct Point {
     double error = 0;
     std::vector<double> times;
@@ -32,16 +35,16 @@ struct Verdict {
     bool operator==(const Verdict&) const = default;
 };
 
-// Surely cheaper: the ratio's whole interval is below 1. Equal cost: the interval contains 1.
-bool surely_cheaper(const Interval& ratio);
+// The ratio's interval contains 1.
 bool equal_cost(const Interval& ratio);
 
-// Compares all pairs. Errors within a thousandth are equal, and an error that is smaller by less than a hundredth is
-// not better. A cost that is higher by less than 3 %, by the median of the ratios, counts as equal.
-std::vector<Verdict> pareto_front(std::span<const Point> points, std::uint64_t seed = 1);
-// True if another run could give another front: a rung that no other surely beats has an interval that contains this
-// limit of 3 %.
-bool undecided(std::span<const Point> points, std::uint64_t seed = 1);
+// Compares the costs of all pairs by sign tests, corrected for their number (Holm), so that all claims of "surely
+// cheaper" together have the level `family_level`. Errors within a thousandth are equal, and an error that is smaller
+// by less than a hundredth is not better. A cost that is higher by less than 3 %, by the median of the ratios, counts
+// as equal.
+std::vector<Verdict> pareto_front(std::span<const Point> points);
+// The fewest rounds in which every comparison of this many rungs can be sure.
+std::size_t rounds_for(std::size_t rungs);
 
 // The control measurement: the same rung timed twice under two names.
 struct Control {
@@ -53,6 +56,6 @@ Control control(std::span<const double> first, std::span<const double> again, st
 
 // For each rung of a ladder, whether it is surely more expensive than both neighbours. Always false for the first and
 // the last.
-std::vector<bool> cliffs(std::span<const Point> ladder, std::uint64_t seed = 1);
+std::vector<bool> cliffs(std::span<const Point> ladder);
 
 }  // namespace snell::accuracy

@@ -97,7 +97,8 @@ double exposure(const Picture& reference) {
 double amplification(const SweepResult& sweep) {
     std::vector<double> errors;
     for (const RungResult& rung : sweep.rungs)
-        if (rung.drawn && rung.own.rmse > 0) errors.push_back(rung.own.rmse);
+        if (const double error = rung.own.display.rmse; rung.drawn && error > 0 && std::isfinite(error))
+            errors.push_back(error);
     if (errors.empty()) return 1;
     return std::exp2(std::clamp(std::floor(std::log2(.3 / median(errors))), 0.0, 8.0));
 }
@@ -115,24 +116,24 @@ std::string pictures(const SweepResult& sweep) {
             return bright * finite(a[4 * p + c]);
         });
         const std::string off = thumbnail(rung.picture.width, rung.picture.height, [&](std::size_t p, std::size_t c) {
-            return factor * bright * std::abs(finite(a[4 * p + c]) - finite(reference.rgba[4 * p + c]));
+            const float x = a[4 * p + c], y = reference.rgba[4 * p + c];
+            return std::isfinite(x) == std::isfinite(y) ? factor * bright * std::abs(finite(x) - finite(y)) : 1;
         });
         out += fmt::format(
             "<figure><img src=\"{}\" alt=\"{}\"> <img src=\"{}\" alt=\"difference of {} from the reference\">"
             "<figcaption><b>{}</b>{}</figcaption></figure>",
             shown, escaped(rung.name), off, escaped(rung.name), escaped(rung.name),
-            rung.own.rmse > 0 ? fmt::format(": {:.1f} dB, difference × {:g}", rung.own.psnr, factor) : ": exact");
+            fmt::format(": {}, difference × {:g}", psnr_text(rung.own.display.psnr), factor));
     }
     return out + "</div>";
 }
-
-std::string decibel(double value) { return std::isfinite(value) ? fmt::format("{:.1f}", value) : "exact"; }
 
 std::string table(const SweepResult& sweep) {
     const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     std::string out =
         "<div class=\"scroll\"><table><tr><th>rung</th><th>ms</th><th>95 %</th><th>relative to "
-        "current</th><th>RMSE</th><th>PSNR, dB</th><th>maximum</th><th>mean</th><th>FLIP</th>";
+        "current</th><th>RMSE</th><th>PSNR, dB</th><th>maximum</th><th>mean</th><th>RMSE of display</th><th>PSNR of "
+        "display</th><th>RMSE alone</th><th>FLIP</th>";
     if (degrees) out += "<th>degrees</th>";
     out += "<th>PSNR of all</th><th>rounds</th><th></th></tr>";
     for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
@@ -140,19 +141,21 @@ std::string table(const SweepResult& sweep) {
         out += fmt::format("<tr{}><td>{}{}</td>", i == sweep.sweep.current ? " class=\"current\"" : "",
                            escaped(rung.name), i == sweep.sweep.reference ? " (reference)" : "");
         if (!rung.drawn) {
-            out += fmt::format("<td colspan=\"{}\">not drawn</td></tr>", degrees ? 12 : 11);
+            out += fmt::format("<td colspan=\"{}\">not drawn</td></tr>", degrees ? 15 : 14);
             continue;
         }
         out += rung.rounds > 0 ? fmt::format("<td>{:.3g}</td><td>{:.3g} to {:.3g}</td><td>{}</td>", rung.milliseconds,
                                              rung.low, rung.high, ratio_text(rung.ratio))
                                : "<td></td><td></td><td></td>";
         const char* far = rung.saturated ? " class=\"far\" title=\"decorrelated: RMSE no longer ranks\"" : "";
-        out += fmt::format("<td{0}>{1:.3g}</td><td{0}>{2}</td><td>{3:.3g}</td><td>{4:.3g}</td><td>{5:.3f}</td>", far,
-                           rung.own.rmse, decibel(rung.own.psnr), rung.own.max, rung.own.mean, rung.flip);
+        const Figures &light = rung.own.light, &display = rung.own.display;
+        out += fmt::format("<td{0}>{1:.3g}</td><td{0}>{2}</td><td>{3:.3g}</td><td>{4:.3g}</td>", far, light.rmse,
+                           psnr_text(light.psnr), light.max, light.mean);
+        out += fmt::format("<td>{:.3g}</td><td>{}</td><td>{:.3g}</td><td>{:.3f}</td>", display.rmse,
+                           psnr_text(display.psnr), rung.alone.rmse, rung.flip);
         if (degrees) out += rung.degrees ? fmt::format("<td>{:.3g}</td>", rung.degrees->mean) : "<td></td>";
-        out += fmt::format("<td>{}</td><td>{}</td><td>{}{}{}</td></tr>", decibel(rung.whole.psnr), rung.rounds,
-                           escaped(standing_text(sweep, rung)), rung.cliff ? ", cliff" : "",
-                           rung.below_residual ? ", within the reference's own error" : "");
+        out += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>", psnr_text(rung.whole.light.psnr), rung.rounds,
+                           escaped(notes_text(sweep, rung)));
     }
     return out + "</table></div>";
 }
@@ -163,12 +166,11 @@ std::string section(const SweepResult& sweep) {
                                   escaped(in_words(sweep)));
     if (timed) out += "<div class=\"scroll\">" + plot_svg(sweep) + "</div>";
     out += table(sweep);
-    out += fmt::format("<p class=\"facts\">{}{}. Reference: {}{}.{}{}</p>", escaped(sweep.scene),
+    out += fmt::format("<p class=\"facts\">{}{}; {}.{}{}</p>", escaped(sweep.scene),
                        sweep.own_pixels > 0
                            ? fmt::format(", errors over the {} pixels that the ladder's draws cover", sweep.own_pixels)
                            : std::string(", errors over the whole picture"),
-                       escaped(sweep.residual_note),
-                       sweep.residual ? fmt::format(", residual RMSE {:.2g}", *sweep.residual) : std::string(),
+                       escaped(sweep.reference_note),
                        timed ? fmt::format(" Control (the current rung timed twice): {}; clock: {}.",
                                            ratio_text(sweep.control.ratio), name(sweep.clock))
                              : std::string(),
@@ -186,15 +188,18 @@ std::string html_text(const Report& report) {
         "href=\"data:,\"><style>{}</style></head>\n<body><h1>Accuracy and cost</h1>",
         escaped(w.scene), style);
     out += fmt::format(
-        "<p class=\"facts\">{} · {} × {}, {} rounds, other ladders as in the {} · {} · {} ({}) · {}, {} cores, {} · "
+        "<p class=\"facts\">{} · {} × {}, up to {} rounds, other ladders as in the {} · {} · {} ({}) · {}, {} cores, "
+        "{} · "
         "load {:.1f} before, {:.1f} after · {}</p>",
         escaped(w.scene), w.width, w.height, w.rounds, w.from, w.date, escaped(w.renderer), escaped(w.gl),
         escaped(w.cpu), w.cores, escaped(w.os), w.load_before, w.load_after, escaped(w.tool));
-    out +=
-        "<p class=\"words\">Errors are relative to each ladder's reference, in linear light, before quantisation. "
-        "Filled: "
-        "on the front. Hollow: another rung is better. Square: the scene's rung. Whiskers: 95 % confidence interval of "
-        "the median.</p>\n";
+    out += fmt::format(
+        "<p class=\"words\">{} Differences in the pictures are of display values. Filled: on the front. Hollow: "
+        "another "
+        "rung is better. Square: the scene's rung. Whiskers: 95 % confidence interval of the median. All comparisons "
+        "of "
+        "one ladder's costs hold together at 95 %.</p>\n",
+        errors_are);
     for (const SweepResult& sweep : report.sweeps) out += section(sweep);
     for (const std::string& problem : report.problems)
         out += fmt::format("<p class=\"facts\">{}</p>", escaped(problem));

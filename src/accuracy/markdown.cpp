@@ -14,23 +14,27 @@ std::string row(const SweepResult& sweep, std::size_t index, bool degrees) {
     const RungResult& rung = sweep.rungs[index];
     std::string text = fmt::format("| {}`{}`{} |", index == sweep.sweep.current ? "**" : "", rung.name,
                                    index == sweep.sweep.current ? "**" : "");
-    if (!rung.drawn) return text + fmt::format(" not drawn |{}\n", degrees ? " | | | | | |" : " | | | | |");
+    if (!rung.drawn) return text + fmt::format(" not drawn |{}\n", degrees ? " | | | | | | |" : " | | | | | |");
     text += rung.rounds > 0 ? fmt::format(" {:.3g} | {} |", rung.milliseconds, ratio_text(rung.ratio)) : " | |";
-    text += fmt::format(" {:.3g} | {} | {:.3f} |", rung.own.rmse,
-                        std::isfinite(rung.own.psnr) ? fmt::format("{:.1f}", rung.own.psnr) : "exact", rung.flip);
+    text += fmt::format(" {:.3g} | {} | {} | {:.3g} | {:.3f} |", rung.own.light.rmse, psnr_text(rung.own.light.psnr),
+                        psnr_text(rung.own.display.psnr), rung.alone.rmse, rung.flip);
     if (degrees) text += rung.degrees ? fmt::format(" {:.3g} |", rung.degrees->mean) : " |";
-    return text + fmt::format(" {}{} |\n", standing_text(sweep, rung), rung.saturated ? " (decorrelated)" : "");
+    return text + fmt::format(" {} |\n", notes_text(sweep, rung));
 }
 
 std::string part(const SweepResult& sweep, const std::string& plot) {
     const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     const bool timed = sweep.rungs[sweep.sweep.current].rounds > 0;
     std::string text = fmt::format("\n## {}: {}\n\n{}\n", sweep.scene, sweep.sweep.name, in_words(sweep));
-    if (timed) text += fmt::format("Control: {}.\n", ratio_text(sweep.control.ratio));
+    text += fmt::format(
+        "\nErrors over the {}; {}.{}\n",
+        sweep.own_pixels > 0 ? fmt::format("{} pixels of its draws", sweep.own_pixels) : "whole picture",
+        sweep.reference_note, timed ? fmt::format(" Control: {}.", ratio_text(sweep.control.ratio)) : std::string());
     if (timed && !plot.empty()) text += fmt::format("\n![{}: error over time]({})\n", sweep.sweep.name, plot);
-    text +=
-        fmt::format("\n| rung | ms | relative to current | RMSE | PSNR, dB | FLIP |{} |\n|---|--:|--:|--:|--:|--:|{}\n",
-                    degrees ? " degrees |" : "", degrees ? "--:|---|" : "---|");
+    text += fmt::format(
+        "\n| rung | ms | relative to current | RMSE | PSNR, dB | PSNR of display | RMSE alone | FLIP |{} "
+        "|\n|---|--:|--:|--:|--:|--:|--:|--:|{}\n",
+        degrees ? " degrees |" : "", degrees ? "--:|---|" : "---|");
     for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row(sweep, i, degrees);
     return text;
 }
@@ -40,13 +44,15 @@ std::string part(const SweepResult& sweep, const std::string& plot) {
 std::string markdown_text(const Report& report, const std::vector<std::string>& plots) {
     const Circumstances& w = report.where;
     std::string text = fmt::format(
-        "# Accuracy and cost, measured\n\n{}, {} cores, {}; {} ({}); {}; {}; {} × {} pixels, {} rounds, other ladders "
-        "as in the {}; load {:.1f} before, {:.1f} after.\n\nThe scene's rung is bold. Errors are relative to the last "
-        "rung, in linear light, over the pixels that the ladder's draws cover. Errors are the same on any machine, "
-        "apart from rounding. Times are valid for this machine at that time; they mean nothing if the control says "
-        "that it was too noisy.\n",
+        "# Accuracy and cost, measured\n\n{}, {} cores, {}; {} ({}); {}; {}; {} × {} pixels, up to {} rounds, other "
+        "ladders as in the {}; load {:.1f} before, {:.1f} after.\n\nThe scene's rung is bold. {} The reference has all "
+        "last rungs, and the finest samples, meshes and filter that the time allowed. Errors are the same on any "
+        "machine, "
+        "apart from rounding and the reference. Times are valid for this machine at that time; they mean nothing if "
+        "the "
+        "control says that it was too noisy.\n",
         w.cpu, w.cores, w.os, w.renderer, w.gl, w.tool, w.date, w.width, w.height, w.rounds, w.from, w.load_before,
-        w.load_after);
+        w.load_after, errors_are);
     for (std::size_t i = 0; i < report.sweeps.size(); ++i)
         text += part(report.sweeps[i], i < plots.size() ? plots[i] : std::string());
     return text;

@@ -12,9 +12,8 @@ namespace snell::accuracy {
 namespace {
 
 constexpr std::size_t fewest_rounds = 7;  // the minimum for an interval of the median
-constexpr int most_rounds = 8;      // as a multiple of those requested; used if they are inconclusive and time is left
-constexpr int looked_at_every = 5;  // in rounds
-constexpr double too_far = 3;       // in degrees
+constexpr double too_far = 3;             // in degrees
+constexpr double rounding = 1e-7;         // of sums of samples in 32-bit floats, as an RMSE
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -62,151 +61,217 @@ public:
 
     SweepResult run() {
         pictures();
-        choose_metric(result_);
         if (options_.times && !stopped()) rounds();
         conclude(result_, again_, options_.seed);
         return std::move(result_);
     }
 
 private:
+    // The reference, where it counts, and the last rung as the scene is drawn.
+    struct Goal {
+        const Reference* reference;
+        Region own;
+        std::optional<Picture> last, facing, elsewhere;  // a knob's last setting may be too expensive
+    };
+
+    double left() const { return options_.seconds - seconds_since(start_); }
+
     bool stopped() {
         if (!result_.interrupted && options_.stop && options_.stop()) result_.interrupted = true;
         return result_.interrupted;
     }
 
-    void say(std::string_view doing, double done, double left) {
-        if (options_.report) options_.report({result_.sweep.name, doing, done, left});
+    // True if no further picture should be drawn.
+    bool over() {
+        if (left() <= 0) result_.late = true;
+        return stopped() || result_.late;
+    }
+
+    void say(std::string_view doing, double done, double seconds) {
+        if (options_.report) options_.report({result_.sweep.name, doing, done, seconds});
     }
 
     const Variant& variant(std::size_t rung) const { return result_.sweep.rungs[rung].variant; }
 
-    // The pixels that change when the draws of the varied ladders are left out of the reference.
-    Region own_region(const Picture& reference) {
+    // The pixels of the reference that change when the draws of the varied ladders are left out; all if none is known.
+    Region own_region(const Reference& reference) {
         std::vector<bool> hidden(bench_.scene().draws.size(), false);
         for (std::size_t ladder : result_.sweep.moved) {
             const std::vector<bool> own = bench_.draws_of(ladder);
             for (std::size_t i = 0; i < own.size(); ++i) hidden[i] = hidden[i] || own[i];
         }
         if (std::ranges::find(hidden, true) == hidden.end()) return {};
-        const auto without = bench_.picture(variant(result_.sweep.reference), &hidden);
-        Region region = without ? where_different(reference, *without) : Region{};
+        const auto without =
+            bench_.picture({variant(result_.sweep.reference).rungs, reference.knobs}, &hidden, options_.stop);
+        if (!without) return {};
+        Region region = where_different(reference.picture, *without);
         result_.own_pixels = count(region);
-        return result_.own_pixels > 0 ? region : Region{};
+        if (result_.own_pixels == 0) result_.cannot_say = "the ladder's draws cover no pixel";
+        return region;
     }
 
     void pictures() {
         say("reference", 0, 0);
         const std::size_t at = result_.sweep.reference;
-        auto reference = bench_.picture(variant(at));
-        if (!reference) return;
-        const Region own = own_region(*reference);
-        const bool ladders = result_.sweep.kind != SweepKind::knob;
-        const auto facing = ladders ? bench_.directions(variant(at)) : std::nullopt;
-        for (std::size_t i = 0; i < result_.rungs.size() && !stopped(); ++i) {
-            RungResult& rung = result_.rungs[i];
-            say("pictures", static_cast<double>(i) / static_cast<double>(result_.rungs.size()), 0);
-            auto picture = i == at ? reference : bench_.picture(variant(i));
-            if (!picture) continue;
-            rung.drawn = true;
-            rung.whole = compare(*picture, *reference);
-            rung.own = own.empty() ? rung.whole : compare(*picture, *reference, own);
-            if (i != at) rung.flip = mean_of(flip_map(*picture, *reference), own);
-            rung.picture = std::move(*picture);
-            if (!facing) continue;
-            if (const auto directions = bench_.directions(variant(i)))
-                rung.degrees = compare_directions(*directions, *facing, own);
-        }
+        References of_sweep(options_.seconds / 4);
+        References& references = options_.references ? *options_.references : of_sweep;
+        Goal goal{.reference = &references.of(bench_, variant(at).rungs, options_.stop)};
+        start_ = std::chrono::steady_clock::now();  // references have a time of their own
+        const bool knob = result_.sweep.kind == SweepKind::knob;
+        goal.last = bench_.picture(variant(at), nullptr, [&] { return knob ? over() : stopped(); });
+        if (goal.reference->picture.rgba.empty() || (!goal.last && !knob)) return;
+        goal.own = own_region(*goal.reference);
+        if (!knob) goal.facing = bench_.directions(variant(at));
+        if (const Rungs& other = result_.sweep.rungs[at].elsewhere; !other.empty())
+            goal.elsewhere = bench_.picture({other, {}});
+        judge_reference(goal);
+        if (goal.last)
+            compare_rung(at, goal);  // the reference and the scene's own rung first: without them the others say little
+        if (result_.sweep.current != at) compare_rung(result_.sweep.current, goal);
+        for (std::size_t i = 0; i < result_.rungs.size() && !over(); ++i)
+            if (!result_.rungs[i].drawn) compare_rung(i, goal);
     }
 
-    // In how many rounds each rung takes part (every n-th), so that none uses more than its share of the time.
-    std::vector<std::size_t> strides(const std::vector<std::optional<double>>& frame) const {
-        std::vector<std::size_t> result(frame.size(), 1);
-        const double share = options_.seconds * 1e3 / static_cast<double>(frame.size() + 1);
+    void judge_reference(const Goal& goal) {
+        const Reference& reference = *goal.reference;
+        result_.finest = reference.knobs;
+        for (const Picture* picture : {&reference.picture, goal.last ? &*goal.last : nullptr})
+            if (const NonFinite bad = picture ? non_finite(*picture, goal.own) : NonFinite{};
+                bad.count > 0 && !result_.broken) {
+                result_.broken = true;
+                result_.cannot_say = fmt::format(
+                    "the reference is NaN or infinite in {} pixel{}, the first at ({}, {}) from the top left",
+                    bad.count, bad.count > 1 ? "s" : "", bad.x, bad.y);
+            }
+        if (!result_.cannot_say.empty() || reference.half.rgba.empty()) return;
+        result_.residual = std::max(compare(reference.half, reference.picture, goal.own).light.rmse, rounding);
+    }
+
+    void compare_rung(std::size_t i, const Goal& goal) {
+        say("pictures", static_cast<double>(i) / static_cast<double>(result_.rungs.size()), 0);
+        RungResult& rung = result_.rungs[i];
+        const bool is_last = i == result_.sweep.reference;
+        const bool wanted = is_last || i == result_.sweep.current;
+        auto picture =
+            is_last ? goal.last : bench_.picture(variant(i), nullptr, [&] { return wanted ? stopped() : over(); });
+        if (!picture) return;
+        rung.drawn = true;
+        const Picture& reference = goal.reference->picture;
+        rung.whole = compare(*picture, reference);
+        rung.own = compare(*picture, reference, goal.own);
+        rung.alone.rmse = std::nan("");
+        if (goal.last) rung.alone = compare(*picture, *goal.last, goal.own).light;
+        rung.flip = mean_of(flip_map(*picture, reference), goal.own);
+        rung.picture = std::move(*picture);
+        const Rungs& other = result_.sweep.rungs[i].elsewhere;
+        const auto there = goal.elsewhere && !over() ? bench_.picture({other, {}}) : std::nullopt;
+        if (there) rung.elsewhere = compare(*there, *goal.elsewhere, goal.own).light;
+        const auto directions = goal.facing ? bench_.directions(variant(i)) : std::nullopt;
+        if (directions) rung.degrees = compare_directions(*directions, *goal.facing, goal.own);
+    }
+
+    // How many rounds are measured, and in which of them each rung takes part (every n-th), so that none uses more than
+    // its share of the time. Decided before the first round: rounds until the result pleases would favour chance.
+    struct Schedule {
+        std::size_t rounds = 0;
+        std::vector<std::size_t> stride;
+    };
+    Schedule schedule(const std::vector<std::optional<double>>& frame) const {
+        const auto rounds = static_cast<double>(options_.rounds), time = std::max(1e3 * left(), 0.0);
+        const double share = time / static_cast<double>(frame.size() + 1);
+        Schedule result{0, std::vector<std::size_t>(frame.size(), 1)};
+        double round = 0;
         for (std::size_t i = 0; i < frame.size(); ++i) {
             if (!frame[i]) continue;
             const double sample = *frame[i] > 500 ? *frame[i] : *frame[i] + std::max(*frame[i], options_.at_least);
-            const double all = sample * options_.rounds;
             // Ensures at least three rounds.
-            const auto most = static_cast<std::size_t>(std::max(options_.rounds / 3, 1));
-            if (all > share) result[i] = std::min(static_cast<std::size_t>(std::ceil(all / share)), most);
+            const double most = std::max(std::floor(rounds / 3), 1.0);
+            const double stride = std::clamp(std::ceil(sample * rounds / std::max(share, 1e-3)), 1.0, most);
+            result.stride[i] = static_cast<std::size_t>(stride);
+            round += (i == result_.sweep.current ? 2 : 1) * sample / stride;
         }
+        result.rounds = static_cast<std::size_t>(std::clamp(time / std::max(round, 1e-3), 1.0, rounds));
         return result;
     }
 
     void rounds() {
-        const std::size_t base = result_.sweep.current;
+        const std::size_t base = result_.sweep.current, again = result_.rungs.size();
         result_.clock = bench_.choose_clock(variant(base));
-        std::vector<std::optional<double>> frame(result_.rungs.size());
-        for (std::size_t i = 0; i < frame.size() && !stopped(); ++i) {
-            say("warming up", static_cast<double>(i) / static_cast<double>(frame.size()), options_.seconds);
+        std::vector<std::optional<double>> frame(again);
+        for (std::size_t i = 0; i < again && !over(); ++i) {
+            say("warming up", static_cast<double>(i) / static_cast<double>(again), left());
             if (result_.rungs[i].drawn) frame[i] = bench_.warm_up(variant(i), result_.clock);
         }
-        const std::vector<std::size_t> stride = strides(frame);
-        const auto start = std::chrono::steady_clock::now();
+        const Schedule plan = schedule(frame);
         std::mt19937_64 random(options_.seed);
-        const std::size_t again = frame.size();
-        // One interval in twenty misses 1 by chance, and many are initially too wide, so more rounds are measured.
-        for (int round = 0; round < most_rounds * options_.rounds; ++round) {
-            const bool enough = round >= options_.rounds;
-            if (enough && seconds_since(start) > options_.seconds) break;
-            if (enough && (round - options_.rounds) % looked_at_every == 0 && !still_noisy() && !still_undecided())
-                break;
+        for (std::size_t round = 0; round < plan.rounds; ++round) {
             std::vector<std::size_t> order;
-            for (std::size_t i = 0; i < frame.size(); ++i)
-                if (frame[i] && static_cast<std::size_t>(round) % stride[i] == 0) order.push_back(i);
-            if (frame[base] && static_cast<std::size_t>(round) % stride[base] == 0) order.push_back(again);
+            for (std::size_t i = 0; i < again; ++i)
+                if (frame[i] && round % plan.stride[i] == 0) order.push_back(i);
+            if (frame[base] && round % plan.stride[base] == 0) order.push_back(again);
             for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
             for (RungResult& rung : result_.rungs)
                 for (auto* times : {&rung.cpu, &rung.wall, &rung.gpu}) times->push_back(0);
             again_.push_back(0);
             for (std::size_t i : order) {
-                const double spent = seconds_since(start);
-                if (stopped() || (spent > 1.25 * options_.seconds && round >= 3)) return;
-                say("timing", std::max(static_cast<double>(round) / options_.rounds, spent / options_.seconds),
-                    std::max(options_.seconds - spent, 0.0));
-                const Times times = bench_.time(variant(i == again ? base : i), options_.at_least);
-                if (i == again) {
-                    again_.back() = chosen(times, result_.clock);
-                    continue;
-                }
-                result_.rungs[i].cpu.back() = times.cpu;
-                result_.rungs[i].wall.back() = times.wall;
-                result_.rungs[i].gpu.back() = times.gpu;
+                if (stopped() || left() <= 0) return;
+                say("timing", static_cast<double>(round) / static_cast<double>(plan.rounds), left());
+                take(i, bench_.time(variant(i == again ? base : i), options_.at_least));
             }
         }
     }
 
-    bool still_noisy() const {
-        const RungResult& base = result_.rungs[result_.sweep.current];
-        return control(times_of(base, result_.clock), again_, options_.seed).noisy;
+    // Stores the times of the current round; an index behind the last rung is the control.
+    void take(std::size_t i, const Times& times) {
+        if (i == result_.rungs.size()) {
+            again_.back() = chosen(times, result_.clock);
+            return;
+        }
+        result_.rungs[i].cpu.back() = times.cpu;
+        result_.rungs[i].wall.back() = times.wall;
+        result_.rungs[i].gpu.back() = times.gpu;
     }
-
-    bool still_undecided() const { return undecided(points_of(result_), options_.seed); }
 
     Bench& bench_;
     const MeasureOptions& options_;
     SweepResult result_;
     std::vector<double> again_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// If the last steps shrink like a geometric series, the residual is its remainder; otherwise it is unknown.
-void estimate_residual(SweepResult& result) {
+// Counts that end before they converge leave an error that finer knobs don't show. If the last steps shrink like a
+// geometric series, it is the series' remainder; otherwise it is unknown.
+void extrapolate(SweepResult& result) {
     const std::size_t n = result.rungs.size();
-    if (result.sweep.kind != SweepKind::ladder || !result.sweep.numeric || n < 3) {
-        result.residual_note = result.sweep.kind == SweepKind::knob ? "the finest setting is assumed to be exact"
-                                                                    : "the last rung is assumed to be exact";
-        return;
-    }
-    const double last = result.rungs[n - 2].own.rmse, before = result.rungs[n - 3].own.rmse;
+    if (result.sweep.kind != SweepKind::ladder || !result.sweep.numeric || n < 3 || !result.residual) return;
+    const double last = result.rungs[n - 2].alone.rmse, before = result.rungs[n - 3].alone.rmse;
     const double shrinks = before > 0 ? last / before : 0;
+    if (last == 0) return;
     if (!(shrinks < .7)) {
-        result.residual_note = "not converged: the errors of the last rungs before the reference do not decrease";
+        result.residual.reset();
+        result.reference_note = "not converged: the errors of the last rungs before it do not decrease";
         return;
     }
-    result.residual = last * shrinks / (1 - shrinks);
-    result.residual_note = "extrapolated from the last steps towards the reference";
-    for (std::size_t i = 0; i < n; ++i)
-        result.rungs[i].below_residual = i != result.sweep.reference && result.rungs[i].own.rmse < 3 * *result.residual;
+    result.residual = std::max(*result.residual, last * shrinks / (1 - shrinks));
+}
+
+void judge_residual(SweepResult& result) {
+    result.reference_note.clear();
+    extrapolate(result);
+    const int grid = result.finest.grid;
+    const std::string knobs = fmt::format(
+        "{0} x {0} samples a pixel{1}", grid,
+        result.finest.plan.tessellation > 1 ? fmt::format(", tessellation x{}", result.finest.plan.tessellation) : "");
+    if (!result.cannot_say.empty())
+        result.reference_note = result.cannot_say;
+    else if (result.residual)
+        result.reference_note = *result.residual > 0
+                                    ? fmt::format("reference good to {:.0f} dB ({})", psnr(*result.residual), knobs)
+                                    : fmt::format("the reference does not change with finer knobs ({})", knobs);
+    else if (result.reference_note.empty())
+        result.reference_note = fmt::format("it is not known how good the reference is ({}): the time was up", knobs);
+    for (RungResult& rung : result.rungs)
+        rung.below_residual = rung.drawn && result.residual && rung.own.light.rmse <= *result.residual;
 }
 
 void conclude_times(SweepResult& result, std::span<const double> base_again, std::uint64_t seed) {
@@ -225,10 +290,12 @@ void conclude_times(SweepResult& result, std::span<const double> base_again, std
         rung.ratio = paired_ratio(times, base, seed);
     }
     const std::vector<Point> points = points_of(result);
-    result.few_rounds = result.rungs[result.sweep.current].rounds < fewest_rounds;
-    const std::vector<Verdict> verdicts = pareto_front(points, seed);
+    const auto timed = std::ranges::count_if(result.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+    result.few_rounds = result.rungs[result.sweep.current].rounds <
+                        std::max(fewest_rounds, rounds_for(static_cast<std::size_t>(timed)));
+    const std::vector<Verdict> verdicts = pareto_front(points);
     const bool row = result.sweep.kind != SweepKind::lattice;
-    const std::vector<bool> dear = row ? cliffs(points, seed) : std::vector<bool>(points.size(), false);
+    const std::vector<bool> dear = row ? cliffs(points) : std::vector<bool>(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
         result.rungs[i].verdict = verdicts[i];
         result.rungs[i].cliff = dear[i] && result.trusted();
@@ -237,13 +304,21 @@ void conclude_times(SweepResult& result, std::span<const double> base_again, std
 
 }  // namespace
 
+bool RungResult::hidden() const {
+    constexpr double visible = 1 / 255.0, next_to_nothing = .02;
+    if (!drawn || !elsewhere) return false;
+    const auto [less, more] = std::minmax(alone.rmse, elsewhere->rmse);
+    return more > visible && less < next_to_nothing * more;
+}
+
 double SweepResult::error(const RungResult& rung) const {
-    return metric == Metric::degrees && rung.degrees ? rung.degrees->mean : rung.own.rmse;
+    if (metric == Metric::degrees && rung.degrees) return rung.degrees->mean;
+    return std::isnan(rung.own.light.rmse) ? rung.own.light.rmse : std::max(rung.own.light.rmse, residual.value_or(0));
 }
 
 void conclude(SweepResult& result, std::span<const double> base_again, std::uint64_t seed) {
     choose_metric(result);
-    estimate_residual(result);
+    judge_residual(result);
     conclude_times(result, base_again, seed);
 }
 

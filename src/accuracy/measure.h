@@ -9,6 +9,7 @@
 #include "src/accuracy/bench.h"
 #include "src/accuracy/front.h"
 #include "src/accuracy/metrics.h"
+#include "src/accuracy/reference.h"
 #include "src/accuracy/sweep.h"
 
 namespace snell::accuracy {
@@ -16,19 +17,24 @@ namespace snell::accuracy {
 struct RungResult {
     std::string name;
     std::vector<std::size_t> steps;
-    bool drawn = false;  // if false, this context cannot draw it, and the members below have no values
+    bool drawn = false;  // if false, it was not drawn, and the members below have no values
     Picture picture;
     Error whole, own;  // over the whole picture, and over the pixels that the ladder's own draws cover
     double flip = 0;   // mean over the pixels of `own`
+    Figures alone;     // of the light: compared with the last rung at the scene's knobs, over the pixels of `own`
+    std::optional<Figures> elsewhere;  // the same with the other ladders at the other place (SweepRung::elsewhere)
     std::optional<Degrees> degrees;
-    bool saturated = false;              // the error is so large that RMSE no longer ranks
-    bool below_residual = false;         // the error is below three times the estimated residual of the reference
-    std::vector<double> cpu, wall, gpu;  // in milliseconds by round; 0 if it did not take part
+    bool saturated = false;                      // the error is so large that RMSE no longer ranks
+    bool below_residual = false;                 // the error is not larger than the residual of the reference
+    std::vector<double> cpu, wall, gpu;          // in milliseconds by round; 0 if it did not take part
     double milliseconds = 0, low = 0, high = 0;  // median of the chosen clock, and its interval
     Interval ratio{1, 1, 1};                     // relative to the base rung
     std::size_t rounds = 0;
     Verdict verdict;
     bool cliff = false;
+
+    // True if it changes next to nothing at one place and visibly at the other: a rung of another ladder hides it.
+    bool hidden() const;
 };
 
 enum class Metric { rmse, degrees };
@@ -38,18 +44,23 @@ struct SweepResult {
     Sweep sweep;
     std::vector<RungResult> rungs;
     std::size_t own_pixels = 0;  // 0 if no draw of its own is known; `own` is then over the whole picture
+    std::string cannot_say;      // why the errors mean nothing; empty if they do
+    bool broken = false;         // cannot_say tells of a defect of the scene
     Metric metric = Metric::rmse;
     Control control;
-    bool few_rounds = false;  // too few for an interval, so there is no front
-    // Estimated RMSE of the reference compared with the exact picture, extrapolated from the steps towards it.
+    bool few_rounds = false;  // too few to be sure of anything, so there is no front
+    // RMSE of the light, over the pixels of `own`, by which the reference may be wrong.
     std::optional<double> residual;
-    std::string residual_note;  // how the residual was estimated, or why it could not be
+    Knobs finest;                // of the reference
+    std::string reference_note;  // how it was drawn, and how good it is
     ClockKind clock = ClockKind::wall;
     bool interrupted = false;
+    bool late = false;  // the time was up before every rung was drawn
 
     // True if the verdicts are meaningful.
-    bool trusted() const { return !control.noisy && !few_rounds; }
-    double error(const RungResult& rung) const;  // the error by `metric`, which the front uses
+    bool trusted() const { return cannot_say.empty() && !control.noisy && !few_rounds; }
+    // The error by `metric`, which the front uses: an RMSE is at least the residual, so nothing ranks below it.
+    double error(const RungResult& rung) const;
 };
 
 struct Progress {
@@ -59,19 +70,20 @@ struct Progress {
 };
 
 struct MeasureOptions {
-    int rounds = 31;       // at least 3; increased while the control is noisy and time is left
-    double seconds = 30;   // time for this sweep; expensive rungs skip rounds to stay within it
-    bool times = true;     // if false, only errors are measured
-    double at_least = 20;  // minimum milliseconds of a sample: faster frames are drawn several times
+    int rounds = 31;      // at most; fewer if they do not fit into the time, which is decided before the first one
+    double seconds = 30;  // time for this sweep; expensive rungs skip rounds, or are not drawn, to stay within it
+    References* references = nullptr;  // null: the sweep draws its own, in a quarter of its time
+    bool times = true;                 // if false, only errors are measured
+    double at_least = 20;              // minimum milliseconds of a sample: faster frames are drawn several times
     std::uint64_t seed = 1;
-    std::function<bool()> stop;                   // called between frames; returns true to stop
+    Stop stop;
     std::function<void(const Progress&)> report;  // called between frames
 };
 
 // Measures all rungs of the sweep. The bench's context must be current.
 SweepResult measure(Bench& bench, const Sweep& sweep, const MeasureOptions& options);
 
-// Computes the conclusions from the pictures and times in `result`. measure() calls it; it is public for tests and for
+// Computes the conclusions from the errors and times in `result`. measure() calls it; it is public for tests and for
 // interrupted measurements.
 void conclude(SweepResult& result, std::span<const double> base_again, std::uint64_t seed);
 

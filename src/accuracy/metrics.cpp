@@ -41,14 +41,37 @@ struct Correlation {
     }
 };
 
+// The sums from which figures are made.
+struct Sums {
+    double sum = 0, squares = 0, max = 0;
+
+    void add(double difference) {
+        sum += difference;
+        squares += difference * difference;
+        max = std::max(max, difference);
+    }
+    Figures figures(std::size_t pixels) const {
+        const double values = 3 * static_cast<double>(pixels), rmse = std::sqrt(squares / values);
+        return {rmse, psnr(rmse), max, sum / values};
+    }
+};
+
+constexpr double infinite = std::numeric_limits<double>::infinity(), unknown = std::numeric_limits<double>::quiet_NaN();
+
 }  // namespace
+
+double light_of(double display) {
+    const double size = std::abs(display);
+    return std::copysign(size <= .04045 ? size / 12.92 : std::pow((size + .055) / 1.055, 2.4), display);
+}
 
 Region where_different(const Picture& a, const Picture& b, float threshold) {
     Region region(a.pixels(), 0);
     for (std::size_t i = 0; i < region.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c)
-            // NaN compares false, so it differs from everything, including itself.
-            if (!(std::abs(a.rgba[4 * i + c] - b.rgba[4 * i + c]) <= threshold)) region[i] = 1;
+            if (const float x = a.rgba[4 * i + c], y = b.rgba[4 * i + c];
+                x != y && !(std::isnan(x) && std::isnan(y)) && !(std::abs(x - y) <= threshold))
+                region[i] = 1;
     return region;
 }
 
@@ -56,43 +79,56 @@ std::size_t count(const Region& region) {
     return static_cast<std::size_t>(std::ranges::count_if(region, [](std::uint8_t in) { return in != 0; }));
 }
 
-double psnr(double rmse) { return rmse > 0 ? -20 * std::log10(rmse) : std::numeric_limits<double>::infinity(); }
+double psnr(double rmse) { return rmse == 0 ? infinite : -20 * std::log10(rmse); }
 
 Error compare(const Picture& picture, const Picture& reference, const Region& region) {
     Error error;
-    double sum = 0, squares = 0;
+    Sums light, display;
     Correlation correlation;
+    bool one_sided = false;
     for (std::size_t i = 0; i < picture.pixels(); ++i) {
         if (!counts(region, i)) continue;
         const float *a = &picture.rgba[4 * i], *b = &reference.rgba[4 * i];
         if (!finite3(a) || !finite3(b)) {
             ++error.nonfinite;
+            one_sided = one_sided || finite3(a) || finite3(b);
             continue;
         }
         ++error.pixels;
         for (std::size_t c = 0; c < 3; ++c) {
             const double x = static_cast<double>(a[c]), y = static_cast<double>(b[c]);
-            const double d = std::abs(x - y);
-            sum += d;
-            squares += d * d;
-            error.max = std::max(error.max, d);
             correlation.add(x, y);
+            if (x == y) continue;
+            display.add(std::abs(x - y));
+            light.add(std::abs(light_of(x) - light_of(y)));
         }
     }
-    const double values = 3 * static_cast<double>(std::max<std::size_t>(error.pixels, 1));
-    error.mean = sum / values;
-    error.rmse = std::sqrt(squares / values);
-    error.psnr = psnr(error.rmse);
+    error.light = light.figures(error.pixels);
+    error.display = display.figures(error.pixels);
+    if (error.pixels == 0) error.light = error.display = {unknown, unknown, unknown, unknown};
+    if (one_sided) error.light = error.display = {infinite, -infinite, infinite, infinite};
     error.correlation = correlation.value();
     error.unrelated = correlation.unrelated();
     return error;
 }
 
+NonFinite non_finite(const Picture& picture, const Region& region) {
+    NonFinite found;
+    for (std::size_t i = 0; i < picture.pixels(); ++i) {
+        if (!counts(region, i) || finite3(&picture.rgba[4 * i])) continue;
+        const auto width = static_cast<std::size_t>(picture.width);
+        if (found.count++ == 0) found = {1, static_cast<int>(i % width), static_cast<int>(i / width)};
+    }
+    return found;
+}
+
 Degrees compare_directions(const Picture& picture, const Picture& reference, const Region& region) {
     std::vector<double> angles;
+    bool one_sided = false;
     for (std::size_t i = 0; i < picture.pixels(); ++i) {
         if (!counts(region, i)) continue;
         const float *p = &picture.rgba[4 * i], *q = &reference.rgba[4 * i];
+        one_sided = one_sided || finite3(p) != finite3(q);
         if (!finite3(p) || !finite3(q)) continue;
         const double a[3]{p[0], p[1], p[2]}, b[3]{q[0], q[1], q[2]};
         const double la = std::hypot(a[0], a[1], a[2]), lb = std::hypot(b[0], b[1], b[2]);
@@ -103,7 +139,8 @@ Degrees compare_directions(const Picture& picture, const Picture& reference, con
     }
     Degrees result;
     result.pixels = angles.size();
-    if (angles.empty()) return result;
+    if (one_sided) result.mean = result.p99 = result.max = infinite;
+    if (angles.empty() || one_sided) return result;
     for (double angle : angles) result.mean += angle / static_cast<double>(angles.size());
     std::ranges::sort(angles);
     result.max = angles.back();

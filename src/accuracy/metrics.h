@@ -1,4 +1,5 @@
-// Error metrics of a picture compared with its reference, in linear light before quantisation. No GL.
+// Error metrics of a picture compared with its reference, before quantisation. No GL. Pictures hold display values: a
+// scene's colours are encoded for a display, by the curve of sRGB.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +21,30 @@ struct Picture {
 // For each pixel, whether it counts. Empty: all pixels count.
 using Region = std::vector<std::uint8_t>;
 
-// The pixels in which any channel of two pictures of equal size differs by more than `threshold`.
+// The light that a display emits for a value: the curve of sRGB, continued beyond 0..1 (negative values mirrored).
+double light_of(double display);
+
+// The pixels in which any channel of two pictures of equal size differs by more than `threshold`. Where both are NaN
+// they do not differ.
 Region where_different(const Picture& a, const Picture& b, float threshold = 0);
 std::size_t count(const Region& region);
 
-// Errors over red, green and blue of the pixels that count; alpha is ignored. A pixel with a component that is not
-// finite in either picture is counted in `nonfinite` and excluded from everything else.
-struct Error {
+// Errors over red, green and blue; alpha is ignored. If a pixel is finite in only one of the pictures, all are infinite
+// (and the psnr minus infinity). Without any pixel that is finite in both, they are NaN.
+struct Figures {
     double rmse = 0, psnr = 0, max = 0, mean = 0;  // psnr: dB relative to a peak of 1; infinite for equal pictures
-    double correlation = 1;                        // between the two pictures
+};
+
+// Errors over the pixels that count.
+struct Error {
+    Figures light;           // of the light that a display emits
+    Figures display;         // of the values as the scene wrote them
+    double correlation = 1;  // between the two pictures
     // The pictures vary alike, but independently: an unrelated picture of the same kind would have the same error, so
     // RMSE no longer ranks.
     bool unrelated = false;
-    std::size_t pixels = 0, nonfinite = 0;
+    std::size_t pixels = 0;     // that are finite in both pictures
+    std::size_t nonfinite = 0;  // that are not finite in either
 };
 // Both pictures must have the same size.
 Error compare(const Picture& picture, const Picture& reference, const Region& region = {});
@@ -40,9 +52,16 @@ Error compare(const Picture& picture, const Picture& reference, const Region& re
 // In dB relative to a peak of 1; infinite for an RMSE of 0.
 double psnr(double rmse);
 
+// The first pixel that counts and is not finite, and how many there are.
+struct NonFinite {
+    std::size_t count = 0;
+    int x = 0, y = 0;  // of the first; from the top left
+};
+NonFinite non_finite(const Picture& picture, const Region& region = {});
+
 // Angles, in degrees, between two pictures of directions (xyz in red, green and blue, of any length). Pixels in which
-// either has no direction (zero or not finite) are excluded. Angles are computed by atan2, because acos is inaccurate
-// below a hundredth of a degree.
+// either has no direction (zero, or not finite in both) are excluded; those finite in only one make the angles
+// infinite. Angles are computed by atan2, because acos is inaccurate below a hundredth of a degree.
 struct Degrees {
     double mean = 0, p99 = 0, max = 0;
     std::size_t pixels = 0;
@@ -52,8 +71,8 @@ Degrees compare_directions(const Picture& picture, const Picture& reference, con
 
 // The difference that a viewer perceives when the two pictures alternate: FLIP for low dynamic range (Andersson and
 // others, "FLIP: A Difference Evaluator for Alternating Images", 2020), from 0 (none) to 1. Components are clamped to
-// 0..1, and those that are not finite become 0. The cost grows with pixels_per_degree; 67 is a monitor of .7 m width
-// and 3840 pixels, seen from .7 m.
+// 0..1, and decoded from sRGB. Pixels that are finite in only one of the pictures differ by 1. The cost grows with
+// pixels_per_degree; 67 is a monitor of .7 m width and 3840 pixels, seen from .7 m.
 std::vector<float> flip_map(const Picture& picture, const Picture& reference, double pixels_per_degree = 67);
 // The mean over the pixels that count; 0 if there are none.
 double mean_of(std::span<const float> map, const Region& region = {});

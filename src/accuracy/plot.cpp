@@ -13,7 +13,7 @@ namespace snell::accuracy {
 namespace {
 
 constexpr double width = 640, height = 400, left = 64, right = 16, top = 16, bottom = 48;
-constexpr double exact_gap = 34;  // distance of the line for errors of 0 below the axis of errors
+constexpr double equal_gap = 34;  // distance of the line for errors of 0 below the axis of errors
 
 // A logarithmic axis with margins at both ends.
 class Axis {
@@ -72,7 +72,7 @@ class Plot {
 public:
     explicit Plot(const SweepResult& sweep) : sweep_(sweep), x_(time_axis()), y_(error_axis()) {
         for (std::size_t i = 0; i < sweep.rungs.size(); ++i)
-            if (sweep.rungs[i].drawn && sweep.rungs[i].rounds > 0)
+            if (sweep.rungs[i].drawn && sweep.rungs[i].rounds > 0 && !std::isnan(sweep.error(sweep.rungs[i])))
                 marks_.push_back({i, x_.at(sweep.rungs[i].milliseconds), y_at(i)});
     }
 
@@ -91,7 +91,9 @@ public:
         labels();
         if (!sweep_.trusted())
             text("stamp", width - right - 6, top + 18, "end",
-                 sweep_.few_rounds ? "too few rounds: no front" : "too noisy: no front");
+                 !sweep_.cannot_say.empty() ? "can't say"
+                 : sweep_.few_rounds        ? "too few rounds: no front"
+                                            : "too noisy: no front");
         return out_ + "</svg>";
     }
 
@@ -108,15 +110,16 @@ private:
     Axis error_axis() const {
         double low = 1e30, high = 0;
         for (const RungResult& rung : sweep_.rungs)
-            if (const double error = sweep_.error(rung); rung.drawn && error > 0) {
+            if (const double error = sweep_.error(rung); rung.drawn && error > 0 && std::isfinite(error)) {
                 low = std::min(low, error);
                 high = std::max(high, error);
             }
-        const double lowest = height - bottom - exact_gap;
+        const double lowest = height - bottom - equal_gap;
         return high > 0 ? Axis(low, high, lowest, top) : Axis(.01, 1, lowest, top);
     }
     double y_at(std::size_t rung) const {
         const double error = sweep_.error(sweep_.rungs[rung]);
+        if (std::isinf(error)) return top + 4;  // a picture with pixels that are not finite
         return error > 0 ? y_.at(error) : height - bottom - 10;
     }
 
@@ -140,17 +143,18 @@ private:
             text("tick", left - 6, y_.at(tick) + 4, "end", fmt::format("{:g}", tick));
         }
         line("axis", left, base, width - right, base);
-        line("axis", left, top, left, base - exact_gap + 6);
-        text("tick", left - 6, base - 6, "end", "exact");
+        line("axis", left, top, left, base - equal_gap + 6);
+        text("tick", left - 6, base - 6, "end", "equal");
         text("title", (left + width) / 2, height - 10, "middle", fmt::format("milliseconds ({})", name(sweep_.clock)));
         const std::string_view unit = sweep_.metric == Metric::degrees ? "mean error of the direction, degrees"
-                                                                       : "root mean square error, linear light";
+                                                                       : "root mean square error of light";
         out_ += fmt::format(
             "<text class=\"title\" transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
             (top + base) / 2, unit);
-        if (sweep_.metric == Metric::rmse && y_.shows(1 / 255.0)) {
-            line("step", left, y_.at(1 / 255.0), width - right, y_.at(1 / 255.0));
-            text("tick", width - right - 4, y_.at(1 / 255.0) - 4, "end", "one step of an 8-bit display");
+        if (const double residual = sweep_.residual.value_or(0); sweep_.metric == Metric::rmse && y_.shows(residual)) {
+            line("step", left, y_.at(residual), width - right, y_.at(residual));
+            text("tick", width - right - 4, y_.at(residual) - 4, "end",
+                 fmt::format("reference good to {:.0f} dB", psnr(residual)));
         }
     }
 
@@ -204,8 +208,9 @@ private:
         const RungResult& rung = sweep_.rungs[mark.rung];
         const bool solid = !sweep_.trusted() || rung.verdict.standing == Standing::front;
         const std::string kind = std::string(solid ? "solid" : "hollow") + (rung.saturated ? " grey" : "");
-        const std::string title = fmt::format("<title>{}: {:.3g} ms, RMSE {:.3g}. {}</title>", escaped(rung.name),
-                                              rung.milliseconds, rung.own.rmse, escaped(standing_text(sweep_, rung)));
+        const std::string title = fmt::format(
+            "<title>{}: {:.3g} ms, RMSE {:.3g} of light, {:.3g} of display values. {}</title>", escaped(rung.name),
+            rung.milliseconds, rung.own.light.rmse, rung.own.display.rmse, escaped(notes_text(sweep_, rung)));
         if (mark.rung == sweep_.sweep.current)
             out_ +=
                 fmt::format("<rect class=\"{} current\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"11\" height=\"11\">{}</rect>",

@@ -20,7 +20,7 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 std::array<Wish, 3> quality_wishes() {
     constexpr double step = 1.0 / 255;
-    return {Wish{}, Wish{.error = step}, Wish{.error = step / 100}};
+    return {Wish{}, Wish{.alone = step}, Wish{.alone = step / 100}};
 }
 
 std::vector<Preset> presets_of(const Scene& scene, const Counsel& counsel) {
@@ -31,7 +31,8 @@ std::vector<Preset> presets_of(const Scene& scene, const Counsel& counsel) {
         const RungResult& rung = sweep.rungs[advice.rung];
         presets.push_back({.name = std::string(quality_names.at(i)),
                            .choices = choices(scene, sweep.sweep.rungs[advice.rung].variant.rungs),
-                           .rmse = rung.own.rmse,
+                           .rmse = rung.own.light.rmse,
+                           .alone = rung.alone.rmse,
                            .milliseconds = rung.milliseconds,
                            .ratio = rung.ratio,
                            .settled = advice.settled,
@@ -45,8 +46,9 @@ std::string quality_json(const Circumstances& where, const std::vector<Preset>& 
               {"renderer", where.renderer}, {"cpu", where.cpu},   {"size", {where.width, where.height}}};
     for (const Preset& preset : presets) {
         json["presets"][preset.name] = {{"ladders", preset.choices},         {"rmse", number(preset.rmse)},
-                                        {"ms", number(preset.milliseconds)}, {"ratio", ratio_text(preset.ratio)},
-                                        {"settled", preset.settled},         {"trusted", preset.trusted}};
+                                        {"alone", number(preset.alone)},     {"ms", number(preset.milliseconds)},
+                                        {"ratio", ratio_text(preset.ratio)}, {"settled", preset.settled},
+                                        {"trusted", preset.trusted}};
     }
     return content::json_text(json) + "\n";
 }

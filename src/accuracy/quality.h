@@ -15,14 +15,16 @@ namespace snell::accuracy {
 
 inline constexpr std::array<std::string_view, 3> quality_names{"fast", "balanced", "exact"};
 
-// The wishes of the presets. fast: the cheapest combination of all. balanced: the cheapest whose RMSE is below one step
-// of an 8-bit display. exact: the cheapest whose RMSE is below a hundredth of such a step.
+// The wishes of the presets. fast: the cheapest combination of all. balanced: the cheapest whose picture differs from
+// that of the last rungs by an RMSE of less than 1/255. exact: by less than a hundredth of that. Finer samples and
+// meshes are no matter of rungs, so these are compared at the scene's own.
 std::array<Wish, 3> quality_wishes();
 
 struct Preset {
     std::string name;
     std::vector<std::string> choices;  // "A=x" for each ladder
-    double rmse = 0;
+    double rmse = 0;                   // compared with the reference
+    double alone = 0;                  // compared with the last rungs at the scene's knobs
     double milliseconds = 0;
     Interval ratio{1, 1, 1};  // relative to the scene's rungs at the time of measurement
     bool settled = false;     // no measured combination fulfils the wish better

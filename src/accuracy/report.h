@@ -37,6 +37,16 @@ std::string ratio_text(const Interval& ratio);
 // trusted.
 std::string standing_text(const SweepResult& sweep, const RungResult& rung);
 
+// All remarks on the rung: its standing, and what a reader must know before trusting its error.
+std::string notes_text(const SweepResult& sweep, const RungResult& rung);
+// Decibels, or what there is instead: "equal", "not finite", "?".
+std::string psnr_text(double psnr);
+// What errors are of, in a sentence.
+inline constexpr std::string_view errors_are =
+    "Errors are of light: display values decoded by the curve of sRGB, before quantisation. Those of the display "
+    "values "
+    "themselves are given next to them. 'Alone' compares with the last rung at the scene's own knobs.";
+
 // Text for a terminal.
 std::string table_text(const SweepResult& sweep);
 std::string header_text(const Report& report);

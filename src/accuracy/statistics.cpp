@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 namespace snell::accuracy {
@@ -62,11 +63,38 @@ Interval bootstrap_median(std::span<const double> values, std::uint64_t seed, in
     return {std::min(at(.025), middle), middle, std::max(at(.975), middle)};
 }
 
-Interval paired_ratio(std::span<const double> a, std::span<const double> b, std::uint64_t seed, int resamples) {
+std::vector<double> quotients(std::span<const double> a, std::span<const double> b) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
         if (a[i] > 0 && b[i] > 0) ratios.push_back(a[i] / b[i]);
-    return bootstrap_median(ratios, seed, resamples);
+    return ratios;
+}
+
+Interval paired_ratio(std::span<const double> a, std::span<const double> b, std::uint64_t seed, int resamples) {
+    return bootstrap_median(quotients(a, b), seed, resamples);
+}
+
+double chance_of_signs(std::span<const double> ratios) {
+    if (!ratios.empty() && (std::ranges::max(ratios) < 1 / apart || std::ranges::min(ratios) > apart)) return 0;
+    const auto below = std::ranges::count_if(ratios, [](double r) { return r < 1; });
+    const auto above = std::ranges::count_if(ratios, [](double r) { return r > 1; });
+    const auto n = static_cast<double>(below + above), fewer = static_cast<double>(std::min(below, above));
+    double sum = 0;
+    for (double k = 0; k <= fewer; ++k)
+        sum += std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) - n * std::log(2.0));
+    return std::min(2 * sum, 1.0);
+}
+
+std::vector<bool> holm(std::span<const double> chances, double level) {
+    std::vector<std::size_t> order(chances.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t i) { return chances[i]; });
+    std::vector<bool> sure(chances.size(), false);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        if (!(chances[order[k]] <= level / static_cast<double>(order.size() - k))) break;
+        sure[order[k]] = true;
+    }
+    return sure;
 }
 
 }  // namespace snell::accuracy

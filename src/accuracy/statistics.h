@@ -28,9 +28,17 @@ struct Interval {
 // sides (for positive values), which deviations on a quiet machine do not exceed. For no values, all members are NaN.
 Interval bootstrap_median(std::span<const double> values, std::uint64_t seed = 1, int resamples = 2000);
 
-// The interval of the quotients a[i] / b[i] over the rounds that both took part in (a value that is not positive is
-// missing). A load of the machine that lasts for a whole round cancels out.
+// The quotients a[i] / b[i] of the rounds that both took part in (a value that is not positive is missing). A load of
+// the machine that lasts for a whole round cancels out.
+std::vector<double> quotients(std::span<const double> a, std::span<const double> b);
+// The interval of their median.
 Interval paired_ratio(std::span<const double> a, std::span<const double> b, std::uint64_t seed = 1,
                       int resamples = 2000);
+
+// The probability that ratios of equal costs lie on one side of 1 as clearly as these (two-sided sign test; ratios of 1
+// are left out). 0 if all differ from 1 by more than a factor of 1.5 to the same side, however few they are.
+double chance_of_signs(std::span<const double> ratios);
+// Holm's step-down correction: which of these probabilities are small enough that all claims together have the level.
+std::vector<bool> holm(std::span<const double> chances, double level);
 
 }  // namespace snell::accuracy

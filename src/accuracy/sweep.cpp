@@ -47,10 +47,13 @@ Sweep ladder_sweep(const Scene& scene, const Rungs& now, std::size_t index, From
     sweep.numeric = ladder.numeric();
     sweep.reference = ladder.rungs.size() - 1;
     sweep.current = now[index];
+    sweep.elsewhere = from == From::reference ? "where the scene stands" : "with the other ladders at their last rungs";
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
         Variant variant{from == From::reference ? references(scene) : now, {}};
-        variant.rungs[index] = i;
-        sweep.rungs.push_back({ladder.rungs[i], std::move(variant), {i}});
+        Rungs elsewhere = from == From::reference ? now : references(scene);
+        variant.rungs[index] = elsewhere[index] = i;
+        if (elsewhere == variant.rungs) elsewhere.clear();
+        sweep.rungs.push_back({ladder.rungs[i], std::move(variant), {i}, std::move(elsewhere)});
     }
     return sweep;
 }
@@ -183,7 +186,8 @@ std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::
             if (setting.current) sweep.current = sweep.rungs.size();
             sweep.rungs.push_back({setting.name,
                                    {from == From::reference ? references(scene) : now, setting.knobs},
-                                   {sweep.rungs.size()}});
+                                   {sweep.rungs.size()},
+                                   {}});
         }
         sweeps.push_back(std::move(sweep));
     }

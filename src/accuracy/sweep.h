@@ -20,6 +20,9 @@ struct SweepRung {
     std::string name;  // for a lattice, the rungs' names separated by blanks
     Variant variant;
     std::vector<std::size_t> steps;  // for a lattice, the rung of each of its ladders
+    // For a ladder, with the others at the other place: where the scene stands, or at the reference. Empty if both
+    // places are the same.
+    Rungs elsewhere;
 };
 
 struct Sweep {
@@ -30,6 +33,7 @@ struct Sweep {
     std::size_t current = 0;         // index of the scene's own rung, the base of all ratios
     std::vector<std::size_t> moved;  // the ladders that vary, as indices into Scene::ladders
     bool numeric = false;            // the rungs' names are counts
+    std::string_view elsewhere;      // the other place of SweepRung::elsewhere, as reports name it
 };
 
 inline constexpr std::array<std::string_view, 5> knob_names{"samples", "tessellation", "filter", "cube-size",

@@ -16,7 +16,7 @@ const RungResult& reference_of(const SweepResult& sweep) { return sweep.rungs[sw
 
 std::string error_text(const SweepResult& sweep, const RungResult& rung) {
     if (sweep.metric == Metric::degrees) return fmt::format("{:.3g}°", sweep.error(rung));
-    return fmt::format("RMSE {:.2g}", rung.own.rmse);
+    return fmt::format("RMSE {:.2g}", rung.own.light.rmse);
 }
 
 std::string list_text(const std::vector<std::string>& names) {
@@ -40,7 +40,7 @@ std::string price_sentence(const SweepResult& sweep) {
 // The cheapest rung on the front that halves the error of the scene's own rung.
 std::string bargain_sentence(const SweepResult& sweep) {
     const RungResult& base = base_of(sweep);
-    if (!(sweep.error(base) > 0)) return {};
+    if (!(sweep.error(base) > 0) || !std::isfinite(sweep.error(base))) return {};
     const RungResult* best = nullptr;
     for (const RungResult& rung : sweep.rungs) {
         if (rung.verdict.standing != Standing::front || rung.rounds == 0 || &rung == &reference_of(sweep)) continue;
@@ -95,47 +95,101 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
     return "";
 }
 
-std::string in_words(const SweepResult& sweep) {
+std::string psnr_text(double psnr) {
+    if (std::isfinite(psnr)) return fmt::format("{:.1f}", psnr);
+    return std::isnan(psnr) ? "?" : psnr > 0 ? "equal" : "not finite";
+}
+
+std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
+    std::vector<std::string> notes;
+    if (std::string standing = standing_text(sweep, rung); !standing.empty()) notes.push_back(std::move(standing));
+    if (rung.below_residual && sweep.metric == Metric::rmse) notes.emplace_back("not told apart from the reference");
+    if (rung.saturated) notes.emplace_back("decorrelated");
+    if (rung.cliff) notes.emplace_back("cliff");
+    if (rung.whole.nonfinite > 0) notes.push_back(fmt::format("{} pixels NaN or infinite", rung.whole.nonfinite));
+    if (rung.hidden())
+        notes.push_back(fmt::format("alone RMSE {:.2g} here, {:.2g} {}", rung.alone.rmse, rung.elsewhere->rmse,
+                                    sweep.sweep.elsewhere));
+    return fmt::format("{}", fmt::join(notes, ", "));
+}
+
+namespace {
+
+std::string cost_sentences(const SweepResult& sweep) {
     std::string text;
-    if (base_of(sweep).rounds == 0)
-        text = "Nothing was timed.";
-    else if (sweep.few_rounds)
-        text = "There are too few rounds to compare costs.";
-    else if (sweep.control.noisy)
-        text = fmt::format(
+    if (base_of(sweep).rounds == 0) return "Nothing was timed.";
+    if (sweep.few_rounds) return "There are too few rounds to compare costs.";
+    if (sweep.control.noisy)
+        return fmt::format(
             "The measurement is too noisy to compare costs: '{}', timed twice, took {} times as long the second time.",
             base_of(sweep).name, ratio_text(sweep.control.ratio));
-    else
-        text = price_sentence(sweep);
-    if (sweep.trusted()) {
-        if (const std::string bargain = bargain_sentence(sweep); !bargain.empty()) text += " " + bargain;
-        // For a lattice, the table has this information.
-        if (sweep.sweep.kind != SweepKind::lattice) text += standing_sentences(sweep);
-    }
-    std::vector<std::string> far, dear, odd;
+    text = price_sentence(sweep);
+    if (const std::string bargain = bargain_sentence(sweep); !bargain.empty()) text += " " + bargain;
+    // For a lattice, the table has this information.
+    if (sweep.sweep.kind != SweepKind::lattice) text += standing_sentences(sweep);
+    return text;
+}
+
+// "'a' and 'b'": the rungs for which `which` is true; empty if there are none.
+template <class Which>
+std::string those(const SweepResult& sweep, const Which& which, std::size_t& count) {
+    std::vector<std::string> names;
+    for (const RungResult& rung : sweep.rungs)
+        if (rung.drawn && which(rung)) names.push_back("'" + rung.name + "'");
+    count = names.size();
+    return list_text(names);
+}
+
+std::string hidden_sentences(const SweepResult& sweep) {
+    constexpr std::string_view last = "with the other ladders at their last rungs", scene = "where the scene stands";
+    std::string text;
     for (const RungResult& rung : sweep.rungs) {
-        if (rung.saturated) far.push_back("'" + rung.name + "'");
-        if (rung.cliff) dear.push_back("'" + rung.name + "'");
-        if (rung.whole.nonfinite > 0) odd.push_back("'" + rung.name + "'");
+        if (!rung.hidden()) continue;
+        const double here = rung.alone.rmse, there = rung.elsewhere->rmse;
+        const std::string_view other = sweep.sweep.elsewhere, own = other == scene ? last : scene;
+        text += fmt::format(
+            " '{}' is hidden by another ladder's rung {}, where it changes RMSE {:.2g}; {} it is {:.2g}.", rung.name,
+            here < there ? own : other, std::min(here, there), here < there ? other : own, std::max(here, there));
     }
-    if (!far.empty() && sweep.sweep.kind != SweepKind::lattice)
-        text += fmt::format(" The {} of {} {} so large that RMSE no longer ranks.", far.size() > 1 ? "errors" : "error",
-                            list_text(far), far.size() > 1 ? "are" : "is");
-    if (!dear.empty())
-        text += fmt::format(" {} {} more expensive than both neighbours (a cliff).", list_text(dear),
-                            dear.size() > 1 ? "are" : "is");
-    if (!odd.empty()) text += fmt::format(" Some pixels of {} are NaN or infinite.", list_text(odd));
-    if (sweep.residual_note.starts_with("not converged")) text += " The reference has not converged.";
+    return text;
+}
+
+}  // namespace
+
+std::string in_words(const SweepResult& sweep) {
+    if (!sweep.cannot_say.empty()) return fmt::format("Can't say: {}.", sweep.cannot_say);
+    std::string text = cost_sentences(sweep);
+    std::size_t count = 0;
+    const auto reference = &reference_of(sweep);
+    if (const std::string same = those(
+            sweep, [&](const RungResult& rung) { return rung.below_residual && &rung != reference; }, count);
+        count > 0 && sweep.metric == Metric::rmse)
+        text += fmt::format(" {} {} not told apart from the reference.", same, count > 1 ? "are" : "is");
+    if (const std::string far = those(
+            sweep, [](const RungResult& rung) { return rung.saturated; }, count);
+        count > 0 && sweep.sweep.kind != SweepKind::lattice)
+        text += fmt::format(" The {} of {} {} so large that RMSE no longer ranks.", count > 1 ? "errors" : "error", far,
+                            count > 1 ? "are" : "is");
+    if (const std::string dear = those(
+            sweep, [](const RungResult& rung) { return rung.cliff; }, count);
+        count > 0)
+        text += fmt::format(" {} {} more expensive than both neighbours (a cliff).", dear, count > 1 ? "are" : "is");
+    if (const std::string odd = those(
+            sweep, [](const RungResult& rung) { return rung.whole.nonfinite > 0; }, count);
+        count > 0)
+        text += fmt::format(" Some pixels of {} are NaN or infinite.", odd);
+    if (sweep.late) text += " The time was up before every rung was drawn; more --budget draws all.";
+    text += hidden_sentences(sweep);
     return text;
 }
 
 std::string header_text(const Report& report) {
     const Circumstances& w = report.where;
     return fmt::format(
-        "{}: {}x{}, {} rounds, {}\n{} ({}), {}, {} cores, load {:.1f} before, {:.1f} after\nerrors against the "
-        "reference in linear light, before quantisation; other ladders as in the {}\n",
+        "{}: {}x{}, up to {} rounds, {}\n{} ({}), {}, {} cores, load {:.1f} before, {:.1f} after\n{} Other ladders are "
+        "as in the {}.\n",
         w.scene, w.width, w.height, w.rounds, w.date, w.renderer, w.gl, w.cpu, w.cores, w.load_before, w.load_after,
-        w.from);
+        errors_are, w.from);
 }
 
 std::string table_text(const SweepResult& sweep) {
@@ -143,11 +197,13 @@ std::string table_text(const SweepResult& sweep) {
     for (const RungResult& rung : sweep.rungs) width = std::max(width, rung.name.size());
     const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     std::string text = fmt::format("\n{}", sweep.sweep.name);
-    text += sweep.own_pixels > 0 ? fmt::format(", over the {} pixels that its draws cover\n", sweep.own_pixels)
-                                 : ", over the whole picture\n";
-    text +=
-        fmt::format("  {:<{}}  {:>9}  {:>20}  {:>8}  {:>6}  {:>6}  {:>6}  {}{:>9}  {}\n", "rung", width, "ms",
-                    "relative to current", "RMSE", "PSNR", "max", "FLIP", degrees ? " degrees  " : "", "PSNR all", "");
+    text += sweep.own_pixels > 0 ? fmt::format(", over the {} pixels that its draws cover", sweep.own_pixels)
+                                 : ", over the whole picture";
+    text += fmt::format("; {}\n", sweep.reference_note);
+    text += fmt::format("  {:{}}  {:>9}  {:>20}  of light:          of display:        alone\n", "", width, "", "");
+    text += fmt::format("  {:<{}}  {:>9}  {:>20}  {:>8}  {:>6}  {:>8}  {:>6}  {:>8}  {:>6}  {}{:>9}\n", "rung", width,
+                        "ms", "relative to current", "RMSE", "PSNR", "RMSE", "PSNR", "RMSE", "FLIP",
+                        degrees ? " degrees  " : "", "PSNR all");
     for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
         const RungResult& rung = sweep.rungs[i];
         const char mark = i == sweep.sweep.current ? '*' : ' ';
@@ -155,19 +211,15 @@ std::string table_text(const SweepResult& sweep) {
             text += fmt::format("{} {:<{}}  not drawn\n", mark, rung.name, width);
             continue;
         }
-        const auto decibel = [](double value) { return std::isfinite(value) ? fmt::format("{:.1f}", value) : "exact"; };
-        std::string notes = standing_text(sweep, rung);
-        if (rung.saturated) notes += notes.empty() ? "decorrelated" : ", decorrelated";
-        if (rung.cliff) notes += ", cliff";
-        if (rung.below_residual) notes += ", within the reference's own error";
-        text += fmt::format("{} {:<{}}  {:>9}  {:>20}  {:>8.2g}  {:>6}  {:>6.3f}  {:>6.3f}  {}{:>9}  {}\n", mark,
-                            rung.name, width, rung.rounds > 0 ? fmt::format("{:.2f}", rung.milliseconds) : "-",
-                            rung.rounds > 0 ? ratio_text(rung.ratio) : "-", rung.own.rmse, decibel(rung.own.psnr),
-                            rung.own.max, rung.flip,
-                            !degrees       ? ""
-                            : rung.degrees ? fmt::format("{:>8.3g}  ", rung.degrees->mean)
-                                           : "          ",
-                            decibel(rung.whole.psnr), notes);
+        text += fmt::format(
+            "{} {:<{}}  {:>9}  {:>20}  {:>8.2g}  {:>6}  {:>8.2g}  {:>6}  {:>8.2g}  {:>6.3f}  {}{:>9}  {}\n", mark,
+            rung.name, width, rung.rounds > 0 ? fmt::format("{:.2f}", rung.milliseconds) : "-",
+            rung.rounds > 0 ? ratio_text(rung.ratio) : "-", rung.own.light.rmse, psnr_text(rung.own.light.psnr),
+            rung.own.display.rmse, psnr_text(rung.own.display.psnr), rung.alone.rmse, rung.flip,
+            !degrees       ? ""
+            : rung.degrees ? fmt::format("{:>8.3g}  ", rung.degrees->mean)
+                           : "          ",
+            psnr_text(rung.whole.light.psnr), notes_text(sweep, rung));
     }
     if (sweep.rungs[sweep.sweep.current].rounds > 0)
         text += fmt::format("  control: {}, {}\n", ratio_text(sweep.control.ratio), name(sweep.clock));

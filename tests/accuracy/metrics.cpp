@@ -37,45 +37,85 @@ TEST(Metrics, FiguresAgreeWithTheirDefinitionsOnTwentyPairs) {
         const auto values = static_cast<long double>(3 * a.pixels());
         const auto rms = static_cast<double>(std::sqrt(squares / values));
         const Error ours = compare(a, b);
-        EXPECT_NEAR(ours.mean, static_cast<double>(sum / values), 1e-9 * ours.mean);
-        EXPECT_NEAR(ours.rmse, rms, 1e-9 * rms);
-        EXPECT_NEAR(ours.max, static_cast<double>(most), 1e-9 * ours.max);
-        EXPECT_NEAR(ours.psnr, -20 * std::log10(rms), 1e-6);
+        EXPECT_NEAR(ours.display.mean, static_cast<double>(sum / values), 1e-9 * ours.display.mean);
+        EXPECT_NEAR(ours.display.rmse, rms, 1e-9 * rms);
+        EXPECT_NEAR(ours.display.max, static_cast<double>(most), 1e-9 * ours.display.max);
+        EXPECT_NEAR(ours.display.psnr, -20 * std::log10(rms), 1e-6);
+        // The same of light, which is decoded before it is compared.
+        for (Picture* each : {&a, &b})
+            for (float& v : each->rgba) v = static_cast<float>(light_of(static_cast<double>(v)));
+        EXPECT_NEAR(ours.light.rmse, compare(a, b).display.rmse, 1e-6);
     }
 }
 
 TEST(Metrics, KnownDifferences) {
     Picture a = filled(4, 2, .5F, .5F, .5F), b = a;
-    EXPECT_EQ(compare(a, b).rmse, 0);
-    EXPECT_TRUE(std::isinf(compare(a, b).psnr));
+    EXPECT_EQ(compare(a, b).light.rmse, 0);
+    EXPECT_TRUE(std::isinf(compare(a, b).light.psnr));
     b.rgba[0] += .25F;
-    const Error error = compare(a, b);
+    const Figures error = compare(a, b).display;
     EXPECT_DOUBLE_EQ(error.max, .25);
     EXPECT_DOUBLE_EQ(error.mean, .25 / 24);
     EXPECT_DOUBLE_EQ(error.rmse, .25 / std::sqrt(24.0));
-    EXPECT_NEAR(compare(filled(3, 3, 1, 1, 1), filled(3, 3, .9F, .9F, .9F)).psnr, 20, 1e-5);
+    EXPECT_NEAR(compare(filled(3, 3, 1, 1, 1), filled(3, 3, .9F, .9F, .9F)).display.psnr, 20, 1e-5);
     b.rgba[3] = 0;
-    EXPECT_EQ(compare(a, b).rmse, error.rmse) << "alpha is no light";
+    EXPECT_EQ(compare(a, b).display.rmse, error.rmse) << "alpha is no light";
+}
+
+// IEC 61966-2-1: code 188 of 255 is half the light of white; below .04045 the curve is a line.
+TEST(Metrics, LightIsDecodedByTheCurveOfSrgb) {
+    EXPECT_EQ(light_of(0), 0);
+    EXPECT_DOUBLE_EQ(light_of(1), 1);
+    EXPECT_NEAR(light_of(188 / 255.), .5, .003);
+    EXPECT_NEAR(light_of(.04045), .04045 / 12.92, 1e-12);
+    EXPECT_NEAR(light_of(.0404501), light_of(.04045), 1e-6) << "the two pieces meet";
+    EXPECT_EQ(light_of(-.5), -light_of(.5));
+    EXPECT_GT(light_of(2), 4);
+    // A step of a display is little light where it is dark, and much where it is bright.
+    const auto step = [](float at) {
+        return compare(filled(2, 2, at, at, at), filled(2, 2, at + 1 / 255.F, at + 1 / 255.F, at + 1 / 255.F));
+    };
+    EXPECT_NEAR(step(.01F).display.rmse, step(.9F).display.rmse, 1e-6);
+    EXPECT_NEAR(step(.01F).light.rmse, 1 / 255. / 12.92, 1e-6);
+    EXPECT_GT(step(.9F).light.rmse, 20 * step(.01F).light.rmse);
 }
 
 TEST(Metrics, RegionsLeaveOutTheRest) {
     Picture a = filled(2, 1, 0, 0, 0), b = filled(2, 1, 0, 0, 0);
     b.rgba[4] = 1;  // the second pixel
     EXPECT_EQ(where_different(a, b), (Region{0, 1}));
-    EXPECT_EQ(compare(a, b, {1, 0}).rmse, 0);
-    EXPECT_DOUBLE_EQ(compare(a, b, {0, 1}).rmse, std::sqrt(1 / 3.0));
+    EXPECT_EQ(compare(a, b, {1, 0}).light.rmse, 0);
+    EXPECT_DOUBLE_EQ(compare(a, b, {0, 1}).light.rmse, std::sqrt(1 / 3.0));
     EXPECT_EQ(compare(a, b, {0, 1}).pixels, 1U);
 }
 
-TEST(Metrics, WhatIsNotFiniteIsCountedAndLeftOut) {
-    Picture a = filled(3, 1, .5F, .5F, .5F), b = a;
-    a.rgba[1] = std::numeric_limits<float>::quiet_NaN();
-    b.rgba[6] = std::numeric_limits<float>::infinity();
-    const Error error = compare(a, b);
-    EXPECT_EQ(error.nonfinite, 2U);
-    EXPECT_EQ(error.pixels, 1U);
-    EXPECT_EQ(error.rmse, 0);
-    EXPECT_EQ(count(where_different(a, a)), 1U) << "NaN differs from itself";
+TEST(Metrics, PixelFiniteInOnePictureOnlyIsAnInfiniteError) {
+    for (const float odd : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        const Picture good = filled(3, 1, .5F, .5F, .5F);
+        Picture bad = good;
+        bad.rgba[5] = odd;
+        for (const Error& error : {compare(bad, good), compare(good, bad)}) {
+            EXPECT_EQ(error.light.rmse, std::numeric_limits<double>::infinity());
+            EXPECT_EQ(error.display.max, std::numeric_limits<double>::infinity());
+            EXPECT_EQ(error.light.psnr, -std::numeric_limits<double>::infinity());
+            EXPECT_EQ(error.nonfinite, 1U);
+        }
+        EXPECT_EQ(mean_of(flip_map(bad, good), {0, 1, 0}), 1) << "as different as can be";
+        EXPECT_EQ(compare(bad, good, {1, 0, 1}).light.rmse, 0) << "it does not count";
+        EXPECT_EQ(compare(bad, bad).pixels, 2U);
+        EXPECT_EQ(compare(bad, bad).light.rmse, 0);
+        EXPECT_EQ(count(where_different(bad, bad)), 0U);
+        EXPECT_EQ(where_different(bad, good), (Region{0, 1, 0}));
+        EXPECT_EQ(non_finite(bad).count, 1U);
+        EXPECT_EQ(non_finite(bad).x, 1);
+    }
+}
+
+TEST(Metrics, WithoutPixelsThereIsNoError) {
+    const Picture grey = filled(2, 1, .5F, .5F, .5F);
+    EXPECT_TRUE(std::isnan(compare(grey, grey, {0, 0}).light.rmse));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(compare(filled(2, 1, nan, nan, nan), filled(2, 1, nan, nan, nan)).light.rmse));
 }
 
 TEST(Metrics, UnrelatedPicturesDoNotCorrelate) {
@@ -109,6 +149,8 @@ TEST(Directions, AnglesHaveTheirDigitsHoweverSmall) {
     EXPECT_NEAR(compare_directions(a, b).max, 180, 1e-4);
     b.rgba[0] = b.rgba[1] = b.rgba[2] = 0;
     EXPECT_EQ(compare_directions(a, b).pixels, 4U) << "no direction, no angle";
+    b.rgba[5] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(std::isinf(compare_directions(a, b).mean));
 }
 
 // The properties that the paper states: 0 for equal pictures, symmetric, within 0..1, and the largest difference
@@ -141,7 +183,11 @@ TEST(Flip, FineDetailVanishesWithDistance) {
         const float on = (i + i / 64) % 2 != 0 ? .6F : .4F;
         for (std::size_t c = 0; c < 3; ++c) checks.rgba[4 * i + c] = on;
     }
-    const Picture grey = filled(64, 64, .5F, .5F, .5F);
+    // The value that emits the mean of both lights, found by bisection.
+    float low = .4F, high = .6F;
+    for (int i = 0; i < 30; ++i)
+        (2 * light_of((low + high) / 2) < light_of(.4) + light_of(.6) ? low : high) = (low + high) / 2;
+    const Picture grey = filled(64, 64, low, low, low);
     EXPECT_LT(mean_of(flip_map(checks, grey, 120)), .5 * mean_of(flip_map(checks, grey, 10)));
 }
 

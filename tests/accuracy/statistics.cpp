@@ -1,7 +1,9 @@
 // Medians, intervals and fronts with known answers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "src/accuracy/front.h"
@@ -128,36 +130,56 @@ TEST(Front, HardlyDearerCostsTheSame) {
     EXPECT_EQ(pareto_front(points({0, .5}, {two_percent, one}))[1], (Verdict{Standing::saves_none, 0}));
 }
 
-// Where the interval lies on both sides of what counts as a saving, more rounds are asked for; these decide.
-TEST(Front, IsUndecidedWhileNoiseIsWiderThanTheSaving) {
-    Machine machine(12);
-    const auto few = points({.5, 0}, machine.measure({10, 10.6}, 7, .2));
-    EXPECT_TRUE(undecided(few));
-    const auto many = points({.5, 0}, machine.measure({10, 10.6}, 121, .02));
-    EXPECT_FALSE(undecided(many));
-    EXPECT_FALSE(undecided(points({.5, 0}, machine.measure({10, 20}, 15, .02)))) << "far apart";
-    EXPECT_FALSE(undecided(points({.5, 0}, machine.measure({20, 10}, 15, .02)))) << "dominated";
-    EXPECT_FALSE(undecided({}));
+// Fifteen equal rungs make 105 pairs, of which five would differ "surely" in every run without a correction.
+TEST(Front, ClaimsOfAllPairsHoldTogether) {
+    int wrong = 0;
+    for (unsigned run = 0; run < 100; ++run) {
+        Machine machine(1000 + run);
+        const auto verdicts =
+            pareto_front(points(std::vector<double>(15, .5), machine.measure(std::vector<double>(15, 10), 31)));
+        wrong += std::ranges::any_of(verdicts, [](const Verdict& v) { return v.standing == Standing::dominated; });
+    }
+    EXPECT_LE(wrong, 10) << "5 % of runs, and chance";
 }
 
-// What one run says of rungs that differ, another one says too.
-TEST(Front, TwoRunsThatAreDecidedAgree) {
-    int agree = 0;
-    for (unsigned run = 0; run < 20; ++run) {
-        std::vector<Verdict> verdicts[2];
-        for (unsigned again : {0U, 1U}) {
-            Machine machine(100 + 2 * run + again);
-            std::vector<Point> measured;
-            for (int rounds = 15; rounds <= 120; rounds *= 2) {
-                measured = points({.5, .2, .3, .1, 0}, machine.measure({10, 10.8, 11, 10.85, 14}, rounds, .03));
-                if (!undecided(measured)) break;
-            }
-            verdicts[again] = pareto_front(measured);
+TEST(Statistics, SignTestsAndTheirCorrection) {
+    const auto chance = [](int below, int above) {
+        std::vector<double> ratios(static_cast<std::size_t>(below), .9);
+        ratios.resize(static_cast<std::size_t>(below + above), 1.1);
+        return chance_of_signs(ratios);
+    };
+    EXPECT_NEAR(chance(10, 0), 2 / 1024., 1e-9);
+    EXPECT_NEAR(chance(1, 9), 22 / 1024., 1e-9);
+    EXPECT_NEAR(chance(5, 5), 1, 1e-9);
+    EXPECT_EQ(chance(0, 0), 1);
+    EXPECT_EQ(chance_of_signs(std::vector<double>{.1, .2}), 0) << "no noise is as large";
+    // .01 <= .05 / 4, .013 <= .05 / 3, but .03 > .05 / 2: it and what follows are chance.
+    EXPECT_EQ(holm(std::vector<double>{.03, .01, .04, .013}, .05), (std::vector<bool>{false, true, false, true}));
+    EXPECT_TRUE(holm({}, .05).empty());
+}
+
+TEST(Front, AsManyRoundsAsTheComparisonsNeed) {
+    for (std::size_t rungs : {2, 3, 5, 10, 15}) {
+        const std::size_t rounds = rounds_for(rungs);
+        std::vector<double> errors;
+        std::vector<std::vector<double>> times;
+        for (std::size_t i = 0; i < rungs; ++i) {
+            errors.push_back(.5);
+            times.emplace_back(rounds, 1 + .01 * static_cast<double>(i));
         }
-        const auto on_front = [](const Verdict& v) { return v.standing == Standing::front; };
-        agree += std::ranges::equal(verdicts[0], verdicts[1], {}, on_front, on_front);
+        for (std::size_t i = 1; i < rungs; ++i)
+            EXPECT_EQ(pareto_front(points(errors, times))[i], (Verdict{Standing::dominated, 0})) << rungs;
+        for (auto& t : times) t.pop_back();
+        EXPECT_EQ(pareto_front(points(errors, times))[1].standing, Standing::front) << "one round less is not enough";
     }
-    EXPECT_GE(agree, 19);
+}
+
+TEST(Front, PictureThatIsNotFiniteIsLast) {
+    Machine machine(14);
+    const double infinite = std::numeric_limits<double>::infinity();
+    const auto verdicts = pareto_front(points({infinite, .3, 0}, machine.measure({10, 5, 20}, 31)));
+    EXPECT_EQ(verdicts[0], (Verdict{Standing::dominated, 1}));
+    EXPECT_EQ(verdicts[1].standing, Standing::front);
 }
 
 TEST(Front, TwinsAreBothOnIt) {

@@ -2,12 +2,14 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/harness/harness.h"
+#include "tests/sanitized.h"
 
 namespace snell::test {
 namespace {
@@ -46,8 +48,8 @@ protected:
 
 TEST_F(Accuracy, WritesEveryFormat) {
     ASSERT_EQ(
-        run("--size 64x64 --reps 9 --budget 8 --ladders SHADE --knobs samples -o " + folder.path("r.html") + " --svg " +
-            folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),
+        run("--size 64x64 --reps 9 --budget 40 --ladders SHADE --knobs samples -o " + folder.path("r.html") +
+            " --svg " + folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),
         0)
         << text("err.txt");
     const auto json = nlohmann::json::parse(text("r.json"));
@@ -55,13 +57,14 @@ TEST_F(Accuracy, WritesEveryFormat) {
     const auto& shade = json["ladders"][0];
     EXPECT_EQ(shade["ladder"], "SHADE");
     EXPECT_EQ(shade["rungs"][0]["is_current"], true);
-    EXPECT_EQ(shade["rungs"][1]["own"]["rmse"], 0);
-    EXPECT_GT(shade["rungs"][0]["own"]["rmse"], .01);
-    EXPECT_GE(shade["rungs"][0]["n_rounds"], 9);
+    EXPECT_EQ(shade["rungs"][1]["alone"]["rmse"], 0);
+    EXPECT_GT(shade["rungs"][0]["own"]["light"]["rmse"], .01);
+    EXPECT_LE(shade["rungs"][0]["n_rounds"], 9);
+    EXPECT_GE(shade["rungs"][0]["n_rounds"], 1);
     EXPECT_FALSE(json["gl"]["renderer"].get<std::string>().empty());
     EXPECT_EQ(json["scene"]["size"], (std::vector<int>{64, 64}));
     // The shader's brightness is a tenth off, over the ball; its square's mean over a disc is 1/2.
-    EXPECT_NEAR(shade["rungs"][0]["own"]["rmse"].get<double>(), .1 * std::sqrt(.5), .005);
+    EXPECT_NEAR(shade["rungs"][0]["own"]["display"]["rmse"].get<double>(), .1 * std::sqrt(.5), .01);
 
     std::istringstream csv(text("r.csv"));
     std::string line;
@@ -84,7 +87,7 @@ TEST_F(Accuracy, WritesEveryFormat) {
 }
 
 TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
-    EXPECT_EQ(run("--size 200x200 --reps 5000 --budget 60 --ladders SHADE --json " + folder.path("r.json"),
+    EXPECT_EQ(run("--size 100x100 --reps 5000 --budget 60 --ladders SHADE --json " + folder.path("r.json"),
                   "timeout --foreground -s INT 3 "),  // else it comes twice, and the second ends it
               124)                                    // of `timeout`, which waited for the end
         << text("err.txt");
@@ -100,11 +103,11 @@ TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
         folder.write("r.html", "old");
         folder.write("r.json", "old");
         const std::string measure = std::string(SNELL_BIN "/snell accuracy ") + scene +
-                                    " --size 900x900 --reps 5000 --budget 60 --ladders SHADE -o " +
+                                    " --size 900x900 --reps 5000 --budget 4 --ladders SHADE -o " +
                                     folder.path("r.html") + " --json " + folder.path("r.json") + " > " +
                                     folder.path("out.txt") + " 2> " + folder.path("err.txt");
         const std::string interrupt =
-            " & p=$!; sleep .7; kill -INT $p; sleep " + std::string(between) + "; kill -INT $p 2>/dev/null; wait $p";
+            " & p=$!; sleep 1.6; kill -INT $p; sleep " + std::string(between) + "; kill -INT $p 2>/dev/null; wait $p";
         const int status = std::system((measure + interrupt).c_str());
         killed += WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT ? 1 : 0;
         const std::string html = text("r.html"), json = text("r.json");
@@ -114,14 +117,58 @@ TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
     EXPECT_GT(killed, 0) << "the second one ends the program";
 }
 
+// An error that the second rung meets and the first does not, whatever the reference is good for on this machine.
 TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
-    const std::string quick = "--size 64x64 --reps 7 --budget 2 ";
-    ASSERT_EQ(run(quick + "--error 0.01"), 0) << text("err.txt");
+    const std::string quick = "--size 64x64 --reps 7 --budget 10 ";
+    ASSERT_EQ(run(quick + "--ladders SHADE --no-time --json " + folder.path("r.json")), 0) << text("err.txt");
+    const auto shade = nlohmann::json::parse(text("r.json"))["ladders"][0];
+    const auto error = [&](std::size_t rung) { return shade["rungs"][rung]["own"]["light"]["rmse"].get<double>(); };
+    ASSERT_GT(error(0), 1.2 * error(1));
+    const double between = (error(0) + error(1)) / 2 + shade["reference"]["residual"].get<double>();
+    ASSERT_EQ(run(quick + "--error " + std::to_string(between)), 0) << text("out.txt");
     EXPECT_NE(text("out.txt").find("--ladder SHADE=exact\n"), std::string::npos) << text("out.txt");
-    ASSERT_EQ(run(quick + "--within 0.0001ms"), 0);
-    EXPECT_NE(text("out.txt").find("nothing that was measured is; the nearest is SHADE="), std::string::npos);
+    for (const char* unmet : {"--within 0.0001ms", "--error 1e-9"}) {
+        EXPECT_EQ(run(quick + unmet), 1) << unmet;
+        EXPECT_NE(text("out.txt").find("nothing that was measured is; the nearest is SHADE="), std::string::npos);
+    }
     EXPECT_EQ(run("--within soon"), 2);
     EXPECT_EQ(run("--within 5ms --no-time"), 2) << "what is not timed has no cost";
+}
+
+TEST_F(Accuracy, ReferenceThatIsNotFiniteIsAnErrorAtItsRung) {
+    folder.write("lit.frag",
+                 "#version 330 compatibility\nin vec3 vN;\nuniform float uZero;\nvoid main() {\n float c = .5;\n#if "
+                 "SHADE == SHADE_exact\n c /= uZero;\n#endif\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
+    for (const char* what : {"--ladders SHADE --no-time", "--error 0.1", "--save-quality"}) {
+        EXPECT_EQ(run(std::string("--size 64x64 --reps 7 --budget 5 ") + what), 1) << what;
+        EXPECT_NE(text("err.txt").find("scene.glib:1:22: error: SHADE: the reference is NaN or infinite in "),
+                  std::string::npos)
+            << text("err.txt");
+    }
+    EXPECT_TRUE(text("scene.quality.json").empty()) << "nothing is stored of which nothing is known";
+}
+
+// The whole command with every knob; what starts and ends it is no part of the budget.
+TEST_F(Accuracy, BudgetHolds) {
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_EQ(run("--size 256x256 --budget 2 --json " + folder.path("r.json")), 0) << text("err.txt");
+    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    EXPECT_LT(took, 4 * patience) << text("out.txt");
+    EXPECT_EQ(nlohmann::json::parse(text("r.json"))["ladders"].size(), 3U);
+}
+
+TEST_F(Accuracy, ReportsOfTwoMachinesAreMerged) {
+    ASSERT_EQ(run("--size 64x64 --reps 9 --budget 4 --ladders SHADE --json " + folder.path("a.json")), 0);
+    ASSERT_EQ(std::system(("cp " + folder.path("a.json") + " " + folder.path("b.json")).c_str()), 0);
+    scene = "--merge " + folder.path("a.json") + " " + folder.path("b.json");
+    EXPECT_EQ(run(""), 0) << text("err.txt");
+    EXPECT_EQ(text("out.txt").find("not portable"), std::string::npos) << "one machine agrees with itself";
+    EXPECT_NE(text("out.txt").find("SHADE\n"), std::string::npos) << text("out.txt");
+    folder.write("b.json", "{}");
+    EXPECT_EQ(run(""), 1);
+    EXPECT_NE(text("err.txt").find("b.json' is not a report"), std::string::npos) << text("err.txt");
+    scene = "";
+    EXPECT_EQ(run(""), 2);
 }
 
 // Presets are found by measurement, kept beside the scene, and said when they are used; what is typed wins.

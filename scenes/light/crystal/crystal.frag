@@ -57,30 +57,38 @@ void main(void)
     float share = snellFresnelExact( c, 1., n.g );
 #endif
 
+    vec3 mirrored = look( reflect( I, N ) );
+#if BEND == BEND_mesh
+    // In the teapot's own coordinates, which are rotated only. What was inside replaces the transmitted light, what was
+    // not the mirrored light: their shares at the first surface remain FRESNEL's.
+    mat3 turn = mat3( u_model_mat );
+    vec3 eye = transpose( turn ) * ( u_camera_position - u_model_mat[3].xyz );
+    SnellMesh s = snellMeshBegin( eye, transpose( turn ) * I, 1., n.g, true );
+    vec3 inside = vec3( 0. ), outside = vec3( 0. );
+    float shareInside = 0., shareOutside = 0.;
+    while( shareInside + shareOutside < .96 && s.order < 12 && snellMeshNext( s ) )
+    {
+        vec3 seen = s.energy * look( turn * s.direction );
+        if( s.through )
+        {
+            inside += seen;
+            shareInside += s.energy;
+        }
+        else
+        {
+            outside += seen;
+            shareOutside += s.energy;
+        }
+    }
+    transmitted = shareInside > 0. ? inside / shareInside : transmitted;
+    mirrored = shareOutside > 0. ? outside / shareOutside : mirrored;
+#endif
+
 #if BODY == BODY_irradiance
     transmitted = mix( transmitted, uBodyColor * texture( u_irradiance, N ).rgb, uBody );
 #endif
 
-    vec3 color = mix( transmitted, look( reflect( I, N ) ), share );
-#if BEND == BEND_mesh
-    // In the teapot's own coordinates, which are rotated only.
-    mat3 turn = mat3( u_model_mat );
-    vec3 eye = transpose( turn ) * ( u_camera_position - u_model_mat[3].xyz );
-    SnellMesh s = snellMeshBegin( eye, transpose( turn ) * I, 1., n.g, true );
-    vec3 sum = vec3( 0. );
-    float shares = 0.;
-    while( shares < .96 && s.order < 12 && snellMeshNext( s ) )
-    {
-        vec3 seen = look( turn * s.direction );
-#if BODY == BODY_irradiance
-        if( s.through )
-            seen = mix( seen, uBodyColor * texture( u_irradiance, N ).rgb, uBody );
-#endif
-        sum += s.energy * seen;
-        shares += s.energy;
-    }
-    color = shares > 0. ? sum / shares : color;
-#endif
+    vec3 color = mix( transmitted, mirrored, share );
     if( uView == 1 )
         color = showShare( share );
     if( uView == 2 )

@@ -1,4 +1,4 @@
-// `snell accuracy`: what each rung is off by and what it costs, here and now.
+// `snell accuracy`: the error of each rung and its cost, here and now.
 #include <fmt/format.h>
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -13,6 +13,7 @@
 #include <memory>
 #include <thread>
 
+#include "src/accuracy/merge.h"
 #include "src/accuracy/report.h"
 #include "src/app/commands/advice.h"
 #include "src/app/commands/options.h"
@@ -191,6 +192,18 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
     return subject;
 }
 
+// Adds an error if the reference of the sweep is broken, at the rung that the scene calls the reference.
+void note_broken(const SweepResult& sweep, const Scene& scene, Diagnostics& diagnostics) {
+    if (!sweep.broken) return;
+    const std::string message = fmt::format("{}: {}", sweep.sweep.name, sweep.cannot_say);
+    const std::string help = "no error can be measured; N in the window shows the pixels";
+    if (sweep.sweep.moved.empty())
+        diagnostics.error("broken-reference", message, help);
+    else
+        diagnostics.error("broken-reference", scene.ladders[sweep.sweep.moved.front()].rung_spans.back(), message,
+                          help);
+}
+
 // What there is to do: sweeps, advice counting as one; and their rungs, to share the budget by.
 struct Work {
     static constexpr std::size_t advice_rungs = 16;  // about as many combinations as it tries
@@ -203,10 +216,15 @@ public:
     Measurement(const AccuracyOptions& options, Work all, Deadline& deadline)
         : options_(options), all_(all), deadline_(deadline) {}
 
-    void measure_all(Bench& bench, const Subject& subject, Report& report) {
+    // A quarter of the budget is for the references, which the sweeps of a scene share.
+    References references() const {
+        return References(options_.budget / 4 / static_cast<double>(options_.scenes.size()));
+    }
+
+    void measure_all(Bench& bench, const Subject& subject, References& references, Report& report) {
         for (const Sweep& sweep : subject.sweeps) {
             if (interrupted) return;
-            SweepResult result = measure(bench, sweep, next(sweep.rungs.size()));
+            SweepResult result = measure(bench, sweep, next(sweep.rungs.size(), references));
             result.scene = subject.path;
             if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
             fmt::print("{}", table_text(result));
@@ -216,21 +234,23 @@ public:
         }
     }
 
-    bool advise(Bench& bench, const Subject& subject, Report& report) {
-        const bool told =
-            give_advice(options_, subject.path, bench, subject.plan.rungs, next(Work::advice_rungs), report);
+    bool advise(Bench& bench, const Subject& subject, References& references, Report& report) {
+        const bool told = give_advice(options_, subject.path, bench, subject.plan.rungs,
+                                      next(Work::advice_rungs, references), report);
         finish(Work::advice_rungs);
         return told;
     }
 
 private:
-    MeasureOptions next(std::size_t rungs) const {
+    MeasureOptions next(std::size_t rungs, References& references) const {
         const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        const double left = std::max(options_.budget - spent, 0.0);
+        const double later_reference = done_.sweeps == 0 ? options_.budget / 4 : 0;
+        const double left = std::max(options_.budget - spent - later_reference, 0.0);
         const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
         MeasureOptions measuring;
         measuring.rounds = options_.rounds;
-        measuring.seconds = std::max(share, .1);
+        measuring.seconds = std::max(share, .01);
+        measuring.references = &references;
         measuring.times = !options_.no_time;
         measuring.stop = [this] {
             deadline_.begin("drawing a rung");
@@ -254,13 +274,15 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-bool note_problems(const Bench& bench, const Sources& sources, Report& report) {
+bool note_problems(const Bench& bench, const Subject& subject, Report& report) {
     Diagnostics wrong;
+    for (const SweepResult& sweep : report.sweeps)
+        if (sweep.scene == subject.path) note_broken(sweep, subject.plan.scene, wrong);
     for (const Diagnostic& problem : bench.problems().items()) {
         report.problems.push_back(problem.message);
         if (problem.severity == Severity::error) wrong.add(problem);
     }
-    fmt::print(stderr, "{}", snell::render(wrong, sources));
+    fmt::print(stderr, "{}", snell::render(wrong, subject.sources));
     return wrong.has_errors();
 }
 
@@ -299,10 +321,12 @@ Exit accuracy(const AccuracyOptions& options) {
     for (const auto& subject : subjects) {
         deadline.begin(fmt::format("compiling '{}'", subject->path));
         Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
-        run.measure_all(bench, *subject, report);
-        if (asks_for_advice(options) && !interrupted) errors = !run.advise(bench, *subject, report) || errors;
+        References references = run.references();
+        run.measure_all(bench, *subject, references, report);
+        if (asks_for_advice(options) && !interrupted)
+            errors = !run.advise(bench, *subject, references, report) || errors;
         report.where.query_over_wall = bench.query_over_wall();
-        errors = note_problems(bench, subject->sources, report) || errors;
+        errors = note_problems(bench, *subject, report) || errors;
     }
     std::signal(SIGINT, before);
     deadline.rest();
@@ -310,6 +334,19 @@ Exit accuracy(const AccuracyOptions& options) {
     fmt::print("\n{}", header_text(report));
     if (!write_all(options, report)) return exit_input;
     return errors ? exit_input : exit_fine;
+}
+
+Exit merge(const std::vector<std::string>& files) {
+    std::vector<NamedReport> reports;
+    for (const std::string& file : files) {
+        std::ifstream stream(file, std::ios::binary);
+        reports.push_back({file, {std::istreambuf_iterator<char>(stream), {}}});
+    }
+    std::string wrong;
+    const auto text = merged_text(reports, wrong);
+    if (!text) fmt::print(stderr, "snell: error: {}\n", wrong);
+    fmt::print("{}", text.value_or(""));
+    return text ? exit_fine : exit_input;
 }
 
 std::string check_milliseconds(const std::string& text) {
@@ -325,7 +362,11 @@ Run add_accuracy(CLI::App& command) {
     command.footer(
         "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
         "ends the program at once.");
-    command.add_option("SCENE", options->scenes, "one report of all of them")->required();
+    CLI::Option* scenes = command.add_option("SCENE", options->scenes, "one report of all of them");
+    command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
+        ->expected(2, 26)
+        ->check(CLI::ExistingFile)
+        ->excludes(scenes);
     command.add_option("--ladders", options->ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
         ->delimiter(',');
     command.add_option("--knobs", options->knobs, "samples,tessellation,filter,cube-size,cube-precision")
@@ -335,7 +376,9 @@ Run add_accuracy(CLI::App& command) {
                     "the rungs of the other ladders: reference, scene; or lattice: all combinations")
         ->check(CLI::IsMember({"reference", "scene", "lattice"}));
     add_size(command, options->size, "WIDTHxHEIGHT (default: the scene's)");
-    command.add_option("--reps", options->rounds, "rounds, in each of which every rung is timed once")
+    command
+        .add_option("--reps", options->rounds,
+                    "rounds, in each of which every rung is timed once; fewer if the budget is too small")
         ->check(CLI::Range(3, 10000));
     command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
         ->check(CLI::Range(1.0, 1e6));
@@ -362,7 +405,14 @@ Run add_accuracy(CLI::App& command) {
         ->check(check_file_name);
     command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
     add_context(command, options->context);
-    return [options] { return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage; };
+    return [options] {
+        if (!options->merge.empty()) return merge(options->merge);
+        if (options->scenes.empty()) {
+            fmt::print(stderr, "snell: error: no scene given; 'snell accuracy --help' shows the options\n");
+            return exit_usage;
+        }
+        return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage;
+    };
 }
 
 }  // namespace snell::app

@@ -19,7 +19,7 @@ using namespace snell::accuracy;
 
 std::string wish_text(const Wish& wish) {
     std::string text;
-    if (wish.error) text = fmt::format("RMSE at most {:.3g}", *wish.error);
+    if (wish.error) text = fmt::format("RMSE of light at most {:.3g}", *wish.error);
     if (wish.milliseconds) text += fmt::format("{}at most {:.3g} ms", text.empty() ? "" : " and ", *wish.milliseconds);
     return text.empty() ? "whatever its error is" : text;
 }
@@ -28,8 +28,10 @@ std::string found_text(const Advice& advice, const SweepResult& sweep) {
     const RungResult& rung = sweep.rungs[advice.rung];
     const std::string now = sweep.rungs[sweep.sweep.current].name;
     std::string text =
-        fmt::format("  RMSE {:.3g}, {:.3g} ms [{:.3g}, {:.3g}] of {}, {} times what '{}' takes\n", rung.own.rmse,
+        fmt::format("  RMSE {:.3g}, {:.3g} ms [{:.3g}, {:.3g}] of {}, {} times what '{}' takes\n", rung.own.light.rmse,
                     rung.milliseconds, rung.low, rung.high, name(sweep.clock), ratio_text(rung.ratio), now);
+    text += fmt::format("  {}; the last rungs at the scene's own samples and meshes: RMSE {:.3g}\n",
+                        sweep.reference_note, sweep.rungs[sweep.sweep.reference].own.light.rmse);
     const char* what = advice.everything ? "every combination" : "every combination that differs in one ladder";
     text += advice.settled ? fmt::format("  {} was measured, none is better\n", what)
                            : std::string("  time was up: others may be better; more --budget tells\n");
@@ -40,6 +42,10 @@ std::string found_text(const Advice& advice, const SweepResult& sweep) {
 }
 
 std::string advice_text(const std::string& path, const Scene& scene, const Advice& advice, const SweepResult& sweep) {
+    if (!advice.known)
+        return fmt::format(
+            "\n{}: can't say: {}\n", wish_text(advice.wish),
+            sweep.cannot_say.empty() ? "no combination was drawn and timed with a finite error" : sweep.cannot_say);
     const std::vector<std::string> rungs = choices(scene, sweep.sweep.rungs[advice.rung].variant.rungs);
     const char* kind = !advice.wish.milliseconds ? "the cheapest" : "the most exact";
     std::string text = advice.met ? fmt::format("\n{}: {} is {}\n", wish_text(advice.wish), kind, fmt::join(rungs, " "))
@@ -51,6 +57,10 @@ std::string advice_text(const std::string& path, const Scene& scene, const Advic
 }
 
 bool save_presets(const std::string& path, const Scene& scene, const Counsel& counsel, const Circumstances& where) {
+    if (!std::ranges::all_of(counsel.advice, &Advice::known)) {
+        fmt::print(stderr, "snell: error: there are no presets for '{}': nothing can be said of its rungs\n", path);
+        return false;
+    }
     const std::vector<Preset> presets = presets_of(scene, counsel);
     const std::string file = quality_path(path);
     if (const std::string wrong = content::replace_file(file, quality_json(where, presets)); !wrong.empty()) {
@@ -59,8 +69,8 @@ bool save_presets(const std::string& path, const Scene& scene, const Counsel& co
     }
     fmt::print("\npresets for --quality, in {}\n", file);
     for (const Preset& preset : presets)
-        fmt::print("  {:<8}  {}: RMSE {:.2g}, {} times\n", preset.name, fmt::join(preset.choices, " "), preset.rmse,
-                   ratio_text(preset.ratio));
+        fmt::print("  {:<8}  {}: RMSE {:.2g}, {:.2g} from the last rungs, {} times\n", preset.name,
+                   fmt::join(preset.choices, " "), preset.rmse, preset.alone, ratio_text(preset.ratio));
     return true;
 }
 
@@ -91,14 +101,16 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
         sweep.scene = path;
         fmt::print("{}", table_text(sweep));
     }
+    bool met = true;
     if (options.within || options.error) {
         const Advice& advice = counsel.advice.back();
+        met = advice.met;
         fmt::print("{}", advice_text(path, bench.scene(), advice, counsel.sweeps[advice.sweep]));
         counsel.advice.pop_back();
     }
     const bool saved = !options.save_quality || save_presets(path, bench.scene(), counsel, report.where);
     for (SweepResult& sweep : counsel.sweeps) report.sweeps.push_back(std::move(sweep));
-    return saved;
+    return saved && met;
 }
 
 }  // namespace snell::app

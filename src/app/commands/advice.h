@@ -11,6 +11,7 @@ namespace snell::app {
 
 struct AccuracyOptions {
     std::vector<std::string> scenes;
+    std::vector<std::string> merge;  // reports to compare instead of a measurement
     std::string html, svg, json, csv, markdown;
     std::vector<std::string> ladders, knobs;  // if both are empty: all
     std::string from = "reference";           // or "scene", "lattice"
@@ -34,8 +35,8 @@ bool asks_for_advice(const AccuracyOptions& options);
 std::optional<double> parse_milliseconds(const std::string& text);
 
 // Measures, prints the combinations found as values and as a command line, writes the presets if requested, and adds
-// the measurements to the report. If there is no result, or a file cannot be written, it prints the reason and returns
-// false. asks_for_advice must be true.
+// the measurements to the report. If a limit is not met, or there is no result, or a file cannot be written, it prints
+// the reason and returns false. asks_for_advice must be true.
 bool give_advice(const AccuracyOptions& options, const std::string& path, accuracy::Bench& bench, const Rungs& now,
                  const accuracy::MeasureOptions& measuring, accuracy::Report& report);
 

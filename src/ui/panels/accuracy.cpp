@@ -39,10 +39,11 @@ void figures(const AccuracyFacts& facts) {
     ImGui::TextUnformatted(facts.samples > 0 ? ("error " + error_text(facts.error)).c_str() : "\u2026");
     if (ImGui::IsItemHovered() && facts.samples > 0)
         ImGui::SetTooltip(
-            "RMS error relative to the last rung of every ladder,\nin linear light, over the whole picture\nmaximum "
-            "%s, %s",
+            "RMS error of light relative to the last rung of every ladder,\nover the whole picture; maximum %s, "
+            "%s\nof display values: %s",
             error_text(facts.largest).c_str(),
-            std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr).c_str() : "no difference");
+            std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr).c_str() : "no difference",
+            error_text(facts.of_display).c_str());
     remark(fmt::format("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);

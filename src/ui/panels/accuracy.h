@@ -34,7 +34,8 @@ struct AccuracyFacts {
     int samples = 0, wanted = 1;
     double milliseconds = 0;                  // per picture; 0 if not measured yet
     std::string_view clock;                   // the clock that measured them
-    double error = 0, psnr = 0, largest = 0;  // of the mean of `samples` pictures, if `samples` is not 0
+    double error = 0, psnr = 0, largest = 0;  // of the light, in the mean of `samples` pictures, if `samples` is not 0
+    double of_display = 0;                    // the error of the display values
     std::size_t nonfinite = 0;                // number of pixels with NaN or infinite values
     std::vector<AccuracyPoint> points;
     std::optional<double> measured;  // progress 0..1 while all rungs are being measured

@@ -31,7 +31,7 @@ void main() {
     }
     Counsel counsel(Bench& b, const std::vector<Wish>& wishes) {
         MeasureOptions options;
-        options.rounds = 7;
+        options.rounds = 15;   // 10 rungs have 45 pairs, which need 11
         options.seconds = 40;  // more than it takes
         options.at_least = .1;
         return advise(b, plan().rungs, wishes, options);
@@ -44,19 +44,19 @@ void main() {
 
 TEST_F(Advising, OfFewCombinationsAllAreMeasuredOnce) {
     const Counsel found =
-        counsel(ladders(false), {Wish{}, Wish{.error = .05}, Wish{.error = 0}, Wish{.milliseconds = 1e-4}});
+        counsel(ladders(false), {Wish{}, Wish{.alone = .02}, Wish{.error = 1e-6}, Wish{.milliseconds = 1e-4}});
     EXPECT_EQ(found.sweeps.size(), 1U);
     EXPECT_EQ(found.sweeps[0].rungs.size(), 27U);
     EXPECT_EQ(named(found, 0), "bad bad bad");
-    EXPECT_EQ(named(found, 1), "fair fair bad");
-    EXPECT_EQ(named(found, 2), "exact exact bad");
+    EXPECT_TRUE(named(found, 1).starts_with("fair fair")) << named(found, 1);
+    EXPECT_TRUE(named(found, 2).starts_with("exact exact")) << named(found, 2);
     EXPECT_TRUE(found.advice[2].met);
     EXPECT_EQ(named(found, 3), "bad bad bad") << "nothing is that quick: the nearest";
     EXPECT_FALSE(found.advice[3].met);
 }
 
 TEST_F(Advising, OfManyItGoesFromNeighbourToNeighbour) {
-    const Counsel found = counsel(ladders(true), {Wish{.error = .05}});
+    const Counsel found = counsel(ladders(true), {Wish{.error = .02}});
     // Of the last ladder the first two rungs may cost the same where the machine is noisy.
     EXPECT_TRUE(named(found, 0) == "fair fair bad" || named(found, 0) == "fair fair fair") << named(found, 0);
     EXPECT_TRUE(found.advice[0].met);

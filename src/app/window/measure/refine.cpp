@@ -119,7 +119,7 @@ bool Refinement::chosen_step() {
     chosen_ = means_->chosen.picture();
     samples_ = levels[reached];
     error_ = accuracy::compare(chosen_, references_[reached]);
-    costs_.visit(controls_.rungs, error_.rmse, times_);
+    costs_.visit(controls_.rungs, error_.light.rmse, times_);
     return true;
 }
 
@@ -166,9 +166,10 @@ ui::AccuracyFacts Refinement::facts(std::size_t ladder) const {
     facts.wanted = levels.back();
     if (!times_.empty()) facts.milliseconds = accuracy::median(times_);
     facts.clock = accuracy::name(caps_.software ? accuracy::ClockKind::cpu : accuracy::ClockKind::wall);
-    facts.error = error_.rmse;
-    facts.psnr = error_.psnr;
-    facts.largest = error_.max;
+    facts.error = error_.light.rmse;
+    facts.psnr = error_.light.psnr;
+    facts.largest = error_.light.max;
+    facts.of_display = error_.display.rmse;
     facts.nonfinite = error_.nonfinite;
     if (shown_ && ladder < shown_->scene().ladders.size())
         facts.points = costs_.points(shown_->scene(), ladder, controls_.rungs);

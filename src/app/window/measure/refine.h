@@ -45,8 +45,8 @@ public:
     ui::AccuracyFacts facts(std::size_t ladder) const;
     // The reference in its current refinement; null if there is none yet.
     const accuracy::Picture* reference() const;
-    // For each pixel the root mean square of the differences in red, green and blue; empty if there is no reference
-    // yet.
+    // For each pixel the root mean square of the differences of display values in red, green and blue; empty if there
+    // is no reference yet.
     std::vector<float> differences() const;
     // Increases whenever a result of the functions above changes.
     std::uint64_t revision() const { return revision_; }

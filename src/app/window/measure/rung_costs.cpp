@@ -100,7 +100,7 @@ bool RungCosts::error_step(Runtime& runtime, const Frame& frame, const accuracy:
     if (job.mean->samples() == samples) job.mean->restart();
     job.mean->add(runtime, here, cpu);
     if (job.mean->samples() < samples) return false;
-    job.errors.push_back(accuracy::compare(job.mean->picture(), reference).rmse);
+    job.errors.push_back(accuracy::compare(job.mean->picture(), reference).light.rmse);
     if (++job.next == job.names.size()) {
         job.next = 0;
         job.timing = true;
@@ -127,9 +127,10 @@ bool RungCosts::time_step(Runtime& runtime, const Frame& frame, bool cpu) {
     if (++job.next < count) return false;
     job.next = 0;
     if (++job.rounds == 1)
-        job.wanted = std::clamp(static_cast<int>(budget / std::max(job.spent, 1.)), fewest_rounds, most_rounds);
-    // One interval in twenty misses 1 by chance: more rounds tell.
-    if (job.rounds == 2 * job.wanted || (job.rounds >= job.wanted && !noisy(job))) conclude();
+        job.wanted =
+            std::clamp(static_cast<int>(budget / std::max(job.spent, 1.)),
+                       std::max(fewest_rounds, static_cast<int>(accuracy::rounds_for(job.names.size()))), most_rounds);
+    if (job.rounds == job.wanted) conclude();
     return true;
 }
 
