@@ -4,6 +4,7 @@
 #include <random>
 
 #include "src/content/mesh/tree.h"
+#include "tests/hard_case.h"
 #include "tests/library/common.h"
 #include "tests/oracle/optics/mesh_path.h"
 
@@ -16,12 +17,22 @@ glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
 
 class LibraryMesh : public LibraryTest {
 protected:
-    void use(const content::Mesh& mesh) {
-        const content::Tree tree = content::make_tree(mesh);
+    void use(const content::Mesh& mesh, bool in_model_coordinates = false) {
+        content::Tree tree = content::make_tree(mesh);
+        if (in_model_coordinates) unframe(tree);
         const auto normals = content::tree_normals(mesh);
         parts[0] = gl::make_buffer_texture(tree.nodes.data(), tree.nodes.size());
         parts[1] = gl::make_buffer_texture(tree.triangles.data(), tree.triangles.size());
         parts[2] = gl::make_buffer_texture(normals.data(), normals.size());
+    }
+    static void unframe(content::Tree& tree) {
+        const content::Float4 frame = tree.nodes.back();
+        tree.nodes.back() = {0, 0, 0, 1};
+        const auto move = [&frame](content::Float4& p) {
+            for (std::size_t k = 0; k < 3; ++k) p[k] = frame[k] + p[k] / frame[3];
+        };
+        std::for_each(tree.nodes.begin(), tree.nodes.end() - 1, move);
+        std::ranges::for_each(tree.triangles, move);
     }
     void use(const Shape& shape) {
         const content::Mesh mesh = content::make_shape(shape, false).mesh;
@@ -237,6 +248,38 @@ TEST_P(LibraryMesh, AllLightIsAccountedFor) {
         EXPECT_GT(most, 5);
         EXPECT_LE(most, 2 * 32 + 3);
     }
+}
+
+// What comes out of a glass box, wherever it lies in its model, is what comes out of the one at the origin. Naive: the
+// tree has the model's coordinates, so that the slack grows with them.
+TEST_P(LibraryMesh, FarFromTheModelsOrigin) {
+    constexpr std::string_view body =
+        "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, false);\nvec3 sum = vec3(0.);\nfloat energy = 0.;\n"
+        "for (int i = 0; i < 8; ++i) if (snellMeshNext(s)) { sum += s.energy * s.direction; energy += s.energy; }\n"
+        "return vec4(sum, energy);";
+    const content::Mesh box = content::make_shape(Box{2, 2, 2}, false).mesh;
+    std::array<std::vector<glm::vec4>, 2> at_home;
+    std::array<double, 2> worst{};
+    for (const float offset : {0.0F, 1e3F, 1e5F, 1e6F}) {
+        content::Mesh moved = box;
+        std::vector<Arguments> arguments = view(24, 1.5F);
+        for (content::Float3& p : moved.positions)
+            for (float& x : p) x += offset;
+        for (Arguments& pixel : arguments) pixel.a += glm::vec4(offset, offset, offset, 0);
+        for (const bool naive : {false, true}) {
+            use(moved, naive);
+            const auto out = run(include, body, arguments);
+            if (offset == 0) at_home[naive] = out;
+            for (std::size_t i = 0; i < out.size(); ++i) {
+                const double off = glm::length(out[i] - at_home[naive][i]);
+                if (!(off <= worst[naive])) worst[naive] = off;
+            }
+        }
+    }
+    hard_case(
+        {"A41",
+         "rays through a glass box 0 to 1e6 away from its model's origin; naive: a tree in the model's coordinates",
+         "of the light", 1e-3, worst[0], worst[1]});
 }
 
 TEST_P(LibraryMesh, SpecialValuesGiveDirections) {
