@@ -115,7 +115,12 @@ constexpr SystemFacts systems[]{
     {System::view_inverse, "mat4", "eye to world", "", "Inverse of the view matrix. Zero if there is no inverse."},
     {System::model_normal_matrix, "mat3", "model to world", "",
      "Transpose of the inverse of the model matrix, for normals."},
-    {System::camera_position, "vec3", "world", "", "Position of the eye."},
+    {System::model_viewer, "mat4", "model to world, relative to the viewer", "",
+     "Gives the vector from the viewer to a point of the model, along the axes of the world. Exact to float rounding "
+     "wherever the scene is, unlike the difference of `M * position` and `camWorldPos`, which loses digits far from "
+     "the origin."},
+    {System::camera_position, "vec3", "world", "",
+     "Position of the viewer, with the rotation of the scene in the window."},
     {System::viewer_position_eye, "vec3", "eye", "",
      "Position of the viewer, with the rotation of the scene in the window; the origin if the scene is not rotated."},
     {System::normal_scale, "float", "", "above 0",
@@ -250,6 +255,7 @@ constexpr Meaning modern_systems[] = {
     {"uViewMatrixInverse", System::view_inverse},
     {"uModelNormalMatrix", System::model_normal_matrix},
     {"uViewerPositionEye", System::viewer_position_eye},
+    {"uModelViewerMatrix", System::model_viewer},
 };
 
 void add_light(std::vector<UniformDefault>& out, int n) {

@@ -21,8 +21,7 @@ uniform vec3 uBodyColor;
 uniform int uView;
 
 #if BEND == BEND_mesh
-uniform mat4 u_model_mat;
-uniform vec3 u_camera_position;
+uniform mat4 uModelViewerMatrix;
 #endif
 
 vec3 look( vec3 direction )
@@ -64,8 +63,8 @@ void main(void)
     vec3 color = mix( transmitted, look( reflect( I, N ) ), share );
 #if BEND == BEND_mesh
     // In the teapot's own coordinates, which are rotated only.
-    mat3 turn = mat3( u_model_mat );
-    vec3 eye = transpose( turn ) * ( u_camera_position - u_model_mat[3].xyz );
+    mat3 turn = mat3( uModelViewerMatrix );
+    vec3 eye = -transpose( turn ) * uModelViewerMatrix[3].xyz;
     SnellMesh s = snellMeshBegin( eye, transpose( turn ) * I, 1., n.g, true );
     vec3 sum = vec3( 0. );
     float shares = 0.;
