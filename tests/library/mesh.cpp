@@ -313,8 +313,7 @@ TEST_P(LibraryMesh, OpenAndInnerFaces) {
             if (!(off <= worst)) worst = off;
             open_exits += r.z > 0;
         }
-        EXPECT_EQ(open_exits > 0, leaks);
-        return worst;
+        return (open_exits > 0) == leaks ? worst : 1.0;
     };
     hard_case({"A53", "light through a mesh with a hole: all of it is accounted for, and the hole is told of",
                "of the light", 3e-6, lost(open, true), std::nullopt});
