@@ -14,6 +14,23 @@ namespace {
 
 class HardPlaces : public HardFrames {
 protected:
+    // Six pictures of the colour 128 + 100 times the direction; returns their names.
+    std::string write_directions(int size) {
+        std::string names;
+        for (int face = 0; face < 6; ++face) {
+            std::vector<std::array<int, 3>> texels;
+            for (int row = 0; row < size; ++row)
+                for (int column = 0; column < size; ++column) {
+                    const optics::CubePoint at{face, (column + .5) / size, (row + .5) / size};
+                    const glm::dvec3 d = 128. + 100. * *optics::unit(optics::cube_direction(at));
+                    texels.push_back({static_cast<int>(std::lround(d.x)), static_cast<int>(std::lround(d.y)),
+                                      static_cast<int>(std::lround(d.z))});
+                }
+            folder.write("face" + std::to_string(face) + ".bmp", bmp(size, size, texels));
+            names += " face" + std::to_string(face) + ".bmp";
+        }
+        return names;
+    }
     // A ball at (far, far, far), drawn by these shaders and seen from near it.
     std::vector<float> ball(std::string_view vertex, std::string_view fragment, double far) {
         return values(
@@ -182,19 +199,7 @@ TEST_P(HardPlaces, WhatHasNoValueIsBlackOrZero) {
 
 // On both sides of an edge, and in a corner, a scene's cube map has one colour.
 TEST_P(HardPlaces, EdgesOfACubeMapAreNoSteps) {
-    std::string files;
-    for (int face = 0; face < 6; ++face) {
-        std::vector<std::array<int, 3>> texels;
-        for (int row = 0; row < 8; ++row)
-            for (int column = 0; column < 8; ++column) {
-                const glm::dvec3 d = *optics::unit(optics::cube_direction({face, (column + .5) / 8, (row + .5) / 8}));
-                texels.push_back({static_cast<int>(128 + 100 * d.x), static_cast<int>(128 + 100 * d.y),
-                                  static_cast<int>(128 + 100 * d.z)});
-            }
-        const std::string name = "face" + std::to_string(face) + ".bmp";
-        folder.write(name, bmp(8, 8, texels));
-        files += " " + name;
-    }
+    const std::string files = write_directions(8);
     folder.write(
         "edge.frag",
         "uniform samplerCube uCube;\nvec3 turn(vec3 v, int n) { return n == 0 ? v : n == 1 ? v.yzx : v.zxy; }\n"
@@ -211,6 +216,32 @@ TEST_P(HardPlaces, EdgesOfACubeMapAreNoSteps) {
         if (i % 4 < 3) worst = std::max(worst, steps[i]);
     hard_case({"16", "edges and corners of a scene's cube map: the same colour from either face", "of 1", 1 / 255.,
                static_cast<double>(worst), std::nullopt});
+}
+
+// Around the horizon and in strongly compressed rows, so that footprints are long and cross the edges of faces.
+TEST_P(HardPlaces, CubeMapsAreSmoothUnderAnisotropicFilters) {
+    const std::string files = write_directions(64);
+    folder.write(
+        "around.frag",
+        "uniform samplerCube uCube;\nvoid main() { vec2 p = gl_FragCoord.xy / 64.; float a = 6.2831853 * p.x;\n"
+        "vec3 d = normalize(vec3(cos(a), .1 * (p.y - .5), sin(a)));\n"
+        "gl_FragColor = vec4(abs(texture(uCube, d).rgb - (128. + 100. * d) / 255.), 1.); }\n");
+    const auto worst = [&] {
+        auto document = open("Ortho -1 1 -1 1\nFilter anisotropic 8\nCubeMap 5" + files +
+                             "\nVertex plain.vert\nFragment around.frag\nProgram A uCube 5\nQuadXY\n");
+        EXPECT_EQ(has(*document, "cube-anisotropy"), caps.software);
+        const auto off = values(*document);
+        float most = 0;
+        for (std::size_t i = 0; i < off.size(); ++i)
+            if (i % 4 < 3) most = std::max(most, off[i]);
+        return static_cast<double>(most);
+    };
+    const double ours = worst();
+    const bool software = caps.software;
+    caps.software = false;
+    const double driver = worst();
+    hard_case({"A59", "a smooth cube map by `Filter anisotropic`: as smooth as it is; naive: the driver's filter",
+               "of 1", .03, ours, software ? std::optional(driver) : std::nullopt});
 }
 
 SNELL_IN_ALL_CONTEXTS(HardPlaces);

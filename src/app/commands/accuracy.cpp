@@ -87,7 +87,8 @@ Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps
 }
 
 // Named ladders only, named knobs only, or everything that the scene has.
-std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, Diagnostics& diagnostics) {
+std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, bool software,
+                              Diagnostics& diagnostics) {
     if (options.from == "lattice") return lattice_sweep(plan.scene, plan.rungs, options.ladders, diagnostics);
     const From from = options.from == "scene" ? From::scene : From::reference;
     std::vector<Sweep> sweeps;
@@ -98,7 +99,7 @@ std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, 
                                diagnostics);
     std::vector<std::string> knobs = options.knobs;
     if (knobs.empty() && options.ladders.empty()) knobs.assign(knob_names.begin(), knob_names.end());
-    for (Sweep& sweep : knob_sweeps(plan.scene, plan.rungs, knobs, from, diagnostics))
+    for (Sweep& sweep : knob_sweeps(plan.scene, plan.rungs, knobs, from, software, diagnostics))
         sweeps.push_back(std::move(sweep));
     return sweeps;
 }
@@ -167,8 +168,8 @@ struct Subject {
 };
 
 // Adds what it may read to `read`. Null, with its reasons printed, where there is nothing to measure.
-std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool& errors,
-                                      std::vector<std::string>& read) {
+std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool software,
+                                      bool& errors, std::vector<std::string>& read) {
     auto subject = std::make_unique<Subject>();
     subject->path = path;
     subject->files = std::make_unique<Files>(scene_folder(path), options.access);
@@ -179,7 +180,7 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
             read.push_back(std::move(file));
         for (const std::string& choice : options.choices)
             choose_rung(subject->plan.rungs, subject->plan.scene, choice, diagnostics);
-        subject->sweeps = sweeps_for(options, subject->plan, diagnostics);
+        subject->sweeps = sweeps_for(options, subject->plan, software, diagnostics);
     }
     fmt::print(stderr, "{}", snell::render(diagnostics, subject->sources));
     errors = errors || diagnostics.has_errors();
@@ -276,7 +277,7 @@ Exit accuracy(const AccuracyOptions& options) {
     Work work;
     for (const std::string& path : options.scenes) {
         deadline.begin(fmt::format("reading '{}'", path));
-        if (auto subject = read_subject(path, options, errors, read)) {
+        if (auto subject = read_subject(path, options, caps.software, errors, read)) {
             work.sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
             for (const Sweep& sweep : subject->sweeps) work.rungs += sweep.rungs.size();
             if (asks_for_advice(options)) work.rungs += Work::advice_rungs;
