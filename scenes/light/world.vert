@@ -3,7 +3,7 @@
 // For rotations, translations and uniform scales. Everything is in world space, because the cube map is.
 uniform mat4 PVM;
 uniform mat4 M;
-uniform vec3 camWorldPos;
+uniform mat4 uModelViewerMatrix;    // as M, but relative to the eye
 
 in vec4 position;
 in vec4 normal;
@@ -16,6 +16,6 @@ void main()
 {
     vPosition = vec3( M * position );
     vNormal = vec3( M * normal );
-    vFromEye = vPosition - camWorldPos;
+    vFromEye = vec3( uModelViewerMatrix * position );
     gl_Position = PVM * position;
 }

@@ -20,13 +20,29 @@ struct SnellMeshHit {
     bool front;      // met from outside
 };
 
+// The tree has coordinates of its own, in which the mesh lies around the origin and has a size near 1: roundings are
+// then a share of the mesh's size, wherever in the model it lies. xyz: the tree's origin in the model, w: the scale, a
+// power of two.
+vec4 snellMeshFrame() { return texelFetch(snellMeshNodes, textureSize(snellMeshNodes) - 1); }
+
+vec3 snellMeshFromModel(vec3 position) {
+    vec4 frame = snellMeshFrame();
+    return (position - frame.xyz) * frame.w;
+}
+
+vec3 snellMeshToModel(vec3 position) {
+    vec4 frame = snellMeshFrame();
+    return frame.xyz + position / frame.w;
+}
+
+// In the tree's coordinates.
 vec3 snellMeshCorner(int triangle, int corner) { return texelFetch(snellMeshTriangles, 3 * triangle + corner).xyz; }
 
-// By the corners rather than along the ray: off the triangle by 5 EPSILON of its largest coordinate, at most,
-// however far the ray came.
+// In the model's coordinates. By the corners rather than along the ray, so that the error is independent of the
+// distance that the ray came: at most 5 EPSILON of the mesh's size, and the rounding of the result.
 vec3 snellMeshPoint(int triangle, vec3 weights) {
-    return weights.x * snellMeshCorner(triangle, 0) + weights.y * snellMeshCorner(triangle, 1) +
-           weights.z * snellMeshCorner(triangle, 2);
+    return snellMeshToModel(weights.x * snellMeshCorner(triangle, 0) + weights.y * snellMeshCorner(triangle, 1) +
+                            weights.z * snellMeshCorner(triangle, 2));
 }
 
 // Outward, unit length; zero for a triangle without area.
@@ -49,14 +65,14 @@ vec3 snellMeshNormal(int triangle, vec3 weights) {
     return snellNormalize(n, snellMeshFaceNormal(triangle));
 }
 
-// By how far a point of the mesh may be from where it should be: 5 EPSILON of its largest coordinate by
-// snellMeshPoint; and seen from a ray's origin, 8 of their distance by the shear.
+// The largest error of a point of the mesh, in the tree's coordinates: 5 EPSILON of the largest one by its corners;
+// and seen from a ray's origin, 8 of their distance by the shear.
 float snellMeshSlack(vec3 origin) {
     vec3 size = max(abs(texelFetch(snellMeshNodes, 0).xyz), abs(texelFetch(snellMeshNodes, 1).xyz)) + abs(origin);
     return 16.0 * SNELL_EPSILON * max(max(size.x, size.y), size.z);
 }
 
-// snellMeshPoint, but away from the triangle's edges by the slack: else it may lie beyond the neighbours of all of
+// In the tree's coordinates, and away from the triangle's edges by the slack: otherwise it may lie beyond the neighbours of all of
 // them at once, and a ray inside would find no way out.
 vec3 snellMeshInnerPoint(int triangle, vec3 weights) {
     vec3 a = snellMeshCorner(triangle, 0), b = snellMeshCorner(triangle, 1), c = snellMeshCorner(triangle, 2);
@@ -80,7 +96,7 @@ float snellMeshEdge(vec2 a, vec2 b) {
     return turned ? -e : e;
 }
 
-// A ray, made ready.
+// A ray in the tree's coordinates, made ready.
 struct SnellMeshRay {
     vec3 origin, direction;  // unit length
     int axis;
@@ -124,10 +140,8 @@ void snellMeshTriangle(SnellMeshRay ray, int triangle, int side, inout SnellMesh
     hit = SnellMeshHit(t, triangle, w, front);
 }
 
-// The nearest triangle that the ray meets on this side. origin: where the ray begins; direction: of any length.
-// False: none, or an argument is not a number. Rays find every edge and corner of a closed mesh; of what they begin
-// on, see snellMeshTriangle.
-bool snellMeshHit(vec3 origin, vec3 direction, int side, out SnellMeshHit hit) {
+// snellMeshHit in the tree's coordinates.
+bool snellMeshFind(vec3 origin, vec3 direction, int side, out SnellMeshHit hit) {
     const float far = 3.0e38;
     hit = SnellMeshHit(far, -1, vec3(0.0), true);
     SnellMeshRay ray = snellMeshRay(origin, direction);
@@ -159,6 +173,15 @@ bool snellMeshHit(vec3 origin, vec3 direction, int side, out SnellMeshHit hit) {
     return hit.triangle >= 0;
 }
 
+// The nearest triangle that the ray meets on this side. origin: where the ray begins; direction: of any length.
+// False: none, or an argument is not a number. Rays find every edge and corner of a closed mesh; of what they begin
+// on, see snellMeshTriangle.
+bool snellMeshHit(vec3 origin, vec3 direction, int side, out SnellMeshHit hit) {
+    bool found = snellMeshFind(snellMeshFromModel(origin), direction, side, hit);
+    hit.distance /= snellMeshFrame().w;
+    return found;
+}
+
 // All ways of light through the mesh, one after the other. Use:
 //     SnellMesh s = snellMeshBegin(eye, direction, n1, n2, false);
 //     for (int order = 0; order <= orders && snellMeshNext(s); ++order) color += s.energy * look(s.direction);
@@ -179,7 +202,7 @@ struct SnellMesh {
     bool closed;     // false: a ray inside found no surface to leave through, and goes on as it was
     float n1, n2;
     bool interpolated;
-    vec3 outFrom, outAlong, outNormal, inFrom[SNELL_MESH_RAYS], inAlong[SNELL_MESH_RAYS];
+    vec3 outFrom, outAlong, outNormal, inFrom[SNELL_MESH_RAYS], inAlong[SNELL_MESH_RAYS];  // the tree's coordinates
     float outEnergy, inEnergy[SNELL_MESH_RAYS];
     bool outThrough;
 };
@@ -204,9 +227,9 @@ SnellMesh snellMeshBegin(vec3 origin, vec3 direction, float n1, float n2, bool i
     s.interpolated = interpolated;
     // Not from the eye itself: from near the mesh, where floats are dense.
     vec3 low = texelFetch(snellMeshNodes, 0).xyz, high = texelFetch(snellMeshNodes, 1).xyz;
-    vec3 to = 0.5 * low + 0.5 * high - origin;
+    vec3 from = snellMeshFromModel(origin), to = 0.5 * low + 0.5 * high - from;
     float skip = dot(to, s.direction) - length(high - low);
-    s.outFrom = (skip > 0.0 && skip < 3.0e38) ? origin + skip * s.direction : origin;
+    s.outFrom = (skip > 0.0 && skip < 3.0e38) ? from + skip * s.direction : from;
     s.outAlong = s.direction;
     s.outNormal = s.normal;
     s.outEnergy = 1.0;
@@ -288,12 +311,12 @@ bool snellMeshNext(inout SnellMesh s) {
             s.inEnergy[strongest] = 0.0;
         SnellMeshHit hit;
         int side = first ? SNELL_BOTH : outside ? SNELL_FRONT : SNELL_BACK;
-        if (snellMeshHit(from, along, side, hit)) {
+        if (snellMeshFind(from, along, side, hit)) {
             if (!ended && energy >= SNELL_SERIES_END) snellMeshSplit(s, hit, along, energy);
             continue;
         }
         s.direction = along;
-        s.position = from;
+        s.position = snellMeshToModel(from);
         s.normal = outside ? s.outNormal : along;
         s.energy = energy;
         s.inside = max(s.inside - energy, 0.0);

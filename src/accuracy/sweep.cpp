@@ -82,17 +82,21 @@ std::vector<Setting> tessellation_settings() {
 }
 
 // Filters approximate the picture that many samples of the finest texels give.
-std::vector<Setting> filter_settings(const Scene& scene) {
+std::vector<Setting> filter_settings(const Scene& scene, bool software) {
     using Mode = Filter::Mode;
     const auto first = std::ranges::find_if(scene.textures, [](const Texture& t) { return !t.files.empty(); });
-    const Mode now = first == scene.textures.end() ? Mode::linear : first->filter.mode;
+    const bool anisotropic = !software || !has_cube_maps(scene);
+    Mode now = first == scene.textures.end() ? Mode::linear : first->filter.mode;
+    if (now == Mode::anisotropic && !anisotropic) now = Mode::mipmap;
     const auto setting = [now](std::string name, Mode mode, int anisotropy, int grid) {
         Knobs knobs{.grid = grid, .plan = {.filter = Filter{mode, anisotropy}}};
         return Setting{std::move(name), knobs, mode == now && grid == 1};
     };
-    return {setting("nearest", Mode::nearest, 1, 1), setting("linear", Mode::linear, 1, 1),
-            setting("mipmap", Mode::mipmap, 1, 1), setting("anisotropic8", Mode::anisotropic, 8, 1),
-            setting("linear_8x8", Mode::linear, 1, 8)};
+    std::vector<Setting> settings{setting("nearest", Mode::nearest, 1, 1), setting("linear", Mode::linear, 1, 1),
+                                  setting("mipmap", Mode::mipmap, 1, 1)};
+    if (anisotropic) settings.push_back(setting("anisotropic8", Mode::anisotropic, 8, 1));
+    settings.push_back(setting("linear_8x8", Mode::linear, 1, 8));
+    return settings;
 }
 
 std::vector<Setting> cube_size_settings(const Scene& scene) {
@@ -112,10 +116,10 @@ std::vector<Setting> precision_settings() {
     return {{"8bit", {.plan = {.cube_bits = 8}}}, {"half", {.plan = {.cube_bits = 16}}, true}};
 }
 
-std::vector<Setting> settings_of(std::string_view knob, const Scene& scene) {
+std::vector<Setting> settings_of(std::string_view knob, const Scene& scene, bool software) {
     if (knob == "samples") return sample_settings();
     if (knob == "tessellation" && has_round_shapes(scene)) return tessellation_settings();
-    if (knob == "filter" && has_textures(scene)) return filter_settings(scene);
+    if (knob == "filter" && has_textures(scene)) return filter_settings(scene, software);
     if (knob == "cube-size" && has_cube_maps(scene)) return cube_size_settings(scene);
     if (knob == "cube-precision" && has_cube_maps(scene)) return precision_settings();
     return {};
@@ -170,7 +174,7 @@ std::vector<Sweep> lattice_sweep(const Scene& scene, const Rungs& now, const std
 }
 
 std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
-                               Diagnostics& diagnostics) {
+                               bool software, Diagnostics& diagnostics) {
     std::vector<Sweep> sweeps;
     for (const std::string& name : names) {
         if (std::ranges::find(knob_names, name) == knob_names.end()) {
@@ -178,7 +182,7 @@ std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::
                               fmt::format("available knobs: {}", fmt::join(knob_names, ", ")));
             continue;
         }
-        const std::vector<Setting> settings = settings_of(name, scene);
+        const std::vector<Setting> settings = settings_of(name, scene, software);
         if (settings.empty()) continue;
         Sweep sweep{.kind = SweepKind::knob, .name = name};
         sweep.reference = settings.size() - 1;

@@ -45,8 +45,9 @@ std::vector<Sweep> ladder_sweeps(const Scene& scene, const Rungs& now, const std
 // Returns a sweep over all combinations of two or three ladders; without names, of the scene's first three.
 std::vector<Sweep> lattice_sweep(const Scene& scene, const Rungs& now, const std::vector<std::string>& names,
                                  Diagnostics& diagnostics);
-// Returns a sweep for each named knob that affects the scene.
+// Returns a sweep for each named knob that affects the scene. On a software renderer, cube maps have no anisotropic
+// filter, and none is offered for scenes with cube maps.
 std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
-                               Diagnostics& diagnostics);
+                               bool software, Diagnostics& diagnostics);
 
 }  // namespace snell::accuracy

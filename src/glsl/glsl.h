@@ -169,6 +169,7 @@ enum class System : std::uint8_t {
     model_inverse,
     view_inverse,
     model_normal_matrix,
+    model_viewer,         // world axes, relative to the eye that looks through the scene transformation
     camera_position,      // world space; the eye that looks through the scene transformation
     viewer_position_eye,  // eye space; the eye that looks through the scene transformation
     normal_scale,

@@ -60,7 +60,12 @@ constexpr SystemFacts systems[]{
     {System::view_inverse, "mat4", "eye to world", "", "Inverse of the view matrix. Zero if there is no inverse."},
     {System::model_normal_matrix, "mat3", "model to world", "",
      "Transpose of the inverse of the model matrix, for normals."},
-    {System::camera_position, "vec3", "world", "", "Position of the eye."},
+    {System::model_viewer, "mat4", "model to world, relative to the viewer", "",
+     "Gives the vector from the viewer to a point of the model, along the axes of the world. Exact to float rounding "
+     "wherever the scene is, unlike the difference of `M * position` and `camWorldPos`, which loses digits far from "
+     "the origin."},
+    {System::camera_position, "vec3", "world", "",
+     "Position of the viewer, with the rotation of the scene in the window."},
     {System::viewer_position_eye, "vec3", "eye", "",
      "Position of the viewer, with the rotation of the scene in the window; the origin if the scene is not rotated."},
     {System::normal_scale, "float", "", "above 0",
@@ -151,6 +156,7 @@ constexpr Named<System> system_words[] = {
     {System::model_inverse, "uModelMatrixInverse"},
     {System::view_inverse, "uViewMatrixInverse"},
     {System::model_normal_matrix, "uModelNormalMatrix"},
+    {System::model_viewer, "uModelViewerMatrix"},
     {System::camera_position, "camWorldPos u_camera_position u_cameraPosition cameraPosition uCameraPosition"},
     {System::viewer_position_eye, "uViewerPositionEye"},
     {System::normal_scale, "snell_NormalScale"},

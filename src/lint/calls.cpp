@@ -151,6 +151,7 @@ Value Walker::call_builtin(std::string_view name, const std::vector<Expr>& given
     if (name == "refract" && given.size() == 3) return call_refract(given);
     if (name == "dot" && given.size() == 2) return call_dot(given);
     if (name == "pow" && given.size() == 2) call_pow(given, first, last);
+    if (name == "smoothstep" && given.size() == 3) want_width(given, first, last);
     if (name == "normalize" && given.size() == 1) {
         v = given[0].v;
         v.id = v.opposite = 0;

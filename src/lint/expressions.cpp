@@ -94,6 +94,7 @@ Walker::Expr Walker::binary(int least) {
         const std::string_view op = text();
         ++p_;
         const Expr right = binary(level + 1);
+        if (op == "-") want_near(left, right);
         left.v = combine(left.v, right.v, op);
         left.last = right.last;
         left.slot = -1;

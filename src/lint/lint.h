@@ -31,6 +31,8 @@ enum class Rule : std::uint8_t {
     viewer_not_at_origin,
     lookup_in_branch,
     many_rounds,
+    far_from_origin,
+    smoothstep_without_width,
     encoded_light,
 };
 

@@ -25,6 +25,7 @@ constexpr SystemSpaces matrix_spaces[] = {
     {System::model, Space::object, Space::world},
     {System::model_inverse, Space::world, Space::object},
     {System::model_normal_matrix, Space::object, Space::world},
+    {System::model_viewer, Space::object, Space::world},
     {System::view, Space::world, Space::eye},
     {System::view_inverse, Space::eye, Space::world},
 };

@@ -157,6 +157,22 @@ void Walker::call_pow(const std::vector<Expr>& given, int first, int last) {
                        by_rounding ? "a little below 0, by rounding" : "negative"));
 }
 
+void Walker::want_width(const std::vector<Expr>& given, int first, int last) {
+    const Range &a = given[0].v.range, &b = given[1].v.range;
+    if (a.lo != a.hi || !a.real_lo || a != b) return;
+    report(Rule::smoothstep_without_width, first, last, fmt::format("both edges of this smoothstep() are {}", a.lo));
+}
+
+// Positions far from the origin have few digits left for what is between them.
+void Walker::want_near(const Expr& left, const Expr& right) {
+    constexpr double visible = .05;
+    const auto position = [](const Value& v) { return v.space == Space::world && v.point && v.type.rows >= 3; };
+    if (around_.far_turn < visible || !position(left.v) || !position(right.v)) return;
+    report(Rule::far_from_origin, left.first, right.last,
+           fmt::format("the eye is far from the origin: rounding turns this direction by up to {:.2g} degrees",
+                       around_.far_turn));
+}
+
 Value Walker::call_texture(std::string_view name, const std::vector<Expr>& given, int first, int last) {
     Value v;
     v.type = glsl::make_type(Base::real, 4);

@@ -17,7 +17,7 @@ constexpr std::array table{
     RuleFacts{eye_space_lookup, warning, "eye-space-lookup", "the-space-of-a-cube-map",
               "a cube map looked up by a direction in eye coordinates, where the scene turns the eye by `LookAt` or "
               "`RenderToCube`",
-              "work in world coordinates: with M and camWorldPos, or turn the direction back with "
+              "work in world coordinates: with uModelViewerMatrix, or turn the direction back with "
               "mat3(uViewMatrixInverse)"},
     RuleFacts{index_as_ratio, warning, "index-as-ratio", "an-index-is-not-a-ratio",
               "an index of refraction above 1 as third argument of `refract`, for light that comes from the eye",
@@ -58,6 +58,13 @@ constexpr std::array table{
     RuleFacts{many_rounds, warning, "many-rounds", "loops-that-go-on-and-on",
               "loops with more than 65,535 rounds in one shader, or endless loops",
               "bound the loop, or draw in several passes"},
+    RuleFacts{far_from_origin, warning, "far-from-origin", "far-from-the-origin",
+              "the difference of two positions in world coordinates, where the scene's eye is so far from the origin "
+              "that float rounding turns directions by more than .05 degrees",
+              "write vec3(uModelViewerMatrix * position): the position relative to the viewer, exact everywhere"},
+    RuleFacts{smoothstep_without_width, note, "smoothstep-without-width", "a-smoothstep-without-width",
+              "`smoothstep` with two equal edges: undefined in GLSL; snell gives a step, other programs may give NaN",
+              "write step(edge, x), or edges that differ"},
     RuleFacts{
         encoded_light, note, "encoded-light", "numbers-are-not-light",
         "`Irradiance` or `Prefilter` of a cube map whose files hold colours as displays show them",

@@ -28,6 +28,19 @@ double turn_of(const Camera& camera) {
     return std::acos(std::clamp(cosine, -1., 1.)) * 180 / 3.14159265358979;
 }
 
+// Degrees by which float rounding may turn the difference of a position and the eye's, at the distance of what the
+// camera looks at. Each of both is rounded by half a unit of its last place.
+double far_turn_of(const Camera& camera) {
+    if (!camera.look_at) return 0;
+    const auto& [eye, center, up] = *camera.look_at;
+    double distance = 0, largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        distance = std::hypot(distance, eye[i] - center[i]);
+        largest = std::max(largest, std::abs(eye[i]));
+    }
+    return distance > 0 ? std::atan(largest * 0x1p-23 / distance) * 180 / 3.14159265358979 : 0;
+}
+
 struct Sampler {
     const Unit* unit;
     const Global* global;
@@ -118,6 +131,8 @@ private:
                 const Draw& draw = scene_.draws[item.index];
                 if (!draws_with(draw, index)) continue;
                 around.eye_turn = std::max(around.eye_turn, turn_of(scene_.cameras[draw.camera]));
+                if (pass.kind != Pass::Kind::cube)
+                    around.far_turn = std::max(around.far_turn, far_turn_of(scene_.cameras[draw.camera]));
                 around.cube_faces = around.cube_faces || pass.kind == Pass::Kind::cube;
             }
         return around;

@@ -27,6 +27,7 @@ struct Surroundings {
     std::set<std::string, std::less<>> mipmapped;          // samplers on such textures
     double eye_turn = 0;                                   // degrees that LookAt turns the eye by, at most
     bool cube_faces = false;                               // it draws into the faces of a cube map
+    double far_turn = 0;  // degrees by which rounding turns differences of positions in the world, at most
 };
 
 using Varyings = std::map<std::string_view, Value>;
@@ -121,6 +122,8 @@ private:
     Value call_reflect(const std::vector<Expr>& given);
     Value call_refract(const std::vector<Expr>& given);
     Value call_texture(std::string_view name, const std::vector<Expr>& given, int first, int last);
+    void want_width(const std::vector<Expr>& given, int first, int last);
+    void want_near(const Expr& left, const Expr& right);
     void call_pow(const std::vector<Expr>& given, int first, int last);
     void want_unit(const Expr& e, std::string_view function, std::string_view role);
     void want_ratio(const std::vector<Expr>& given);

@@ -114,20 +114,77 @@ TEST_P(LibraryFresnel, SpecialValuesGiveReflectances) {
         return static_cast<double>(
             std::count_if(out.begin(), out.end(), [](const glm::vec4& r) { return !(r.x >= 0 && r.x <= 1); }));
     };
-    hard_case({"70", "reflectances of anything lie in [0,1]; naive: Schlick as printed", "of 20000 out of [0,1]", 0,
-               out_of_range(include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", arguments),
-               out_of_range("", "return vec4(.04 + .96 * pow(1. - a.x, 5.));", arguments)});
+    hard_case({"70", "reflectances of anything lie in [0,1]", "of 20000 out of [0,1]", 0,
+               out_of_range(include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", arguments), std::nullopt});
     std::vector<Arguments> rounded, odd;
     for (int i = 0; i < 100; ++i) rounded.push_back({{1 + static_cast<float>(i) * 3.6e-9F, 1, 1.5F, 0}, {}, {}});
     hard_case({"7", "dot products of unit vectors are up to 1 + 3.6e-7; naive: pow(1. - dot, 5.)",
                "of 100 out of [0,1]", 0,
-               out_of_range(include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", rounded),
+               out_of_range(include, "return vec4(snellFresnelSchlick5(a.x, .04));", rounded),
                out_of_range("", "return vec4(.04 + .96 * pow(1. - a.x, 5.));", rounded)});
     for (const float x : {0.0F, -0.1F, -0.5F})
         for (const float power : {0.0F, -1.0F, 1.55F}) odd.push_back({{1 - x, power, 0, 0}, {}, {}});
     hard_case({"8", "pow(0, 0), pow(0, -1), pow(-.5, 1.55) are undefined; naive: pow() of the same",
                "of 9 out of [0,1]", 0, out_of_range(include, "return vec4(snellFresnelCg(a.x, 0., 1., a.y));", odd),
                out_of_range("", "return vec4(pow(1. - a.x, a.y));", odd)});
+}
+
+// The textbook's difference of products loses nearly all digits for air in vacuum.
+TEST_P(LibraryFresnel, NearlyEqualIndicesKeepTheirDigits) {
+    std::vector<Arguments> arguments, indices;
+    for (int i = 1; i <= 20000; ++i) arguments.push_back({{static_cast<float>(i) / 20000, 1, 1.0003F, 0}, {}, {}});
+    const auto worst = [](const std::vector<glm::vec4>& out, const std::vector<Arguments>& in, const auto& error) {
+        double most = 0;
+        for (std::size_t i = 0; i < out.size(); ++i)
+            if (const double off = error(in[i].a, static_cast<double>(out[i].x)); !(off <= most)) most = off;
+        return most;
+    };
+    const auto of_light = [](const glm::vec4& a, double f) { return std::abs(f - fresnel(a.x, a.y, a.z)); };
+    constexpr std::string_view textbook =
+        "float eta = a.y / a.z, t = sqrt(max(0., 1. - eta * eta * (1. - a.x * a.x)));\n"
+        "float s = (a.y * a.x - a.z * t) / (a.y * a.x + a.z * t), p = (a.z * a.x - a.y * t) / (a.z * a.x + a.y * t);\n"
+        "return vec4(.5 * (s * s + p * p));";
+    hard_case({"9", "exact Fresnel where n is 1.0003: difference of squares; naive: of products", "of the light", 2e-6,
+               worst(run(include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments), arguments, of_light),
+               worst(run("", textbook, arguments), arguments, of_light)});
+    for (const auto& [n1, n2] : {std::pair(1.5F, 1.5003F), {1.33F, 1.3301F}, {1.0003F, 1.0F}, {1.5168F, 1.518F}})
+        indices.push_back({{1, n1, n2, 0}, {}, {}});
+    const auto relative = [](const glm::vec4& a, double f) { return std::abs(f / normal_reflectance(a.y, a.z) - 1); };
+    hard_case({"10", "f0 of nearly equal indices, such as oil on glass; naive: ((n - 1) / (n + 1))² of their ratio n",
+               "relative", 1e-5,
+               worst(run(include, "return vec4(snellFresnelF0(a.y, a.z));", indices), indices, relative),
+               worst(run("", "float n = a.z / a.y, r = (n - 1.) / (n + 1.); return vec4(r * r);", indices), indices,
+                     relative)});
+}
+
+// Whichever way rounding goes at the critical angle, the answer is that of a neighbouring cosine, and all light is
+// reflected on one side of it.
+TEST_P(LibraryFresnel, TheCriticalAngle) {
+    std::vector<Arguments> arguments;
+    constexpr int around = 200;
+    for (float n : {1.31F, 1.33F, 1.47F, 1.5F, 1.52F, 2.16F, 2.42F, 2.69F}) {
+        float c = static_cast<float>(std::cos(*critical_angle(n, 1)));
+        for (int i = 0; i < around; ++i) c = std::nextafter(c, 0.0F);
+        for (int i = 0; i < 2 * around; ++i, c = std::nextafter(c, 1.0F)) arguments.push_back({{c, n, 1, 0}, {}, {}});
+    }
+    const auto results = run(include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments);
+    int backward = 0, flips = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const float c = arguments[i].a.x, n = arguments[i].a.y, f = results[i].x;
+        if (i % (2 * around) > 0) flips += (f == 1) != (results[i - 1].x == 1);
+        // How many units of its last place the cosine must be moved for the exact answer to be this one.
+        const double ulp = c - std::nextafter(c, 0.0F);
+        const auto reached = [&](int ulps) {
+            const double low = fresnel(c - ulps * ulp, n, 1), high = fresnel(c + ulps * ulp, n, 1);
+            return f >= std::min(low, high) - 1e-6 && f <= std::max(low, high) + 1e-6;
+        };
+        int ulps = 0;
+        while (ulps < 100 && !reached(ulps)) ++ulps;
+        backward = std::max(backward, ulps);
+    }
+    EXPECT_EQ(flips, 8);
+    hard_case({"1", "the critical angle, n from 1.31 to 2.69: the answer is that of a neighbouring cosine",
+               "units of the cosine's last place", 4, static_cast<double>(backward), std::nullopt});
 }
 
 TEST_P(LibraryFresnel, PowersAreMultiplied) {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "src/content/mesh/tree.h"
+#include "tests/hard_case.h"
 #include "tests/library/common.h"
 #include "tests/oracle/optics/mesh_path.h"
 
@@ -16,12 +17,22 @@ glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
 
 class LibraryMesh : public LibraryTest {
 protected:
-    void use(const content::Mesh& mesh) {
-        const content::Tree tree = content::make_tree(mesh);
+    void use(const content::Mesh& mesh, bool in_model_coordinates = false) {
+        content::Tree tree = content::make_tree(mesh);
+        if (in_model_coordinates) unframe(tree);
         const auto normals = content::tree_normals(mesh);
         parts[0] = gl::make_buffer_texture(tree.nodes.data(), tree.nodes.size());
         parts[1] = gl::make_buffer_texture(tree.triangles.data(), tree.triangles.size());
         parts[2] = gl::make_buffer_texture(normals.data(), normals.size());
+    }
+    static void unframe(content::Tree& tree) {
+        const content::Float4 frame = tree.nodes.back();
+        tree.nodes.back() = {0, 0, 0, 1};
+        const auto move = [&frame](content::Float4& p) {
+            for (std::size_t k = 0; k < 3; ++k) p[k] = frame[k] + p[k] / frame[3];
+        };
+        std::for_each(tree.nodes.begin(), tree.nodes.end() - 1, move);
+        std::ranges::for_each(tree.triangles, move);
     }
     void use(const Shape& shape) {
         const content::Mesh mesh = content::make_shape(shape, false).mesh;
@@ -237,6 +248,77 @@ TEST_P(LibraryMesh, AllLightIsAccountedFor) {
         EXPECT_GT(most, 5);
         EXPECT_LE(most, 2 * 32 + 3);
     }
+}
+
+// What comes out of a glass box, wherever it lies in its model and however large it is, is what comes out of the one at
+// the origin. Naive: the tree has the model's coordinates, so that the slack grows with them and areas vanish.
+TEST_P(LibraryMesh, FarFromTheModelsOriginAndOfAnySize) {
+    constexpr std::string_view body =
+        "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, false);\nvec3 sum = vec3(0.);\nfloat energy = 0.;\n"
+        "for (int i = 0; i < 8; ++i) if (snellMeshNext(s)) { sum += s.energy * s.direction; energy += s.energy; }\n"
+        "return vec4(sum, energy);";
+    const content::Mesh box = content::make_shape(Box{2, 2, 2}, false).mesh;
+    const auto seen = [&](float offset, float size, bool naive) {
+        content::Mesh moved = box;
+        std::vector<Arguments> arguments = view(24, 1.5F);
+        for (content::Float3& p : moved.positions)
+            for (float& x : p) x = (x + offset) * size;
+        for (Arguments& pixel : arguments)
+            for (int k = 0; k < 3; ++k) pixel.a[k] = (pixel.a[k] + offset) * size;
+        use(moved, naive);
+        return run(include, body, arguments);
+    };
+    const auto at_home = seen(0, 1, false);
+    const auto off = [&](float offset, float size, bool naive) {
+        double worst = 0;
+        const auto out = seen(offset, size, naive);
+        for (std::size_t i = 0; i < out.size(); ++i)
+            if (const double there = glm::length(out[i] - at_home[i]); !(there <= worst)) worst = there;
+        return worst;
+    };
+    hard_case(
+        {"A41",
+         "rays through a glass box 0 to 1e6 away from its model's origin; naive: a tree in the model's coordinates",
+         "of the light", 1e-3, std::max(off(1e3F, 1, false), off(1e6F, 1, false)), off(1e6F, 1, true)});
+    hard_case({"A55", "rays through glass boxes of sizes 1e-24 and 1e24; naive: a tree in the model's coordinates",
+               "of the light", 1e-3, std::max(off(0, 0x1p-80F, false), off(0, 0x1p80F, false)),
+               off(0, 0x1p-80F, true)});
+}
+
+// A box without its front, and a box with another of air in it, whose faces look inward.
+TEST_P(LibraryMesh, OpenAndInnerFaces) {
+    const content::Mesh box = content::make_shape(Box{2, 2, 2}, false).mesh;
+    content::Mesh open = box, hollow = box;
+    std::erase_if(open.indices, [n = 0](std::uint32_t) mutable { return n++ < 6; });
+    const auto first = static_cast<std::uint32_t>(box.positions.size());
+    for (content::Float3 p : box.positions) {
+        for (float& x : p) x *= .7F;
+        hollow.positions.push_back(p);
+    }
+    for (std::size_t i = 0; i + 2 < box.indices.size(); i += 3)
+        for (const std::size_t k : {i, i + 2, i + 1}) hollow.indices.push_back(first + box.indices[k]);
+    hollow.normals.clear();
+    const auto lost = [&](const content::Mesh& mesh, bool leaks) {
+        use(mesh);
+        double worst = 0;
+        int open_exits = 0;
+        for (const glm::vec4& r :
+             run(include,
+                 "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, false);\n"
+                 "float sum = 0., open = 0.;\nfor (int i = 0; i < 200; ++i) { if (!snellMeshNext(s)) "
+                 "break; sum += s.energy; open += s.closed ? 0. : 1.; }\n"
+                 "return vec4(sum, s.inside, open, 0.);",
+                 view(24, 1.5F))) {
+            const double off = std::abs(static_cast<double>(r.x) + static_cast<double>(r.y) - 1);
+            if (!(off <= worst)) worst = off;
+            open_exits += r.z > 0;
+        }
+        return (open_exits > 0) == leaks ? worst : 1.0;
+    };
+    hard_case({"A53", "light through a mesh with a hole: all of it is accounted for, and the hole is told of",
+               "of the light", 3e-6, lost(open, true), std::nullopt});
+    hard_case({"A54", "light through a hollow mesh, whose inner faces look inward: all of it is accounted for",
+               "of the light", 3e-6, lost(hollow, false), std::nullopt});
 }
 
 TEST_P(LibraryMesh, SpecialValuesGiveDirections) {

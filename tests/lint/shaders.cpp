@@ -157,6 +157,34 @@ TEST(LintUnread, AComputedReflectance) {
     expect_silent(body("float s = pow(uX, 5.);\n#ifdef SHOW\ngl_FragColor = vec4(s);\n#endif\n", "uX <0. .5 1.>"));
 }
 
+TEST(LintFar, PositionsFarFromTheOrigin) {
+    const auto seen_from = [](std::string_view eye) {
+        return lint_fragment("in vec3 vN, vE;\nvoid main() { gl_FragColor = vec4(normalize(vE), 1.); }\n", "",
+                             "LookAt " + std::string(eye) + "  0 1 0\n");
+    };
+    const Linted bad = seen_from("1000000 0 5  1000000 0 0");
+    EXPECT_EQ(bad.at("far-from-origin"), Places{"vec3(M * gl_Vertex) - camWorldPos"}) << bad.text();
+    EXPECT_EQ(bad.place("far-from-origin"), "a.vert:2:46");
+    EXPECT_NE(bad.text().find("1.4 degrees"), std::string::npos) << bad.text();
+    EXPECT_TRUE(seen_from("0 0 10000  0 0 9999").has(Rule::far_from_origin)) << "near what it looks at";
+    expect_silent(seen_from("0 0 5  0 0 0"));
+    expect_silent(seen_from("1000000 0 0  0 0 0"));  // what is far away is as exact as its distance
+    expect_silent(lint("LookAt 1000000 0 5  1000000 0 0  0 1 0\nVertex a.vert\nFragment a.frag\nProgram A\nSphere\n",
+                       {{"a.vert",
+                         "uniform mat4 uModelViewerMatrix; out vec3 vE;\nvoid main() { vE = vec3(uModelViewerMatrix * "
+                         "gl_Vertex);\ngl_Position = ftransform(); }\n"},
+                        {"a.frag", "in vec3 vE;\nvoid main() { gl_FragColor = vec4(normalize(vE), 1.); }\n"}}));
+}
+
+TEST(LintSmoothstep, WithoutWidth) {
+    const Linted bad = body("gl_FragColor = vec4(smoothstep(.5, .5, uX));");
+    EXPECT_EQ(bad.at("smoothstep-without-width"), Places{"smoothstep(.5, .5, uX)"}) << bad.text();
+    EXPECT_TRUE(body("gl_FragColor = vec4(smoothstep(.5, uEta, uX));", "uEta .5").has(Rule::smoothstep_without_width));
+    expect_silent(body("gl_FragColor = vec4(smoothstep(.5, .6, uX));"));
+    expect_silent(body("gl_FragColor = vec4(smoothstep(.5, uEta, uX));", "uEta <0. .5 1.>"));
+    expect_silent(body("gl_FragColor = vec4(smoothstep(uX, uX + uEta, .5));", "uX <0. .5 1.>  uEta <0. .1 1.>"));
+}
+
 TEST(LintPlaces, InIncludedFilesAndNotInTheLibrary) {
     const std::string_view vert = "out vec3 vN; void main() { vN = gl_Normal; gl_Position = ftransform(); }\n";
     const Linted own =

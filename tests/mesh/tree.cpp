@@ -114,7 +114,35 @@ std::multiset<float> met(const Tree& tree, bool by_boxes, const std::array<doubl
     return found;
 }
 
+Float3 in_model(const Tree& tree, const Float4& corner) {
+    const Float4& frame = tree.nodes.back();
+    Float3 out;
+    for (std::size_t k = 0; k < 3; ++k) out[k] = frame[k] + corner[k] / frame[3];
+    return out;
+}
+
 Mesh shape(const Shape& what) { return make_shape(what, false).mesh; }
+
+// Wherever a mesh lies and however large it is, its tree is the same, and has the mesh's corners.
+TEST(MeshTree, LiesAroundItsOwnOrigin) {
+    const Mesh box = shape(Box{2, 2, 2});
+    const Tree near = make_tree(box);
+    for (const Float3& offset : {Float3{1e3F, 0, 0}, Float3{1e6F, -1e6F, 1e6F}})
+        for (const float size : {1.0F, 0x1p20F, 0x1p-60F, 0x1p100F}) {
+            Mesh moved = box;
+            for (Float3& p : moved.positions)
+                for (std::size_t k = 0; k < 3; ++k) p[k] = (p[k] + offset[k]) * size;
+            const Tree tree = make_tree(moved);
+            EXPECT_EQ(tree.triangles, near.triangles) << offset[0] << " " << size;
+            for (const Float4& corner : tree.triangles)
+                EXPECT_EQ(in_model(tree, corner), moved.positions[static_cast<std::size_t>(corner[3])]);
+        }
+    for (const Mesh& mesh : {shape(Teapot{}), shape(Sphere{}), shape(Torus{})}) {
+        const Tree tree = make_tree(mesh);
+        EXPECT_EQ((Float3{tree.nodes.back()[0], tree.nodes.back()[1], tree.nodes.back()[2]}), (Float3{}))
+            << "a mesh around the model's origin keeps its digits";
+    }
+}
 
 TEST(MeshTree, FindsWhatTryingAllFinds) {
     std::mt19937 random(8);
@@ -148,7 +176,7 @@ TEST(MeshTree, HoldsEveryTriangleOnce) {
         for (const Float4& corner : tree.triangles) {
             vertices.insert(corner[3]);
             const Float3& p = mesh.positions[static_cast<std::size_t>(corner[3])];
-            EXPECT_EQ(p, (Float3{corner[0], corner[1], corner[2]}));
+            EXPECT_EQ(p, in_model(tree, corner));
         }
         for (std::uint32_t v : mesh.indices) wanted.insert(static_cast<float>(v));
         EXPECT_EQ(vertices, wanted);
@@ -202,7 +230,8 @@ TEST(MeshTree, ReadsEveryKindOfTriangle) {
     mesh.positions[1][0] = 1;
     mesh.w = {1, 2, 1, 1, 1, 1, 1, 1};
     mesh.indices = {0, 1, 2};
-    EXPECT_EQ(make_tree(mesh).nodes[1][0], 0.5F);
+    const Tree halved = make_tree(mesh);
+    EXPECT_EQ(halved.nodes[1][0] / halved.nodes.back()[3], 0.5F);
     mesh.w[1] = 0;  // infinitely far
     EXPECT_EQ(make_tree(mesh).triangle_count(), 0U);
 }

@@ -1,41 +1,50 @@
 #!/usr/bin/env python3
 """Breaks the lines of mutations.txt, one at a time, in a copy of the working tree, and requires that the named tests fail.
+With --stability: those of stability.txt, and the named hard cases must fail.
 
-usage: mutate.py [--tree FOLDER] [--list] [WORD...]    WORD: only mutations whose file or test contains one of them
+usage: mutate.py [--stability] [--tree FOLDER] [--in-place BUILD] [--list] [WORD...]
+WORD: only mutations whose file or test contains one of them, or of that hard case. BUILD: a build folder of the working
+tree; lines are broken in the working tree itself and restored.
 Exit status: 0 all were caught, 1 some were not, 2 the table does not fit the sources or the tests fail unbroken.
 """
 import argparse
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TABLE = pathlib.Path(__file__).with_name("mutations.txt")
+FOLDER = pathlib.Path(__file__).parent
 SECONDS = 300  # A broken loop may never end.
 
 
 class Mutation:
-    def __init__(self, number, head):
-        self.number = number
-        self.file, self.target, self.filter = head.split()
+    def __init__(self, table, number, head):
+        self.place = f"{table.name}:{number}"
+        *cases, self.file, self.target, self.filter = head.split()
+        self.cases = cases[0].split(",") if cases else []
         self.old = self.new = None
 
     def __str__(self):
-        return f"{TABLE.name}:{self.number}: {self.file}: {self.new.strip()}"
+        cases = "".join(f"hard case {c}: " for c in self.cases)
+        return f"{self.place}: {cases}{self.file}: {self.new.strip()}"
+
+    def chosen_by(self, words):
+        return not words or any(w in f"{self.file} {self.target} {self.filter}" or w in self.cases for w in words)
 
 
-def read_table():
+def read_table(table):
     mutations = []
-    for number, line in enumerate(TABLE.read_text().splitlines(), 1):
+    for number, line in enumerate(table.read_text().splitlines(), 1):
         if line.startswith("- "):
             mutations[-1].old = line[2:]
         elif line.startswith("+ "):
             mutations[-1].new = line[2:]
         elif line and not line.startswith("#"):
-            mutations.append(Mutation(number, line))
+            mutations.append(Mutation(table, number, line))
     return mutations
 
 
@@ -46,7 +55,13 @@ def misfits(mutations):
         found = path.read_text().count(m.old) if path.exists() and m.old and m.new else -1
         if found != 1:
             why = "the file or a line is missing" if found < 0 else f"the text occurs {found} times instead of once"
-            yield f"{TABLE.name}:{m.number}: {m.file}: {why}: {m.old}"
+            yield f"{m.place}: {m.file}: {why}: {m.old}"
+
+
+def cases_without(mutations):
+    page = re.findall(r"^\| (A?\d+) \|", (ROOT / "docs/stability.md").read_text(), re.MULTILINE)
+    have = {c for m in mutations for c in m.cases}
+    return [c for c in dict.fromkeys(page) if c not in have]
 
 
 def copy_tree(tree):
@@ -69,65 +84,77 @@ def files_below(tree):
         yield from (str(pathlib.Path(folder, name).relative_to(tree)) for name in names)
 
 
-def build(tree, targets):
-    if not (tree / "build/build.ninja").exists():
-        subprocess.run(["cmake", "-S", tree, "-B", tree / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+def build(tree, folder, targets):
+    if not (folder / "build.ninja").exists():
+        subprocess.run(["cmake", "-S", tree, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                         "-DSNELL_TESTS=ON"], check=True, stdout=subprocess.DEVNULL)
-    return subprocess.run(["ninja", "-C", tree / "build", "--quiet", *targets], capture_output=True, text=True)
+    return subprocess.run(["ninja", "-C", folder, "--quiet", *targets], capture_output=True, text=True)
 
 
-def passes(tree, mutation):
-    command = [tree / "build/bin" / mutation.target, f"--gtest_filter={mutation.filter}", "--gtest_brief=1",
-               "--gtest_fail_fast"]
+def passes(tree, folder, mutation):
+    """Whether the tests pass, and each of the mutation's hard cases, if it has any."""
+    command = [folder / "bin" / mutation.target, f"--gtest_filter={mutation.filter}", "--gtest_brief=1"]
     try:
-        done = subprocess.run(command, cwd=tree, capture_output=True, text=True, errors="replace", timeout=SECONDS)
+        done = subprocess.run(command, cwd=tree, capture_output=True, text=True, errors="replace", timeout=SECONDS,
+                              env={**os.environ, "LP_NUM_THREADS": "0"})
     except subprocess.TimeoutExpired:
         return False
+    if done.returncode < 0:
+        return False  # It crashed.
+    if mutation.cases and done.returncode != 0:
+        return any(f"hard case {c}: " not in done.stdout for c in mutation.cases)
     return done.returncode == 0 and " 0 tests" not in done.stdout and "[  PASSED  ] 0" not in done.stdout
 
 
-def caught(tree, mutation):
+def caught(tree, folder, mutation):
     """Whether the tests fail while the line is broken; None if it does not compile."""
     path = tree / mutation.file
     text = path.read_text()
     try:
         path.write_text(text.replace(mutation.old, mutation.new))
-        if build(tree, [mutation.target]).returncode != 0:
+        if build(tree, folder, [mutation.target]).returncode != 0:
             return None
-        return not passes(tree, mutation)
+        return not passes(tree, folder, mutation)
     finally:
         path.write_text(text)
 
 
 def main():
     options = argparse.ArgumentParser(usage=__doc__.split("\n\n")[1])
+    options.add_argument("--stability", action="store_true")
     options.add_argument("--tree", type=pathlib.Path, default=ROOT / "build/mutate")
+    options.add_argument("--in-place", type=pathlib.Path)
     options.add_argument("--list", action="store_true")
     options.add_argument("words", nargs="*")
     given = options.parse_args()
-    everything = read_table()
+    everything = read_table(FOLDER / ("stability.txt" if given.stability else "mutations.txt"))
     wrong = list(misfits(everything))
-    chosen = [m for m in everything if not given.words or any(w in f"{m.file} {m.target} {m.filter}" for w in given.words)]
+    chosen = [m for m in everything if m.chosen_by(given.words)]
+    if given.stability and (missing := cases_without(everything)):
+        print("hard cases without a mutation:", *missing)
     if given.list:
         print(*chosen, sep="\n")
     if wrong or given.list:
         print(*wrong, sep="\n", end="\n" if wrong else "", file=sys.stderr)
         return 2 if wrong else 0
-    tree = given.tree.resolve()
-    copy_tree(tree)
-    first = build(tree, sorted({m.target for m in chosen}))
+    tree = ROOT if given.in_place else given.tree.resolve()
+    folder = given.in_place.resolve() if given.in_place else tree / "build"
+    if not given.in_place:
+        copy_tree(tree)
+    first = build(tree, folder, sorted({m.target for m in chosen}))
     if first.returncode != 0:
         print(first.stdout, first.stderr, sep="\n", file=sys.stderr)
         return 2
-    failing = [m for m in chosen if not passes(tree, m)]
+    filters = {(m.target, m.filter): m for m in chosen}
+    failing = [m for m in filters.values() if not passes(tree, folder, m)]
     for m in failing:
-        print(f"{TABLE.name}:{m.number}: {m.target} {m.filter} fails or has no test before anything is broken", file=sys.stderr)
+        print(f"{m.place}: {m.target} {m.filter} fails or has no test before anything is broken", file=sys.stderr)
     if failing:
         return 2
     escaped = 0
     for m in chosen:
         start = time.monotonic()
-        result = caught(tree, m)
+        result = caught(tree, folder, m)
         escaped += result is not True
         word = {True: "caught", False: "NOT CAUGHT", None: "DOES NOT COMPILE"}[result]
         print(f"{word:10} {time.monotonic() - start:4.0f} s  {m}", flush=True)

@@ -113,76 +113,6 @@ TEST(FresnelLadder, ExactSchlickAndGaussianAreReciprocal) {
                      "of the light", 2e-6, worst, incident_cosine});
 }
 
-// Textbook formulas in float lose everything for air in vacuum; the library's form keeps it. The
-// reference is the same formula in double, backward error in units of the cosine's last place.
-float textbook(float c, float n1, float n2) {
-    const float eta = n1 / n2, t = std::sqrt(std::max(0.0F, 1 - eta * eta * (1 - c * c)));
-    const float s = (n1 * c - n2 * t) / (n1 * c + n2 * t), p = (n2 * c - n1 * t) / (n2 * c + n1 * t);
-    return 0.5F * (s * s + p * p);
-}
-float library(float c, float n1, float n2) {
-    if (n1 == n2) return 0;
-    const float k = ((n2 - n1) * (n2 + n1) + n1 * n1 * c * c) / (n2 * n2);
-    if (!(k > 0)) return 1;
-    const float t = std::sqrt(k), d = n1 * c + n2 * t, rs = (n1 - n2) * (n1 + n2) / (d * d);
-    const float p = c * t, q = n1 / n2 * (1 - c) * (1 + c), r = (p - q) / (p + q);
-    return 0.5F * rs * rs * (1 + r * r);
-}
-TEST(HardOptics, NearlyEqualIndicesInFloat) {
-    double worst_textbook = 0, worst_library = 0;
-    const float n = 1.0003F;
-    for (int i = 1; i < 100000; ++i) {
-        const float c = static_cast<float>(i) / 100000;
-        const double truth = fresnel(c, 1, n);
-        worst_textbook = std::max(worst_textbook, std::abs(textbook(c, 1, n) - truth));
-        worst_library = std::max(worst_library, std::abs(library(c, 1, n) - truth));
-    }
-    test::hard_case({"9", "exact Fresnel in float where n is 1.0003: difference of squares, not of products",
-                     "of the light", 2e-6, worst_library, worst_textbook});
-}
-
-// As a square of a difference it keeps its digits, as what is not transmitted it loses all.
-TEST(HardOptics, NormalReflectanceOfNearlyEqualIndicesInFloat) {
-    double worst = 0;
-    for (float n : {1.1F, 1.0003F, 1.000001F})
-        worst = std::max(worst, std::abs(library(1, 1, n) / normal_reflectance(1, n) - 1));
-    const float n = 1.0003F, not_transmitted = 1 - 4 * n / ((1 + n) * (1 + n));
-    test::hard_case({"10", "f0 of nearly equal indices in float; naive: 1 less what is transmitted", "relative", 1e-5,
-                     worst, std::abs(not_transmitted / normal_reflectance(1, n) - 1)});
-}
-
-// At the critical angle itself, whichever way rounding goes, the answer is that of a neighbouring
-// cosine, and everything is reflected on both sides.
-TEST(HardOptics, TheCriticalAngleInFloat) {
-    int backward = 0;
-    for (float n : {1.31F, 1.33F, 1.47F, 1.5F, 1.52F, 2.16F, 2.42F, 2.69F}) {
-        const double critical = std::cos(*critical_angle(n, 1));
-        float c = static_cast<float>(critical);
-        for (int i = 0; i < 200; ++i) c = std::nextafter(c, 0.0F);
-        int flips = 0;
-        bool total_before = true;
-        for (int i = 0; i < 400; ++i, c = std::nextafter(c, 1.0F)) {
-            const float f = library(c, n, 1);
-            const bool total = f == 1;
-            flips += total != total_before;
-            total_before = total;
-            // How many units of its last place the cosine must be moved for the exact answer to be this one.
-            const double ulp = c - std::nextafter(c, 0.0F);
-            const auto reached = [&](int ulps) {
-                const double a = fresnel(c - ulps * ulp, n, 1), b = fresnel(c + ulps * ulp, n, 1);
-                return f >= std::min(a, b) - 1e-6 && f <= std::max(a, b) + 1e-6;
-            };
-            int ulps = 0;
-            while (ulps < 100 && !reached(ulps)) ++ulps;
-            backward = std::max(backward, ulps);
-        }
-        EXPECT_LE(flips, 1) << n;
-    }
-    test::hard_case({"1",
-                     "the critical angle in float, n from 1.31 to 2.69: the answer is that of a neighbouring cosine",
-                     "units of the cosine's last place", 2, static_cast<double>(backward), std::nullopt});
-}
-
 // A ray that came through one side of a slab leaves by the other, however flat it is.
 TEST(HardOptics, WhatEnteredASlabLeavesIt) {
     for (double n : {1.0003, 1.33, 1.5, 2.42})
@@ -196,29 +126,6 @@ TEST(HardOptics, WhatEnteredASlabLeavesIt) {
             // Next to the critical angle a rounding of the cosine is the square root of it in the angle.
             EXPECT_LT(angle_between(out->transmitted, incident), 4e-16 / c * 10 + 3e-8) << n << " " << c;
         }
-}
-
-// Equal indices change nothing, at grazing incidence too; GLSL's formula turns the ray.
-TEST(HardOptics, EqualIndicesInFloat) {
-    double formula = 0, worst = 0;
-    for (float c = 1; c > 1e-4F; c *= 0.97F) {
-        const float k = 1 - (1 - c * c);
-        formula = std::max(formula, std::abs(std::sqrt(static_cast<double>(k)) - c));
-        const float stable = (1.0F - 1.0F) * (1.0F + 1.0F) + c * c;
-        worst = std::max(worst, std::abs(std::sqrt(static_cast<double>(stable)) - c));
-    }
-    test::hard_case({"3", "equal indices in float: the transmitted cosine is the incident one; naive: 1 - eta²(1 - c²)",
-                     "of the cosine", 1e-7, worst, formula});
-}
-
-TEST(HardOptics, SmallAnglesByAtan2) {
-    double worst = 0;
-    for (double angle : {1e-3, 1e-6, 1e-9, 1e-12}) {
-        const glm::dvec3 a(1, 0, 0), b(std::cos(angle), std::sin(angle), 0);
-        worst = std::max(worst, std::abs(angle_between(a, b) / angle - 1));
-    }
-    test::hard_case({"13", "angles from 1e-3 to 1e-12 rad by atan2; naive: acos of a float at 1e-4", "relative", 1e-9,
-                     worst, std::abs(std::acos(static_cast<float>(std::cos(1e-4))) / 1e-4 - 1)});
 }
 
 // From the back, the same as from the front with the other index.

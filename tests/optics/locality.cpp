@@ -44,11 +44,14 @@ TEST(BoxDirection, IsDefinedForEveryPoint) {
                     return finite && std::abs(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) - 5) < 1e-9;
                 };
                 bad += !on_wall(seen);
+                if (std::abs(x) > 5 || std::abs(y) > 5) continue;  // the formula is for points of the room
                 const glm::dvec3 p(x, y, 1), far = glm::max((5.0 - p) / d, (-5.0 - p) / d);
                 bad_printed += !on_wall(p + std::min({far.x, far.y, far.z}) * d);
             }
-    test::hard_case({"21", "box projection with components of zero, on walls, outside; naive: as printed",
-                     "of 400 rays off the walls", 0, static_cast<double>(bad), static_cast<double>(bad_printed)});
+    test::hard_case(
+        {"21",
+         "box projection with components of zero, on walls, outside; naive: as printed, in the room and on its walls",
+         "of 400 rays off the walls", 0, static_cast<double>(bad), static_cast<double>(bad_printed)});
     EXPECT_EQ(box_direction({1, 1, 1}, {0, 0, 0}, room), glm::dvec3(0));
 }
 

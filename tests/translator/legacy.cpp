@@ -108,6 +108,26 @@ TEST(GlslLegacy, NoiseFunctionsAreOurs) {
     EXPECT_TRUE(translated(texts).has(Stage::fragment, "snell_noise3(p.xy)"));
 }
 
+// OpenGL leaves smoothstep(a, a, x) undefined. Doubles keep the driver's, and a user's function is the user's.
+TEST(GlslLegacy, SmoothstepIsOurs) {
+    const auto program = [](std::string_view statements, std::string_view before = "") {
+        return Texts{{Stage::fragment, "#version 400 compatibility\n" + std::string(before) + "void main() { " +
+                                           std::string(statements) + " }"},
+                     {Stage::vertex, "void main() { gl_Position = ftransform(); }"}};
+    };
+    const Texts ours = program(
+        "gl_FragColor = smoothstep(0., 1., vec4(.5)) + smoothstep(vec4(0.), vec4(1.), vec4(.5)) * "
+        "smoothstep(0, 1, .5) * smoothstep(vec2(0), vec2(1), vec2(.5)).x;");
+    expect_valid(ours);
+    EXPECT_TRUE(translated(ours).has(Stage::fragment, "snell_smoothstep(0., 1., vec4(.5))"));
+    const Texts doubles = program("double x = smoothstep(0.lf, 1.lf, .5lf); gl_FragColor = vec4(float(x));");
+    expect_valid(doubles);
+    EXPECT_FALSE(translated(doubles).has(Stage::fragment, "snell_smoothstep"));
+    const Texts own = program("gl_FragColor = vec4(smoothstep(.5));", "float smoothstep(float x) { return x; }\n");
+    expect_valid(own);
+    EXPECT_FALSE(translated(own).has(Stage::fragment, "step(a, x)"));
+}
+
 TEST(GlslLegacy, RedeclaredBuiltInsAreDropped) {
     expect_valid(
         {{Stage::vertex,

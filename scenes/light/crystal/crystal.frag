@@ -21,8 +21,7 @@ uniform vec3 uBodyColor;
 uniform int uView;
 
 #if BEND == BEND_mesh
-uniform mat4 u_model_mat;
-uniform vec3 u_camera_position;
+uniform mat4 uModelViewerMatrix;
 #endif
 
 vec3 look( vec3 direction )
@@ -61,8 +60,8 @@ void main(void)
 #if BEND == BEND_mesh
     // In the teapot's own coordinates, which are rotated only. What was inside replaces the transmitted light, what was
     // not the mirrored light: their shares at the first surface remain FRESNEL's.
-    mat3 turn = mat3( u_model_mat );
-    vec3 eye = transpose( turn ) * ( u_camera_position - u_model_mat[3].xyz );
+    mat3 turn = mat3( uModelViewerMatrix );
+    vec3 eye = -transpose( turn ) * uModelViewerMatrix[3].xyz;
     SnellMesh s = snellMeshBegin( eye, transpose( turn ) * I, 1., n.g, true );
     vec3 inside = vec3( 0. ), outside = vec3( 0. );
     float shareInside = 0., shareOutside = 0.;

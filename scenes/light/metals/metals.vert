@@ -2,7 +2,7 @@
 
 uniform mat4 PVM;
 uniform mat4 M;
-uniform vec3 camWorldPos;
+uniform mat4 uModelViewerMatrix;
 
 in vec4 position;
 in vec4 normal;
@@ -15,7 +15,7 @@ void main()
 {
     vPosition = vec3( M * position );
     vNormal = vec3( M * normal );
-    vFromEye = vPosition - camWorldPos;
+    vFromEye = vec3( uModelViewerMatrix * position );
     vMetal = int( aColor.r + .5 );
     gl_Position = PVM * position;
 }

@@ -5,8 +5,8 @@ layout(location = 1) in vec3 i_normal;
 in vec2 aTexCoord0;
 
 uniform mat4 u_model_mat;
-uniform mat4 u_viewProj_mat;
-uniform vec3 u_camera_position;
+uniform mat4 u_modelViewProj_mat;
+uniform mat4 uModelViewerMatrix;
 uniform float uIndex;
 
 out vec3 v_position, v_normal, v_fromEye, v_inside;
@@ -14,11 +14,11 @@ out vec2 v_st;
 
 void main(void)
 {
-    vec4 world = u_model_mat * vec4( i_position, 1. );
-    v_position = world.xyz;
+    vec4 position = vec4( i_position, 1. );
+    v_position = vec3( u_model_mat * position );
     v_normal = mat3( u_model_mat ) * i_normal;
-    v_fromEye = v_position - u_camera_position;
+    v_fromEye = vec3( uModelViewerMatrix * position );
     v_inside = refract( normalize( v_fromEye ), normalize( v_normal ), 1. / uIndex );
     v_st = aTexCoord0;
-    gl_Position = u_viewProj_mat * world;
+    gl_Position = u_modelViewProj_mat * position;
 }

@@ -3,7 +3,7 @@
 // Everything is in world space, because the cube map is looked up in world space.
 uniform mat4 PVM;           // clip from the teapot's own coordinates
 uniform mat4 M;             // world from the teapot's own coordinates
-uniform vec3 camWorldPos;   // the eye
+uniform mat4 uModelViewerMatrix;    // as M, but relative to the eye
 
 in vec4 position;
 in vec4 normal;
@@ -19,6 +19,6 @@ void main()
 #else
     vNormal = vRightNormal;
 #endif
-    vFromEye = vec3( M * position ) - camWorldPos;
+    vFromEye = vec3( uModelViewerMatrix * position );
     gl_Position = PVM * position;
 }

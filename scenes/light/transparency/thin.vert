@@ -2,7 +2,7 @@
 
 uniform mat4 PVM;
 uniform mat4 M;
-uniform vec3 camWorldPos;
+uniform mat4 uModelViewerMatrix;
 
 in vec4 position;
 in vec4 normal;
@@ -39,7 +39,7 @@ bool wanted()
 void main()
 {
     vNormal = vec3( M * normal );
-    vFromEye = vec3( M * position ) - camWorldPos;
+    vFromEye = vec3( uModelViewerMatrix * position );
     vRing = aColor.r;
     gl_Position = wanted() ? PVM * position : vec4( 2., 2., 2., 1. );
 }

@@ -1,6 +1,6 @@
 // Without a #version line, this is GLSL 1.10 of 2004.
 uniform mat4 M;             // world from the object's own coordinates
-uniform vec3 camWorldPos;   // the eye, in world coordinates
+uniform mat4 uModelViewerMatrix;    // as M, but relative to the eye
 uniform float uLightX, uLightY, uLightZ;
 
 varying vec3 vIncident, vNormal, vReflected;
@@ -15,7 +15,7 @@ void main()
     vIncident = vec3( gl_ModelViewMatrix * gl_Vertex );
     vNormal = normalize( gl_NormalMatrix * gl_Normal );
 #else
-    vIncident = position - camWorldPos;
+    vIncident = vec3( uModelViewerMatrix * gl_Vertex );
     vNormal = normal;
 #endif
     vReflected = reflect( normalize( vIncident ), vNormal );

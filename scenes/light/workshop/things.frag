@@ -6,18 +6,16 @@
 uniform samplerCube uRoom, uIrradiance;
 uniform bool uScreen;       // otherwise for the cube map: sqrt(light / 4), so that 8 bits represent up to 4
 uniform float uExposure;
-uniform vec3 camWorldPos;
 
-in vec3 vPosition, vNormal;
+in vec3 vPosition, vNormal, vFromEye;
 flat in int vThing;
 
 out vec4 outColor;
 
-// The viewpoint is the ball for the cube map, and the eye for the screen.
 vec3 light()
 {
     vec3 N = normalize( vNormal );
-    vec3 I = normalize( vPosition - ( uScreen ? camWorldPos : vec3( 0. ) ) );
+    vec3 I = normalize( vFromEye );     // from the ball for the cube map, and from the eye for the screen
     vec3 look = snellBoxDirection( vPosition, reflect( I, N ), vec3( HALF_ROOM ), vec3( 0. ) );
     float c = clamp( -dot( I, N ), 0., 1. );
     if( vThing == SATELLITE )

@@ -4,13 +4,14 @@
 
 uniform mat4 PVM;
 uniform mat4 M;
+uniform mat4 uModelViewerMatrix;
 uniform float Timer;
 
 in vec4 position;
 in vec4 normal;
 in vec4 aColor;
 
-out vec3 vPosition, vNormal;
+out vec3 vPosition, vNormal, vFromEye;
 flat out int vThing;
 
 void main()
@@ -20,5 +21,6 @@ void main()
     vec4 own = vec4( place.xyz + place.w * position.xyz, 1. );
     vPosition = vec3( M * own );
     vNormal = vec3( M * normal );
+    vFromEye = vec3( uModelViewerMatrix * own );
     gl_Position = PVM * own;
 }

@@ -88,7 +88,8 @@ Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps
 }
 
 // Named ladders only, named knobs only, or everything that the scene has.
-std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, Diagnostics& diagnostics) {
+std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, bool software,
+                              Diagnostics& diagnostics) {
     if (options.from == "lattice") return lattice_sweep(plan.scene, plan.rungs, options.ladders, diagnostics);
     const From from = options.from == "scene" ? From::scene : From::reference;
     std::vector<Sweep> sweeps;
@@ -99,7 +100,7 @@ std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, 
                                diagnostics);
     std::vector<std::string> knobs = options.knobs;
     if (knobs.empty() && options.ladders.empty()) knobs.assign(knob_names.begin(), knob_names.end());
-    for (Sweep& sweep : knob_sweeps(plan.scene, plan.rungs, knobs, from, diagnostics))
+    for (Sweep& sweep : knob_sweeps(plan.scene, plan.rungs, knobs, from, software, diagnostics))
         sweeps.push_back(std::move(sweep));
     return sweeps;
 }
@@ -170,8 +171,8 @@ struct Subject {
     bool measurable = false;
 };
 
-// Prints the problems of the scene.
-std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options) {
+// Prints the problems of the scene. `software`: the renderer that will draw it.
+std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOptions& options, bool software) {
     auto subject = std::make_unique<Subject>();
     subject->path = path;
     subject->files = std::make_unique<Files>(scene_folder(path), options.access);
@@ -181,7 +182,7 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
         subject->read = used_files(subject->plan, subject->sources, *subject->files);
         for (const std::string& choice : options.choices)
             choose_rung(subject->plan.rungs, subject->plan.scene, choice, diagnostics);
-        subject->sweeps = sweeps_for(options, subject->plan, diagnostics);
+        subject->sweeps = sweeps_for(options, subject->plan, software, diagnostics);
     }
     fmt::print(stderr, "{}", snell::render(diagnostics, subject->sources));
     const bool readable = !subject->plan.rungs.empty() || !diagnostics.has_errors();
@@ -298,7 +299,7 @@ Exit accuracy(const AccuracyOptions& options) {
     Work work;
     for (const std::string& path : options.scenes) {
         deadline.begin(fmt::format("reading '{}'", path));
-        auto subject = read_subject(path, options);
+        auto subject = read_subject(path, options, caps.software);
         errors = errors || subject->errors;
         read.insert(read.end(), subject->read.begin(), subject->read.end());
         if (!subject->measurable) continue;

@@ -45,6 +45,32 @@ Float3 point(const Mesh& mesh, std::uint32_t v) {
     return p;
 }
 
+struct Frame {
+    Float3 origin{};
+    float scale = 1;
+
+    Float3 from_model(const Float3& p) const {
+        Float3 out;
+        for (std::size_t k = 0; k < 3; ++k) out[k] = static_cast<float>((double{p[k]} - origin[k]) * double{scale});
+        return out;
+    }
+};
+
+Frame frame_of(const Bounds& box) {
+    Frame frame;
+    double half = 0, farthest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        half = std::max(half, double{box.high[k]} / 2 - double{box.low[k]} / 2);
+        frame.origin[k] = box.low[k] / 2 + box.high[k] / 2;
+        farthest = std::max(farthest, std::abs(double{frame.origin[k]}));
+    }
+    // Nearer, the difference would round more than it saves.
+    if (!(farthest > 2 * half)) frame.origin = {};
+    // Of a single point, no scale is better than another. Beyond 126 a power of two or its inverse is not a float.
+    if (half > 0 && std::isfinite(half)) frame.scale = std::ldexp(1.0F, std::clamp(-std::ilogb(half), -126, 126));
+    return frame;
+}
+
 bool usable(const Mesh& mesh, const Corners& corners) {
     return std::ranges::all_of(corners, [&](std::uint32_t v) {
         return v < mesh.positions.size() &&
@@ -96,9 +122,13 @@ public:
         boxes_.resize(triangles_.size());
         middles_.resize(triangles_.size());
         order_.resize(triangles_.size());
+        Bounds all;
+        for (const Corners& corners : triangles_)
+            for (std::uint32_t v : corners) all.add(point(mesh_, v));
+        if (!triangles_.empty()) frame_ = frame_of(all);
         std::iota(order_.begin(), order_.end(), 0U);
         for (std::size_t t = 0; t < triangles_.size(); ++t) {
-            for (std::uint32_t v : triangles_[t]) boxes_[t].add(point(mesh_, v));
+            for (std::uint32_t v : triangles_[t]) boxes_[t].add(frame_.from_model(point(mesh_, v)));
             for (std::size_t k = 0; k < 3; ++k) middles_[t][k] = boxes_[t].low[k] / 2 + boxes_[t].high[k] / 2;
         }
     }
@@ -106,10 +136,11 @@ public:
     Tree build() {
         tree_.nodes.reserve(triangles_.size() * 2);
         split(0, triangles_.size(), 1);
+        tree_.nodes.push_back({frame_.origin[0], frame_.origin[1], frame_.origin[2], frame_.scale});
         tree_.triangles.reserve(triangles_.size() * 3);
         for (std::uint32_t t : order_)
             for (std::uint32_t v : triangles_[t]) {
-                const Float3 p = point(mesh_, v);
+                const Float3 p = frame_.from_model(point(mesh_, v));
                 tree_.triangles.push_back({p[0], p[1], p[2], static_cast<float>(v)});
             }
         return std::move(tree_);
@@ -196,6 +227,7 @@ private:
     std::vector<Bounds> boxes_;
     std::vector<Float3> middles_;
     std::vector<std::uint32_t> order_;
+    Frame frame_;
     Tree tree_;
 };
 

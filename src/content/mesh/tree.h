@@ -19,7 +19,10 @@ struct Tree {
     // Two texels for each node, the root first: (low corner of the box, link) and (high corner, kind). If kind > 0, the
     // node is a leaf of that many triangles, and `link` is the first of them. Otherwise it has two children, separated
     // along the axis -kind - 1: the lower one is the next node, the other is `link`. A node without triangles has an
-    // inverted box.
+    // inverted box. The last texel is the tree's frame: its origin in the model, and its scale. All coordinates here
+    // are (model - origin) * scale, so that the mesh lies around 0 with a size near 1 and float rounding is relative to
+    // its size. The origin is 0 for a mesh that lies near the model's. The scale is a power of two, which rounds
+    // nothing.
     std::vector<Float4> nodes;
     // Three texels for each triangle, in the order of the leaves: each has a corner (counter-clockwise seen from
     // outside) and the number of its vertex in the mesh.

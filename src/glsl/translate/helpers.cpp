@@ -1,4 +1,5 @@
-// Functions that core profiles lack, declared where they are called.
+// Functions that core profiles lack, or leave undefined where a result is expected: declared where they are called.
+// A text that was translated before declares them already.
 #include <algorithm>
 
 #include "src/glsl/translate/program.h"
@@ -36,6 +37,21 @@ std::string noise_function(int n, int argument) {
     return text + (n > 1 ? "); }\n" : "; }\n");
 }
 
+// A step where both edges are the same: OpenGL leaves it undefined, and drivers divide 0 by 0.
+std::string smoothstep_function(std::string_view edge, std::string_view type) {
+    const std::string t(type), e(edge), same = type == "float" ? "a == b" : "equal(" + t + "(a), " + t + "(b))";
+    return t + " snell_smoothstep(" + e + " a, " + e + " b, " + t + " x) { return " +
+           (type == "float" ? same + " ? step(a, x) : smoothstep(a, b, x)"
+                            : "mix(smoothstep(a, b, x), step(a, x), " + same + ")") +
+           "; }\n";
+}
+
+bool has_doubles(const Unit& u) {
+    return std::ranges::any_of(u.tokens, [](const Token& t) {
+        return t.text == "double" || t.text.starts_with("dvec") || t.text.ends_with("lf") || t.text.ends_with("LF");
+    });
+}
+
 }  // namespace
 
 // Calls of a function go to ours; false if there are none, or the function is the user's own.
@@ -58,6 +74,11 @@ void provide_helpers(const Target& target, Unit& u) {
         declared = true;
         for (int argument = 0; argument < 4; ++argument) u.header += noise_function(n, argument);
     }
+    if (!has_doubles(u) && !user_function(u, "snell_smoothstep") && redirect(u, "smoothstep"))
+        for (const std::string_view type : arguments) {
+            u.header += smoothstep_function(type, type);
+            if (type != "float") u.header += smoothstep_function("float", type);
+        }
     if (target.es && target.version < 320 && redirect(u, "fma"))
         for (const std::string_view type : arguments) {
             const std::string t(type);

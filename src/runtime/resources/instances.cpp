@@ -30,6 +30,7 @@ bool of_the_model(System system) {
         case System::model:
         case System::model_inverse:
         case System::model_normal_matrix:
+        case System::model_viewer:
         case System::normal_scale:
             return true;
         default:

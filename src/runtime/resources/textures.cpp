@@ -22,6 +22,13 @@ bool mipmapped(const Filter& filter) {
     return filter.mode == Filter::Mode::mipmap || filter.mode == Filter::Mode::anisotropic;
 }
 
+// Mesa's software renderers keep the samples of an anisotropic footprint within one face of a cube map, and wrap them
+// around at its edges: dots with errors of up to a quarter of the range (tests/runtime/hard_places.cpp).
+Filter usable(Filter filter, bool cube, const gl::Caps& caps) {
+    if (cube && caps.software && filter.mode == Filter::Mode::anisotropic) filter.mode = Filter::Mode::mipmap;
+    return filter;
+}
+
 // The texture itself only needs the right number of levels; sampler objects decide about filters and wrapping.
 gl::Sampling storage(const Texture& declared, const GpuTexture& gpu) {
     gl::Sampling result = sampling(declared.filter, declared.target == TextureTarget::cube);
@@ -193,6 +200,11 @@ std::shared_ptr<GpuTexture> Textures::take_or_make(const Identity& identity, con
 
 GpuTexture Textures::make(Index texture) {
     const Texture& declared = scene_->textures[texture];
+    const bool cube = declared.target == TextureTarget::cube;
+    if (usable(declared.filter, cube, *caps_) != declared.filter)
+        diagnostics_->warning("cube-anisotropy", declared.span,
+                              "this OpenGL filters cube maps anisotropically with errors at the edges of their faces",
+                              "'Filter mipmap' is used instead");
     if (declared.computed != Computed::no) return make_computed(declared);
     if (declared.files.empty()) return make_empty(declared);
     return declared.target == TextureTarget::cube ? make_cube(declared, texture) : make_from_image(declared, texture);
@@ -366,7 +378,7 @@ const gl::Black& Textures::nothing(std::string_view sampler) {
 
 GLuint Textures::sampler(const Filter& filter, bool clamp, bool cube) {
     auto& sampler = samplers_[{static_cast<int>(filter.mode), filter.anisotropy, clamp, cube}];
-    if (!sampler) sampler = gl::make_sampler(sampling(filter, clamp), cube);
+    if (!sampler) sampler = gl::make_sampler(sampling(usable(filter, cube, *caps_), clamp), cube);
     return sampler.get();
 }
 

@@ -57,7 +57,8 @@ enum class Product : std::uint8_t {
     texture,
     model,
     view,
-    view_projection
+    view_projection,
+    model_viewer
 };
 enum class Form : std::uint8_t { plain, inverse, transpose, inverse_transpose };
 
@@ -89,11 +90,18 @@ constexpr MatrixUniform matrix_uniforms[]{
     {System::view, Product::view, Form::plain},
     {System::view_inverse, Product::view, Form::inverse},
     {System::view_projection, Product::view_projection, Form::plain},
+    {System::model_viewer, Product::model_viewer, Form::plain},
 };
 
 const MatrixUniform* matrix_uniform(System system) {
     const auto* found = std::ranges::find(matrix_uniforms, system, &MatrixUniform::system);
     return found == std::end(matrix_uniforms) ? nullptr : found;
+}
+
+// In world coordinates. The scene transformation comes after eye coordinates, so it moves the viewer.
+glm::dvec3 viewer(const DrawContext& c) {
+    const glm::dvec4 eye = inverse(c.scene * c.view) * glm::dvec4(0, 0, 0, 1);
+    return glm::dvec3(eye) / eye.w;
 }
 
 glm::dmat4 product(Product which, const DrawContext& c) {
@@ -112,6 +120,8 @@ glm::dmat4 product(Product which, const DrawContext& c) {
             return c.view;
         case Product::view_projection:
             return c.projection * c.view;
+        case Product::model_viewer:
+            return glm::translate(glm::dmat4(1), -viewer(c)) * c.model;
     }
     return glm::dmat4(1);
 }
@@ -141,7 +151,7 @@ void append_value(Floats& out, System system, const DrawContext& c, int size) {
         case System::model_normal_matrix:
             return append(out, normal_matrix(c.model));
         case System::camera_position:
-            return append(out, inverse(c.view) * origin);
+            return append(out, glm::dvec4(viewer(c), 1));
         case System::viewer_position_eye:
             return append(out, inverse(c.scene) * origin);
         case System::normal_scale:

@@ -1,5 +1,6 @@
 // Every shipped scene: clean, the same at every draw, finite wherever its sliders are, and with no idle control.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <map>
 #include <random>
 
+#include "tests/hard_case.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {
@@ -46,10 +48,36 @@ protected:
         document->runtime->draw({0.0, view, document->controls}, {target.framebuffer.get(), size, size});
         return gl::read_rgba32f(target.framebuffer.get(), size, size, 1);
     }
-    void expect_finite(const std::string& where) {
-        const std::vector<float> all = values();
-        const auto bad = std::count_if(all.begin(), all.end(), [](float v) { return !std::isfinite(v); });
-        EXPECT_EQ(bad, 0) << where;
+    static double not_finite(const std::vector<float>& all) {
+        return static_cast<double>(std::ranges::count_if(all, [](float v) { return !std::isfinite(v); }));
+    }
+    void expect_finite(const std::string& where) { EXPECT_EQ(not_finite(values()), 0) << where; }
+    std::vector<float> values(int side, int samples, const View& view, double time) {
+        const gl::Target other = gl::make_target(side, side, samples, gl::Pixels::rgba32f);
+        document->runtime->draw({time, view, document->controls}, {other.framebuffer.get(), side, side});
+        return gl::read_rgba32f(other.framebuffer.get(), side, side, other.samples);
+    }
+
+    // Pixels that are not finite, over all four corners of every pair of controls. Ten pictures do for 126 controls:
+    // in picture k a control has bit k of its number, which has five ones of ten, the last bit zero. Two such numbers
+    // have each of 00, 01, 10 and 11 somewhere.
+    double corners() {
+        std::vector<unsigned> numbers;
+        for (unsigned n = 0; n < 512; ++n)
+            if (std::popcount(n) == 5) numbers.push_back(n);
+        const std::vector<Control> before = document->controls.items;
+        double bad = 0;
+        for (unsigned picture = 0; picture < 10; ++picture) {
+            std::size_t next = 0;
+            for (Control& control : document->controls.items) {
+                if (control.widget == Widget::none) continue;
+                EXPECT_LT(next, numbers.size());
+                set(control, (numbers[next++ % numbers.size()] >> picture & 1) != 0);
+            }
+            bad += not_finite(values(16, 1, {}, 0));
+        }
+        document->controls.items = before;
+        return bad;
     }
     // Anywhere in its range.
     void scatter(Control& control) {
@@ -83,6 +111,51 @@ protected:
         }
     }
 
+    // Hard cases of the scene as it is opened.
+    void look_from_hard_places() {
+        const std::array<Vec3, 3> at = document->scene().cameras.back().look_at.value_or(std::array<Vec3, 3>{});
+        const double distance = std::hypot(at[0][0] - at[1][0], at[0][1] - at[1][1], at[0][2] - at[1][2]);
+        double bad = 0, off = 0;
+        for (const double from : {0., .5, 1., 1.000001}) {  // of the ball of radius 1 that most scenes look at
+            View near;
+            near.eye.z = distance - from;
+            bad += not_finite(values(size, 1, near, 0));
+        }
+        hard_case({"A47", "eyes in the middle of the ball, in it and on it, in every shipped scene",
+                   "values not finite", 0, bad, std::nullopt});
+        hard_case({"A51", "every shipped scene at times of 1e9 and -5 s", "values not finite", 0,
+                   not_finite(values(size, 1, {}, 1e9)) + not_finite(values(size, 1, {}, -5)), std::nullopt});
+        // Each sample is in the range of the light, so that the mean over the picture stays.
+        const std::vector<float> one = values(size, 1, {}, 0), eight = values(size, 8, {}, 0);
+        for (std::size_t i = 0; i < one.size(); ++i)
+            off += static_cast<double>(eight[i] - one[i]) / static_cast<double>(one.size());
+        hard_case({"A50", "eight samples a pixel in every shipped scene: the light in the picture is the same", "of 1",
+                   .02, std::abs(off), std::nullopt});
+    }
+
+    // Pixels of the picture drawn in four tiles that are not those of the picture drawn at once.
+    double differing_in_tiles() {
+        const std::vector<float> whole = values();
+        const gl::Target tile = gl::make_target(size / 2, size / 2, 1, gl::Pixels::rgba32f);
+        const View view;
+        double differing = 0;
+        for (int bottom : {0, size / 2})
+            for (int left : {0, size / 2}) {
+                Surface surface{tile.framebuffer.get(), size, size};
+                surface.part = {left, bottom, size / 2, size / 2};
+                document->runtime->draw({0.0, view, document->controls}, surface);
+                const auto part = gl::read_rgba32f(tile.framebuffer.get(), size / 2, size / 2, 1);
+                for (int y = 0; y < size / 2; ++y) {
+                    const int row = size - bottom - size / 2 + y;
+                    for (int x = 0; x < 2 * size; ++x) {
+                        const float one = whole[static_cast<std::size_t>((row * size + left) * 4 + x)];
+                        differing += std::abs(one - part[static_cast<std::size_t>(y * 2 * size + x)]) > 2 / 255.F;
+                    }
+                }
+            }
+        return differing / 4;
+    }
+
     static constexpr int size = 32;
     std::map<std::string, bool> controls;  // whether it does something
     std::unique_ptr<Document> document;
@@ -113,6 +186,12 @@ TEST_P(ShippedScene, IsCleanRepeatableAndFinite) {
         for (Control& control : document->controls.items) scatter(control);
         expect_finite("a random combination");
     }
+    for (Control& control : document->controls.items) control.value = control.initial;
+    hard_case({"A48", "all corners of every pair of sliders of every shipped scene", "values not finite", 0, corners(),
+               std::nullopt});
+    look_from_hard_places();
+    hard_case({"A52", "every shipped scene drawn in tiles, but for a vertex between two points of the driver's grid",
+               "pixels that differ", 2, differing_in_tiles(), std::nullopt});
 }
 
 // Each rung once, at some place of the sliders that it has. Every control matters on some rung.
@@ -120,6 +199,7 @@ TEST_P(ShippedScene, IsFiniteOnEveryRungAndHasNoIdleControl) {
     const std::vector<Ladder>& ladders = document->scene().ladders;
     const Rungs marked = document->runtime->rungs();
     find_idle();
+    double bad = 0;
     for (std::size_t ladder = 0; ladder < ladders.size(); ++ladder)
         for (std::size_t rung = 0; rung < ladders[ladder].rungs.size(); ++rung) {
             if (rung == marked[ladder]) continue;
@@ -130,9 +210,30 @@ TEST_P(ShippedScene, IsFiniteOnEveryRungAndHasNoIdleControl) {
             EXPECT_TRUE(document->runtime->ladder_problems().items().empty()) << name;
             for (Control& control : document->controls.items) scatter(control);
             expect_finite(name + ", sliders anywhere");
+            bad += corners();
+            EXPECT_EQ(bad, 0) << name << ", corners of sliders";
             find_idle();
         }
+    hard_case({"A49", "every rung of every shipped scene at all corners of every pair of sliders", "values not finite",
+               0, bad, std::nullopt});
     for (const auto& [name, matters] : controls) EXPECT_TRUE(matters) << name << " does nothing";
+}
+
+class ShippedSceneEs : public ShippedScene {};
+
+TEST_P(ShippedSceneEs, IsThatOfOpenGl) {
+    const std::vector<float> core = values();
+    target = {};
+    document.reset();
+    context.reset();
+    request = {32, true, false, true};
+    ShippedScene::SetUp();
+    EXPECT_FALSE(document->diagnostics.has_errors()) << render(document->diagnostics, document->sources);
+    const std::vector<float> es = values();
+    double differing = 0;
+    for (std::size_t i = 0; i < es.size(); ++i) differing += !(std::abs(es[i] - core[i]) <= 2 / 255.F);
+    hard_case({"A56", "every shipped scene in OpenGL ES 3.2 is the one of OpenGL", "of the values differ", .01,
+               differing / static_cast<double>(es.size()), std::nullopt});
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& info) {
@@ -143,6 +244,7 @@ std::string test_name(const testing::TestParamInfo<std::string>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_scenes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedSceneEs, testing::ValuesIn(shipped_scenes()), test_name);
 
 }  // namespace
 }  // namespace snell::test
