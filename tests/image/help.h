@@ -26,6 +26,10 @@ class Bytes {
 public:
     Bytes& text(std::string_view t) { return bytes_ += t, *this; }
     Bytes& u8(std::uint32_t v) { return bytes_ += static_cast<char>(v), *this; }
+    Bytes& list(std::initializer_list<std::uint32_t> values) {
+        for (const std::uint32_t v : values) u8(v);
+        return *this;
+    }
     Bytes& u16(std::uint32_t v) { return u8(v & 255).u8(v >> 8 & 255); }
     Bytes& u32(std::uint32_t v) { return u16(v & 65535).u16(v >> 16); }
     Bytes& i32(std::int32_t v) { return u32(static_cast<std::uint32_t>(v)); }
