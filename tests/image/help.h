@@ -98,14 +98,7 @@ Image paint(int width, int height, int channels, PixelType type, const Value& va
     return image;
 }
 
-inline std::string slurp(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-inline ImageResult read_file(const std::filesystem::path& path) { return decode_image(path.string(), slurp(path)); }
+inline ImageResult read_file(const std::filesystem::path& path) { return decode_image(path.string(), bytes_of(path)); }
 
 // A folder of its own for each test, gone afterwards.
 class ScratchFolder : public ::testing::Test {
