@@ -4,6 +4,7 @@
 #include <clocale>
 #include <cstdlib>
 #include <string>
+#include <tuple>
 
 #include "tests/scratch.h"
 
@@ -12,10 +13,15 @@ namespace snell {
 class DecimalComma {
 public:
     DecimalComma() {
-        const std::string made = folder_.path("de_DE.UTF-8");
-        if (std::system(("localedef -i de_DE -f UTF-8 '" + made + "' >/dev/null 2>&1").c_str()) != 0) return;
+        std::string text = "LC_NUMERIC\ndecimal_point \",\"\nthousands_sep \".\"\ngrouping 3;3\nEND LC_NUMERIC\n";
+        for (const std::string category : {"LC_CTYPE", "LC_COLLATE", "LC_MONETARY", "LC_TIME", "LC_MESSAGES"})
+            text += category + "\ncopy \"POSIX\"\nEND " + category + "\n";
+        const std::string from = folder_.write("comma.txt", text), made = folder_.path("comma");
+        // It warns of further categories, which nobody needs.
+        std::ignore =
+            std::system(("localedef -i '" + from + "' -f ANSI_X3.4-1968 '" + made + "' >/dev/null 2>&1").c_str());
         setenv("LOCPATH", folder_.path().c_str(), 1);
-        holds_ = std::setlocale(LC_ALL, "de_DE.UTF-8") && *std::localeconv()->decimal_point == ',';
+        holds_ = std::setlocale(LC_ALL, "comma") && *std::localeconv()->decimal_point == ',';
     }
     ~DecimalComma() {
         std::setlocale(LC_ALL, "C");

@@ -1,8 +1,9 @@
-// A folder of its own for a test, gone afterwards.
+// Files of tests: a folder of its own for a test, gone afterwards, and what a file holds.
 #pragma once
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -10,6 +11,12 @@
 #include <stdlib.h>
 
 namespace snell {
+
+// The whole file; empty if it is not there.
+inline std::string bytes_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
 class Scratch {
 public:

@@ -52,11 +52,6 @@ TEST(EditorCommand, VisualGoesBeforeEditor) {
     unsetenv("VISUAL");
 }
 
-std::string read(const std::string& path) {
-    std::ifstream in(path);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 template <typename Condition>
 bool soon(Condition condition) {
     for (int i = 0; i < 500; ++i) {
@@ -83,7 +78,7 @@ TEST(Editor, StartsBesideTheWindowWithNamesThatAShellWouldTakeForCommands) {
     EXPECT_EQ(started.error, "");
     EXPECT_EQ(started.program, folder.path("code"));
     ASSERT_TRUE(soon([&] { return std::filesystem::exists(folder.path("told")); }));
-    EXPECT_EQ(read(folder.path("told")), "--wait\n--goto\n" + file + ":7:1\n");
+    EXPECT_EQ(bytes_of(folder.path("told")), "--wait\n--goto\n" + file + ":7:1\n");
     EXPECT_FALSE(std::filesystem::exists("made"));
 }
 

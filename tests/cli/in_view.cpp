@@ -16,7 +16,7 @@ protected:
         const std::string size = arguments.find("--size") == std::string::npos ? "--size 64x48 " : "";
         return snell("render " + size + folder.path("s.glib") + " -o '" + folder.path(to) + "' " + arguments);
     }
-    static bool warns(const Outcome& outcome) { return outcome.output.find("[nothing-in-view]") != std::string::npos; }
+    static bool warns(const Outcome& outcome) { return outcome.says("[nothing-in-view]"); }
     // The option that the warning names is tried: the warning is gone, and the picture is another.
     void expect_mended(const std::string& text, const std::string& arguments = {}) {
         const Outcome first = render(text, arguments);
@@ -60,18 +60,17 @@ TEST_F(InView, NothingIsPromisedThatDoesNotShow) {
     folder.write("gone.frag", "void main() { discard; }\n");
     const Outcome gone = render("Translate 0 0 -5\nFragment gone.frag\nProgram P\nBox\n");
     EXPECT_TRUE(warns(gone));
-    EXPECT_EQ(gone.output.find("--view"), std::string::npos) << gone.output;
+    EXPECT_FALSE(gone.says("--view")) << gone.output;
     EXPECT_EQ(gone.status, 0);
 }
 
 TEST_F(InView, ASceneWithoutDrawsHasItsOwnWord) {
     const Outcome none = render("LookAt 0 0 4\n");
-    EXPECT_NE(none.output.find("the scene draws nothing [nothing-drawn]"), std::string::npos) << none.output;
+    EXPECT_TRUE(none.says("the scene draws nothing [nothing-drawn]")) << none.output;
     const Outcome elsewhere = render("Texture2D 5 8 8\nRenderToTexture 5\nTranslate 0 0 -5\nBox\n");
-    EXPECT_NE(elsewhere.output.find("nothing is drawn to the window [nothing-drawn]"), std::string::npos)
-        << elsewhere.output;
+    EXPECT_TRUE(elsewhere.says("nothing is drawn to the window [nothing-drawn]")) << elsewhere.output;
     const Outcome broken = render("LookAt 0 0 4\nSpher 1\n");
-    EXPECT_EQ(broken.output.find("nothing-drawn"), std::string::npos) << "the error says it";
+    EXPECT_FALSE(broken.says("nothing-drawn")) << "the error says it";
 }
 
 // Parts of a large picture are asked together.

@@ -52,18 +52,17 @@ protected:
         folder.write("s.glib", text);
         const Outcome outcome = render("");
         EXPECT_EQ(outcome.status, 0) << outcome.output;
-        EXPECT_NE(outcome.output.find("[" + code + "]"), std::string::npos) << outcome.output;
-        EXPECT_EQ(outcome.output.find("before they are clamped"), std::string::npos) << outcome.output;
+        EXPECT_TRUE(outcome.says("[" + code + "]")) << outcome.output;
+        EXPECT_FALSE(outcome.says("before they are clamped")) << outcome.output;
     }
     // An error; the rest is drawn, and nothing of it is no number.
     void expect_refused(const std::string& text) {
         folder.write("s.glib", text);
         const Outcome outcome = render("");
         EXPECT_EQ(outcome.status, 1) << text << outcome.output;
-        const bool told = outcome.output.find("[not-finite]") != std::string::npos ||
-                          outcome.output.find("[number-too-large]") != std::string::npos;
+        const bool told = outcome.says("[not-finite]") || outcome.says("[number-too-large]");
         EXPECT_TRUE(told) << text << outcome.output;
-        EXPECT_EQ(outcome.output.find("before they are clamped"), std::string::npos) << outcome.output;
+        EXPECT_FALSE(outcome.says("before they are clamped")) << outcome.output;
     }
 
     static constexpr const char* settable = "Fragment a.frag\nProgram P uA <0. .5 1.>\nQuadXY 0. 2.\n";

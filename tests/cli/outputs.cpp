@@ -3,9 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "src/content/image/image.h"
-#include "tests/cli/run.h"
-#include "tests/harness/harness.h"
+#include "tests/cli/command.h"
 
 namespace snell::test {
 
@@ -13,11 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Outputs : public testing::Test {
+class Outputs : public CommandTest {
 protected:
     void SetUp() override {
-        std::string error;
-        if (!HeadlessContext::make({}, error)) GTEST_SKIP() << "no graphics: " << error;
+        CommandTest::SetUp();
+        if (IsSkipped()) return;
         folder.write("way.frag",
                      "uniform float uA;\nvoid main() {\n#if WAY == WAY_dark\n  gl_FragColor = vec4(uA);\n#else\n"
                      "  gl_FragColor = vec4(.4);\n#endif\n}\n");
@@ -34,14 +32,10 @@ protected:
     Outcome measure(const std::string& outputs) const {
         return in_folder("accuracy s.glib --ladders WAY --knobs samples --no-time --size 8x8 " + outputs);
     }
-    static bool says(const Outcome& outcome, const std::string& text) {
-        return outcome.output.find(text) != std::string::npos;
-    }
     bool there(const std::string& name) const { return fs::exists(folder.path(name)); }
 
     const std::string scene =
         "Ladder WAY dark <light>\nOrtho -1 1 -1 1\nFragment way.frag\nProgram P uA <0. .5 1.>\nQuadXY 0 .5\n";
-    Folder folder;
 };
 
 TEST_F(Outputs, OfAccuracyAreLookedAtBeforeItMeasures) {
@@ -50,9 +44,9 @@ TEST_F(Outputs, OfAccuracyAreLookedAtBeforeItMeasures) {
         for (const std::string place : {"none/r", "out"}) {
             const Outcome refused = measure(other + " " + option + " " + place);
             EXPECT_EQ(refused.status, 1) << option << ' ' << refused.output;
-            EXPECT_TRUE(says(refused, place == "out" ? "not a regular file" : "there is no folder none"))
+            EXPECT_TRUE(refused.says(place == "out" ? "not a regular file" : "there is no folder none"))
                 << refused.output;
-            EXPECT_FALSE(says(refused, "RMSE")) << option << " was measured: " << refused.output;
+            EXPECT_FALSE(refused.says("RMSE")) << option << " was measured: " << refused.output;
         }
         EXPECT_FALSE(there("out/other")) << option;
     }
@@ -87,7 +81,7 @@ TEST_F(Outputs, NoFileThatASceneReadsIsOverwritten) {
         for (const std::string& command : commands) {
             const Outcome refused = in_folder(command);
             EXPECT_EQ(refused.status, 2) << command << ": " << refused.output;
-            EXPECT_TRUE(says(refused, "is read, and would be overwritten")) << command << ": " << refused.output;
+            EXPECT_TRUE(refused.says("is read, and would be overwritten")) << command << ": " << refused.output;
         }
         EXPECT_EQ(bytes_of(folder.path(name)), text) << name;
     }
@@ -102,7 +96,7 @@ TEST_F(Outputs, OneFileThroughADanglingLinkIsRefused) {
          {"--json l1 --csv notyet.csv", "--csv notyet.csv --json link/l2", "-o l1 --svg out/l2"}) {
         const Outcome refused = measure(same);
         EXPECT_EQ(refused.status, 2) << same << ": " << refused.output;
-        EXPECT_FALSE(says(refused, "RMSE")) << same << " was measured";
+        EXPECT_FALSE(refused.says("RMSE")) << same << " was measured";
     }
     EXPECT_FALSE(there("notyet.csv"));
     EXPECT_EQ(measure("--csv out/l2").status, 0);
@@ -118,8 +112,8 @@ TEST_F(Outputs, WhereNoFileCanBeMadeIsRefusedBeforeItMeasures) {
         for (const std::string place : {"/proc/x.html", "a"}) {
             const Outcome refused = measure(option + " " + place);
             EXPECT_EQ(refused.status, 1) << option << ' ' << refused.output;
-            EXPECT_TRUE(says(refused, "cannot write '" + place + "': " + place + ": ")) << refused.output;
-            EXPECT_FALSE(says(refused, "RMSE")) << option << " was measured: " << refused.output;
+            EXPECT_TRUE(refused.says("cannot write '" + place + "': " + place + ": ")) << refused.output;
+            EXPECT_FALSE(refused.says("RMSE")) << option << " was measured: " << refused.output;
         }
     EXPECT_TRUE(fs::is_symlink(folder.path("a")));
     for (const std::string option : {"-o", "--json", "--csv", "--markdown", "--svg"})
@@ -136,7 +130,7 @@ TEST_F(Outputs, OneFileForTwoReportsIsRefused) {
              "--json s.glib", "--csv ../" + fs::path(folder.path()).filename().string() + "/s.glib"}) {
         const Outcome refused = measure(same);
         EXPECT_EQ(refused.status, 2) << same << ": " << refused.output;
-        EXPECT_FALSE(says(refused, "RMSE")) << same << " was measured";
+        EXPECT_FALSE(refused.says("RMSE")) << same << " was measured";
     }
     for (const char* name : {"same", "out/same", "p.svg", "p-2.svg"}) EXPECT_FALSE(there(name)) << name;
     EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
@@ -151,7 +145,7 @@ TEST_F(Outputs, AReportThatFailsCostsNoOther) {
                              "/snell accuracy s.glib --ladders WAY --no-time --size 64x64 -o r.html "
                              "--json r.json --csv r.csv --svg r.svg --markdown r.md");
     EXPECT_EQ(full.status, 1) << full.output;
-    EXPECT_TRUE(says(full, "cannot write 'r.html': ")) << full.output;
+    EXPECT_TRUE(full.says("cannot write 'r.html': ")) << full.output;
     EXPECT_FALSE(there("r.html"));
     EXPECT_TRUE(nlohmann::json::accept(bytes_of(folder.path("r.json"))));
     for (const char* name : {"r.csv", "r.svg", "r.md"}) EXPECT_GT(bytes_of(folder.path(name)).size(), 50U) << name;

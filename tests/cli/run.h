@@ -7,15 +7,17 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
+#include <string_view>
+
+#include "tests/scratch.h"
 
 namespace snell::test {
 
 struct Outcome {
     int status = -1;
     std::string output;  // both streams
+    bool says(std::string_view text) const { return output.find(text) != std::string::npos; }
 };
 
 // Seconds that processors spent on the processes that were run and have ended: unlike the wall's time, it does not
@@ -51,11 +53,6 @@ inline double cost_of(const std::string& arguments) {
         best = std::min(best, processor_seconds() - before);
     }
     return best;
-}
-
-inline std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace snell::test

@@ -10,9 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "src/content/image/image.h"
-#include "tests/cli/run.h"
-#include "tests/harness/harness.h"
+#include "tests/cli/command.h"
 
 namespace snell::test {
 
@@ -20,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class CliSweep : public testing::Test {
+class CliSweep : public CommandTest {
 protected:
     void SetUp() override {
-        std::string error;
-        if (!HeadlessContext::make({}, error)) GTEST_SKIP() << "no graphics: " << error;
+        CommandTest::SetUp();
+        if (IsSkipped()) return;
         folder.write("plain.vert", plain_vertex);
         folder.write("mix.frag",
                      "uniform float uEta, uMix;\nuniform vec3 uColor;\nuniform float Timer;\nvoid main() {\n"
@@ -40,7 +38,6 @@ protected:
                      "mix.frag\nProgram Mix " +
                          values + "\nQuadXY\n");
     }
-    std::string at(const std::string& name) const { return folder.path(name); }
     // "sweep GOOD ARGUMENTS --size 8x8", with {} for the folder.
     Outcome sweep(const std::string& arguments) const {
         return snell("sweep " + at("good.glib") + " --size 8x8 " + arguments);
@@ -53,7 +50,6 @@ protected:
         return found;
     }
     nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(bytes_of(at(name))); }
-    Folder folder;
 };
 
 TEST_F(CliSweep, EveryPictureIsThatOfRenderWithItsValues) {
@@ -79,9 +75,9 @@ TEST_F(CliSweep, EveryPictureIsThatOfRenderWithItsValues) {
               " --set uMix=" + picture["values"]["uMix"].dump() + " -o " + at("one.png"));
         EXPECT_EQ(bytes_of(at("one.png")), bytes_of(picture["file"])) << picture["file"];
     }
-    const auto pixel = content::decode_image(at("out/2_0.5.png"), bytes_of(at("out/2_0.5.png")));
-    EXPECT_NEAR(std::to_integer<int>(pixel.image->pixels[0]), 128, 1);
-    EXPECT_NEAR(std::to_integer<int>(pixel.image->pixels[1]), 51, 1);
+    const auto pixel = picture("out/2_0.5.png");
+    EXPECT_NEAR(std::to_integer<int>(pixel.pixels.at(0)), 128, 1);
+    EXPECT_NEAR(std::to_integer<int>(pixel.pixels.at(1)), 51, 1);
 }
 
 TEST_F(CliSweep, TimeAndRungsVaryToo) {
@@ -101,10 +97,10 @@ TEST_F(CliSweep, TimeAndRungsVaryToo) {
 TEST_F(CliSweep, ComponentsOfVectorsVary) {
     EXPECT_EQ(sweep("--over uColor.g=0,1 --ladder KIND=plain --set uMix=1 -o '" + at("out") + "/{index}.png'").status,
               0);
-    const auto image = content::decode_image(at("out/0.png"), bytes_of(at("out/0.png"))).image;
-    ASSERT_TRUE(image);
-    EXPECT_EQ(std::to_integer<int>(image->pixels[0]), 255);
-    EXPECT_EQ(std::to_integer<int>(image->pixels[1]), 0);
+    const auto image = picture("out/0.png");
+    ASSERT_FALSE(image.pixels.empty());
+    EXPECT_EQ(std::to_integer<int>(image.pixels[0]), 255);
+    EXPECT_EQ(std::to_integer<int>(image.pixels[1]), 0);
     EXPECT_EQ(sweep("--over uColor.w=0,1 -o '" + at("out") + "/{index}.png'").status, 1);
 }
 
@@ -210,14 +206,13 @@ TEST_F(CliSweep, TheSheetHasEveryPicture) {
     const Outcome outcome = sweep("--over uEta=0:5:3 --over uMix=0,1 -o '" + at("out") +
                                   "/{index}.png' --no-labels --sheet " + at("sheet.png"));
     ASSERT_EQ(outcome.status, 0) << outcome.output;
-    const auto sheet = content::decode_image(at("sheet.png"), bytes_of(at("sheet.png"))).image;
-    ASSERT_TRUE(sheet);
+    const auto sheet = picture("sheet.png");
     // Two columns, for the axis that varies fastest; tiles of 8 pixels, 4 apart.
-    EXPECT_EQ(sheet->width, 2 * 12 + 4);
-    EXPECT_EQ(sheet->height, 3 * 12 + 4);
+    ASSERT_EQ(sheet.width, 2 * 12 + 4);
+    ASSERT_EQ(sheet.height, 3 * 12 + 4);
     const auto red = [&](int column, int row) {
         const int x = 4 + 12 * column + 4, y = 4 + 12 * row + 4;
-        return std::to_integer<int>(sheet->pixels[static_cast<std::size_t>(y * sheet->width + x) * 3]);
+        return std::to_integer<int>(sheet.pixels[static_cast<std::size_t>(y * sheet.width + x) * 3]);
     };
     for (int row = 0; row < 3; ++row) {
         EXPECT_EQ(red(0, row), 0);
@@ -230,7 +225,7 @@ TEST_F(CliSweep, WhatIsWrongIsSaidBeforeAnythingIsDrawn) {
     const std::string out = " -o '" + at("a") + "/{index}.png'";
     const Outcome typo = sweep("--over uMxi=0,1" + out);
     EXPECT_EQ(typo.status, 1);
-    EXPECT_NE(typo.output.find("did you mean 'uMix'?"), std::string::npos) << typo.output;
+    EXPECT_TRUE(typo.says("did you mean 'uMix'?")) << typo.output;
     for (const char* over : {"KIND=red,plian", "uMix=0,1,high", "time=0,soon", "uMix=[0,1],[1,0]"})
         EXPECT_EQ(sweep("--over '" + std::string(over) + "'" + out).status, 1) << over;
     for (const char* over : {"uMix=0:1", "uMix=", "uMix=nan", "uMix=0:1:2000000", "uMix"})
@@ -268,8 +263,8 @@ TEST_F(CliSweep, ManyScenesInOneProcess) {
                                   at("out") + "/{stem}.png'");
     EXPECT_EQ(outcome.status, 1) << "one has an error, one is not there";
     EXPECT_EQ(files("out").size(), 6U) << outcome.output;
-    EXPECT_NE(outcome.output.find("bad.glib:2:1: error:"), std::string::npos) << outcome.output;
-    EXPECT_NE(outcome.output.find("none.glib"), std::string::npos) << outcome.output;
+    EXPECT_TRUE(outcome.says("bad.glib:2:1: error:")) << outcome.output;
+    EXPECT_TRUE(outcome.says("none.glib")) << outcome.output;
     for (int i = 0; i < 5; ++i) {
         snell("render " + at("s" + std::to_string(i) + ".glib") + " --size 8x8 -o " + at("one.png"));
         EXPECT_EQ(files("out")["s" + std::to_string(i) + ".png"], bytes_of(at("one.png")));
@@ -278,7 +273,7 @@ TEST_F(CliSweep, ManyScenesInOneProcess) {
     folder.write("more/s1.glib", "Sphere\n");
     const Outcome same = snell("render" + names + " " + at("more/s1.glib") + " -o '" + at("a") + "/{stem}.png'");
     EXPECT_EQ(same.status, 2);
-    EXPECT_NE(same.output.find("would both be"), std::string::npos) << same.output;
+    EXPECT_TRUE(same.says("would both be")) << same.output;
     EXPECT_TRUE(files("a").empty());
     EXPECT_EQ(snell("render" + names + " -o '" + at("a") + "/{stem}.png' --size 8x8").status, 0);
 }

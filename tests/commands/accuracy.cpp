@@ -36,12 +36,7 @@ protected:
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
-    std::string text(const std::string& name) {
-        std::ifstream file(folder.path(name));
-        std::stringstream all;
-        all << file.rdbuf();
-        return all.str();
-    }
+    std::string text(const std::string& name) const { return bytes_of(folder.path(name)); }
 
     std::string scene;
 };

@@ -5,8 +5,7 @@
 #include <thread>
 
 #include "src/app/commands/explain.h"
-#include "tests/cli/run.h"
-#include "tests/harness/harness.h"
+#include "tests/cli/command.h"
 #include "tests/sanitized.h"
 
 namespace snell::test {
@@ -14,11 +13,11 @@ namespace {
 
 using nlohmann::json;
 
-class Explain : public testing::Test {
+class Explain : public CommandTest {
 protected:
     void SetUp() override {
-        std::string error;
-        if (!HeadlessContext::make({}, error)) GTEST_SKIP() << "no graphics: " << error;
+        CommandTest::SetUp();
+        if (IsSkipped()) return;
         folder.write("plain.vert", plain_vertex);
         folder.write("texture.frag", texture_fragment);
         folder.write("clock.frag", "uniform float Timer;\nvoid main() { gl_FragColor = vec4(Timer, 0., 0., 1.); }\n");
@@ -40,7 +39,6 @@ protected:
     static bool has(const json& list, const std::string& name) {
         return std::ranges::any_of(list, [&](const json& entry) { return entry["name"] == name; });
     }
-    Folder folder;
 };
 
 const std::string two_of_twenty = [] {
@@ -119,7 +117,7 @@ TEST_F(Explain, TextSaysTheSame) {
     EXPECT_EQ(outcome.status, 0);
     for (const char* words : {"PAYS FOR", "Texture2D 4 t4.bmp 8x4", "scene.glib:5: read by uUnit of A", "NOT PAID FOR",
                               "DECLARED BUT UNUSED", "no draw samples it"})
-        EXPECT_NE(outcome.output.find(words), std::string::npos) << words << "\n" << outcome.output;
+        EXPECT_TRUE(outcome.says(words)) << words << "\n" << outcome.output;
     EXPECT_EQ(snell("explain " + folder.path("nothing.glib")).status, 1);
 }
 

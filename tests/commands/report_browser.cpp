@@ -25,12 +25,7 @@ parent.postMessage(`probe width=${innerWidth} over=${document.documentElement.sc
 
 class Browser : public GlTest {
 protected:
-    std::string text(const std::string& name) {
-        std::ifstream file(folder.path(name));
-        std::stringstream all;
-        all << file.rdbuf();
-        return all.str();
-    }
+    std::string text(const std::string& name) const { return bytes_of(folder.path(name)); }
     // The page after it was loaded; what went wrong on it is in err.txt.
     std::string dumped(int width, bool dark) {
         // A window is never narrower than 500 pixels, a frame in it may be.

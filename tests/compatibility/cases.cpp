@@ -1,4 +1,5 @@
 #include "tests/compatibility/cases.h"
+#include "tests/scratch.h"
 
 #include <epoxy/gl.h>
 #include <unistd.h>
@@ -34,13 +35,6 @@ std::vector<fs::path> sorted_files(const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
-}
-
-std::string read(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
 }
 
 void fill(Files& files, const fs::path& folder, const std::string& plain) {
@@ -97,7 +91,7 @@ std::vector<Case> cases_of_scene(const fs::path& scene) {
                                                           {"tessevaluation", Stage::tess_evaluation}};
     std::vector<Case> cases;
     Files current;
-    std::istringstream lines(read(scene));
+    std::istringstream lines(bytes_of(scene));
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
         std::string command, argument;
@@ -134,7 +128,7 @@ std::vector<Case> pairs_of_folder(const fs::path& folder) {
 
 Texts texts(const Files& files) {
     Texts result;
-    for (const auto& [stage, file] : files) result[stage] = read(file);
+    for (const auto& [stage, file] : files) result[stage] = bytes_of(file);
     return result;
 }
 
@@ -167,12 +161,12 @@ Translated translated(const Case& which, const glsl::Target& target) {
     options.include = [](std::string_view from, std::string_view name, bool angle) -> std::optional<glsl::IncludeText> {
         const fs::path file = fs::path(from).parent_path() / name;
         if (angle || !fs::exists(file)) return std::nullopt;
-        return glsl::IncludeText{file.string(), read(file)};
+        return glsl::IncludeText{file.string(), bytes_of(file)};
     };
     const FileId scene = sources.add(which.name, which.name);
     std::vector<glsl::StageInput> stages;
     for (const auto& [stage, file] : which.files)
-        stages.push_back({stage, sources.add(file.string(), read(file)), Span{scene, 0, 1}});
+        stages.push_back({stage, sources.add(file.string(), bytes_of(file)), Span{scene, 0, 1}});
     result.translation = glsl::translate(stages, sources, options, result.diagnostics);
     result.ok = result.translation.ok;
     result.messages = render(result.diagnostics, sources);

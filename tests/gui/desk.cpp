@@ -236,10 +236,7 @@ int Desk::run(const std::vector<std::string>& arguments, const std::string& disp
     return finish(start(words, display));
 }
 
-std::string Desk::bytes(const std::string& name) const {
-    std::ifstream in(file(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+std::string Desk::bytes(const std::string& name) const { return bytes_of(file(name)); }
 
 int Desk::shell(const std::string& command) const {
     return std::system(("cd '" + file(".") + "' && PATH=" SNELL_BIN ":$PATH " + command).c_str());

@@ -68,6 +68,14 @@ protected:
     gl::MessageReport report = [this](const char* message) { complaints.emplace_back(message); };
 };
 
+// OpenGL 3.3, 4.5 and ES 3.2, for tests with a context as parameter, and the parameter's name.
+inline const auto all_contexts =
+    testing::Values(ContextRequest{33, false, false, true}, ContextRequest{45, false, false, true},
+                    ContextRequest{32, true, false, true});
+inline std::string context_name(const testing::TestParamInfo<ContextRequest>& context) {
+    return (context.param.es ? "Es" : "Core") + std::to_string(context.param.version);
+}
+
 // Shaders that tests use again and again.
 inline constexpr std::string_view plain_vertex =
     "#version 330 compatibility\nout vec2 vST;\nvoid main() { vST = gl_MultiTexCoord0.st; "

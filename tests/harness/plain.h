@@ -5,6 +5,8 @@
 
 namespace snell::test {
 
+inline constexpr Pixel red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255}, white{255, 255, 255, 255};
+
 class PlainTest : public GlTest {
 protected:
     void SetUp() override {

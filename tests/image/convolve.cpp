@@ -1,6 +1,7 @@
 // Light gathered from cube maps, against sums over every texel.
 #include "src/content/cube/convolve.h"
 #include "tests/oracle/light.h"
+#include "tests/scratch.h"
 
 #include <gtest/gtest.h>
 
@@ -284,9 +285,7 @@ TEST(Environments, KeepTheirLight) {
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         SCOPED_TRACE(entry.path());
-        std::ifstream file(entry.path(), std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        const ImageResult result = decode_image(entry.path(), bytes);
+        const ImageResult result = decode_image(entry.path(), bytes_of(entry.path()));
         ASSERT_TRUE(result.image);
         ASSERT_EQ(result.image->type, PixelType::f16);
         const Panorama panorama{*result.image};

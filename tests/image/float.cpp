@@ -58,7 +58,7 @@ ImageResult reds(int width, int height, const std::vector<float>& values) {
     return decode_image("a.tex", b.str());
 }
 
-float red(const Image& image, int x, int y) {
+float red_of(const Image& image, int x, int y) {
     return value_at(image, 4 * static_cast<std::size_t>(y * image.width + x));
 }
 
@@ -66,14 +66,14 @@ TEST(ImageMend, NotANumberBecomesTheMeanOfItsNeighbours) {
     const auto result = reds(3, 3, {1, 2, 3, 4, not_a_number, 6, 7, 8, 9});
     ASSERT_TRUE(result.image);
     EXPECT_TRUE(has_issue(result, "image-non-finite"));
-    EXPECT_EQ(red(*result.image, 1, 1), 5.0f);
-    EXPECT_EQ(red(*result.image, 0, 0), 1.0f);
+    EXPECT_EQ(red_of(*result.image, 1, 1), 5.0f);
+    EXPECT_EQ(red_of(*result.image, 0, 0), 1.0f);
 }
 
 TEST(ImageMend, InfinityInACornerSeesThreeNeighbours) {
     const auto result = reds(2, 2, {-infinity, 3, 6, 9});
     ASSERT_TRUE(result.image);
-    EXPECT_EQ(red(*result.image, 0, 0), 6.0f);
+    EXPECT_EQ(red_of(*result.image, 0, 0), 6.0f);
 }
 
 TEST(ImageMend, WideHolesFillFromTheirEdge) {
@@ -96,14 +96,14 @@ TEST(ImageMend, LargeValuesAreClampedAndNegativeOnesStay) {
     const auto result = reds(4, 1, {1e30f, -1e30f, -3.5f, 65504.0f});
     ASSERT_TRUE(result.image);
     EXPECT_TRUE(has_issue(result, "image-clamped"));
-    EXPECT_EQ(red(*result.image, 0, 0), 65504.0f);
-    EXPECT_EQ(red(*result.image, 1, 0), -65504.0f);
-    EXPECT_EQ(red(*result.image, 2, 0), -3.5f);
-    EXPECT_EQ(red(*result.image, 3, 0), 65504.0f);
+    EXPECT_EQ(red_of(*result.image, 0, 0), 65504.0f);
+    EXPECT_EQ(red_of(*result.image, 1, 0), -65504.0f);
+    EXPECT_EQ(red_of(*result.image, 2, 0), -3.5f);
+    EXPECT_EQ(red_of(*result.image, 3, 0), 65504.0f);
     EXPECT_NE(describe(result).find("2 values"), std::string::npos) << describe(result);
     const auto large = reds(1, 1, {70000.0f});
     test::hard_case({"A16", "70000 in a picture: clamped to half's 65504; naive: a conversion to half", "off 65504", 0,
-                     std::abs(static_cast<double>(red(*large.image, 0, 0)) - 65504),
+                     std::abs(static_cast<double>(red_of(*large.image, 0, 0)) - 65504),
                      std::abs(static_cast<double>(half_to_float(float_to_half(70000.0f))) - 65504)});
 }
 
@@ -129,7 +129,7 @@ TEST(ImageMend, OneTexelDoesNotSpreadThroughTheMipmaps) {
     const auto result = reds(size, size, values);
     std::vector<float> mended;
     for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) mended.push_back(red(*result.image, x, y));
+        for (int x = 0; x < size; ++x) mended.push_back(red_of(*result.image, x, y));
     test::hard_case({"20", "one NaN texel of 64 × 64 fills the last mipmap: mended from its neighbours when read",
                      "% of the last level", 0, share(mended, size), share(values, size)});
 }

@@ -70,7 +70,7 @@ TEST_F(ImageFormats, FloatsAreWrittenUnchanged) {
         return (x == 0 ? 1e30 : x == 1 ? -.1 : 1 / 3.0) + c;
     });
     ASSERT_EQ(write_image(file("a.exr"), image), "");
-    const std::string bytes = slurp(file("a.exr"));
+    const std::string bytes = bytes_of(file("a.exr"));
     const float third = static_cast<float>(1 / 3.0);
     EXPECT_TRUE(bytes.find("channels") != std::string::npos);
     const auto result = read_file(file("a.exr"));
@@ -119,7 +119,7 @@ TEST_F(ImageFormats, GreyStaysGrey) {
 // The orientation of a photograph: the same JPEG with an EXIF block that says how to turn it.
 TEST_F(ImageFormats, PhotographsAreTurnedUpright) {
     ASSERT_EQ(write_image(file("a.jpg"), paint(32, 24, 3, PixelType::u8, smooth)), "");
-    const std::string plain = slurp(file("a.jpg"));
+    const std::string plain = bytes_of(file("a.jpg"));
     const Image upright = *read_file(file("a.jpg")).image;
     // Where each orientation puts the stored picture's top left corner (x, y of the result; 1: right or bottom).
     const std::array<std::pair<int, int>, 9> corner{
@@ -149,7 +149,7 @@ TEST_F(ImageFormats, ContentDecidesBeforeTheName) {
     ASSERT_EQ(write_image(file("a.png"), image), "");
     ASSERT_EQ(write_image(file("a.tif"), image), "");
     for (const char* original : {"a.png", "a.tif"}) {
-        put("wall.bmp", slurp(file(original)));
+        put("wall.bmp", bytes_of(file(original)));
         const auto result = read_file(file("wall.bmp"));
         ASSERT_TRUE(result.image) << describe(result);
         EXPECT_EQ(compare(*result.image, image)->max, 0);
@@ -178,7 +178,7 @@ TEST_F(ImageFormats, TruncatedAtAnyByteIsSafe) {
     for (const char* extension : {"jpg", "tif", "tga", "exr", "hdr"}) {
         const std::string path = file(std::string("a.") + extension);
         ASSERT_EQ(write_image(path, image), "");
-        const std::string whole = slurp(path);
+        const std::string whole = bytes_of(path);
         const std::size_t step = std::max<std::size_t>(whole.size() / 60, 1);
         for (std::size_t n = 1; n < whole.size(); n += step) {
             put(std::string("b.") + extension, whole.substr(0, n));
@@ -193,14 +193,14 @@ TEST_F(ImageFormats, LimitsHoldForTheModuleToo) {
     ASSERT_EQ(write_image(file("a.tif"), image), "");
     ImageLimits limits;
     limits.side = 16;
-    const auto wide = decode_image(file("a.tif"), slurp(file("a.tif")), limits);
+    const auto wide = decode_image(file("a.tif"), bytes_of(file("a.tif")), limits);
     EXPECT_FALSE(wide.image);
     EXPECT_TRUE(has_issue(wide, "image-too-large")) << describe(wide);
     limits = {};
     limits.bytes = 32 * 8 * 3 - 1;
-    EXPECT_TRUE(has_issue(decode_image(file("a.tif"), slurp(file("a.tif")), limits), "image-too-large"));
+    EXPECT_TRUE(has_issue(decode_image(file("a.tif"), bytes_of(file("a.tif")), limits), "image-too-large"));
     limits.bytes = 32 * 8 * 3;
-    EXPECT_TRUE(decode_image(file("a.tif"), slurp(file("a.tif")), limits).image);
+    EXPECT_TRUE(decode_image(file("a.tif"), bytes_of(file("a.tif")), limits).image);
 }
 
 // A Radiance header that claims 10^6 x 10^6 is refused without any attempt to take the memory.
@@ -241,7 +241,7 @@ TEST_F(ImageFormats, HeadersAloneAreNoPictures) {
         ASSERT_EQ(
             write_image(file(name), paint(64, 64, 3, PixelType::u8, [](int x, int y, int) { return (x + y) / 128.0; })),
             "");
-        const std::string whole = slurp(file(name));
+        const std::string whole = bytes_of(file(name));
         put(name, whole.substr(0, 40));
         EXPECT_FALSE(read_file(file(name)).image) << name;
     }
@@ -259,7 +259,7 @@ TEST_F(ImageFormats, HeadersAreReadWithoutDecoding) {
         SCOPED_TRACE(extension);
         const std::string path = file(std::string("a.") + extension);
         ASSERT_EQ(write_image(path, image), "");
-        const std::string bytes = slurp(path);
+        const std::string bytes = bytes_of(path);
         const auto header = read_header(std::string_view(bytes).substr(0, 4096), bytes.size());
         ASSERT_TRUE(header);
         EXPECT_EQ(header->format, format);
@@ -314,7 +314,7 @@ TEST_F(ImageFormats, AFailedWriteKeepsTheOldFile) {
     put("a.hdr", "old");
     const Image empty;
     EXPECT_NE(write_image(file("a.hdr"), empty), "");
-    EXPECT_EQ(slurp(file("a.hdr")), "old");
+    EXPECT_EQ(bytes_of(file("a.hdr")), "old");
     EXPECT_EQ(entries(), 1u);
 }
 
@@ -356,9 +356,9 @@ TEST_F(ImageFormats, TheModuleIsFoundInstalledAndMissedByName) {
     fs::copy_file("/proc/self/exe", file("bin/tests"));
     const std::string run =
         file("bin/tests") + " --gtest_also_run_disabled_tests --gtest_filter=ImageModuleElsewhere.DISABLED_";
-    EXPECT_EQ(std::system((run + "IsMissing > " + file("log")).c_str()), 0) << slurp(file("log"));
+    EXPECT_EQ(std::system((run + "IsMissing > " + file("log")).c_str()), 0) << bytes_of(file("log"));
     fs::copy_file(SNELL_BIN "/snell_oiio.so", file("lib/snell/snell_oiio.so"));
-    EXPECT_EQ(std::system((run + "IsFound > " + file("log")).c_str()), 0) << slurp(file("log"));
+    EXPECT_EQ(std::system((run + "IsFound > " + file("log")).c_str()), 0) << bytes_of(file("log"));
 }
 
 TEST(ImageBasics, CheckerboardIsMagentaAndBlack) {

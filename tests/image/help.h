@@ -26,6 +26,10 @@ class Bytes {
 public:
     Bytes& text(std::string_view t) { return bytes_ += t, *this; }
     Bytes& u8(std::uint32_t v) { return bytes_ += static_cast<char>(v), *this; }
+    Bytes& list(std::initializer_list<std::uint32_t> values) {
+        for (const std::uint32_t v : values) u8(v);
+        return *this;
+    }
     Bytes& u16(std::uint32_t v) { return u8(v & 255).u8(v >> 8 & 255); }
     Bytes& u32(std::uint32_t v) { return u16(v & 65535).u16(v >> 16); }
     Bytes& i32(std::int32_t v) { return u32(static_cast<std::uint32_t>(v)); }
@@ -94,14 +98,7 @@ Image paint(int width, int height, int channels, PixelType type, const Value& va
     return image;
 }
 
-inline std::string slurp(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-inline ImageResult read_file(const std::filesystem::path& path) { return decode_image(path.string(), slurp(path)); }
+inline ImageResult read_file(const std::filesystem::path& path) { return decode_image(path.string(), bytes_of(path)); }
 
 // A folder of its own for each test, gone afterwards.
 class ScratchFolder : public ::testing::Test {

@@ -16,17 +16,12 @@ namespace snell {
 
 namespace {
 
-std::string text_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST(Replace, TheNewTextOrTheOld) {
     const Scratch scratch;
     const std::string path = scratch.path("values.json");
     EXPECT_EQ(content::replace_file(path, "one"), "");
     EXPECT_EQ(content::replace_file(path, "two"), "");
-    EXPECT_EQ(text_of(path), "two");
+    EXPECT_EQ(bytes_of(path), "two");
     EXPECT_NE(content::replace_file(scratch.path("nowhere/values.json"), "three"), "");
     EXPECT_EQ(scratch.entries(), 1u);
 }

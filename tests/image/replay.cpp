@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 
 #include "tests/fuzz/file_input.h"
+#include "tests/scratch.h"
 
 namespace snell {
 namespace {
@@ -24,8 +23,7 @@ void replay(const std::string& folder, Check check) {
     std::size_t made = 0, broken = 0;
     std::mt19937 random(1);
     for (const auto& entry : std::filesystem::directory_iterator("tests/fuzz/" + folder)) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+        const std::string bytes = bytes_of(entry.path());
         ASSERT_FALSE(bytes.empty()) << entry.path();
         bool whole = false;
         ASSERT_EQ(check(bytes, whole), "") << entry.path();

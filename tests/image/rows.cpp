@@ -14,11 +14,6 @@
 namespace snell::content {
 namespace {
 
-std::string text_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 Image noise(int width, int height, int channels, PixelType type = PixelType::u8) {
     Image image;
     image.width = width;
@@ -54,8 +49,8 @@ TEST(ImageRows, BandsAreTheSameFile) {
         const std::string whole = folder.path(std::string("whole.") + extension);
         ASSERT_EQ(write_image(whole, image), "") << extension;
         ASSERT_EQ(by_rows(folder.path(std::string("bands.") + extension), image, 7), "") << extension;
-        const auto a = decode_image(whole, text_of(whole));
-        const auto b = decode_image(whole, text_of(folder.path(std::string("bands.") + extension)));
+        const auto a = decode_image(whole, bytes_of(whole));
+        const auto b = decode_image(whole, bytes_of(folder.path(std::string("bands.") + extension)));
         ASSERT_TRUE(a.image && b.image) << extension;
         EXPECT_EQ(a.image->pixels, b.image->pixels) << extension;
         EXPECT_EQ(a.image->width, 37);
@@ -67,7 +62,7 @@ TEST(ImageRows, AlphaIsKept) {
     const Scratch folder;
     const Image image = noise(16, 16, 4);
     ASSERT_EQ(by_rows(folder.path("a.png"), image, 5), "");
-    const auto read = decode_image("a.png", text_of(folder.path("a.png")));
+    const auto read = decode_image("a.png", bytes_of(folder.path("a.png")));
     ASSERT_TRUE(read.image);
     EXPECT_EQ(read.image->pixels, image.pixels);
 }
@@ -89,7 +84,7 @@ TEST(ImageRows, WhatIsNotWholeLeavesWhatWasThere) {
         RowWriter writer(path, image);
         EXPECT_NE(writer.add(std::span(image.pixels).first(5)), "") << "no whole row";
         EXPECT_NE(writer.finish(), "");
-        EXPECT_EQ(text_of(path), "old") << extension;
+        EXPECT_EQ(bytes_of(path), "old") << extension;
     }
     EXPECT_EQ(folder.entries(), 3U) << "nothing is left beside them";
 }
@@ -110,10 +105,10 @@ TEST(ImageRows, AFullDiskIsSaidAndTheOldFileStays) {
             setrlimit(RLIMIT_FSIZE, &usual);
             EXPECT_NE(error, "") << extension << " of " << bytes << " bytes";
             EXPECT_NE(error.find("File too large"), std::string::npos) << extension << ": " << error;
-            EXPECT_EQ(text_of(path), "old") << extension;
+            EXPECT_EQ(bytes_of(path), "old") << extension;
         }
         EXPECT_EQ(write_image(path, image), "") << extension;
-        EXPECT_GT(text_of(path).size(), 3000U) << "the test can fail";
+        EXPECT_GT(bytes_of(path).size(), 3000U) << "the test can fail";
     }
     std::signal(SIGXFSZ, before);
     EXPECT_EQ(folder.entries(), 9U) << "nothing is left beside them";

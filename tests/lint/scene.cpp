@@ -85,8 +85,7 @@ TEST(SceneLints, MeansOfEncodedNumbersAreNotOfLight) {
 }
 
 TEST(LintTable, EveryRuleHasItsCodeAndItsPage) {
-    std::ifstream in(SNELL_ROOT "/docs/teaching.md");
-    const std::string page{std::istreambuf_iterator<char>(in), {}};
+    const std::string page = bytes_of(SNELL_ROOT "/docs/teaching.md");
     std::vector<std::string> anchors;
     for (std::size_t at = page.find("\n#"); at != std::string::npos; at = page.find("\n#", at + 1)) {
         const std::size_t begin = page.find(' ', at) + 1;

@@ -16,6 +16,8 @@
 
 namespace snell::content::check {
 
+inline constexpr double pi = std::numbers::pi;
+
 using D3 = std::array<double, 3>;
 
 inline D3 wide(const Float3& v) { return {v[0], v[1], v[2]}; }

@@ -5,7 +5,6 @@ namespace snell::content {
 namespace {
 
 using namespace check;
-constexpr double pi = std::numbers::pi;
 
 // Volumes and areas of a polygonal approximation with n around fall short by about (2 pi / n)^2 / 6.
 constexpr double tessellation = .01;

@@ -33,8 +33,7 @@ std::string shp(int type, const std::vector<Record>& records) {
         SHPDestroyObject(object);
     }
     SHPClose(file);
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    return bytes_of(path);
 }
 
 const std::vector<D3> zigzag{{0, 0, 5}, {1, 2, 6}, {3, 1, 7}, {10, 10, 8}, {11, 10, 9}};

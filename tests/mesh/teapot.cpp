@@ -6,7 +6,6 @@ namespace snell::content {
 namespace {
 
 using namespace check;
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t side = 17, patch_size = side * side;  // vertices along and in a patch
 
 std::uint32_t patch_of_triangle(const Mesh& m, std::size_t first) {

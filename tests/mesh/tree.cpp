@@ -151,7 +151,7 @@ TEST(MeshTree, FindsWhatTryingAllFinds) {
         const Tree tree = make_tree(mesh);
         EXPECT_EQ(tree.triangle_count(), mesh.indices.size() / 3);
         std::size_t hits = 0, tried = 0, all = 0;
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < 150; ++i) {
             const std::array<double, 3> o{2 * any(random), 2 * any(random), 2 * any(random)};
             const std::array<double, 3> d{any(random), any(random), any(random)};
             const auto fast = met(tree, true, o, d, tried), slow = met(tree, false, o, d, all);

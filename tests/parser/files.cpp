@@ -6,6 +6,7 @@
 
 #include "tests/oracle/scene/print.h"
 #include "tests/parser/support.h"
+#include "tests/scratch.h"
 
 namespace snell::test {
 namespace {
@@ -20,11 +21,11 @@ std::vector<fs::path> scenes(const std::string& folder) {
     return found;
 }
 
-std::string expectation(fs::path scene) { return file_text(scene.replace_extension(".txt").string()); }
+std::string expectation(fs::path scene) { return bytes_of(scene.replace_extension(".txt")); }
 
 Read read_file(const fs::path& path) {
     Read r;
-    const FileId file = r.sources.add(path.filename().string(), file_text(path.string()));
+    const FileId file = r.sources.add(path.filename().string(), bytes_of(path));
     r.parsed = parse(file, r.sources);
     return r;
 }

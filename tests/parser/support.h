@@ -38,13 +38,6 @@ inline Read read(std::string text, const IncludeReader& include = {}, const Limi
     return r;
 }
 
-inline std::string file_text(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 using Codes = std::vector<std::string>;
 
 }  // namespace snell::test

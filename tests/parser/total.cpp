@@ -8,6 +8,7 @@
 #include "parser/commands/commands.h"
 #include "tests/fuzz/oracle.h"
 #include "tests/parser/support.h"
+#include "tests/scratch.h"
 
 namespace snell::test {
 namespace {
@@ -117,7 +118,7 @@ TEST(Total, TheCorpusOfTheFuzzer) {
     std::size_t count = 0;
     for (const char* folder : {"fuzz/parser_corpus", "odd", "bad"}) {
         for (const auto& entry : fs::directory_iterator(std::string(SNELL_ROOT) + "/tests/" + folder)) {
-            expect_well(file_text(entry.path().string()));
+            expect_well(bytes_of(entry.path().string()));
             ++count;
         }
     }

@@ -30,9 +30,7 @@ content::Image rgb(const Picture& picture) {
 }
 
 content::Image stored(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    auto result = content::decode_image(path, bytes);
+    auto result = content::decode_image(path, bytes_of(path));
     return result.image ? *result.image : content::Image{};
 }
 

@@ -83,14 +83,9 @@ std::size_t place(const content::Image& image, std::size_t panel, int x, int y) 
     return (static_cast<std::size_t>(y * image.width + x) + panel * (side + gap)) * 3;
 }
 
-std::string file(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 TEST_F(LightPictures, ShowEachSceneAsItIsOpened) {
     const bool update = std::getenv("SNELL_UPDATE_PICTURES") != nullptr;
-    const std::string page = file(SNELL_ROOT "/docs/light.md");
+    const std::string page = bytes_of(SNELL_ROOT "/docs/light.md");
     for (const Row& row : rows) {
         const std::string scene = row.scene, path = SNELL_ROOT "/docs/images/light-" + scene + ".jpg";
         SCOPED_TRACE(scene);
@@ -110,7 +105,7 @@ TEST_F(LightPictures, ShowEachSceneAsItIsOpened) {
         }
         EXPECT_NE(page.find("images/light-" + scene + ".jpg"), std::string::npos) << "docs/light.md does not show it";
         EXPECT_LT(std::filesystem::file_size(path), 150u << 10);
-        const auto old = content::decode_image(path, file(path));
+        const auto old = content::decode_image(path, bytes_of(path));
         ASSERT_TRUE(old.image) << path;
         const content::Image stored = content::to_rgba(*old.image);
         ASSERT_EQ(stored.width, image.width);

@@ -8,7 +8,6 @@ namespace snell {
 namespace {
 
 using Kind = UniformValue::Kind;
-using Codes = std::vector<std::string>;
 using Values = std::vector<double>;
 
 ActiveUniform named(std::string name, std::string_view type, int array = 1) {

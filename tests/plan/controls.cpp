@@ -16,7 +16,7 @@ struct Case {
     Controls controls;
     Diagnostics diagnostics;
     const Control& control() const { return controls.items.at(0); }
-    std::vector<std::string> codes() const { return codes_of(diagnostics); }
+    Codes codes() const { return codes_of(diagnostics); }
 };
 
 Case make(UniformValue value, ActiveUniform uniform) {
@@ -27,7 +27,6 @@ Case make(UniformValue value, ActiveUniform uniform) {
     return result;
 }
 
-using Codes = std::vector<std::string>;
 using Values = std::vector<double>;
 
 TEST(Controls, RangeOnEveryNumberType) {

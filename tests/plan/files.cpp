@@ -177,7 +177,7 @@ TEST(Resolve, OnlyRegularFilesCount) {
 TEST(Resolve, RelativeToTheWorkingDirectory) {
     const Files files("");
     EXPECT_EQ(files.resolve("tests/plan/files.cpp").path, "tests/plan/files.cpp");
-    EXPECT_EQ(files.resolve("Tests/PLAN/Files.CPP").path, "tests/plan/files.cpp");
+    EXPECT_EQ(files.resolve("Tests/Plan/FILES.cpp").path, "tests/plan/files.cpp");
 }
 
 TEST(Resolve, BesideAnIncludingFile) {

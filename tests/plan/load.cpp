@@ -7,19 +7,13 @@
 #include "src/content/image/noise.h"
 #include "src/plan/plan.h"
 #include "tests/hard_case.h"
+#include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
 
 namespace snell {
 namespace {
 
 using content::Image;
-using Codes = std::vector<std::string>;
-
-Codes codes_of(const Diagnostics& diagnostics) {
-    Codes codes;
-    for (const Diagnostic& diagnostic : diagnostics.items()) codes.push_back(diagnostic.code);
-    return codes;
-}
 
 std::string little(std::uint64_t value, int bytes) {
     std::string text;

@@ -4,18 +4,11 @@
 #include <algorithm>
 
 #include "src/plan/plan.h"
+#include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
 
 namespace snell {
 namespace {
-
-using Codes = std::vector<std::string>;
-
-Codes codes_of(const Diagnostics& diagnostics) {
-    Codes codes;
-    for (const Diagnostic& diagnostic : diagnostics.items()) codes.push_back(diagnostic.code);
-    return codes;
-}
 
 Span span_at(std::uint32_t begin) { return {0, begin, begin + 5}; }
 

@@ -87,14 +87,12 @@ TEST(PlannedScene, WallsShareAUnitOneAfterTheOther) {
 }
 
 TEST(PlannedScene, ThePrintedRoom) {
-    std::ifstream file("../shared/corpus/bailey/cubemap.glib", std::ios::binary);
-    if (!file) GTEST_SKIP() << "../shared is not there";
-    std::stringstream text;
-    text << file.rdbuf();
+    const std::string text = bytes_of("../shared/corpus/bailey/cubemap.glib");
+    if (text.empty()) GTEST_SKIP() << "../shared is not there";
     const Scratch folder;
     Files files(folder.path());
     Planned planned;
-    plan_text(planned, text.str(), files);
+    plan_text(planned, text, files);
     Diagnostics ignored;
     Controls controls = make_controls(planned.plan.scene, {}, ignored);
     const auto has_slider = [&](const char* name, double min, double value, double max) {

@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 
 #include "tests/fuzz/set_input.h"
+#include "tests/scratch.h"
 
 namespace snell {
 namespace {
@@ -16,8 +15,7 @@ TEST(SetCorpus, HoldsAndSoDoItsMutations) {
     std::mt19937 random(1);
     constexpr std::string_view letters = "=,.<>[]+-e019nai \nuE";
     for (const auto& entry : std::filesystem::directory_iterator("tests/fuzz/set_corpus")) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+        const std::string bytes = bytes_of(entry.path());
         ASSERT_FALSE(bytes.empty()) << entry.path();
         ASSERT_EQ(fuzz::check_settings(bytes), "") << entry.path();
         for (int i = 0; i < 300; ++i) {

@@ -1,4 +1,4 @@
-// Scenes and linked programs made by hand, for tests of controls.
+// Scenes and linked programs from values, and the codes of what is said of them.
 #pragma once
 
 #include <string>
@@ -57,8 +57,10 @@ inline ActiveUniform active(std::string_view type, int array = 1) {
     return uniform;
 }
 
-inline std::vector<std::string> codes_of(const Diagnostics& diagnostics) {
-    std::vector<std::string> codes;
+using Codes = std::vector<std::string>;
+
+inline Codes codes_of(const Diagnostics& diagnostics) {
+    Codes codes;
     for (const Diagnostic& diagnostic : diagnostics.items()) codes.push_back(diagnostic.code);
     return codes;
 }

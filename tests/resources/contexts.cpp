@@ -2,13 +2,11 @@
 #include <filesystem>
 
 #include "parser/commands/commands.h"
-#include "tests/harness/harness.h"
+#include "tests/harness/plain.h"
 
 namespace snell::test {
 
 namespace {
-
-const Pixel white{255, 255, 255, 255};
 
 class Context33 : public GlTest {
 protected:

@@ -70,12 +70,7 @@ TEST_P(RuntimeTreeEverywhere, EachDrawHasItsOwnMesh) {
     EXPECT_EQ(document->runtime->counters().trees, 2U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, RuntimeTreeEverywhere,
-                         testing::Values(ContextRequest{33, false, false, true}, ContextRequest{45, false, false, true},
-                                         ContextRequest{32, true, false, true}),
-                         [](const auto& kind) {
-                             return std::string(kind.param.es ? "Es" : "Core") + std::to_string(kind.param.version);
-                         });
+INSTANTIATE_TEST_SUITE_P(Contexts, RuntimeTreeEverywhere, all_contexts, context_name);
 
 TEST_F(RuntimeTree, IsMadeOncePerMeshAndOnlyWhereItIsRead) {
     folder.write("plain.frag", "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n");

@@ -153,9 +153,7 @@ TEST_P(Unbound, FaceIndexIsZeroWhereThereAreNoFaces) {
 INSTANTIATE_TEST_SUITE_P(Contexts, Unbound,
                          testing::Values(ContextRequest{33, false, false, true}, ContextRequest{45, false, false, true},
                                          ContextRequest{30, true, false, true}, ContextRequest{32, true, false, true}),
-                         [](const auto& given) {
-                             return (given.param.es ? "ES" : "GL") + std::to_string(given.param.version);
-                         });
+                         context_name);
 
 }  // namespace
 }  // namespace snell::test

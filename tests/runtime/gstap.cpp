@@ -114,9 +114,7 @@ TEST_P(Gstap, DeclaredAndUndeclaredAreTheSame) {
     EXPECT_TRUE(draw(*open_file(folder.path("scene.glib"))) == a);
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, Gstap,
-                         testing::Values(ContextRequest{0, false, false, true}, ContextRequest{33, false, false, true},
-                                         ContextRequest{32, true, false, true}));
+INSTANTIATE_TEST_SUITE_P(Contexts, Gstap, all_contexts, context_name);
 
 }  // namespace
 }  // namespace snell::test

@@ -43,6 +43,15 @@ protected:
         EXPECT_TRUE(floats_.resize(width, height));
         return document;
     }
+    // Two draws off-screen, and one of the window that shows them.
+    std::unique_ptr<Document> two_passes() {
+        folder.write("texture.frag", texture_fragment);
+        folder.write("color.frag", color_fragment);
+        return ready(
+            "Blend off\nTexture2D 5 16 16\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment color.frag\n"
+            "Program A uColor {.2 .4 .6 1.}\nRenderToTexture 5\nQuadXY 0. 5.\nQuadXY .5 2.\nRenderToTexture\n"
+            "Fragment texture.frag\nProgram B uUnit 5\nQuadXY 0. 5.\n");
+    }
     Frame frame(Document& document) const { return {.time = 0, .view = view_, .controls = document.controls}; }
     Inspection at(Document& document, int x, int y, int radius = 0) {
         Inspection found;
@@ -197,12 +206,7 @@ TEST_F(Inspect, WhereNothingIsThereIsNoDistance) {
 
 // What was drawn off-screen stands: only the window's draws are done again, and see the same.
 TEST_F(Inspect, AStandingFrameDrawsOnlyTheWindow) {
-    folder.write("texture.frag", texture_fragment);
-    folder.write("color.frag", color_fragment);
-    auto document = ready(
-        "Blend off\nTexture2D 5 16 16\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment color.frag\n"
-        "Program A uColor {.2 .4 .6 1.}\nRenderToTexture 5\nQuadXY 0. 5.\nQuadXY .5 2.\nRenderToTexture\n"
-        "Fragment texture.frag\nProgram B uUnit 5\nQuadXY 0. 5.\n");
+    auto document = two_passes();
     std::vector<float> first, again;
     floats_.draw(*document->runtime, frame(*document), first);
     const Counters before = document->runtime->counters();
@@ -216,12 +220,7 @@ TEST_F(Inspect, AStandingFrameDrawsOnlyTheWindow) {
 
 // Every draw and every pass is told of, in the order in which they are drawn.
 TEST_F(Inspect, FramesTellOfTheirSteps) {
-    folder.write("texture.frag", texture_fragment);
-    folder.write("color.frag", color_fragment);
-    auto document = ready(
-        "Blend off\nTexture2D 5 16 16\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment color.frag\n"
-        "Program A uColor {.2 .4 .6 1.}\nRenderToTexture 5\nQuadXY 0. 5.\nQuadXY .5 2.\nRenderToTexture\n"
-        "Fragment texture.frag\nProgram B uUnit 5\nQuadXY 0. 5.\n");
+    auto document = two_passes();
     std::vector<Step> steps;
     const std::function<void(const Step&)> listen = [&](const Step& step) { steps.push_back(step); };
     Frame told = frame(*document);

@@ -1,10 +1,8 @@
 // Ladders: each rung's picture, and what choosing costs.
-#include "tests/harness/harness.h"
+#include "tests/harness/plain.h"
 
 namespace snell::test {
 namespace {
-
-constexpr Pixel red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255};
 
 class LadderScenes : public GlTest {
 protected:

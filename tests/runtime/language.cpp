@@ -6,10 +6,16 @@ namespace snell::test {
 
 namespace {
 
-const Pixel red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255}, white{255, 255, 255, 255};
-
 class Language : public PlainTest {
 protected:
+    void SetUp() override {
+        PlainTest::SetUp();
+        folder.write("cube.vert",
+                     "out vec3 d;\nvoid main() { d = gl_Vertex.xyz; gl_Position = gl_ModelViewProjectionMatrix * "
+                     "gl_Vertex; }\n");
+        folder.write("cube.frag",
+                     "uniform samplerCube uCube;\nin vec3 d;\nvoid main() { gl_FragColor = texture(uCube, d); }\n");
+    }
     static constexpr std::string_view square = "Ortho -1 1 -1 1\nBackground 0 0 0\n";
 };
 
@@ -79,11 +85,6 @@ TEST_F(Language, ACorruptCubeFaceIsAChecker) {
     for (const char* face : {"px", "nx", "py", "ny", "pz"})
         folder.write(std::string(face) + ".bmp", bmp(2, 2, {{0, 255, 0}, {0, 255, 0}, {0, 255, 0}, {0, 255, 0}}));
     folder.write("nz.bmp", "BM this is no picture");
-    folder.write(
-        "cube.vert",
-        "out vec3 d;\nvoid main() { d = gl_Vertex.xyz; gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
-    folder.write("cube.frag",
-                 "uniform samplerCube uCube;\nin vec3 d;\nvoid main() { gl_FragColor = texture(uCube, d); }\n");
     const std::string scene =
         "CubeMap 6 px.bmp nx.bmp py.bmp ny.bmp pz.bmp nz.bmp\nVertex cube.vert\nFragment cube.frag\nProgram C uCube "
         "6\nPerspective 80\n";
@@ -101,11 +102,6 @@ TEST_F(Language, APanoramaIsACubeMap) {
         for (int x = 0; x < 64; ++x)
             pixels.push_back(x < 32 ? std::array<int, 3>{255, 0, 0} : std::array<int, 3>{0, 255, 0});
     folder.write("pano.bmp", bmp(64, 32, pixels));
-    folder.write(
-        "cube.vert",
-        "out vec3 d;\nvoid main() { d = gl_Vertex.xyz; gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
-    folder.write("cube.frag",
-                 "uniform samplerCube uCube;\nin vec3 d;\nvoid main() { gl_FragColor = texture(uCube, d); }\n");
     const std::string scene =
         "CubeMap 6 pano.bmp\nVertex cube.vert\nFragment cube.frag\nProgram C uCube 6\nPerspective 60\nLookAt 0 0 0 ";
     EXPECT_TRUE(near(draw(scene + "-1 0 0 0 1 0\nBox 4 4 4\n").center(), red));

@@ -5,7 +5,7 @@ namespace snell::test {
 
 namespace {
 
-const Pixel red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255}, black{0, 0, 0, 255};
+const Pixel black{0, 0, 0, 255};
 
 class Passes : public PlainTest {
 protected:

@@ -215,12 +215,7 @@ TEST_P(Pick, CostsNothingUntilAskedFor) {
     EXPECT_TRUE(after == draw(*open(head + three))) << "and the picture is what it was";
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, Pick,
-                         testing::Values(ContextRequest{33, false, false, true}, ContextRequest{45, false, false, true},
-                                         ContextRequest{32, true, false, true}),
-                         [](const auto& context) {
-                             return (context.param.es ? "Es" : "Core") + std::to_string(context.param.version);
-                         });
+INSTANTIATE_TEST_SUITE_P(Contexts, Pick, all_contexts, context_name);
 
 }  // namespace
 }  // namespace snell::test

@@ -49,13 +49,12 @@ asan() {
 valgrind_tests() {
   cat <<'END'
 parser -Total.RandomPieces:Total.HugeStatementsAndDeepNesting
-glsl
+translator
 plan
 lint
 mesh -MeshTree.FindsWhatTryingAllFinds:MeshTree.IsBuiltQuickly
 image -CubeLight.ReductionKeepsTheLight:Irradiance.*:Prefilter.*:Environments.KeepTheirLight:ImageNoise.LatticePoints*:ImageNoise.Resolution*:ImageNoise.HasTheAmplitudes*:ImageFormats.TheModuleIsFoundInstalled*
-files -Editor.SaysWhatWentWrong
-watch
+app -Editor.SaysWhatWentWrong
 ui
 accuracy -Front.TwoRunsThatAreDecidedAgree
 stability
@@ -69,7 +68,7 @@ memcheck() {
     --show-leak-kinds=definite --errors-for-leak-kinds=definite --suppressions=tests/sanitize/valgrind.supp
 }
 
-thread_tests="plan image watch files"
+thread_tests="plan image app"
 threads() {
   local tests=$thread_tests
   build tsan $(printf '%s_tests ' $tests) || { failed+=("tsan: the build"); return; }

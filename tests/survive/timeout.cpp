@@ -4,18 +4,17 @@
 #include <chrono>
 #include <string>
 
-#include "tests/cli/run.h"
-#include "tests/harness/harness.h"
+#include "tests/cli/command.h"
 #include "tests/sanitized.h"
 
 namespace snell::test {
 namespace {
 
-class Timeout : public testing::Test {
+class Timeout : public CommandTest {
 protected:
     void SetUp() override {
-        std::string error;
-        if (!HeadlessContext::make({}, error)) GTEST_SKIP() << "no graphics: " << error;
+        CommandTest::SetUp();
+        if (IsSkipped()) return;
         const std::string loop = "  for (int i = 0; i < 60000; ++i) x = fract(sin(x + uOne) * 43758.5);\n";
         folder.write("s.frag", "uniform float uOne;\nvoid main() {\n  float x = gl_FragCoord.x;\n" + loop + loop +
                                    "  gl_FragColor = vec4(x);\n}\n");
@@ -29,14 +28,12 @@ protected:
         const auto start = std::chrono::steady_clock::now();
         const Outcome ended = snell(arguments);
         EXPECT_EQ(ended.status, 4) << arguments << '\n' << ended.output;
-        EXPECT_NE(ended.output.find("[timeout]"), std::string::npos) << ended.output;
+        EXPECT_TRUE(ended.says("[timeout]")) << ended.output;
         EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30) * patience) << arguments;
     }
 
     std::string scene() const { return folder.path("s.glib"); }
     std::string quick() const { return folder.path("quick.glib"); }
-
-    Folder folder;
 };
 
 TEST_F(Timeout, EndsFramesOfEveryCommandThatDraws) {

@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "parser/text/utf8.h"
+#include "tests/scratch.h"
 #include "tests/torture/tree.h"
 
 namespace snell::torture {
@@ -95,7 +96,7 @@ End run_child(const std::vector<std::string>& words, const std::string& folder, 
     close(file);
     if (WIFEXITED(status)) end.status = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
-    end.errors = read_file(errors);
+    end.errors = bytes_of(errors);
     return end;
 }
 

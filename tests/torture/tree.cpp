@@ -1,4 +1,5 @@
 #include "tests/torture/tree.h"
+#include "tests/scratch.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,7 @@ void follow(const fs::path& folder, const std::string& file, Subject& subject) {
     if (std::find(known.begin(), known.end(), file) != known.end()) return;
     known.push_back(file);
     if (!is_text(file) || fs::path(file).extension() == ".obj") return;
-    for (const std::string& name : names_in(read_file(folder / file))) {
+    for (const std::string& name : names_in(bytes_of(folder / file))) {
         const fs::path named = (fs::path(file).parent_path() / name).lexically_normal();
         std::error_code error;
         if (named.has_extension() && fs::is_regular_file(folder / named, error)) follow(folder, named, subject);
@@ -109,7 +110,7 @@ void write_scenes(const fs::path& folder) {
         for (const auto& [command, extension] : stages)
             if (const auto file = files.find(extension); file != files.end()) {
                 scene += command + " " + file->second + "\n";
-                values += values_for(read_file(folder / file->second));
+                values += values_for(bytes_of(folder / file->second));
             }
         const std::string mesh = files.contains(".tcs") || files.contains(".tes") ? "ObjPatch" : "Obj";
         scene += "Program P" + values + "\n" + mesh + " ../cases/files/ring.obj\n";
@@ -141,11 +142,6 @@ void choose_options(Mutant& mutant, Random& random) {
 
 }  // namespace
 
-std::string read_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 void write_file(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 void copy_tree(const std::string& root, const std::string& folder) {
@@ -161,7 +157,7 @@ Tree read_tree(const std::string& folder) {
     tree.kinds = {subjects_in(folder, {"scenes"}), subjects_in(folder, {"tests/cases"}),
                   subjects_in(folder, {"tests/odd", "tests/bad"}), subjects_in(folder, {"tests/glsl"})};
     for (const fs::path& file : files_below(folder))
-        if (is_scene(file) || is_shader(file)) learn(tree.dictionary, language_of(file), read_file(file));
+        if (is_scene(file) || is_shader(file)) learn(tree.dictionary, language_of(file), bytes_of(file));
     return tree;
 }
 
@@ -183,7 +179,7 @@ Mutant make_mutant(const Tree& tree, const std::string& folder, std::uint32_t se
         auto change =
             std::find_if(mutant.changes.begin(), mutant.changes.end(), [&](const Change& c) { return c.file == file; });
         if (change == mutant.changes.end())
-            change = mutant.changes.insert(change, {file, read_file(folder + "/" + file)});
+            change = mutant.changes.insert(change, {file, bytes_of(folder + "/" + file)});
         mutant.how += "; " + file + ": " + damage(change->text, language_of(file), tree.dictionary, random);
     }
     mutant.how.erase(0, 2);

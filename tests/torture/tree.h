@@ -42,7 +42,6 @@ struct Mutant {
 // Mutant number `number` of a series.
 Mutant make_mutant(const Tree& tree, const std::string& folder, std::uint32_t seed, std::uint32_t number);
 
-std::string read_file(const std::string& path);
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace snell::torture

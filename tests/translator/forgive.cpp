@@ -62,6 +62,25 @@ TEST(GlslForgive, QualifiersThatMeanNothing) {
     expect_valid(texts, everywhere);
 }
 
+TEST(GlslForgive, WordsOfOtherLanguagesAreReadPast) {
+    for (const std::string word : {"static", "inline", "extern", "public"}) {
+        const Translated t = fragment(
+            word + " float twice(float x) { return 2. * x; }\nvoid main() { gl_FragColor = vec4(twice(.2)); }");
+        std::string log;
+        EXPECT_FALSE(t.has(Stage::fragment, word));
+        EXPECT_TRUE(reference_accepts(t.translation, log)) << word << '\n' << log;
+    }
+}
+
+// Uniforms must agree in their precision across stages.
+TEST(GlslForgive, OpenGlEsHasOnePrecision) {
+    const Translated t = fragment(
+        "precision mediump float;\nuniform lowp float a;\nuniform mediump vec3 b;\nuniform highp float c;\n"
+        "void main() { gl_FragColor = vec4(a * b, c); }",
+        es320);
+    EXPECT_FALSE(t.has(Stage::fragment, "lowp") || t.has(Stage::fragment, "mediump")) << t.text(Stage::fragment);
+}
+
 TEST(GlslForgive, ArrayInitialisersOfC) {
     expect_valid({{Stage::fragment,
                    "#version 330 compatibility\nfloat a[3] = {1., 2, 3.}; const vec2 b[2] = {vec2(1.), vec2(2.)};\n"

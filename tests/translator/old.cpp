@@ -1,19 +1,8 @@
 // What old versions of GLSL have and later ones have not; tests/glsl draws most of it.
-#include <algorithm>
-
 #include "tests/translator/translate_help.h"
 
 namespace snell::glsl::test {
 namespace {
-
-// The line that a piece of the translation comes from, by its #line.
-long line_of(const std::string& text, std::string_view piece) {
-    const std::string marker = "#line 1 0\n";
-    const std::size_t start = text.find(marker), end = text.find(piece);
-    if (start == std::string::npos || end == std::string::npos) return -1;
-    return 1 + std::count(text.begin() + static_cast<std::ptrdiff_t>(start + marker.size()),
-                          text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-}
 
 TEST(GlslOld, LiftedDeclarationsKeepEveryLine) {
     const Translated t = fragment(

@@ -4,20 +4,6 @@
 namespace snell::glsl::test {
 namespace {
 
-// The user's line that the driver will name for `part`.
-int line_of(const std::string& text, std::string_view part) {
-    int line = 1;
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t end = std::min(text.find('\n', i), text.size());
-        const std::string_view row(text.data() + i, end - i);
-        if (row.find(part) != std::string_view::npos) return line;
-        ++line;
-        if (row.starts_with("#line ")) line = std::atoi(row.data() + 6);
-        i = end + 1;
-    }
-    return 0;
-}
-
 TEST(GlslPreprocess, LinesStay) {
     const std::string body =
         "uniform float u;\nfloat g = u;\n\nvoid main()\n{\n    gl_FragColor = vec4(g, texture2D_here, 1., 1.);\n}\n";

@@ -7,6 +7,7 @@
 
 #include "tests/fuzz/glsl_input.h"
 #include "tests/sanitized.h"
+#include "tests/scratch.h"
 #include "tests/translator/translate_help.h"
 
 namespace snell::glsl::test {
@@ -77,8 +78,7 @@ TEST(GlslRobust, TheCorpusOfTheFuzzer) {
     std::size_t count = 0;
     for (const char* folder : {"fuzz/glsl_corpus", "glsl"}) {
         for (const auto& entry : std::filesystem::directory_iterator(std::string(SNELL_ROOT) + "/tests/" + folder)) {
-            std::ifstream in(entry.path(), std::ios::binary);
-            const std::string text{std::istreambuf_iterator<char>(in), {}};
+            const std::string text = bytes_of(entry.path());
             fuzz::translate_bytes(text);
             for (std::size_t choice = 0; choice < 20; ++choice)
                 fuzz::translate_bytes(text.substr(0, text.size() * (choice + 1) / 20) + static_cast<char>(choice));

@@ -51,6 +51,19 @@ Translated fragment(const std::string& text, const Target& target) {
 
 Translated vertex(const std::string& text, const Target& target) { return translated({{Stage::vertex, text}}, target); }
 
+int line_of(const std::string& text, std::string_view part) {
+    int line = 1;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t end = std::min(text.find('\n', i), text.size());
+        const std::string_view row(text.data() + i, end - i);
+        if (row.find(part) != std::string_view::npos) return line;
+        ++line;
+        if (row.starts_with("#line ")) line = std::atoi(row.data() + 6);
+        i = end + 1;
+    }
+    return 0;
+}
+
 bool reference_accepts(const Translation& translation, std::string& log) {
     static const bool installed = std::system("command -v glslangValidator > /dev/null 2>&1") == 0;
     if (!installed) return true;

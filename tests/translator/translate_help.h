@@ -32,6 +32,9 @@ Translated translated(const Texts& texts, const Target& target = core450);
 Translated fragment(const std::string& text, const Target& target = core450);
 Translated vertex(const std::string& text, const Target& target = core450);
 
+// The user's line that the driver will name for `part`; 0 if it is not there.
+int line_of(const std::string& text, std::string_view part);
+
 // Compiles and links with glslangValidator; true where it is not installed. Its messages go to `log`.
 bool reference_accepts(const Translation& translation, std::string& log);
 // Translates for each target and asks the reference compiler; then that a second translation changes nothing.

@@ -6,6 +6,7 @@
 #include "src/plan/lens.h"
 #include "src/plan/plan.h"
 #include "src/ui/help.h"
+#include "tests/scratch.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {
@@ -230,10 +231,9 @@ TEST_F(ViewPanel, F1ListsWhatThePageLists) {
     frame({key(Key::escape, true)});
     frame({key(Key::escape, false)});
     EXPECT_FALSE(has("close keys"));
-    std::stringstream page;
-    page << std::ifstream("docs/window.md").rdbuf();
+    const std::string page = bytes_of("docs/window.md");
     for (const KeyRow& row : key_rows())
-        EXPECT_NE(page.str().find("| " + std::string(row.keys) + " | " + row.what + " |"), std::string::npos)
+        EXPECT_NE(page.find("| " + std::string(row.keys) + " | " + row.what + " |"), std::string::npos)
             << "docs/window.md lacks | " << row.keys << " | " << row.what << " |";
 }
 

@@ -37,7 +37,7 @@ struct Campaign {
 
 // One that lies whole where it should, and can be read.
 std::string wrong_with_picture(const std::string& file) {
-    const std::string bytes = read_file(file);
+    const std::string bytes = bytes_of(file);
     const content::ImageResult read = content::decode_image(file, bytes);
     if (read.image && read.image->width > 0 && read.image->height > 0) return {};
     return "the picture can't be read: " + (read.issues.empty() ? "" : read.issues.front().message);
@@ -110,7 +110,7 @@ public:
     std::string try_out(const Campaign& campaign, const Mutant& mutant, End& end) {
         std::vector<std::string> before;
         for (const Change& change : mutant.changes) {
-            before.push_back(read_file(at(change.file)));
+            before.push_back(bytes_of(at(change.file)));
             write_file(at(change.file), change.text);
         }
         const std::string picture = folder_.path("out/" + mutant.output);
@@ -192,7 +192,7 @@ TEST(Mutants, AreMadeByTheirNumbers) {
         ASSERT_EQ(one.changes.size(), other.changes.size());
         for (std::size_t i = 0; i < one.changes.size(); ++i) {
             EXPECT_EQ(one.changes[i].text, other.changes[i].text);
-            changed += one.changes[i].text != read_file(folder.path("tree/" + one.changes[i].file)) ? 1U : 0U;
+            changed += one.changes[i].text != bytes_of(folder.path("tree/" + one.changes[i].file)) ? 1U : 0U;
         }
     }
     EXPECT_GT(changed, 150U);
