@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "src/accuracy/quality.h"
+#include "src/accuracy/report/quality.h"
 
 namespace snell::app {
 
