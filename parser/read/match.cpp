@@ -382,7 +382,7 @@ private:
         std::string help = "usage: " + usage(command_);
         if (alternative_takes(ArgumentKind::path)) help = "a file name with blanks is written in double quotes";
         for (const Parameter& p : command_.signature.parameters)
-            if (const auto word = nearest(lexer_.text(tokens_[at_]), split_choices(p.choices)); !word.empty())
+            if (const auto word = nearest(lexer_.text(tokens_[at_]), split(p.choices, '/')); !word.empty())
                 help = "did you mean " + quoted(word) + "?";
         if (find_command(lexer_.text(tokens_[at_])) != nullptr) help = "every statement begins a line of its own";
         report_.warning("surplus-arguments", span,

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 
 namespace snell::accuracy {
@@ -14,7 +15,8 @@ constexpr std::size_t few_combinations = 32, most_steps = 12;
 constexpr double as_exact = 1.01;  // errors that differ by less than this factor are considered equal
 
 bool exact_enough(const SweepResult& sweep, const RungResult& rung, const Wish& wish) {
-    return (!wish.error || rung.own.light.rmse + sweep.residual.value_or(0) <= *wish.error) &&
+    const double residual = sweep.residual.value_or(std::numeric_limits<double>::infinity());
+    return (!wish.error || rung.own.light.rmse + residual <= *wish.error) &&
            (!wish.alone || rung.alone.rmse <= *wish.alone);
 }
 bool quick_enough(const RungResult& rung, const Wish& wish) {
@@ -23,12 +25,6 @@ bool quick_enough(const RungResult& rung, const Wish& wish) {
 // If the intervals overlap, which one is cheaper is chance.
 bool cost_the_same(const RungResult& a, const RungResult& b) {
     return a.ratio.low <= b.ratio.high && b.ratio.low <= a.ratio.high;
-}
-
-Rungs references(const Scene& scene) {
-    Rungs rungs;
-    for (const Ladder& ladder : scene.ladders) rungs.push_back(ladder.rungs.size() - 1);
-    return rungs;
 }
 
 std::size_t combinations(const Scene& scene) {
@@ -68,7 +64,7 @@ Sweep sweep_of(const Scene& scene, std::vector<Rungs> all, const Rungs& base) {
         return at;
     };
     Sweep sweep{.kind = SweepKind::lattice};
-    sweep.reference = place(references(scene));
+    sweep.reference = place(last_rungs(scene));
     sweep.current = place(base);
     for (std::size_t i = 0; i < scene.ladders.size(); ++i) {
         sweep.name += (i > 0 ? " " : "") + scene.ladders[i].name;
@@ -126,7 +122,7 @@ private:
     Advice climb(const Wish& wish, double seconds) {
         const double end = left() - seconds;
         std::vector<Rungs> seen;
-        Rungs centre = references(bench_.scene());
+        Rungs centre = last_rungs(bench_.scene());
         for (std::size_t step = 0; step < most_steps; ++step) {
             const SweepResult& sweep = measure_all(neighbours(bench_.scene(), centre), seconds / 4);
             const auto best = choose(sweep, wish);

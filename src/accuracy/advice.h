@@ -19,11 +19,11 @@ struct Wish {
 };
 
 // Returns the rung of a sweep that fulfils the wish best, among those that were drawn and timed. An error counts with
-// the residual of the reference added, a time with the upper end of its interval. If several fulfil it:
-// with a limit of error alone, or without limits, the cheapest, and of equally cheap ones the most exact; with a limit
-// of time, the most exact, and of equally exact ones the cheapest. If none does, the nearest; with both limits, the
-// cheapest of those that are exact enough. Of equals, the one whose rungs are nearer to the last ones. Nullopt if none
-// was timed with a finite error, or nothing can be said.
+// the residual of the reference added (if that is not known, none is small enough), a time with the upper end of its
+// interval. If several fulfil it: with a limit of error alone, or without limits, the cheapest, and of equally cheap
+// ones the most exact; with a limit of time, the most exact, and of equally exact ones the cheapest. If none does, the
+// nearest; with both limits, the cheapest of those that are exact enough. Of equals, the one whose rungs are nearer to
+// the last ones. Nullopt if none was timed with a finite error, or nothing can be said.
 std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish);
 // True if the rung of the sweep meets the wish's limits.
 bool fulfils(const SweepResult& sweep, const RungResult& rung, const Wish& wish);

@@ -25,9 +25,9 @@ const Reference& References::of(Bench& bench, const Rungs& rungs, const Stop& st
     const Stop enough = [&] { return wall_milliseconds() > end || (stop && stop()); };
     double took = 0;
     for (int fineness = 1; fineness <= finest; fineness *= 2) {
-        // Four times the samples; the triangles cost as much again, at least.
+        // Four times the samples, at least; of the first picture, most of the time goes into compiling and loading.
         const double begin = wall_milliseconds();
-        if (fineness > 1 && begin + 4 * took > end) break;
+        if (begin + (fineness > 2 ? 4 : 1) * took > end && fineness > 1) break;
         const Variant variant = variant_of(bench.scene(), rungs, fineness);
         auto finer = bench.picture(variant, nullptr, fineness > 1 ? enough : stop);
         if (!finer) break;

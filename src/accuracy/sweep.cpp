@@ -10,12 +10,6 @@ namespace {
 
 constexpr std::size_t most_combinations = 64, most_ladders = 3;
 
-Rungs references(const Scene& scene) {
-    Rungs rungs;
-    for (const Ladder& ladder : scene.ladders) rungs.push_back(ladder.rungs.size() - 1);
-    return rungs;
-}
-
 // The ladders of these names, each once; all ladders if there are no names.
 std::vector<std::size_t> find_ladders(const Scene& scene, const std::vector<std::string>& names,
                                       Diagnostics& diagnostics) {
@@ -49,8 +43,8 @@ Sweep ladder_sweep(const Scene& scene, const Rungs& now, std::size_t index, From
     sweep.current = now[index];
     sweep.elsewhere = from == From::reference ? "where the scene stands" : "with the other ladders at their last rungs";
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
-        Variant variant{from == From::reference ? references(scene) : now, {}};
-        Rungs elsewhere = from == From::reference ? now : references(scene);
+        Variant variant{from == From::reference ? last_rungs(scene) : now, {}};
+        Rungs elsewhere = from == From::reference ? now : last_rungs(scene);
         variant.rungs[index] = elsewhere[index] = i;
         if (elsewhere == variant.rungs) elsewhere.clear();
         sweep.rungs.push_back({ladder.rungs[i], std::move(variant), {i}, std::move(elsewhere)});
@@ -127,6 +121,12 @@ std::vector<Setting> settings_of(std::string_view knob, const Scene& scene, bool
 
 }  // namespace
 
+Rungs last_rungs(const Scene& scene) {
+    Rungs rungs;
+    for (const Ladder& ladder : scene.ladders) rungs.push_back(ladder.rungs.size() - 1);
+    return rungs;
+}
+
 std::vector<Sweep> ladder_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
                                  Diagnostics& diagnostics) {
     std::vector<Sweep> sweeps;
@@ -153,7 +153,7 @@ std::vector<Sweep> lattice_sweep(const Scene& scene, const Rungs& now, const std
     Sweep sweep{.kind = SweepKind::lattice, .moved = ladders};
     std::vector<std::size_t> steps(ladders.size(), 0);
     for (std::size_t n = 0; n < combinations; ++n) {
-        SweepRung rung{.variant = {references(scene), {}}, .steps = steps};
+        SweepRung rung{.variant = {last_rungs(scene), {}}, .steps = steps};
         bool current = true;
         for (std::size_t i = 0; i < ladders.size(); ++i) {
             const Ladder& ladder = scene.ladders[ladders[i]];
@@ -189,7 +189,7 @@ std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::
         for (const Setting& setting : settings) {
             if (setting.current) sweep.current = sweep.rungs.size();
             sweep.rungs.push_back({setting.name,
-                                   {from == From::reference ? references(scene) : now, setting.knobs},
+                                   {from == From::reference ? last_rungs(scene) : now, setting.knobs},
                                    {sweep.rungs.size()},
                                    {}});
         }

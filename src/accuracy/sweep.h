@@ -39,6 +39,9 @@ struct Sweep {
 inline constexpr std::array<std::string_view, 5> knob_names{"samples", "tessellation", "filter", "cube-size",
                                                             "cube-precision"};
 
+// The last rung of every ladder.
+Rungs last_rungs(const Scene& scene);
+
 // Returns a sweep for each named ladder; without names, for all ladders. Reports an error for an unknown name.
 std::vector<Sweep> ladder_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
                                  Diagnostics& diagnostics);

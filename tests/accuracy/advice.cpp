@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "src/accuracy/quality.h"
+#include "src/accuracy/report/quality.h"
 
 namespace snell::accuracy {
 namespace {
@@ -21,6 +21,7 @@ RungResult rung(std::string name, double error, double milliseconds) {
 
 SweepResult sweep() {
     SweepResult result;
+    result.residual = 0;
     result.rungs = {rung("quick", .5, 5), rung("good", .01, 10), rung("same", .004, 10.05), rung("dear", .002, 20),
                     rung("exact", 0, 40)};
     return result;
@@ -73,6 +74,7 @@ TEST(Advice, PictureThatIsNotFiniteIsNeverChosen) {
 // What a picture hides may show in the next one.
 TEST(Advice, OfEqualErrorsTheOneNearerToTheLastRungs) {
     SweepResult result;
+    result.residual = 0;
     result.rungs = {rung("mistake", .001, 10), rung("right", .001, 10), rung("other", .001, 20)};
     for (std::size_t i = 0; i < 3; ++i) result.rungs[i].steps = {i};
     EXPECT_EQ(choose(result, {.error = .01}), 1U);
@@ -85,6 +87,14 @@ TEST(Advice, ErrorsCountWithTheResidualOfTheReference) {
     result.residual = .003;
     EXPECT_EQ(choose(result, {.error = .005}), 3U) << "'same' has .004, and may have .007";
     EXPECT_EQ(choose(result, {.milliseconds = 1000}), 3U) << "'dear' and 'exact' are not told apart: the cheaper one";
+}
+
+TEST(Advice, WithoutAResidualNoErrorIsCertified) {
+    SweepResult result = sweep();
+    result.residual.reset();
+    const Wish wish{.error = .1};
+    EXPECT_FALSE(fulfils(result, result.rungs[*choose(result, wish)], wish));
+    EXPECT_TRUE(fulfils(result, result.rungs[0], {.alone = .6}));
 }
 
 TEST(Quality, PresetsComeBackFromTheirFile) {

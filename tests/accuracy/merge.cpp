@@ -1,9 +1,9 @@
 // Reports of several machines: what holds on all of them, and what does not.
-#include "src/accuracy/merge.h"
+#include "src/accuracy/report/merge.h"
 
 #include <gtest/gtest.h>
 
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
 namespace {

@@ -82,7 +82,7 @@ TEST_F(Accuracy, WritesEveryFormat) {
 }
 
 TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
-    EXPECT_EQ(run("--size 100x100 --reps 5000 --budget 60 --ladders SHADE --json " + folder.path("r.json"),
+    EXPECT_EQ(run("--size 100x100 --reps 5000 --budget 5 --ladders SHADE --json " + folder.path("r.json"),
                   "timeout --foreground -s INT 3 "),  // else it comes twice, and the second ends it
               124)                                    // of `timeout`, which waited for the end
         << text("err.txt");
@@ -114,7 +114,7 @@ TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
 
 // An error that the second rung meets and the first does not, whatever the reference is good for on this machine.
 TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
-    const std::string quick = "--size 64x64 --reps 7 --budget 10 ";
+    const std::string quick = "--size 64x64 --reps 7 --budget 30 ";
     ASSERT_EQ(run(quick + "--ladders SHADE --no-time --json " + folder.path("r.json")), 0) << text("err.txt");
     const auto shade = nlohmann::json::parse(text("r.json"))["ladders"][0];
     const auto error = [&](std::size_t rung) { return shade["rungs"][rung]["own"]["light"]["rmse"].get<double>(); };

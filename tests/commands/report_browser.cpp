@@ -57,7 +57,7 @@ TEST_F(Browser, ShowsTheReportOnAnyScreen) {
     const std::string scene = folder.write(
         "scene.glib", "Ladder SHADE rough <exact>\nVertex flat.vert\nFragment flat.frag\nProgram Flat\nQuadXY 0 .5\n");
     const std::string command = SNELL_BIN "/snell accuracy " + scene +
-                                " --size 64x64 --reps 7 --budget 2 --ladders SHADE --knobs samples -o " +
+                                " --size 64x64 --reps 7 --budget 40 --ladders SHADE --knobs samples -o " +
                                 folder.path("report.html") + " > " + folder.path("out.txt");
     ASSERT_EQ(std::system(command.c_str()), 0);
     folder.write("probe.html", text("report.html") + probe);

@@ -13,8 +13,8 @@
 #include <memory>
 #include <thread>
 
-#include "src/accuracy/merge.h"
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/merge.h"
+#include "src/accuracy/report/report.h"
 #include "src/app/commands/advice.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
@@ -277,8 +277,11 @@ private:
 
 bool note_problems(const Bench& bench, const Subject& subject, Report& report) {
     Diagnostics wrong;
-    for (const SweepResult& sweep : report.sweeps)
-        if (sweep.scene == subject.path) note_broken(sweep, subject.plan.scene, wrong);
+    for (const SweepResult& sweep : report.sweeps) {
+        Diagnostics broken;
+        if (sweep.scene == subject.path) note_broken(sweep, subject.plan.scene, broken);
+        for (const Diagnostic& problem : broken.items()) wrong.add_once(problem);
+    }
     for (const Diagnostic& problem : bench.problems().items()) {
         report.problems.push_back(problem.message);
         if (problem.severity == Severity::error) wrong.add(problem);

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "src/accuracy/quality.h"
+#include "src/accuracy/report/quality.h"
 #include "src/app/open/quality.h"
 #include "src/content/replace.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/report.h"
 #include "src/plan/files.h"
 
 namespace snell::app {

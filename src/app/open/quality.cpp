@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "src/accuracy/quality.h"
+#include "src/accuracy/report/quality.h"
 #include "src/content/replace.h"
 
 namespace snell::app {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "src/accuracy/advice.h"
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/report.h"
 #include "src/accuracy/sweep.h"
 #include "tests/accuracy/gl/common.h"
 #include "tests/sanitized.h"
@@ -31,7 +31,7 @@ protected:
         const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {}, From::reference, problems);
         MeasureOptions options;
         options.rounds = 9;
-        options.seconds = 20;
+        options.seconds = 5;
         options.at_least = .1;
         return measure(*bench, sweeps.at(which), options);
     }
@@ -183,9 +183,9 @@ TEST_F(Misleading, FirstDrawnIsNotTheDearest) {
 
 TEST_F(Misleading, BudgetHoldsWithinAFactorOfTwo) {
     const std::string body =
-        "float x = gl_FragCoord.x;\nfor (int i = 0; i < 3000; ++i) x = x * .999 + uZero * sin(x);\n"
+        "float x = gl_FragCoord.x;\nfor (int i = 0; i < 800; ++i) x = x * .999 + uZero * sin(x);\n"
         "c += 1e-30 * x;";
-    sweep_of("Ladder L a b <c>\n", body, 0, "Sphere 1 60 60\n");
+    sweep_of("Ladder L a b <c>\n", body, 0, "Sphere 1 30 30\n");
     Diagnostics problems;
     std::vector<Sweep> sweeps = ladder_sweeps(plan().scene, plan().rungs, {}, From::reference, problems);
     for (Sweep& sweep : knob_sweeps(plan().scene, plan().rungs, {"samples", "tessellation"}, From::reference, problems))

@@ -1,4 +1,4 @@
-#include "src/accuracy/merge.h"
+#include "src/accuracy/report/merge.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/report.h"
 #include "src/content/json.h"
 
 namespace snell::accuracy {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "src/accuracy/advice.h"
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
 

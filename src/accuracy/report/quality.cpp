@@ -1,4 +1,4 @@
-#include "src/accuracy/quality.h"
+#include "src/accuracy/report/quality.h"
 
 #include <fmt/format.h>
 

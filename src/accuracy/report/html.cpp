@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/accuracy/plot.h"
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/plot.h"
+#include "src/accuracy/report/report.h"
 #include "src/content/image/image.h"
 
 namespace snell::accuracy {

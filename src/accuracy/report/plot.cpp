@@ -1,4 +1,4 @@
-#include "src/accuracy/plot.h"
+#include "src/accuracy/report/plot.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
 

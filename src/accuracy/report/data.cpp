@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/report.h"
 #include "src/content/json.h"
 
 namespace snell::accuracy {

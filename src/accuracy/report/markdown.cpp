@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/accuracy/report.h"
+#include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
 
