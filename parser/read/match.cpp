@@ -226,9 +226,8 @@ private:
                 continue;
             }
             if (token.kind != TokenKind::word || (!bracketed && out_.numbers_.size() - out->first == 3)) break;
-            Parameter number;
             Argument component;
-            good = take_number(number, &component) && good;
+            good = take_number(Parameter{}, &component) && good;
             out_.numbers_.push_back(component.number);
             last = at_ - 1;
         }
@@ -258,9 +257,8 @@ private:
         if (!loose_) return false;
         for (int i = 0; i < 3; ++i) {
             while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::comma) ++at_;
-            if (at_ == tokens_.size()) return false;
-            if (tokens_[at_].kind != TokenKind::word || !plausible_number(lexer_.text(tokens_[at_]))) return false;
-            ++at_;
+            if (at_ == tokens_.size() || tokens_[at_].kind != TokenKind::word) return false;
+            if (!plausible_number(lexer_.text(tokens_[at_++]))) return false;
         }
         return true;
     }
@@ -324,20 +322,16 @@ private:
         }
         const std::string_view text = lexer_.text();
         out->span = {lexer_.file(), tokens_[first].begin, tokens_.back().end};
-        bool several = false;
-        for (std::size_t i = first + 1; i < tokens_.size(); ++i) several = several || tokens_[i].line_start;
         out->text = text.substr(out->span.begin, out->span.end - out->span.begin);
-        if (!several) return true;
-        out_.joined_.clear();
-        for (std::size_t i = first; i < tokens_.size(); ++i) {
-            if (i > first && tokens_[i].line_start) {
-                out_.joined_ += ' ';
-            } else if (i > first) {
-                out_.joined_ += text.substr(tokens_[i - 1].end, tokens_[i].begin - tokens_[i - 1].end);
-            }
-            out_.joined_ += lexer_.text(tokens_[i]);
+        bool several = false;
+        out_.joined_ = lexer_.text(tokens_[first]);
+        for (std::size_t i = first + 1; i < tokens_.size(); ++i) {
+            const Token &token = tokens_[i], &before = tokens_[i - 1];
+            several = several || token.line_start;
+            out_.joined_ += token.line_start ? " " : text.substr(before.end, token.begin - before.end);
+            out_.joined_ += lexer_.text(token);
         }
-        out->text = out_.joined_;
+        if (several) out->text = out_.joined_;
         return true;
     }
 

@@ -239,6 +239,50 @@ TEST(Commands, EachIsReadInFullAndWithItsDefaults) {
     }
 }
 
+TEST(Scene, LimitsHaveTheirOwnErrors) {
+    Limits limits;
+    limits.matrix_stack = 2;
+    const Read deep = read(
+        "PushMatrix\nPushMatrix\nPushMatrix\nPushMatrix\nScale 2\nPopMatrix\nPopMatrix\nSphere\nPopMatrix\nPopMatrix\n",
+        {}, limits);
+    EXPECT_EQ(deep.codes(), Codes{"3:1 matrix-stack-full"});
+    limits = {};
+    limits.statements = 3;
+    const Read many = read("Sphere\nSphere\nSphere\nSphere\nSphere\n", {}, limits);
+    EXPECT_EQ(many.codes(), Codes{"4:1 too-many-statements"});
+    EXPECT_EQ(many.scene().draws.size(), 3u);
+    limits = {};
+    limits.text_bytes = 5;
+    EXPECT_EQ(read("Sphere\n", {}, limits).codes(), Codes{"1:1 text-too-large"});
+    limits = {};
+    limits.diagnostics = 2;
+    EXPECT_EQ(read("a\nb\nc\nd\n", {}, limits).codes(),
+              (Codes{"1:1 unknown-command", "2:1 unknown-command", "3:1 too-many-diagnostics"}));
+    const Read default_deep = read([] {
+        std::string t;
+        for (int i = 0; i < 100'000; ++i) t += "PushMatrix\n";
+        return t;
+    }());
+    EXPECT_EQ(default_deep.diagnostics()[1].code, "matrix-stack-full");
+}
+
+// A word that may follow other arguments, and nothing else in its place.
+TEST(Commands, EncodingsOfFilesAndOfTheOutput) {
+    const auto encodings = [](const std::string& text) {
+        std::string all;
+        const Read r = read(text);
+        for (const Texture& t : r.scene().textures)
+            all += !t.encoding ? '-' : *t.encoding == Encoding::srgb ? 's' : 'r';
+        return all;
+    };
+    EXPECT_EQ(encodings("Texture2D 5 a.png\nTexture2D 5 a.png srgb\nTexture2D 5 a.png RAW\n"), "-sr");
+    EXPECT_EQ(encodings("CubeMap 6 a.hdr srgb\nCubeMap 6 a b c d e f srgb\nCubeMap 6 a b c d e f\n"), "ss-");
+    EXPECT_EQ(read("Texture2D 5 srgb srgb\n").scene().textures[0].files[0].name, "srgb");
+    EXPECT_EQ(read("").scene().output, Encoding::raw);
+    EXPECT_EQ(read("Output srgb\n").scene().output, Encoding::srgb);
+    EXPECT_EQ(read("Output srgb\nOutput raw\n").scene().output, Encoding::raw);
+}
+
 TEST(Commands, EachHasItsCaseAndItsPicture) {
     for (const Command& c : commands()) {
         EXPECT_TRUE(std::filesystem::exists(SNELL_ROOT "/tests/cases/" + std::string(c.name) + ".glib")) << c.name;

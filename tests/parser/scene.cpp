@@ -308,22 +308,6 @@ TEST(Scene, FiltersHoldForTexturesNamedAfterThem) {
     EXPECT_EQ(r.scene().textures[2].filter, (Filter{Filter::Mode::nearest, 1}));
 }
 
-TEST(Scene, EncodingsOfFilesAndOfTheOutput) {
-    const auto encodings = [](const std::string& text) {
-        std::string all;
-        const Read r = read(text);
-        for (const Texture& t : r.scene().textures)
-            all += !t.encoding ? '-' : *t.encoding == Encoding::srgb ? 's' : 'r';
-        return all;
-    };
-    EXPECT_EQ(encodings("Texture2D 5 a.png\nTexture2D 5 a.png srgb\nTexture2D 5 a.png RAW\n"), "-sr");
-    EXPECT_EQ(encodings("CubeMap 6 a.hdr srgb\nCubeMap 6 a b c d e f srgb\nCubeMap 6 a b c d e f\n"), "ss-");
-    EXPECT_EQ(read("Texture2D 5 srgb srgb\n").scene().textures[0].files[0].name, "srgb");
-    EXPECT_EQ(read("").scene().output, Encoding::raw);
-    EXPECT_EQ(read("Output srgb\n").scene().output, Encoding::srgb);
-    EXPECT_EQ(read("Output srgb\nOutput raw\n").scene().output, Encoding::raw);
-}
-
 TEST(Scene, FileNamesUseSlashes) {
     const Read r = read(
         "Vertex \"my shaders\\a b.vert\"\nTexture2D 5 tex\\\\wall.bmp\nTexture2D 6 a,b[1].bmp\nProgram P\nObj "
@@ -382,33 +366,6 @@ TEST(Scene, IncludesAreLimitedInDepth) {
     ASSERT_EQ(r.diagnostics().size(), 1u);
     EXPECT_EQ(r.diagnostics()[0].code, "include-too-deep");
     EXPECT_EQ(count, Limits{}.include_depth);
-}
-
-TEST(Scene, LimitsHaveTheirOwnErrors) {
-    Limits limits;
-    limits.matrix_stack = 2;
-    const Read deep = read(
-        "PushMatrix\nPushMatrix\nPushMatrix\nPushMatrix\nScale 2\nPopMatrix\nPopMatrix\nSphere\nPopMatrix\nPopMatrix\n",
-        {}, limits);
-    EXPECT_EQ(deep.codes(), Codes{"3:1 matrix-stack-full"});
-    limits = {};
-    limits.statements = 3;
-    const Read many = read("Sphere\nSphere\nSphere\nSphere\nSphere\n", {}, limits);
-    EXPECT_EQ(many.codes(), Codes{"4:1 too-many-statements"});
-    EXPECT_EQ(many.scene().draws.size(), 3u);
-    limits = {};
-    limits.text_bytes = 5;
-    EXPECT_EQ(read("Sphere\n", {}, limits).codes(), Codes{"1:1 text-too-large"});
-    limits = {};
-    limits.diagnostics = 2;
-    EXPECT_EQ(read("a\nb\nc\nd\n", {}, limits).codes(),
-              (Codes{"1:1 unknown-command", "2:1 unknown-command", "3:1 too-many-diagnostics"}));
-    const Read default_deep = read([] {
-        std::string t;
-        for (int i = 0; i < 100'000; ++i) t += "PushMatrix\n";
-        return t;
-    }());
-    EXPECT_EQ(default_deep.diagnostics()[1].code, "matrix-stack-full");
 }
 
 TEST(Scene, AnErrorHidesNoOther) {
