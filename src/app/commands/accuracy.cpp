@@ -249,7 +249,7 @@ private:
         const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
         MeasureOptions measuring;
         measuring.rounds = options_.rounds;
-        measuring.seconds = std::max(share, .01);
+        measuring.seconds = share;
         measuring.references = &references;
         measuring.times = !options_.no_time;
         measuring.stop = [this] {
