@@ -390,7 +390,7 @@ Run add_accuracy(CLI::App& command) {
             "find the most accurate combination that takes no longer, such as 16ms")
         ->check(check_milliseconds)
         ->excludes(untimed);
-    command.add_option("--error", options->error, "find the cheapest combination with no more RMSE")
+    command.add_option("--error", options->error, "find the cheapest combination with no more RMSE of light")
         ->check(CLI::NonNegativeNumber)
         ->excludes(untimed);
     command.add_flag("--save-quality", options->save_quality, "find presets for --quality, stored next to the scene")
