@@ -61,7 +61,7 @@ public:
 
     SweepResult run() {
         pictures();
-        if (options_.times && !stopped()) rounds();
+        if (options_.times && !over()) rounds();
         conclude(result_, again_, options_.seed);
         return std::move(result_);
     }
@@ -110,16 +110,26 @@ private:
         return region;
     }
 
+    // True, and noted, if the time was up before anything could be said.
+    bool given_up() {
+        if (over()) result_.cannot_say = result_.interrupted ? "it was interrupted" : "the time was up";
+        return !result_.cannot_say.empty();
+    }
+
     void pictures() {
+        if (given_up()) return;
         say("reference", 0, 0);
         const std::size_t at = result_.sweep.reference;
         References of_sweep(options_.seconds / 4);
         References& references = options_.references ? *options_.references : of_sweep;
         Goal goal{.reference = &references.of(bench_, variant(at).rungs, options_.stop)};
-        start_ = std::chrono::steady_clock::now();  // references have a time of their own
+        // References have a time of their own; only what goes beyond it is taken from the sweep's.
+        start_ += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+            std::chrono::duration<double>(std::min(seconds_since(start_), references.seconds())));
+        if (given_up()) return;
         const bool knob = result_.sweep.kind == SweepKind::knob;
         goal.last = bench_.picture(variant(at), nullptr, [&] { return knob ? over() : stopped(); });
-        if (goal.reference->picture.rgba.empty() || (!goal.last && !knob)) return;
+        if (given_up() || goal.reference->picture.rgba.empty() || (!goal.last && !knob)) return;
         goal.own = own_region(*goal.reference);
         if (!knob) goal.facing = bench_.directions(variant(at));
         if (const Rungs& other = result_.sweep.rungs[at].elsewhere; !other.empty())

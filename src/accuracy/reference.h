@@ -21,6 +21,7 @@ class References {
 public:
     // For each reference, at most about `seconds` are used.
     explicit References(double seconds) : seconds_(seconds) {}
+    double seconds() const { return seconds_; }
     const Reference& of(Bench& bench, const Rungs& rungs, const Stop& stop);
 
 private:

@@ -250,7 +250,7 @@ private:
         const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
         MeasureOptions measuring;
         measuring.rounds = options_.rounds;
-        measuring.seconds = std::max(share, .01);
+        measuring.seconds = share;
         measuring.references = &references;
         measuring.times = !options_.no_time;
         measuring.stop = [this] {
@@ -393,7 +393,7 @@ Run add_accuracy(CLI::App& command) {
             "find the most accurate combination that takes no longer, such as 16ms")
         ->check(check_milliseconds)
         ->excludes(untimed);
-    command.add_option("--error", options->error, "find the cheapest combination with no more RMSE")
+    command.add_option("--error", options->error, "find the cheapest combination with no more RMSE of light")
         ->check(CLI::NonNegativeNumber)
         ->excludes(untimed);
     command.add_flag("--save-quality", options->save_quality, "find presets for --quality, stored next to the scene")

@@ -107,6 +107,18 @@ TEST_F(Misleading, RungThatTheReferenceHidesIsFlaggedAndNotAdvised) {
     }
 }
 
+// In this scene the last rung of BEND once overwrote what FRESNEL had computed.
+TEST_F(Misleading, CrystalHidesNoMistakeOfItsFresnel) {
+    Bench& b = bench_of(SNELL_ROOT "/scenes/light/crystal/crystal.glib", 20, 20);
+    Rungs rungs = last_rungs(plan().scene);
+    const auto last = b.picture({rungs, {}});
+    rungs.at(0) = 0;
+    ASSERT_EQ(plan().scene.ladders.at(0).rungs.at(0), "swapped");
+    const auto swapped = b.picture({rungs, {}});
+    ASSERT_TRUE(last && swapped);
+    EXPECT_GT(compare(*swapped, *last, where_different(*swapped, *last)).light.rmse, .05);
+}
+
 TEST_F(Misleading, RungsThatDoNothingAreTiesThatTheLastOneWins) {
     const SweepResult result = sweep_of("Ladder L <a> b c\n", "#if L == 99\n c = vec3(0.);\n#endif");
     for (const RungResult& rung : result.rungs) {
