@@ -218,14 +218,13 @@ TEST_P(HardPlaces, EdgesOfACubeMapAreNoSteps) {
                static_cast<double>(worst), std::nullopt});
 }
 
-// Around the horizon and in strongly compressed rows, so that footprints are long and cross the edges of faces.
+// Across an edge, with rows that are compressed more than columns, so that footprints are long.
 TEST_P(HardPlaces, CubeMapsAreSmoothUnderAnisotropicFilters) {
     const std::string files = write_directions(64);
-    folder.write(
-        "around.frag",
-        "uniform samplerCube uCube;\nvoid main() { vec2 p = gl_FragCoord.xy / 64.; float a = 6.2831853 * p.x;\n"
-        "vec3 d = normalize(vec3(cos(a), .1 * (p.y - .5), sin(a)));\n"
-        "gl_FragColor = vec4(abs(texture(uCube, d).rgb - (128. + 100. * d) / 255.), 1.); }\n");
+    folder.write("around.frag",
+                 "uniform samplerCube uCube;\nvoid main() { vec2 p = gl_FragCoord.xy / 64.; float a = .2853982 + p.x;\n"
+                 "vec3 d = normalize(vec3(cos(a), 2. * p.y - 1., sin(a)));\n"
+                 "gl_FragColor = vec4(abs(texture(uCube, d).rgb - (128. + 100. * d) / 255.), 1.); }\n");
     const auto worst = [&] {
         auto document = open("Ortho -1 1 -1 1\nFilter anisotropic 8\nCubeMap 5" + files +
                              "\nVertex plain.vert\nFragment around.frag\nProgram A uCube 5\nQuadXY\n");
