@@ -119,8 +119,7 @@ TEST_P(LibraryFresnel, SpecialValuesGiveReflectances) {
     std::vector<Arguments> rounded, odd;
     for (int i = 0; i < 100; ++i) rounded.push_back({{1 + static_cast<float>(i) * 3.6e-9F, 1, 1.5F, 0}, {}, {}});
     hard_case({"7", "dot products of unit vectors are up to 1 + 3.6e-7; naive: pow(1. - dot, 5.)",
-               "of 100 out of [0,1]", 0,
-               out_of_range(include, "return vec4(snellFresnelSchlick5(a.x, .04));", rounded),
+               "of 100 out of [0,1]", 0, out_of_range(include, "return vec4(snellFresnelSchlick5(a.x, .04));", rounded),
                out_of_range("", "return vec4(.04 + .96 * pow(1. - a.x, 5.));", rounded)});
     for (const float x : {0.0F, -0.1F, -0.5F})
         for (const float power : {0.0F, -1.0F, 1.55F}) odd.push_back({{1 - x, power, 0, 0}, {}, {}});
@@ -136,7 +135,8 @@ TEST_P(LibraryFresnel, NearlyEqualIndicesKeepTheirDigits) {
     const auto worst = [](const std::vector<glm::vec4>& out, const std::vector<Arguments>& in, const auto& error) {
         double most = 0;
         for (std::size_t i = 0; i < out.size(); ++i)
-            if (const double off = error(in[i].a, static_cast<double>(out[i].x)); !(off <= most)) most = off;
+            if (const double off = error(in[i].a, static_cast<double>(out[i].x)); !(off <= most) && !std::isnan(most))
+                most = off;
         return most;
     };
     const auto of_light = [](const glm::vec4& a, double f) { return std::abs(f - fresnel(a.x, a.y, a.z)); };

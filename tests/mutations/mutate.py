@@ -33,7 +33,8 @@ class Mutation:
         return f"{self.place}: {cases}{self.file}: {self.new.strip()}"
 
     def chosen_by(self, words):
-        return not words or any(w in f"{self.file} {self.target} {self.filter}" or w in self.cases for w in words)
+        text = f"{self.file} {self.target} {self.filter}"
+        return not words or any(w in (self.cases if re.fullmatch(r"A?\d+", w) else text) for w in words)
 
 
 def read_table(table):

@@ -38,7 +38,7 @@ double rigidity(const Matrix& view) {
     double worst = 0;
     for (int c = 0; c < 3; ++c)
         for (int k = 0; k < 3; ++k)
-            if (!(std::abs(d[c][k]) <= worst)) worst = std::abs(d[c][k]);
+            if (!(std::abs(d[c][k]) <= worst) && !std::isnan(worst)) worst = std::abs(d[c][k]);
     return worst;
 }
 
@@ -75,7 +75,7 @@ TEST(HardMatrices, LookAtWithoutADirection) {
         worst = std::max(
             worst, rigidity(view_matrix(looking({0, 0, 0}, {forward.x, forward.y, forward.z}, {up.x, up.y, up.z}))));
         const double in_float = rigidity(glm::lookAt(glm::vec3(0), glm::vec3(forward), glm::vec3(up)));
-        if (!(in_float <= worst_in_float)) worst_in_float = in_float;
+        if (!(in_float <= worst_in_float) && !std::isnan(worst_in_float)) worst_in_float = in_float;
     }
     hard_case({"A7", "LookAt: up 1e-4 to 1e-8 rad off the view; naive: glm::lookAt in float", "from orthonormal", 1e-6,
                worst, worst_in_float});

@@ -123,7 +123,7 @@ TEST_F(Measure, ManySamplesCoverTheDiscsArea) {
 TEST_F(Measure, CubeMapsAreNotFilteredAnisotropicallyInSoftware) {
     Scene scene;
     scene.textures.resize(1);
-    scene.textures[0].files = {"a.png"};
+    scene.textures[0].files.resize(1);
     scene.textures[0].filter.mode = Filter::Mode::anisotropic;
     const auto rungs = [&](bool software) {
         Diagnostics problems;

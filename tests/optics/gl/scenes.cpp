@@ -58,10 +58,32 @@ protected:
         return gl::read_rgba32f(other.framebuffer.get(), side, side, other.samples);
     }
 
-    // Pixels that are not finite, over all four corners of every pair of controls. Ten pictures do for 126 controls:
-    // in picture k a control has bit k of its number, which has five ones of ten, the last bit zero. Two such numbers
-    // have each of 00, 01, 10 and 11 somewhere.
+    std::vector<std::size_t> adjustable() const {
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < document->controls.items.size(); ++i)
+            if (document->controls.items[i].widget != Widget::none) found.push_back(i);
+        return found;
+    }
+    // Values that are not finite, over all four corners of every pair of controls, the others as the scene has them.
     double corners() {
+        std::vector<Control>& items = document->controls.items;
+        const std::vector<std::size_t> all = adjustable();
+        double bad = 0;
+        for (std::size_t a = 0; a < all.size(); ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                for (const unsigned corner : {0U, 1U, 2U, 3U}) {
+                    const Control before[] = {items[all[a]], items[all[b]]};
+                    set(items[all[a]], (corner & 1) != 0);
+                    set(items[all[b]], (corner & 2) != 0);
+                    bad += not_finite(values(16, 1, {}, 0));
+                    items[all[a]] = before[0], items[all[b]] = before[1];
+                }
+        return bad;
+    }
+    // The same, all controls at their ends at once. Ten pictures do for 126 controls: in picture k a control has bit k
+    // of its number, which has five ones of ten, the last bit zero. Two such numbers have each of 00, 01, 10 and 11
+    // somewhere.
+    double ends() {
         std::vector<unsigned> numbers;
         for (unsigned n = 0; n < 512; ++n)
             if (std::popcount(n) == 5) numbers.push_back(n);
@@ -69,16 +91,14 @@ protected:
         double bad = 0;
         for (unsigned picture = 0; picture < 10; ++picture) {
             std::size_t next = 0;
-            for (Control& control : document->controls.items) {
-                if (control.widget == Widget::none) continue;
-                EXPECT_LT(next, numbers.size());
-                set(control, (numbers[next++ % numbers.size()] >> picture & 1) != 0);
-            }
+            for (const std::size_t i : adjustable())
+                set(document->controls.items[i], (numbers.at(next++) >> picture & 1) != 0);
             bad += not_finite(values(16, 1, {}, 0));
         }
         document->controls.items = before;
         return bad;
     }
+
     // Anywhere in its range.
     void scatter(Control& control) {
         std::uniform_real_distribution<double> place(0, 1);
@@ -210,12 +230,12 @@ TEST_P(ShippedScene, IsFiniteOnEveryRungAndHasNoIdleControl) {
             EXPECT_TRUE(document->runtime->ladder_problems().items().empty()) << name;
             for (Control& control : document->controls.items) scatter(control);
             expect_finite(name + ", sliders anywhere");
-            bad += corners();
+            bad += ends();
             EXPECT_EQ(bad, 0) << name << ", corners of sliders";
             find_idle();
         }
-    hard_case({"A49", "every rung of every shipped scene at all corners of every pair of sliders", "values not finite",
-               0, bad, std::nullopt});
+    hard_case({"A49", "every rung of every shipped scene with all sliders at their ends, in all corners of every pair",
+               "values not finite", 0, bad, std::nullopt});
     for (const auto& [name, matters] : controls) EXPECT_TRUE(matters) << name << " does nothing";
 }
 
