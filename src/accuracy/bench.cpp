@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/accuracy/clock.h"
+#include "src/accuracy/sample_mean.h"
 #include "src/gl/present.h"
 #include "src/plan/used_files.h"
 #include "src/plan/values/controls.h"
@@ -158,7 +159,7 @@ bool Bench::draw(const std::vector<bool>* hidden, const Stop& stop) {
 
 std::optional<Picture> Bench::picture(const Variant& variant, const std::vector<bool>* hidden, const Stop& stop) {
     if (!ready(variant, false) || !draw(hidden, stop)) return std::nullopt;
-    return Picture{settings_.width, settings_.height, into_->read(knobs_.grid > 1)};
+    return displayed({settings_.width, settings_.height, into_->read(knobs_.grid > 1)}, current_->runtime);
 }
 
 std::optional<Picture> Bench::directions(const Variant& variant) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "src/accuracy/metrics.h"
+#include "src/content/image/image.h"
 
 namespace snell::accuracy {
 
@@ -167,7 +168,7 @@ std::array<Plane, 3> opponent_planes(const Picture& picture) {
         for (std::size_t c = 0; c < 3; ++c) {
             const float value = picture.rgba[4 * p + c];
             const double shown = std::isfinite(value) ? std::clamp(static_cast<double>(value), 0.0, 1.0) : 0.0;
-            linear[c] = static_cast<float>(light_of(shown));
+            linear[c] = static_cast<float>(content::light_of_srgb(shown));
         }
         const Color color = to_opponent(linear);
         for (std::size_t c = 0; c < 3; ++c) planes[c].values[p] = color[c];

@@ -1,5 +1,7 @@
 #include "src/accuracy/metrics.h"
 
+#include "src/content/image/image.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,11 +62,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity(), unknown = s
 
 }  // namespace
 
-double light_of(double display) {
-    const double size = std::abs(display);
-    return std::copysign(size <= .04045 ? size / 12.92 : std::pow((size + .055) / 1.055, 2.4), display);
-}
-
 Region where_different(const Picture& a, const Picture& b, float threshold) {
     Region region(a.pixels(), 0);
     for (std::size_t i = 0; i < region.size(); ++i)
@@ -100,7 +97,7 @@ Error compare(const Picture& picture, const Picture& reference, const Region& re
             correlation.add(x, y);
             if (x == y) continue;
             display.add(std::abs(x - y));
-            light.add(std::abs(light_of(x) - light_of(y)));
+            light.add(std::abs(content::light_of_srgb(x) - content::light_of_srgb(y)));
         }
     }
     error.light = light.figures(error.pixels);

@@ -21,9 +21,6 @@ struct Picture {
 // For each pixel, whether it counts. Empty: all pixels count.
 using Region = std::vector<std::uint8_t>;
 
-// The light that a display emits for a value: the curve of sRGB, continued beyond 0..1 (negative values mirrored).
-double light_of(double display);
-
 // The pixels in which any channel of two pictures of equal size differs by more than `threshold`. Where both are NaN
 // they do not differ.
 Region where_different(const Picture& a, const Picture& b, float threshold = 0);

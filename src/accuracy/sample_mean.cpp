@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "src/accuracy/clock.h"
+#include "src/content/image/image.h"
 #include "src/gl/present.h"
 
 namespace snell::accuracy {
@@ -41,10 +42,17 @@ double SampleMean::add(Runtime& runtime, Frame frame, bool cpu) {
     return took;
 }
 
-Picture SampleMean::picture() const {
+Picture displayed(Picture picture, const Runtime& runtime) {
+    if (runtime.display_pixels() != gl::Pixels::srgb8) return picture;
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 != 3) picture.rgba[i] = static_cast<float>(content::srgb_of_light(picture.rgba[i]));
+    return picture;
+}
+
+Picture SampleMean::picture(const Runtime& runtime) const {
     Picture picture{target_.width(), target_.height(), target_.read(true)};
     for (float& value : picture.rgba) value /= static_cast<float>(samples_);
-    return picture;
+    return displayed(std::move(picture), runtime);
 }
 
 }  // namespace snell::accuracy

@@ -13,6 +13,9 @@ namespace snell::accuracy {
 // evenly distributed (Halton sequence, bases 2 and 3).
 std::array<double, 2> sample_position(int index);
 
+// The values that a display gets of a picture of floats that the runtime drew: encoded if the scene's output is light.
+Picture displayed(Picture picture, const Runtime& runtime);
+
 class SampleMean {
 public:
     SampleMean(int width, int height, bool es) : target_(width, height, 1, es) {}
@@ -24,8 +27,8 @@ public:
     // Draws the next sample; frame.shift is ignored. Returns the milliseconds of the drawing: the process's CPU time if
     // `cpu`, otherwise wall time.
     double add(Runtime& runtime, Frame frame, bool cpu);
-    // samples() must be above 0.
-    Picture picture() const;
+    // What a display gets of the mean. samples() must be above 0; `runtime` drew them.
+    Picture picture(const Runtime& runtime) const;
 
 private:
     gl::ExactTarget target_;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "src/accuracy/metrics.h"
+#include "src/content/image/image.h"
 
 namespace snell::accuracy {
 namespace {
@@ -43,7 +44,7 @@ TEST(Metrics, FiguresAgreeWithTheirDefinitionsOnTwentyPairs) {
         EXPECT_NEAR(ours.display.psnr, -20 * std::log10(rms), 1e-6);
         // The same of light, which is decoded before it is compared.
         for (Picture* each : {&a, &b})
-            for (float& v : each->rgba) v = static_cast<float>(light_of(static_cast<double>(v)));
+            for (float& v : each->rgba) v = static_cast<float>(content::light_of_srgb(static_cast<double>(v)));
         EXPECT_NEAR(ours.light.rmse, compare(a, b).display.rmse, 1e-6);
     }
 }
@@ -64,13 +65,13 @@ TEST(Metrics, KnownDifferences) {
 
 // IEC 61966-2-1: code 188 of 255 is half the light of white; below .04045 the curve is a line.
 TEST(Metrics, LightIsDecodedByTheCurveOfSrgb) {
-    EXPECT_EQ(light_of(0), 0);
-    EXPECT_DOUBLE_EQ(light_of(1), 1);
-    EXPECT_NEAR(light_of(188 / 255.), .5, .003);
-    EXPECT_NEAR(light_of(.04045), .04045 / 12.92, 1e-12);
-    EXPECT_NEAR(light_of(.0404501), light_of(.04045), 1e-6) << "the two pieces meet";
-    EXPECT_EQ(light_of(-.5), -light_of(.5));
-    EXPECT_GT(light_of(2), 4);
+    EXPECT_EQ(content::light_of_srgb(0), 0);
+    EXPECT_DOUBLE_EQ(content::light_of_srgb(1), 1);
+    EXPECT_NEAR(content::light_of_srgb(188 / 255.), .5, .003);
+    EXPECT_NEAR(content::light_of_srgb(.04045), .04045 / 12.92, 1e-12);
+    EXPECT_NEAR(content::light_of_srgb(.0404501), content::light_of_srgb(.04045), 1e-6) << "the two pieces meet";
+    EXPECT_EQ(content::light_of_srgb(-.5), -content::light_of_srgb(.5));
+    EXPECT_GT(content::light_of_srgb(2), 4);
     // A step of a display is little light where it is dark, and much where it is bright.
     const auto step = [](float at) {
         return compare(filled(2, 2, at, at, at), filled(2, 2, at + 1 / 255.F, at + 1 / 255.F, at + 1 / 255.F));
@@ -186,7 +187,7 @@ TEST(Flip, FineDetailVanishesWithDistance) {
     // The value that emits the mean of both lights, found by bisection.
     float low = .4F, high = .6F;
     for (int i = 0; i < 30; ++i)
-        (2 * light_of((low + high) / 2) < light_of(.4) + light_of(.6) ? low : high) = (low + high) / 2;
+        (2 * content::light_of_srgb((low + high) / 2) < content::light_of_srgb(.4) + content::light_of_srgb(.6) ? low : high) = (low + high) / 2;
     const Picture grey = filled(64, 64, low, low, low);
     EXPECT_LT(mean_of(flip_map(checks, grey, 120)), .5 * mean_of(flip_map(checks, grey, 10)));
 }

@@ -5,6 +5,7 @@
 #include "src/accuracy/advice.h"
 #include "src/accuracy/report/report.h"
 #include "src/accuracy/sweep.h"
+#include "src/content/image/image.h"
 #include "tests/accuracy/gl/common.h"
 #include "tests/sanitized.h"
 
@@ -72,6 +73,16 @@ TEST_F(Misleading, ReferenceThatIsNotFiniteSaysNothingAndNamesItsPixels) {
     EXPECT_TRUE(in_words(result).starts_with("Can't say: ")) << in_words(result);
 }
 
+TEST_F(Misleading, OutputThatIsLightIsNotDecodedOnceMore) {
+    const std::string ladder = "Ladder L rough <exact>\n", body = "#if L == L_rough\n c = vec3(.4);\n#endif";
+    const SweepResult light = sweep_of("Output srgb\n" + ladder, body);
+    EXPECT_NEAR(light.rungs[0].own.light.rmse, .1, 1e-5);
+    EXPECT_NEAR(light.rungs[0].own.display.rmse, content::srgb_of_light(.5) - content::srgb_of_light(.4), 1e-5);
+    const SweepResult numbers = sweep_of(ladder, body);
+    EXPECT_NEAR(numbers.rungs[0].own.display.rmse, .1, 1e-5);
+    EXPECT_NEAR(numbers.rungs[0].own.light.rmse, content::light_of_srgb(.5) - content::light_of_srgb(.4), 1e-5);
+}
+
 TEST_F(Misleading, DrawsThatCoverNoPixelSayNothing) {
     const SweepResult result = sweep_of("Ladder L rough <exact>\n", "#if L == L_rough\n c = vec3(.4);\n#endif", 0,
                                         "Translate 9 0 0\nQuadXY 0 .5\n");
@@ -89,7 +100,7 @@ TEST_F(Misleading, RungThatTheReferenceHidesIsFlaggedAndNotAdvised) {
     const SweepResult result = sweep_of(ladders, body);
     EXPECT_NEAR(result.rungs[0].own.light.rmse, 0, 1e-6);
     ASSERT_TRUE(result.rungs[0].elsewhere);
-    EXPECT_NEAR(result.rungs[0].elsewhere->rmse, light_of(.9) - light_of(.5), 1e-5);
+    EXPECT_NEAR(result.rungs[0].elsewhere->rmse, content::light_of_srgb(.9) - content::light_of_srgb(.5), 1e-5);
     EXPECT_TRUE(result.rungs[0].hidden());
     EXPECT_FALSE(result.rungs[1].hidden());
     EXPECT_NE(in_words(result).find("'wrong' is hidden by another ladder's rung"), std::string::npos)

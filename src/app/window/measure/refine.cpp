@@ -100,7 +100,7 @@ bool Refinement::reference_step() {
     means_->reference.add(*reference_->runtime, {.time = stand_.time, .view = view, .controls = last}, false);
     const std::size_t reached = level(means_->reference.samples());
     if (reached == levels.size()) return false;
-    references_[reached] = means_->reference.picture();
+    references_[reached] = means_->reference.picture(*reference_->runtime);
     reference_samples_ = levels[reached];
     return false;  // until there is something to compare with it
 }
@@ -116,7 +116,7 @@ bool Refinement::chosen_step() {
     const std::size_t reached = level(means_->chosen.samples());
     if (reached == levels.size()) return false;
     if (!note_.empty()) return true;
-    chosen_ = means_->chosen.picture();
+    chosen_ = means_->chosen.picture(*shown_->runtime);
     samples_ = levels[reached];
     error_ = accuracy::compare(chosen_, references_[reached]);
     costs_.visit(controls_.rungs, error_.light.rmse, times_);

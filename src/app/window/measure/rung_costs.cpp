@@ -100,7 +100,7 @@ bool RungCosts::error_step(Runtime& runtime, const Frame& frame, const accuracy:
     if (job.mean->samples() == samples) job.mean->restart();
     job.mean->add(runtime, here, cpu);
     if (job.mean->samples() < samples) return false;
-    job.errors.push_back(accuracy::compare(job.mean->picture(), reference).light.rmse);
+    job.errors.push_back(accuracy::compare(job.mean->picture(runtime), reference).light.rmse);
     if (++job.next == job.names.size()) {
         job.next = 0;
         job.timing = true;
