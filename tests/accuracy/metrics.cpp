@@ -187,7 +187,9 @@ TEST(Flip, FineDetailVanishesWithDistance) {
     // The value that emits the mean of both lights, found by bisection.
     float low = .4F, high = .6F;
     for (int i = 0; i < 30; ++i)
-        (2 * content::light_of_srgb((low + high) / 2) < content::light_of_srgb(.4) + content::light_of_srgb(.6) ? low : high) = (low + high) / 2;
+        (2 * content::light_of_srgb((low + high) / 2) < content::light_of_srgb(.4) + content::light_of_srgb(.6)
+             ? low
+             : high) = (low + high) / 2;
     const Picture grey = filled(64, 64, low, low, low);
     EXPECT_LT(mean_of(flip_map(checks, grey, 120)), .5 * mean_of(flip_map(checks, grey, 10)));
 }

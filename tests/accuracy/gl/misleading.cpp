@@ -211,7 +211,8 @@ TEST_F(Misleading, BudgetHoldsWithinAFactorOfTwo) {
     sweep_of("Ladder L a b <c>\n", body, 0, "Sphere 1 30 30\n");
     Diagnostics problems;
     std::vector<Sweep> sweeps = ladder_sweeps(plan().scene, plan().rungs, {}, From::reference, problems);
-    for (Sweep& sweep : knob_sweeps(plan().scene, plan().rungs, {"samples", "tessellation"}, From::reference, problems))
+    for (Sweep& sweep :
+         knob_sweeps(plan().scene, plan().rungs, {"samples", "tessellation"}, From::reference, true, problems))
         sweeps.push_back(std::move(sweep));
     const auto start = std::chrono::steady_clock::now();
     References references(.5);

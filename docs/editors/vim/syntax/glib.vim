@@ -46,6 +46,7 @@ syntax keyword glibCommand Obj
 syntax keyword glibCommand ObjAdj
 syntax keyword glibCommand ObjPatch
 syntax keyword glibCommand Ortho
+syntax keyword glibCommand Output
 syntax keyword glibCommand Persp
 syntax keyword glibCommand Perspective
 syntax keyword glibCommand PointCloud
@@ -121,9 +122,11 @@ syntax keyword glibConstant one_minus_dst_alpha
 syntax keyword glibConstant one_minus_dst_color
 syntax keyword glibConstant one_minus_src_alpha
 syntax keyword glibConstant one_minus_src_color
+syntax keyword glibConstant raw
 syntax keyword glibConstant src_alpha
 syntax keyword glibConstant src_alpha_saturate
 syntax keyword glibConstant src_color
+syntax keyword glibConstant srgb
 syntax keyword glibConstant zero
 syntax keyword glibConstant true false
 syntax match glibNumber "\v[-+]?<(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?"
