@@ -138,10 +138,10 @@ TEST_F(Outputs, OneFileForTwoReportsIsRefused) {
     EXPECT_EQ(measure("--json /dev/null --csv /dev/null").status, 0) << "nothing is lost there";
 }
 
-// The page is larger than what the disk takes, the others are smaller.
+// In blocks of 512 bytes, the page is larger than what the disk takes, the others are smaller.
 TEST_F(Outputs, AReportThatFailsCostsNoOther) {
     const Outcome full = run("cd '" + folder.path() +
-                             "' && ulimit -f 16 && exec " SNELL_BIN
+                             "' && ulimit -f 11 && exec " SNELL_BIN
                              "/snell accuracy s.glib --ladders WAY --no-time --size 64x64 -o r.html "
                              "--json r.json --csv r.csv --svg r.svg --markdown r.md");
     EXPECT_EQ(full.status, 1) << full.output;
