@@ -43,7 +43,7 @@ protected:
 
 TEST_F(Accuracy, WritesEveryFormat) {
     ASSERT_EQ(
-        run("--size 64x64 --reps 9 --budget 40 --ladders SHADE --knobs samples -o " + folder.path("r.html") +
+        run("--size 64x64 --reps 9 --budget 4 --ladders SHADE --knobs samples -o " + folder.path("r.html") +
             " --svg " + folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),
         0)
         << text("err.txt");
@@ -94,7 +94,7 @@ TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
 // A second Ctrl-C does not wait for what was measured: each file is the old one, or whole.
 TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
     int killed = 0;
-    for (const char* between : {"0", ".02", ".1"}) {
+    for (const char* between : {"0", ".05"}) {
         folder.write("r.html", "old");
         folder.write("r.json", "old");
         const std::string measure = std::string(SNELL_BIN "/snell accuracy ") + scene +
@@ -114,7 +114,7 @@ TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
 
 // An error that the second rung meets and the first does not, whatever the reference is good for on this machine.
 TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
-    const std::string quick = "--size 64x64 --reps 7 --budget 30 ";
+    const std::string quick = "--size 64x64 --reps 7 --budget 4 ";
     ASSERT_EQ(run(quick + "--ladders SHADE --no-time --json " + folder.path("r.json")), 0) << text("err.txt");
     const auto shade = nlohmann::json::parse(text("r.json"))["ladders"][0];
     const auto error = [&](std::size_t rung) { return shade["rungs"][rung]["own"]["light"]["rmse"].get<double>(); };
@@ -135,7 +135,7 @@ TEST_F(Accuracy, ReferenceThatIsNotFiniteIsAnErrorAtItsRung) {
                  "#version 330 compatibility\nin vec3 vN;\nuniform float uZero;\nvoid main() {\n float c = .5;\n#if "
                  "SHADE == SHADE_exact\n c /= uZero;\n#endif\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
     for (const char* what : {"--ladders SHADE --no-time", "--error 0.1", "--save-quality"}) {
-        EXPECT_EQ(run(std::string("--size 64x64 --reps 7 --budget 5 ") + what), 1) << what;
+        EXPECT_EQ(run(std::string("--size 64x64 --reps 7 --budget 1 ") + what), 1) << what;
         EXPECT_NE(text("err.txt").find("scene.glib:1:22: error: SHADE: the reference is NaN or infinite in "),
                   std::string::npos)
             << text("err.txt");

@@ -50,9 +50,9 @@ def small(command):
     if words[1] not in SUBCOMMANDS:
         return "snell check " + next(word for word in words if word.endswith(".glib"))
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
-            "accuracy": {"--size": "48x36", "--no-time": ""}}.get(words[1], {})
+            "accuracy": {"--size": "48x36", "--no-time": "", "--budget": "3"}}.get(words[1], {})
     if {"--within", "--error", "--save-quality"} & set(words):
-        less = {"--size": "48x36", "--reps": "3", "--budget": "30"}
+        less = {"--size": "48x36", "--reps": "3", "--budget": "12"}
     if "--frames" in words:
         less |= {"--frames": "3"}
     for option in less:
