@@ -52,7 +52,7 @@ def small(command):
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
             "accuracy": {"--size": "48x36", "--no-time": "", "--budget": "3"}}.get(words[1], {})
     if {"--within", "--error", "--save-quality"} & set(words):
-        less = {"--size": "48x36", "--reps": "3", "--budget": "12"}
+        less = {"--size": "48x36", "--reps": "3", "--budget": "4"}
     if "--frames" in words:
         less |= {"--frames": "3"}
     for option in less:

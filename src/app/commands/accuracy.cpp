@@ -15,6 +15,7 @@
 
 #include "src/accuracy/report/merge.h"
 #include "src/accuracy/report/report.h"
+#include "src/app/commands/accuracy_files.h"
 #include "src/app/commands/advice.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
@@ -23,8 +24,6 @@
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
-#include "src/app/picture/outputs.h"
-#include "src/content/replace.h"
 #include "src/plan/used_files.h"
 
 namespace snell::app {
@@ -110,53 +109,6 @@ void show_progress(const Progress& progress, std::size_t sweep, std::size_t swee
     fmt::print(stderr, "\r\033[K{}/{} {}: {} {:.0f} %, about {:.0f} s left", sweep + 1, sweeps, progress.sweep,
                progress.doing, 100 * std::min(progress.done, 1.0), progress.seconds_left + later);
     std::fflush(stderr);
-}
-
-bool write_text(const std::string& path, const std::string& text) {
-    if (path.empty()) return true;
-    const std::string wrong = content::replace_file(path, text);
-    if (wrong.empty()) return true;
-    fmt::print(stderr, "snell: error: cannot write '{}': {}\n", path, wrong);
-    return false;
-}
-
-// plot.svg, plot-2.svg …
-std::string plot_path(const std::string& svg, std::size_t index) {
-    if (index == 0) return svg;
-    const std::filesystem::path path(svg);
-    return (path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), index + 1, path.extension().string()))
-        .string();
-}
-
-// As a page names it that is written there.
-std::string link_from(const std::string& page, const std::string& file) {
-    const std::filesystem::path folder = std::filesystem::path(page).parent_path();
-    std::error_code error;
-    return std::filesystem::proximate(file, folder.empty() ? "." : folder, error).generic_string();
-}
-
-// With as many plots as are known before the measurement.
-Exit look_at_outputs(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read) {
-    std::vector<std::string> files{options.html, options.json, options.csv, options.markdown};
-    for (std::size_t i = 0; i < sweeps && !options.svg.empty(); ++i) files.push_back(plot_path(options.svg, i));
-    for (const std::string& scene : options.scenes)
-        if (options.save_quality) files.push_back(quality_path(scene));
-    read.insert(read.end(), options.scenes.begin(), options.scenes.end());
-    return check_outputs(files, read);
-}
-
-// What can't be written costs no other report.
-bool write_all(const AccuracyOptions& options, const Report& report) {
-    std::vector<std::string> plots;  // as the page names them
-    bool written = write_text(options.csv, csv_text(report));
-    written = write_text(options.json, json_text(report)) && written;
-    written = write_text(options.html, html_text(report)) && written;
-    for (std::size_t i = 0; i < report.sweeps.size() && !options.svg.empty(); ++i) {
-        const std::string path = plot_path(options.svg, i);
-        written = write_text(path, svg_text(report.sweeps[i])) && written;
-        plots.push_back(link_from(options.markdown, path));
-    }
-    return write_text(options.markdown, markdown_text(report, plots)) && written;
 }
 
 // A scene that was read, and what of it is measured.
@@ -312,7 +264,7 @@ Exit accuracy(const AccuracyOptions& options) {
         subjects.push_back(std::move(subject));
     }
     if (subjects.empty()) return exit_input;
-    if (const Exit wrong = look_at_outputs(options, std::max<std::size_t>(work.sweeps, 1), std::move(read));
+    if (const Exit wrong = check_reports(options, std::max<std::size_t>(work.sweeps, 1), std::move(read));
         wrong != exit_fine)
         return wrong;
     const std::array<int, 2> window = subjects.front()->plan.scene.window_size;
@@ -336,7 +288,7 @@ Exit accuracy(const AccuracyOptions& options) {
     deadline.rest();
     report.where.load_after = load();
     fmt::print("\n{}", header_text(report));
-    if (!write_all(options, report)) return exit_input;
+    if (!write_reports(options, report)) return exit_input;
     return errors ? exit_input : exit_fine;
 }
 

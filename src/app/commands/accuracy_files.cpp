@@ -1,0 +1,64 @@
+#include "src/app/commands/accuracy_files.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "src/app/open/quality.h"
+#include "src/app/picture/outputs.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+namespace {
+
+using namespace snell::accuracy;
+
+bool write_text(const std::string& path, const std::string& text) {
+    if (path.empty()) return true;
+    const std::string wrong = content::replace_file(path, text);
+    if (wrong.empty()) return true;
+    fmt::print(stderr, "snell: error: cannot write '{}': {}\n", path, wrong);
+    return false;
+}
+
+// plot.svg, plot-2.svg …
+std::string plot_path(const std::string& svg, std::size_t index) {
+    if (index == 0) return svg;
+    const std::filesystem::path path(svg);
+    return (path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), index + 1, path.extension().string()))
+        .string();
+}
+
+// As a page names it that is written there.
+std::string link_from(const std::string& page, const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(page).parent_path();
+    std::error_code error;
+    return std::filesystem::proximate(file, folder.empty() ? "." : folder, error).generic_string();
+}
+
+}  // namespace
+
+Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read) {
+    std::vector<std::string> files{options.html, options.json, options.csv, options.markdown};
+    for (std::size_t i = 0; i < sweeps && !options.svg.empty(); ++i) files.push_back(plot_path(options.svg, i));
+    for (const std::string& scene : options.scenes)
+        if (options.save_quality) files.push_back(quality_path(scene));
+    read.insert(read.end(), options.scenes.begin(), options.scenes.end());
+    return check_outputs(files, read);
+}
+
+bool write_reports(const AccuracyOptions& options, const Report& report) {
+    std::vector<std::string> plots;  // as the page names them
+    bool written = write_text(options.csv, csv_text(report));
+    written = write_text(options.json, json_text(report)) && written;
+    written = write_text(options.html, html_text(report)) && written;
+    for (std::size_t i = 0; i < report.sweeps.size() && !options.svg.empty(); ++i) {
+        const std::string path = plot_path(options.svg, i);
+        written = write_text(path, svg_text(report.sweeps[i])) && written;
+        plots.push_back(link_from(options.markdown, path));
+    }
+    return write_text(options.markdown, markdown_text(report, plots)) && written;
+}
+
+}  // namespace snell::app

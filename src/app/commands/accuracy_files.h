@@ -1,0 +1,17 @@
+// The files that `snell accuracy` writes.
+#pragma once
+
+#include "src/accuracy/report/report.h"
+#include "src/app/commands/advice.h"
+#include "src/app/open/exit_status.h"
+
+namespace snell::app {
+
+// Says whether all can be written, and are none of the files that are `read`, with as many plots as are known before
+// the measurement.
+Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read);
+
+// A report that can't be written is an error, and costs no other one. Returns false if there was one.
+bool write_reports(const AccuracyOptions& options, const accuracy::Report& report);
+
+}  // namespace snell::app
