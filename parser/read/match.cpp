@@ -298,12 +298,10 @@ private:
         const std::string_view text = take_chunk(out);
         const int place = find_choice(p.choices, text);
         if (out == nullptr) return place >= 0;
-        const std::vector<std::string_view> words = split(p.choices, '/');
+        const auto words = split(p.choices, '/');
         out->number = place;
-        if (place >= 0) {
-            out->text = words[static_cast<std::size_t>(place)];
-            return true;
-        }
+        if (place >= 0) out->text = words[static_cast<std::size_t>(place)];
+        if (place >= 0) return true;
         std::string all;
         for (const std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
         const std::string_view near = nearest(text, words);
@@ -376,7 +374,8 @@ private:
         std::string help = "usage: " + usage(command_);
         if (alternative_takes(ArgumentKind::path)) help = "a file name with blanks is written in double quotes";
         for (const Parameter& p : command_.signature.parameters)
-            if (const auto word = nearest(lexer_.text(tokens_[at_]), split(p.choices, '/')); !word.empty())
+            if (const auto word = nearest(lexer_.text(tokens_[at_]), split(p.choices, '/'));
+                !word.empty() && find_choice(p.choices, lexer_.text(tokens_[at_])) < 0)
                 help = "did you mean " + quoted(word) + "?";
         if (find_command(lexer_.text(tokens_[at_])) != nullptr) help = "every statement begins a line of its own";
         report_.warning("surplus-arguments", span,
