@@ -12,7 +12,6 @@
 #include "parser/text/words.h"
 
 namespace snell {
-
 namespace {
 
 std::string quoted(std::string_view text) { return "'" + std::string(text.substr(0, 60)) + "'"; }
@@ -113,9 +112,11 @@ private:
         return result;
     }
 
-    // What stands here is none of the words of an optional choice, which is left out then.
+    // What stands here is none of the words of an optional choice, alone: "(raw)" is a comment. It is left out then.
     bool lacks_keyword(const Parameter& p) const {
-        return p.is_keyword() && (at_ == tokens_.size() || find_choice(p.choices, lexer_.text(tokens_[at_])) < 0);
+        if (!p.is_keyword() || at_ == tokens_.size()) return p.is_keyword();
+        if (tokens_[at_].glued || (at_ + 1 < tokens_.size() && tokens_[at_ + 1].glued)) return true;
+        return find_choice(p.choices, lexer_.text(tokens_[at_])) < 0;
     }
 
     void convert(const Parameter& p, bool behind) {

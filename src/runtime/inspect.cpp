@@ -58,6 +58,7 @@ void FloatPicture::inspect(Runtime& runtime, const Frame& frame, int x, int y, i
     found.x = x = std::clamp(x, 0, width - 1);
     found.y = y = std::clamp(y, 0, height - 1);
     found.radius = radius = std::max(0, radius);
+    found.light = runtime.display_pixels() == gl::Pixels::srgb8;
     const int left = std::max(0, x - radius), right = std::min(width - 1, x + radius);
     const int top = std::max(0, y - radius), bottom = std::min(height - 1, y + radius);
     const PixelRect region{left, height - 1 - bottom, right - left + 1, bottom - top + 1};

@@ -22,6 +22,7 @@ struct Inspection {
     std::optional<double> depth;     // of the pixel: 0 to 1; none: the context does not tell
     std::optional<double> distance;  // from the eye along its line of sight, in the scene's units; none: nothing there
     Index draw = none;               // Scene::draws: what is seen there
+    bool light = false;              // the values are light, and encoded for the display
 
     // `right` and `down` of the pixel, at most `radius` away. Rows are kept top first.
     std::size_t at(int right, int down) const {

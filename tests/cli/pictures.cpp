@@ -92,6 +92,17 @@ TEST_F(Pictures, WithoutTheirBackground) {
     EXPECT_EQ(picture("o.png").channels, 3);
 }
 
+// PNG's alpha is a share of light.
+TEST_F(Pictures, OfLightWithoutTheirBackground) {
+    std::ofstream(at("light.glib")) << "Output srgb\n" << bytes_of(at("half.glib"));
+    ASSERT_EQ(render(at("light.glib") + " --size 200x200 --transparent -o " + at("t.png")).status, 0);
+    const auto half = bytes_at(picture("t.png"), 50, 100), full = bytes_at(picture("t.png"), 150, 100);
+    EXPECT_NEAR(half[3], 128, 1);
+    EXPECT_NEAR(half[0], 255, 2);
+    EXPECT_NEAR(half[2], 0, 1);
+    EXPECT_EQ(full, (std::array<int, 4>{0, 255, 0, 255}));
+}
+
 // Over its background a transparent picture is the picture.
 TEST_F(Pictures, TransparentOnesOverTheirBackgroundAreThePicture) {
     ASSERT_EQ(render(at("s.glib") + " --size 200x160 --samples 4 -o " + at("o.png")).status, 0);

@@ -202,6 +202,23 @@ TEST_F(CliSweep, APictureThatKillsTheProcessCostsNoOther) {
     for (const auto& [name, bytes] : whole) EXPECT_EQ(bytes_of(at("out/" + name)), bytes) << name;
 }
 
+TEST_F(CliSweep, TheSheetOfLightIsEncodedWhateverTheFormat) {
+    std::ofstream(at("light.frag")) << "uniform float uA;\nvoid main() { gl_FragColor = vec4(uA, uA, uA, 1.); }\n";
+    std::ofstream(at("light.glib"))
+        << "Output srgb\nOrtho -1 1 -1 1\nFragment light.frag\nProgram P uA <0. .5 1.>\nQuadXY\n";
+    for (const std::string format : {"exr", "png"}) {
+        const Outcome outcome = snell("sweep " + at("light.glib") + " --size 8x8 --over uA=.2,.5 -o '" + at("out") +
+                                      "/{index}." + format + "' --no-labels --sheet " + at("sheet.png"));
+        ASSERT_EQ(outcome.status, 0) << outcome.output;
+        const auto sheet = picture("sheet.png");
+        const auto red = [&](int x) {
+            return std::to_integer<int>(sheet.pixels[static_cast<std::size_t>(8 * sheet.width + x) * 3]);
+        };
+        EXPECT_NEAR(red(8), 124, 1) << format;
+        EXPECT_NEAR(red(20), 188, 1) << format;
+    }
+}
+
 TEST_F(CliSweep, TheSheetHasEveryPicture) {
     const Outcome outcome = sweep("--over uEta=0:5:3 --over uMix=0,1 -o '" + at("out") +
                                   "/{index}.png' --no-labels --sheet " + at("sheet.png"));

@@ -80,6 +80,20 @@ TEST_F(SavedPicture, WhatIsThereIsReplacedOnlyWhenAsked) {
     EXPECT_TRUE(alive());
 }
 
+TEST_F(SavedPicture, WhatTheSceneReadsIsNotReplaced) {
+    const std::string shader = bytes("paint.frag");
+    std::string scene = bytes("scene.glib");
+    save("paint.png", shader);
+    scene.replace(scene.find("paint.frag"), 10, "paint.png");
+    save("scene.glib", scene);
+    open("scene.glib", {"--size", "640x480"});
+    click("picture");
+    type("picture file", file("paint.png"), Field::text);
+    for (int again = 0; again < 2; ++again) click("picture save");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture error"); }));
+    EXPECT_EQ(bytes("paint.png"), shader);
+}
+
 TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
     save("paint.frag",
          "uniform float uRed, Timer;\nvoid main() { gl_FragColor = vec4(Timer, uRed, gl_FragCoord.x / 400., 1.); }\n");

@@ -278,6 +278,10 @@ TEST(Commands, EncodingsOfFilesAndOfTheOutput) {
     EXPECT_EQ(encodings("Texture2D 5 a.png\nTexture2D 5 a.png srgb\nTexture2D 5 a.png RAW\n"), "-sr");
     EXPECT_EQ(encodings("CubeMap 6 a.hdr srgb\nCubeMap 6 a b c d e f srgb\nCubeMap 6 a b c d e f\n"), "ss-");
     EXPECT_EQ(read("Texture2D 5 srgb srgb\n").scene().textures[0].files[0].name, "srgb");
+    for (const std::string comment : {"(raw)", "[srgb]", "<raw>", "raw)", "-- srgb", "raw/srgb"}) {
+        EXPECT_EQ(encodings("Texture2D 5 a.png " + comment + "\n"), "-") << comment;
+        EXPECT_FALSE(read("Texture2D 5 a.png " + comment + "\n").parsed.diagnostics.has_errors()) << comment;
+    }
     EXPECT_EQ(read("").scene().output, Encoding::raw);
     EXPECT_EQ(read("Output srgb\n").scene().output, Encoding::srgb);
     EXPECT_EQ(read("Output srgb\nOutput raw\n").scene().output, Encoding::raw);

@@ -138,7 +138,7 @@ TEST_F(UiKeep, ThePictureWindowAsksAndIsAsked) {
 TEST_F(UiKeep, AFileThatIsThereIsReplacedOnlyWhenAsked) {
     memory_.picture.open = true;
     std::string("a.png").copy(memory_.picture.file.data(), 5);
-    memory_.picture.there = "a.png";
+    memory_.picture.there = memory_.picture.existing = "a.png";
     EXPECT_EQ(clicked("picture save").picture, PictureRequest::replace);
     memory_.picture.file[0] = 'b';
     EXPECT_EQ(clicked("picture save").picture, PictureRequest::save) << "another name";

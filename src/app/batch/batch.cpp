@@ -312,7 +312,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     records_.push_back({shot, false, frame.time, watch.milliseconds()});
     timings_.frame += records_.back().milliseconds;
     deadline_.rest();
-    writer_.add(file, std::move(picture), wrong);
+    writer_.add(file, std::move(picture), wrong, size_.floats && runtime.display_pixels() == gl::Pixels::srgb8);
     if (frame.reached && !reached && wrong.empty() && !options_.quiet)
         say(nothing_in_view(*open.document, {frame.time, view, *controls}, size_.width, size_.height),
             open.document->sources);

@@ -57,6 +57,23 @@ void take_background(std::vector<std::byte>& black, const std::vector<std::byte>
     }
 }
 
+// Of bytes that are encoded: as PNG's alpha is a share of light, the background is taken from the light.
+void take_background_of_light(std::vector<std::byte>& black, const std::vector<std::byte>& white) {
+    const auto decoded = [](const std::vector<std::byte>& bytes) {
+        std::vector<float> light;
+        for (const std::byte b : bytes)
+            light.push_back(static_cast<float>(content::light_of_srgb(std::to_integer<int>(b) / 255.)));
+        return light;
+    };
+    std::vector<float> light = decoded(black);
+    take_background(light, decoded(white));
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const double alpha = static_cast<double>(light[i - i % 4 + 3]);
+        const double own = alpha > 0 ? content::srgb_of_light(static_cast<double>(light[i]) / alpha) : 0;
+        black[i] = static_cast<std::byte>(std::lround(255 * (i % 4 == 3 ? alpha : std::min(1., own))));
+    }
+}
+
 template <class Read>
 content::Image drawn(Runtime& runtime, Frame frame, const Surface& surface, bool transparent, int width, Read read) {
     if (transparent) frame.background = Vec4{0, 0, 0, 1};
@@ -66,6 +83,12 @@ content::Image drawn(Runtime& runtime, Frame frame, const Surface& surface, bool
     frame.background = Vec4{1, 1, 1, 1};
     frame.standing = true;
     runtime.draw(frame, surface);
+    if constexpr (sizeof pixels[0] == 1) {
+        if (runtime.display_pixels() == gl::Pixels::srgb8) {
+            take_background_of_light(pixels, read());
+            return picture_of(pixels, width, 4);
+        }
+    }
     take_background(pixels, read());
     return picture_of(pixels, width, 4);
 }

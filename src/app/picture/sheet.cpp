@@ -45,7 +45,7 @@ void place(content::Image& sheet, const content::Image& tile, int x, int y) {
 
 }  // namespace
 
-content::Image thumbnail(const content::Image& picture) {
+content::Image thumbnail(const content::Image& picture, bool light) {
     const double scale = std::min(1., static_cast<double>(largest) / std::max(picture.width, picture.height));
     content::Image result = blank(std::max(1, static_cast<int>(std::lround(picture.width * scale))),
                                   std::max(1, static_cast<int>(std::lround(picture.height * scale))), 0);
@@ -60,9 +60,11 @@ content::Image thumbnail(const content::Image& picture) {
                 for (auto v = edge(y, result.height, picture.height); v < edge(y + 1, result.height, picture.height);
                      ++v)
                     for (auto u = edge(x, result.width, picture.width); u < edge(x + 1, result.width, picture.width);
-                         ++u, ++count)
-                        sum += static_cast<double>(content::value_at(
+                         ++u, ++count) {
+                        const double value = static_cast<double>(content::value_at(
                             picture, (v * static_cast<std::size_t>(picture.width) + u) * channels + from));
+                        sum += light ? content::srgb_of_light(value) : value;
+                    }
                 result.pixels[out] = static_cast<std::byte>(std::lround(sum > 0 ? std::min(sum / count, 1.) * 255 : 0));
             }
     return result;

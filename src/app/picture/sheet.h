@@ -9,8 +9,8 @@
 namespace snell::app {
 
 // Shrinks a picture to at most 160 pixels per side, by averaging; returns 3 channels of bytes. Smaller pictures keep
-// their size.
-content::Image thumbnail(const content::Image& picture);
+// their size. `light`: the numbers are light, which is encoded as for a display.
+content::Image thumbnail(const content::Image& picture, bool light = false);
 
 struct Tile {
     content::Image picture;  // from thumbnail(); empty if the picture was not drawn

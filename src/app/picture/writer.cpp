@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t most_waiting = 8, most_threads = 4;
 
-Written write(const std::string& path, std::optional<content::Image> picture, const Writer::Wanted& wanted) {
+Written write(const std::string& path, std::optional<content::Image> picture, bool light,
+              const Writer::Wanted& wanted) {
     const runtime::Stopwatch watch;
     Written written;
     if (picture) written.error = content::write_image(path, *picture);
@@ -23,7 +24,7 @@ Written write(const std::string& path, std::optional<content::Image> picture, co
         if (wanted.hash) written.sha256 = sha256(bytes);
         if (!picture) picture = content::decode_image(path, bytes).image;
     }
-    if (wanted.tile && picture) written.tile = thumbnail(*picture);
+    if (wanted.tile && picture) written.tile = thumbnail(*picture, light);
     written.milliseconds = watch.milliseconds();
     return written;
 }
@@ -32,7 +33,7 @@ Written write(const std::string& path, std::optional<content::Image> picture, co
 
 Writer::~Writer() { finish(); }
 
-void Writer::add(std::string path, std::optional<content::Image> picture, const std::string& wrong) {
+void Writer::add(std::string path, std::optional<content::Image> picture, const std::string& wrong, bool light) {
     const std::size_t threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most_threads);
     std::unique_lock lock(mutex_);
     if (!wrong.empty()) {
@@ -40,7 +41,7 @@ void Writer::add(std::string path, std::optional<content::Image> picture, const 
         return;
     }
     change_.wait(lock, [&] { return queue_.size() < most_waiting; });
-    queue_.push_back({written_.size(), std::move(path), std::move(picture)});
+    queue_.push_back({written_.size(), std::move(path), std::move(picture), light});
     written_.emplace_back();
     if (threads_.size() < std::min(threads, written_.size())) threads_.emplace_back([this] { work(); });
     change_.notify_all();
@@ -55,7 +56,7 @@ void Writer::work() {
         queue_.pop_front();
         change_.notify_all();
         lock.unlock();
-        Written written = write(job.path, std::move(job.picture), wanted_);
+        Written written = write(job.path, std::move(job.picture), job.light, wanted_);
         lock.lock();
         written_[job.place] = std::move(written);
     }

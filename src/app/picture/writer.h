@@ -35,8 +35,9 @@ public:
     Writer& operator=(const Writer&) = delete;
 
     // Adds a picture; waits if more than a few are pending. Without a picture, the file exists already and is only read
-    // for hash and thumbnail, unless `wrong` gives the error that prevented the picture.
-    void add(std::string path, std::optional<content::Image> picture, const std::string& wrong = {});
+    // for hash and thumbnail, unless `wrong` gives the error that prevented the picture. `light`: it holds light.
+    void add(std::string path, std::optional<content::Image> picture, const std::string& wrong = {},
+             bool light = false);
     // Waits until all are written; the results are in the order in which they were added.
     const std::vector<Written>& finish();
 
@@ -45,6 +46,7 @@ private:
         std::size_t place;
         std::string path;
         std::optional<content::Image> picture;
+        bool light;
     };
     void work();
 

@@ -95,10 +95,17 @@ std::string PictureSaver::begin(const Document& document, const Picture& shown, 
     work->files = files_of(document.path, asked, error);
     if (!error.empty()) return error;
     std::error_code none;
+    for (const std::string& file : work->files)
+        for (const std::string& read : document.files->read_paths())
+            if (fs::equivalent(file, read, none))
+                return "'" + file + "' is read by the scene, and would be overwritten";
     const auto there =
         std::ranges::find_if(work->files, [&](const std::string& file) { return fs::exists(file, none); });
     picture.there = replace || there == work->files.end() ? "" : picture.file.data();
-    if (!picture.there.empty()) return {};
+    if (!picture.there.empty()) {
+        picture.existing = utf8::printable(fs::path(*there).filename().string());
+        return {};
+    }
     if (asked.transparent && !app::holds_alpha(work->files.front()))
         return "this format cannot be transparent: PNG and EXR can";
     work->document = &document;

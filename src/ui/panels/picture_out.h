@@ -22,7 +22,8 @@ struct PictureMemory {
     // Saves pictures from time `from` to `to`, in seconds, without the one at `to`; `rate` is pictures per second.
     bool sequence = false;
     double from = 0, to = 10, rate = 25;
-    std::string there;               // an existing file that the user is asked to replace; empty if none
+    std::string there;               // the name that was given, if the user is asked to replace a file; empty if not
+    std::string existing;            // the first of its files that is there
     std::string error;               // why the picture was not saved; empty if there was no error
     std::optional<double> progress;  // 0 to 1 while pictures are being saved
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "src/content/image/image.h"
 #include "src/runtime/inspect.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
@@ -32,10 +33,11 @@ void swatch(Flag flag) {
     ImGui::Dummy({side, em});
 }
 
-// Returns the colour on the screen, or that of the pixel's flag.
-ImU32 color_of(std::span<const float, 4> rgba) {
+// Returns the colour on the screen, or that of the pixel's flag. `light`: it is encoded for the screen.
+ImU32 color_of(std::span<const float, 4> rgba, bool light) {
     if (const Flag flag = flag_of(rgba); flag >= Flag::infinite) return pack(snell::color_of(flag));
-    const auto byte = [](float value) {
+    const auto byte = [light](float value) {
+        if (light) value = static_cast<float>(content::srgb_of_light(static_cast<double>(value)));
         return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
     };
     return pack({byte(rgba[0]), byte(rgba[1]), byte(rgba[2])});
@@ -53,7 +55,7 @@ void magnified(const Inspection& found, float cell) {
             if (!found.inside[found.at(right, down)]) continue;
             const float x = at.x + cell * static_cast<float>(right + radius);
             const float y = at.y + cell * static_cast<float>(down + radius);
-            list.AddRectFilled({x, y}, {x + cell, y + cell}, color_of(found.pixel(right, down)));
+            list.AddRectFilled({x, y}, {x + cell, y + cell}, color_of(found.pixel(right, down), found.light));
         }
     const float x = at.x + cell * static_cast<float>(radius), y = at.y + cell * static_cast<float>(radius);
     list.AddRect({x - 1, y - 1}, {x + cell + 1, y + cell + 1}, IM_COL32_BLACK);
