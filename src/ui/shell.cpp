@@ -200,7 +200,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     status_window(facts, parts.status, memory, layout);
     problems_panel(facts, parts.scene, fonts, memory, requests, layout);
     notices(facts, parts.scene, memory, layout);
-    if (facts.accuracy && memory.accuracy.show == AccuracyMemory::Show::split)
+    if (facts.accuracy && facts.accuracy->note.empty() && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);
     if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     pixel_keys(parts.scene, memory.pixels);

@@ -91,6 +91,10 @@ TEST_F(AccuracyPanel, TheDividerIsDraggedAndTheSceneIsNot) {
     frame({button(false)});
     EXPECT_NEAR(memory_.accuracy.divider, .25, .01);
     EXPECT_EQ(view_.scene, Transformation{});
+    values_.note = "The files have errors.";
+    EXPECT_FALSE(has("accuracy.divider")) << "what is behind it is no reference";
+    values_.note.clear();
+    EXPECT_TRUE(has("accuracy.divider"));
     memory_.accuracy.show = AccuracyMemory::Show::picture;
     EXPECT_FALSE(has("accuracy.divider"));
 }

@@ -185,7 +185,7 @@ bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
     memory.ladder = std::min(memory.ladder, ladders.size() - 1);
     figures(*facts.accuracy);
     show_buttons(memory, layout);
-    if (memory.show == AccuracyMemory::Show::heat) legend();
+    if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty()) legend();
     if (facts.animated) {
         ImGui::Checkbox("Pause time", &memory.hold_time);
         layout.note("accuracy.hold time");
