@@ -90,7 +90,7 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
         case Standing::saves_none:
             return "no saving: " + by;
         case Standing::unknown:
-            return "not measured";
+            return std::isinf(sweep.error(rung)) ? "no value" : "not measured";
     }
     return "";
 }
