@@ -52,6 +52,16 @@ void choose_metric(SweepResult& result) {
     result.metric = all_known && far ? Metric::degrees : Metric::rmse;
 }
 
+// Of errors that mean nothing, only how many pixels are not finite is kept.
+void forget_errors(RungResult& rung) {
+    for (Error* error : {&rung.whole, &rung.own})
+        *error = {.light = unknown_figures, .display = unknown_figures, .nonfinite = error->nonfinite};
+    rung.alone = unknown_figures;
+    rung.flip = std::nan("");
+    rung.elsewhere.reset();
+    rung.degrees.reset();
+}
+
 class Measurement {
 public:
     Measurement(Bench& bench, const Sweep& sweep, const MeasureOptions& options) : bench_(bench), options_(options) {
@@ -199,11 +209,12 @@ private:
         const Picture& reference = goal.reference->picture;
         rung.whole = compare(rung.picture, reference);
         rung.own = compare(rung.picture, reference, goal.own);
-        rung.alone.rmse = std::nan("");
+        rung.alone = unknown_figures;
         if (goal.last) rung.alone = compare(rung.picture, *goal.last, goal.own).light;
         rung.flip = mean_of(drawn.flip, goal.own);
         if (drawn.elsewhere) rung.elsewhere = compare(*drawn.elsewhere, *goal.elsewhere, goal.own).light;
         if (drawn.facing) rung.degrees = compare_directions(*drawn.facing, *goal.facing, goal.own);
+        if (!result_.cannot_say.empty()) forget_errors(rung);
     }
 
     // How many rounds are measured, and in which of them each rung takes part (every n-th), so that none uses more than

@@ -70,6 +70,9 @@ TEST_F(Misleading, ReferenceThatIsNotFiniteSaysNothingAndNamesItsPixels) {
               "the reference is NaN or infinite in 64 pixels, the first at (20, 8) from the top left");
     for (const Wish& wish : {Wish{}, Wish{.error = 1}, Wish{.milliseconds = 1e4}})
         EXPECT_EQ(advised(result, wish), std::nullopt);
+    EXPECT_EQ(table_text(result).find("equal"), std::string::npos) << table_text(result);
+    EXPECT_TRUE(std::isnan(result.rungs[1].own.light.rmse));
+    EXPECT_EQ(result.rungs[1].own.nonfinite, 64U);
     EXPECT_TRUE(in_words(result).starts_with("Can't say: ")) << in_words(result);
 }
 
@@ -87,6 +90,8 @@ TEST_F(Misleading, DrawsThatCoverNoPixelSayNothing) {
     const SweepResult result = sweep_of("Ladder L rough <exact>\n", "#if L == L_rough\n c = vec3(.4);\n#endif", 0,
                                         "Translate 9 0 0\nQuadXY 0 .5\n");
     EXPECT_EQ(result.cannot_say, "the ladder's draws cover no pixel");
+    EXPECT_TRUE(std::isnan(result.rungs[1].whole.light.psnr)) << "no number stands beside what is unknown";
+    EXPECT_EQ(table_text(result).find("nan"), std::string::npos) << table_text(result);
     EXPECT_FALSE(result.broken);
     EXPECT_FALSE(result.trusted());
     EXPECT_EQ(advised(result, {}), std::nullopt);
