@@ -76,6 +76,8 @@ std::vector<Verdict> pareto_front(std::span<const Point> points) {
             else if (is_better(points[j], points[i]) && costs.no_more(j, i))
                 blame(Standing::saves_none, j);
         }
+        if (std::isinf(points[i].error) && verdicts[i].standing == Standing::front)
+            verdicts[i] = {Standing::unknown, nobody};
     }
     return verdicts;
 }

@@ -26,7 +26,7 @@ enum class Standing {
     front,       // none of the following
     dominated,   // `by` is surely cheaper, and not worse
     saves_none,  // `by` is more exact at equal cost, so this rung saves nothing
-    unknown,     // error or time is not a number
+    unknown,     // error or time is not a number; or the error is infinite, and no other rung is as cheap
 };
 
 struct Verdict {

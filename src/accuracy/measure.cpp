@@ -52,11 +52,22 @@ void choose_metric(SweepResult& result) {
     result.metric = all_known && far ? Metric::degrees : Metric::rmse;
 }
 
+// Of errors that mean nothing, only how many pixels are not finite is kept.
+void forget_errors(RungResult& rung) {
+    for (Error* error : {&rung.whole, &rung.own})
+        *error = {.light = unknown_figures, .display = unknown_figures, .nonfinite = error->nonfinite};
+    rung.alone = unknown_figures;
+    rung.flip = std::nan("");
+    rung.elsewhere.reset();
+    rung.degrees.reset();
+}
+
 class Measurement {
 public:
     Measurement(Bench& bench, const Sweep& sweep, const MeasureOptions& options) : bench_(bench), options_(options) {
         result_.sweep = sweep;
         for (const SweepRung& rung : sweep.rungs) result_.rungs.push_back({.name = rung.name, .steps = rung.steps});
+        drawn_.resize(sweep.rungs.size());
     }
 
     SweepResult run() {
@@ -72,6 +83,11 @@ private:
         const Reference* reference;
         Region own;
         std::optional<Picture> last, facing, elsewhere;  // a knob's last setting may be too expensive
+    };
+    // What else was drawn of a rung, until it is known where it counts.
+    struct Drawn {
+        std::vector<float> flip;
+        std::optional<Picture> facing, elsewhere;
     };
 
     double left() const { return options_.seconds - seconds_since(start_); }
@@ -104,10 +120,23 @@ private:
         const auto without =
             bench_.picture({variant(result_.sweep.reference).rungs, reference.knobs}, &hidden, options_.stop);
         if (!without) return {};
-        Region region = where_different(reference.picture, *without);
-        result_.own_pixels = count(region);
+        return where_different(reference.picture, *without);
+    }
+
+    // Adds the pixels where a rung is unlike the last one, both at the scene's own knobs: there a rung draws what the
+    // reference leaves out. Pixels are the same for all rungs, so that their errors compare.
+    void widen(Goal& goal) {
+        if (goal.own.empty()) return;
+        const auto add = [&](const Picture& a, const Picture& b) {
+            const Region more = where_different(a, b);
+            for (std::size_t i = 0; i < more.size(); ++i) goal.own[i] |= more[i];
+        };
+        for (std::size_t i = 0; i < drawn_.size(); ++i) {
+            if (result_.rungs[i].drawn && goal.last) add(result_.rungs[i].picture, *goal.last);
+            if (drawn_[i].elsewhere) add(*drawn_[i].elsewhere, *goal.elsewhere);
+        }
+        result_.own_pixels = count(goal.own);
         if (result_.own_pixels == 0) result_.cannot_say = "the ladder's draws cover no pixel";
-        return region;
     }
 
     // True, and noted, if the time was up before anything could be said.
@@ -134,12 +163,15 @@ private:
         if (!knob) goal.facing = bench_.directions(variant(at));
         if (const Rungs& other = result_.sweep.rungs[at].elsewhere; !other.empty())
             goal.elsewhere = bench_.picture({other, {}});
-        judge_reference(goal);
         if (goal.last)
-            compare_rung(at, goal);  // the reference and the scene's own rung first: without them the others say little
-        if (result_.sweep.current != at) compare_rung(result_.sweep.current, goal);
+            draw_rung(at, goal);  // the reference and the scene's own rung first: without them the others say little
+        if (result_.sweep.current != at) draw_rung(result_.sweep.current, goal);
         for (std::size_t i = 0; i < result_.rungs.size() && !over(); ++i)
-            if (!result_.rungs[i].drawn) compare_rung(i, goal);
+            if (!result_.rungs[i].drawn) draw_rung(i, goal);
+        widen(goal);
+        judge_reference(goal);
+        for (std::size_t i = 0; i < result_.rungs.size(); ++i)
+            if (result_.rungs[i].drawn) compare_rung(i, goal);
     }
 
     void judge_reference(const Goal& goal) {
@@ -157,27 +189,32 @@ private:
         result_.residual = std::max(compare(reference.half, reference.picture, goal.own).light.rmse, rounding);
     }
 
-    void compare_rung(std::size_t i, const Goal& goal) {
+    void draw_rung(std::size_t i, const Goal& goal) {
         say("pictures", static_cast<double>(i) / static_cast<double>(result_.rungs.size()), 0);
-        RungResult& rung = result_.rungs[i];
         const bool is_last = i == result_.sweep.reference;
         const bool wanted = is_last || i == result_.sweep.current;
         auto picture =
             is_last ? goal.last : bench_.picture(variant(i), nullptr, [&] { return wanted ? stopped() : over(); });
         if (!picture) return;
-        rung.drawn = true;
+        result_.rungs[i].drawn = true;
+        drawn_[i].flip = flip_map(*picture, goal.reference->picture);
+        result_.rungs[i].picture = std::move(*picture);
+        if (goal.elsewhere && !over()) drawn_[i].elsewhere = bench_.picture({result_.sweep.rungs[i].elsewhere, {}});
+        if (goal.facing) drawn_[i].facing = bench_.directions(variant(i));
+    }
+
+    void compare_rung(std::size_t i, const Goal& goal) {
+        RungResult& rung = result_.rungs[i];
+        const Drawn& drawn = drawn_[i];
         const Picture& reference = goal.reference->picture;
-        rung.whole = compare(*picture, reference);
-        rung.own = compare(*picture, reference, goal.own);
-        rung.alone.rmse = std::nan("");
-        if (goal.last) rung.alone = compare(*picture, *goal.last, goal.own).light;
-        rung.flip = mean_of(flip_map(*picture, reference), goal.own);
-        rung.picture = std::move(*picture);
-        const Rungs& other = result_.sweep.rungs[i].elsewhere;
-        const auto there = goal.elsewhere && !over() ? bench_.picture({other, {}}) : std::nullopt;
-        if (there) rung.elsewhere = compare(*there, *goal.elsewhere, goal.own).light;
-        const auto directions = goal.facing ? bench_.directions(variant(i)) : std::nullopt;
-        if (directions) rung.degrees = compare_directions(*directions, *goal.facing, goal.own);
+        rung.whole = compare(rung.picture, reference);
+        rung.own = compare(rung.picture, reference, goal.own);
+        rung.alone = unknown_figures;
+        if (goal.last) rung.alone = compare(rung.picture, *goal.last, goal.own).light;
+        rung.flip = mean_of(drawn.flip, goal.own);
+        if (drawn.elsewhere) rung.elsewhere = compare(*drawn.elsewhere, *goal.elsewhere, goal.own).light;
+        if (drawn.facing) rung.degrees = compare_directions(*drawn.facing, *goal.facing, goal.own);
+        if (!result_.cannot_say.empty()) forget_errors(rung);
     }
 
     // How many rounds are measured, and in which of them each rung takes part (every n-th), so that none uses more than
@@ -245,6 +282,7 @@ private:
     Bench& bench_;
     const MeasureOptions& options_;
     SweepResult result_;
+    std::vector<Drawn> drawn_;  // by rung
     std::vector<double> again_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
@@ -322,8 +360,10 @@ bool RungResult::hidden() const {
 }
 
 double SweepResult::error(const RungResult& rung) const {
+    const double rmse = rung.own.light.rmse;
+    if (!std::isfinite(rmse)) return rmse;  // whatever its directions are
     if (metric == Metric::degrees && rung.degrees) return rung.degrees->mean;
-    return std::isnan(rung.own.light.rmse) ? rung.own.light.rmse : std::max(rung.own.light.rmse, residual.value_or(0));
+    return std::max(rmse, residual.value_or(0));
 }
 
 void conclude(SweepResult& result, std::span<const double> base_again, std::uint64_t seed) {

@@ -62,6 +62,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity(), unknown = s
 
 }  // namespace
 
+const Figures unknown_figures{unknown, unknown, unknown, unknown};
+
 Region where_different(const Picture& a, const Picture& b, float threshold) {
     Region region(a.pixels(), 0);
     for (std::size_t i = 0; i < region.size(); ++i)
@@ -102,7 +104,7 @@ Error compare(const Picture& picture, const Picture& reference, const Region& re
     }
     error.light = light.figures(error.pixels);
     error.display = display.figures(error.pixels);
-    if (error.pixels == 0) error.light = error.display = {unknown, unknown, unknown, unknown};
+    if (error.pixels == 0) error.light = error.display = unknown_figures;
     if (one_sided) error.light = error.display = {infinite, -infinite, infinite, infinite};
     error.correlation = correlation.value();
     error.unrelated = correlation.unrelated();

@@ -32,6 +32,8 @@ struct Figures {
     double rmse = 0, psnr = 0, max = 0, mean = 0;  // psnr: dB relative to a peak of 1; infinite for equal pictures
 };
 
+extern const Figures unknown_figures;
+
 // Errors over the pixels that count.
 struct Error {
     Figures light;           // of the light that a display emits

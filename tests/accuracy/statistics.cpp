@@ -180,6 +180,9 @@ TEST(Front, PictureThatIsNotFiniteIsLast) {
     const auto verdicts = pareto_front(points({infinite, .3, 0}, machine.measure({10, 5, 20}, 31)));
     EXPECT_EQ(verdicts[0], (Verdict{Standing::dominated, 1}));
     EXPECT_EQ(verdicts[1].standing, Standing::front);
+    const auto cheapest = pareto_front(points({infinite, .3, 0}, machine.measure({1, 5, 20}, 31)));
+    EXPECT_EQ(cheapest[0].standing, Standing::unknown) << "nobody wants it at any price";
+    EXPECT_EQ(cheapest[1].standing, Standing::front);
 }
 
 TEST(Front, TwinsAreBothOnIt) {

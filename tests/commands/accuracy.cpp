@@ -43,8 +43,8 @@ protected:
 
 TEST_F(Accuracy, WritesEveryFormat) {
     ASSERT_EQ(
-        run("--size 64x64 --reps 9 --budget 4 --ladders SHADE --knobs samples -o " + folder.path("r.html") +
-            " --svg " + folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),
+        run("--size 64x64 --reps 9 --budget 4 --ladders SHADE --knobs samples -o " + folder.path("r.html") + " --svg " +
+            folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),
         0)
         << text("err.txt");
     const auto json = nlohmann::json::parse(text("r.json"));
@@ -127,6 +127,7 @@ TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
         EXPECT_NE(text("out.txt").find("nothing that was measured is; the nearest is SHADE="), std::string::npos);
     }
     EXPECT_EQ(run("--within soon"), 2);
+    for (const char* odd : {"--error nan", "--error inf", "--error -1", "--budget nan"}) EXPECT_EQ(run(odd), 2) << odd;
     EXPECT_EQ(run("--within 5ms --no-time"), 2) << "what is not timed has no cost";
 }
 
@@ -141,6 +142,15 @@ TEST_F(Accuracy, ReferenceThatIsNotFiniteIsAnErrorAtItsRung) {
             << text("err.txt");
     }
     EXPECT_TRUE(text("scene.quality.json").empty()) << "nothing is stored of which nothing is known";
+}
+
+TEST_F(Accuracy, BudgetThatDrawsNothingIsAnError) {
+    folder.write("lit.frag",
+                 "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = vN.z;\n#if SHADE == SHADE_exact\n"
+                 " for (int i = 0; i < 2000000; ++i) c = c * .999 + sin(c);\n#endif\n"
+                 " gl_FragColor = vec4(vec3(c), 1.);\n}\n");
+    EXPECT_EQ(run("--size 32x32 --budget 1 --ladders SHADE"), 1) << text("out.txt");
+    EXPECT_NE(text("err.txt").find("no rung was drawn: the time was up"), std::string::npos) << text("err.txt");
 }
 
 // The whole command with every knob; what starts and ends it is no part of the budget.

@@ -39,7 +39,7 @@ Json figures_json(const Figures& figures) {
             {"mean_abs", number(figures.mean)}};
 }
 
-// An RMSE of null with pixels that are not finite is infinite.
+// An RMSE of null with pixels that are not finite is infinite, unless `cannot_say` tells why nothing is known.
 Json error_json(const Error& error) {
     return {{"light", figures_json(error.light)},
             {"display", figures_json(error.display)},

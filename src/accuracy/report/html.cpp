@@ -149,10 +149,12 @@ std::string table(const SweepResult& sweep) {
                                : "<td></td><td></td><td></td>";
         const char* far = rung.saturated ? " class=\"far\" title=\"decorrelated: RMSE no longer ranks\"" : "";
         const Figures &light = rung.own.light, &display = rung.own.display;
-        out += fmt::format("<td{0}>{1:.3g}</td><td{0}>{2}</td><td>{3:.3g}</td><td>{4:.3g}</td>", far, light.rmse,
-                           psnr_text(light.psnr), light.max, light.mean);
-        out += fmt::format("<td>{:.3g}</td><td>{}</td><td>{:.3g}</td><td>{:.3f}</td>", display.rmse,
-                           psnr_text(display.psnr), rung.alone.rmse, rung.flip);
+        out +=
+            fmt::format("<td{0}>{1}</td><td{0}>{2}</td><td>{3}</td><td>{4}</td>", far, known_text("{:.3g}", light.rmse),
+                        psnr_text(light.psnr), known_text("{:.3g}", light.max), known_text("{:.3g}", light.mean));
+        out += fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", known_text("{:.3g}", display.rmse),
+                           psnr_text(display.psnr), known_text("{:.3g}", rung.alone.rmse),
+                           known_text("{:.3f}", rung.flip));
         if (degrees) out += rung.degrees ? fmt::format("<td>{:.3g}</td>", rung.degrees->mean) : "<td></td>";
         out += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>", psnr_text(rung.whole.light.psnr), rung.rounds,
                            escaped(notes_text(sweep, rung)));
@@ -167,9 +169,9 @@ std::string section(const SweepResult& sweep) {
     if (timed) out += "<div class=\"scroll\">" + plot_svg(sweep) + "</div>";
     out += table(sweep);
     out += fmt::format("<p class=\"facts\">{}{}; {}.{}{}</p>", escaped(sweep.scene),
-                       sweep.own_pixels > 0
-                           ? fmt::format(", errors over the {} pixels that the ladder's draws cover", sweep.own_pixels)
-                           : std::string(", errors over the whole picture"),
+                       sweep.own_pixels > 0 ? fmt::format(", errors over the {} that the ladder's draws cover",
+                                                          pixels_text(sweep.own_pixels))
+                                            : std::string(", errors over the whole picture"),
                        escaped(sweep.reference_note),
                        timed ? fmt::format(" Control (the current rung timed twice): {}; clock: {}.",
                                            ratio_text(sweep.control.ratio), name(sweep.clock))

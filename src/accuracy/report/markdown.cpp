@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
@@ -16,8 +17,9 @@ std::string row(const SweepResult& sweep, std::size_t index, bool degrees) {
                                    index == sweep.sweep.current ? "**" : "");
     if (!rung.drawn) return text + fmt::format(" not drawn |{}\n", degrees ? " | | | | | | |" : " | | | | | |");
     text += rung.rounds > 0 ? fmt::format(" {:.3g} | {} |", rung.milliseconds, ratio_text(rung.ratio)) : " | |";
-    text += fmt::format(" {:.3g} | {} | {} | {:.3g} | {:.3f} |", rung.own.light.rmse, psnr_text(rung.own.light.psnr),
-                        psnr_text(rung.own.display.psnr), rung.alone.rmse, rung.flip);
+    text += fmt::format(" {} | {} | {} | {} | {} |", known_text("{:.3g}", rung.own.light.rmse),
+                        psnr_text(rung.own.light.psnr), psnr_text(rung.own.display.psnr),
+                        known_text("{:.3g}", rung.alone.rmse), known_text("{:.3f}", rung.flip));
     if (degrees) text += rung.degrees ? fmt::format(" {:.3g} |", rung.degrees->mean) : " |";
     return text + fmt::format(" {} |\n", notes_text(sweep, rung));
 }
@@ -25,11 +27,11 @@ std::string row(const SweepResult& sweep, std::size_t index, bool degrees) {
 std::string part(const SweepResult& sweep, const std::string& plot) {
     const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     const bool timed = sweep.rungs[sweep.sweep.current].rounds > 0;
-    std::string text = fmt::format("\n## {}: {}\n\n{}\n", sweep.scene, sweep.sweep.name, in_words(sweep));
-    text += fmt::format(
-        "\nErrors over the {}; {}.{}\n",
-        sweep.own_pixels > 0 ? fmt::format("{} pixels of its draws", sweep.own_pixels) : "whole picture",
-        sweep.reference_note, timed ? fmt::format(" Control: {}.", ratio_text(sweep.control.ratio)) : std::string());
+    std::string text = fmt::format("\n## {}: {}\n\n{}\n", escaped(sweep.scene), sweep.sweep.name, in_words(sweep));
+    text += fmt::format("\nErrors over the {}; {}.{}\n",
+                        sweep.own_pixels > 0 ? pixels_text(sweep.own_pixels) + " of its draws" : "whole picture",
+                        sweep.reference_note,
+                        timed ? fmt::format(" Control: {}.", ratio_text(sweep.control.ratio)) : std::string());
     if (timed && !plot.empty()) text += fmt::format("\n![{}: error over time]({})\n", sweep.sweep.name, plot);
     text += fmt::format(
         "\n| rung | ms | relative to current | RMSE | PSNR, dB | PSNR of display | RMSE alone | FLIP |{} "

@@ -39,6 +39,10 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung);
 
 // All remarks on the rung: its standing, and what a reader must know before trusting its error.
 std::string notes_text(const SweepResult& sweep, const RungResult& rung);
+// "1 pixel", "2 pixels".
+std::string pixels_text(std::size_t count);
+// A number in a format such as "{:.2g}"; "?" if it is unknown (NaN).
+std::string known_text(std::string_view format, double value);
 // Decibels, or what there is instead: "equal", "not finite", "?".
 std::string psnr_text(double psnr);
 // What errors are of, in a sentence.

@@ -90,9 +90,15 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
         case Standing::saves_none:
             return "no saving: " + by;
         case Standing::unknown:
-            return "not measured";
+            return std::isinf(sweep.error(rung)) ? "no value" : "not measured";
     }
     return "";
+}
+
+std::string pixels_text(std::size_t count) { return fmt::format("{} pixel{}", count, count == 1 ? "" : "s"); }
+
+std::string known_text(std::string_view format, double value) {
+    return std::isnan(value) ? "?" : fmt::vformat(format, fmt::make_format_args(value));
 }
 
 std::string psnr_text(double psnr) {
@@ -106,7 +112,7 @@ std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
     if (rung.below_residual && sweep.metric == Metric::rmse) notes.emplace_back("not told apart from the reference");
     if (rung.saturated) notes.emplace_back("decorrelated");
     if (rung.cliff) notes.emplace_back("cliff");
-    if (rung.whole.nonfinite > 0) notes.push_back(fmt::format("{} pixels NaN or infinite", rung.whole.nonfinite));
+    if (rung.own.nonfinite > 0) notes.push_back(pixels_text(rung.own.nonfinite) + " NaN or infinite");
     if (rung.hidden())
         notes.push_back(fmt::format("alone RMSE {:.2g} here, {:.2g} {}", rung.alone.rmse, rung.elsewhere->rmse,
                                     sweep.sweep.elsewhere));
@@ -197,7 +203,7 @@ std::string table_text(const SweepResult& sweep) {
     for (const RungResult& rung : sweep.rungs) width = std::max(width, rung.name.size());
     const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     std::string text = fmt::format("\n{}", sweep.sweep.name);
-    text += sweep.own_pixels > 0 ? fmt::format(", over the {} pixels that its draws cover", sweep.own_pixels)
+    text += sweep.own_pixels > 0 ? fmt::format(", over the {} that its draws cover", pixels_text(sweep.own_pixels))
                                  : ", over the whole picture";
     text += fmt::format("; {}\n", sweep.reference_note);
     text += fmt::format("  {:{}}  {:>9}  {:>20}  of light:          of display:        alone\n", "", width, "", "");
@@ -211,15 +217,16 @@ std::string table_text(const SweepResult& sweep) {
             text += fmt::format("{} {:<{}}  not drawn\n", mark, rung.name, width);
             continue;
         }
-        text += fmt::format(
-            "{} {:<{}}  {:>9}  {:>20}  {:>8.2g}  {:>6}  {:>8.2g}  {:>6}  {:>8.2g}  {:>6.3f}  {}{:>9}  {}\n", mark,
-            rung.name, width, rung.rounds > 0 ? fmt::format("{:.2f}", rung.milliseconds) : "-",
-            rung.rounds > 0 ? ratio_text(rung.ratio) : "-", rung.own.light.rmse, psnr_text(rung.own.light.psnr),
-            rung.own.display.rmse, psnr_text(rung.own.display.psnr), rung.alone.rmse, rung.flip,
-            !degrees       ? ""
-            : rung.degrees ? fmt::format("{:>8.3g}  ", rung.degrees->mean)
-                           : "          ",
-            psnr_text(rung.whole.light.psnr), notes_text(sweep, rung));
+        text += fmt::format("{} {:<{}}  {:>9}  {:>20}  {:>8}  {:>6}  {:>8}  {:>6}  {:>8}  {:>6}  {}{:>9}  {}\n", mark,
+                            rung.name, width, rung.rounds > 0 ? fmt::format("{:.2f}", rung.milliseconds) : "-",
+                            rung.rounds > 0 ? ratio_text(rung.ratio) : "-", known_text("{:.2g}", rung.own.light.rmse),
+                            psnr_text(rung.own.light.psnr), known_text("{:.2g}", rung.own.display.rmse),
+                            psnr_text(rung.own.display.psnr), known_text("{:.2g}", rung.alone.rmse),
+                            known_text("{:.3f}", rung.flip),
+                            !degrees       ? ""
+                            : rung.degrees ? fmt::format("{:>8.3g}  ", rung.degrees->mean)
+                                           : "          ",
+                            psnr_text(rung.whole.light.psnr), notes_text(sweep, rung));
     }
     if (sweep.rungs[sweep.sweep.current].rounds > 0)
         text += fmt::format("  control: {}, {}\n", ratio_text(sweep.control.ratio), name(sweep.clock));

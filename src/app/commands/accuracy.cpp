@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -242,6 +243,16 @@ bool note_problems(const Bench& bench, const Subject& subject, Report& report) {
     return wrong.has_errors();
 }
 
+// True, with a message, if there is nothing in the report because the budget was too small.
+bool note_nothing_drawn(const Report& report) {
+    const bool drawn = std::ranges::any_of(report.sweeps, [](const SweepResult& sweep) {
+        return sweep.interrupted || std::ranges::any_of(sweep.rungs, &RungResult::drawn);
+    });
+    if (drawn || report.sweeps.empty()) return false;
+    fmt::print(stderr, "snell: error: no rung was drawn: the time was up; give more --budget, or a smaller --size\n");
+    return true;
+}
+
 Exit accuracy(const AccuracyOptions& options) {
     Deadline deadline(options.timeout);
     deadline.begin("starting OpenGL");
@@ -287,6 +298,7 @@ Exit accuracy(const AccuracyOptions& options) {
     std::signal(SIGINT, before);
     deadline.rest();
     report.where.load_after = load();
+    errors = note_nothing_drawn(report) || errors;
     fmt::print("\n{}", header_text(report));
     if (!write_reports(options, report)) return exit_input;
     return errors ? exit_input : exit_fine;
@@ -303,6 +315,10 @@ Exit merge(const std::vector<std::string>& files) {
     if (!text) fmt::print(stderr, "snell: error: {}\n", wrong);
     fmt::print("{}", text.value_or(""));
     return text ? exit_fine : exit_input;
+}
+
+std::string check_finite(const std::string& text) {
+    return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is not a finite number";
 }
 
 std::string check_milliseconds(const std::string& text) {
@@ -337,7 +353,8 @@ Run add_accuracy(CLI::App& command) {
                     "rounds, in each of which every rung is timed once; fewer if the budget is too small")
         ->check(CLI::Range(3, 10000));
     command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
-        ->check(CLI::Range(1.0, 1e6));
+        ->check(CLI::Range(1.0, 1e6))
+        ->check(check_finite);
     CLI::Option* untimed = command.add_flag("--no-time", options->no_time, "errors only");
     command
         .add_option_function<std::string>(
@@ -347,6 +364,7 @@ Run add_accuracy(CLI::App& command) {
         ->excludes(untimed);
     command.add_option("--error", options->error, "find the cheapest combination with no more RMSE of light")
         ->check(CLI::NonNegativeNumber)
+        ->check(check_finite)
         ->excludes(untimed);
     command.add_flag("--save-quality", options->save_quality, "find presets for --quality, stored next to the scene")
         ->excludes(untimed);

@@ -70,6 +70,9 @@ TEST_F(Misleading, ReferenceThatIsNotFiniteSaysNothingAndNamesItsPixels) {
               "the reference is NaN or infinite in 64 pixels, the first at (20, 8) from the top left");
     for (const Wish& wish : {Wish{}, Wish{.error = 1}, Wish{.milliseconds = 1e4}})
         EXPECT_EQ(advised(result, wish), std::nullopt);
+    EXPECT_EQ(table_text(result).find("equal"), std::string::npos) << table_text(result);
+    EXPECT_TRUE(std::isnan(result.rungs[1].own.light.rmse));
+    EXPECT_EQ(result.rungs[1].own.nonfinite, 64U);
     EXPECT_TRUE(in_words(result).starts_with("Can't say: ")) << in_words(result);
 }
 
@@ -87,9 +90,65 @@ TEST_F(Misleading, DrawsThatCoverNoPixelSayNothing) {
     const SweepResult result = sweep_of("Ladder L rough <exact>\n", "#if L == L_rough\n c = vec3(.4);\n#endif", 0,
                                         "Translate 9 0 0\nQuadXY 0 .5\n");
     EXPECT_EQ(result.cannot_say, "the ladder's draws cover no pixel");
+    EXPECT_TRUE(std::isnan(result.rungs[1].whole.light.psnr)) << "no number stands beside what is unknown";
+    EXPECT_EQ(table_text(result).find("nan"), std::string::npos) << table_text(result);
     EXPECT_FALSE(result.broken);
     EXPECT_FALSE(result.trusted());
     EXPECT_EQ(advised(result, {}), std::nullopt);
+}
+
+// The quad has 16 x 16 pixels. The last rung draws the left quarter of them; what another rung draws beside it is an
+// error there, of the light of .5 against black.
+TEST_F(Misleading, RungThatDrawsWhatTheReferenceDiscardsIsWrongThere) {
+    const double light = content::light_of_srgb(.5);
+    const SweepResult result = sweep_of("Ladder CUT none half <exact>\n",
+                                        "#if CUT == CUT_exact\n if (gl_FragCoord.x > 12.) discard;\n"
+                                        "#elif CUT == CUT_half\n if (gl_FragCoord.x > 16.) discard;\n#endif");
+    EXPECT_EQ(result.own_pixels, 256U);
+    EXPECT_NEAR(result.rungs[0].own.light.rmse, light * std::sqrt(.75), 1e-5);
+    EXPECT_NEAR(result.rungs[0].alone.rmse, light * std::sqrt(.75), 1e-5);
+    EXPECT_NEAR(result.rungs[1].own.light.rmse, light * std::sqrt(.25), 1e-5) << "over the same pixels";
+    EXPECT_NEAR(result.rungs[2].own.light.rmse, 0, 1e-6);
+    EXPECT_FALSE(result.rungs[0].below_residual);
+    EXPECT_EQ(in_words(result).find("not told apart"), std::string::npos) << in_words(result);
+    for (const Wish& wish : {Wish{.error = .001}, Wish{.alone = .001}}) EXPECT_EQ(advised(result, wish), 2U);
+}
+
+TEST_F(Misleading, ReferenceThatDiscardsEverythingIsComparedWhereOthersDraw) {
+    const SweepResult result =
+        sweep_of("Ladder CUT none <all>\n", "#if CUT == CUT_all\n if (uZero < 1.) discard;\n#endif");
+    EXPECT_EQ(result.cannot_say, "");
+    EXPECT_EQ(result.own_pixels, 256U);
+    EXPECT_NEAR(result.rungs[0].own.light.rmse, content::light_of_srgb(.5), 1e-5);
+}
+
+// Where the scene stands, OTHER discards nothing, so the mistake of CUT is visible there alone.
+TEST_F(Misleading, MistakeElsewhereCountsWhereTheReferenceDrawsNothing) {
+    const SweepResult result = sweep_of("Ladder CUT wrong <right>\nLadder OTHER <keep> cut\n",
+                                        "#if OTHER == OTHER_cut\n if (gl_FragCoord.x > 12.) discard;\n#endif\n"
+                                        "#if CUT == CUT_wrong\n if (gl_FragCoord.x > 12.) c = vec3(.9);\n#endif");
+    EXPECT_EQ(result.own_pixels, 256U);
+    EXPECT_NEAR(result.rungs[0].own.light.rmse, 0, 1e-6);
+    ASSERT_TRUE(result.rungs[0].elsewhere);
+    EXPECT_NEAR(result.rungs[0].elsewhere->rmse,
+                (content::light_of_srgb(.9) - content::light_of_srgb(.5)) * std::sqrt(.75), 1e-5);
+    EXPECT_TRUE(result.rungs[0].hidden());
+}
+
+TEST_F(Misleading, RungThatIsNanBesideTheReferenceIsLastAndNeverAdvised) {
+    const SweepResult result =
+        sweep_of("Ladder CUT broken <exact>\n",
+                 "#if CUT == CUT_exact\n if (gl_FragCoord.x > 12.) discard;\n float x = gl_FragCoord.x;\n"
+                 "for (int i = 0; i < 4000; ++i) x = x * .999 + uZero * sin(x);\nc += 1e-30 * x;\n"
+                 "#else\n if (gl_FragCoord.x > 12.) c = vec3(sqrt(uZero - 1.));\n#endif");
+    const RungResult& broken = result.rungs[0];
+    EXPECT_EQ(broken.own.nonfinite, 192U);
+    EXPECT_TRUE(std::isinf(result.error(broken)));
+    EXPECT_FALSE(broken.below_residual);
+    EXPECT_NE(broken.verdict.standing, Standing::front) << "although it is the cheaper one";
+    EXPECT_EQ(notes_text(result, broken).find("front"), std::string::npos) << notes_text(result, broken);
+    for (const Wish& wish : {Wish{}, Wish{.error = .001}, Wish{.alone = 1}, Wish{.milliseconds = 1e4}})
+        EXPECT_NE(advised(result, wish), 0U);
 }
 
 // The last rung of BEND overwrites what SHARE computed, so a mistake has no error with the others at the reference.
