@@ -13,6 +13,7 @@
 #include <memory>
 #include <thread>
 
+#include "parser/text/utf8.h"
 #include "src/accuracy/report/merge.h"
 #include "src/accuracy/report/report.h"
 #include "src/app/commands/accuracy_files.h"
@@ -141,7 +142,8 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
     subject->measurable = !subject->sweeps.empty() || (asks_for_advice(options) && readable);
     subject->errors = diagnostics.has_errors() || !subject->measurable;
     if (!subject->measurable && !diagnostics.has_errors())
-        fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n", path);
+        fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n",
+                   utf8::printable(path));
     return subject;
 }
 
@@ -292,15 +294,20 @@ Exit accuracy(const AccuracyOptions& options) {
     return errors ? exit_input : exit_fine;
 }
 
-Exit merge(const std::vector<std::string>& files) {
+Exit merge(const AccuracyOptions& options) {
+    Files files("", options.access);
     std::vector<NamedReport> reports;
-    for (const std::string& file : files) {
-        std::ifstream stream(file, std::ios::binary);
-        reports.push_back({file, {std::istreambuf_iterator<char>(stream), {}}});
-    }
     std::string wrong;
+    for (const std::string& file : options.merge) {
+        auto text = files.read(file, wrong);
+        if (!text) {
+            fmt::print(stderr, "snell: error: cannot read '{}': {}\n", utf8::printable(file), utf8::printable(wrong));
+            return exit_input;
+        }
+        reports.push_back({file, std::move(*text)});
+    }
     const auto text = merged_text(reports, wrong);
-    if (!text) fmt::print(stderr, "snell: error: {}\n", wrong);
+    if (!text) fmt::print(stderr, "snell: error: {}\n", utf8::printable(wrong));
     fmt::print("{}", text.value_or(""));
     return text ? exit_fine : exit_input;
 }
@@ -314,15 +321,17 @@ std::string check_milliseconds(const std::string& text) {
 Run add_accuracy(CLI::App& command) {
     auto options = std::make_shared<AccuracyOptions>();
     add_access(command, options->access);
+    std::vector<CLI::Option*> with_merge = command.get_options();  // these hold for all files that are read
     add_timeout(command, options->timeout, "one step of the measurement, or for reading a scene");
     command.footer(
         "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
         "ends the program at once.");
-    CLI::Option* scenes = command.add_option("SCENE", options->scenes, "one report of all of them");
-    command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
-        ->expected(2, 26)
-        ->check(CLI::ExistingFile)
-        ->excludes(scenes);
+    command.add_option("SCENE", options->scenes, "one report of all of them");
+    CLI::Option* merging =
+        command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
+            ->expected(2, 26)
+            ->check(CLI::ExistingFile);
+    with_merge.push_back(merging);
     command.add_option("--ladders", options->ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
         ->delimiter(',');
     command.add_option("--knobs", options->knobs, "samples,tessellation,filter,cube-size,cube-precision")
@@ -361,8 +370,10 @@ Run add_accuracy(CLI::App& command) {
         ->check(check_file_name);
     command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
     add_context(command, options->context);
+    for (CLI::Option* option : command.get_options())
+        if (std::ranges::find(with_merge, option) == with_merge.end()) merging->excludes(option);
     return [options] {
-        if (!options->merge.empty()) return merge(options->merge);
+        if (!options->merge.empty()) return merge(*options);
         if (options->scenes.empty()) {
             fmt::print(stderr, "snell: error: no scene given; 'snell accuracy --help' shows the options\n");
             return exit_usage;

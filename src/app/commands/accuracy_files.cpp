@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "parser/text/utf8.h"
 #include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/replace.h"
@@ -18,7 +19,7 @@ bool write_text(const std::string& path, const std::string& text) {
     if (path.empty()) return true;
     const std::string wrong = content::replace_file(path, text);
     if (wrong.empty()) return true;
-    fmt::print(stderr, "snell: error: cannot write '{}': {}\n", path, wrong);
+    fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(path), wrong);
     return false;
 }
 
