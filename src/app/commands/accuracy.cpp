@@ -312,6 +312,17 @@ Exit merge(const AccuracyOptions& options) {
     return text ? exit_fine : exit_input;
 }
 
+// Not by CLI11's excludes(), which --help would print next to every option.
+bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fitting) {
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0 || std::ranges::find(fitting, option) != fitting.end()) continue;
+        fmt::print(stderr, "snell: error: --merge excludes {}: it compares reports and measures nothing\n",
+                   option->get_name());
+        return false;
+    }
+    return true;
+}
+
 std::string check_milliseconds(const std::string& text) {
     return parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
 }
@@ -327,11 +338,10 @@ Run add_accuracy(CLI::App& command) {
         "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
         "ends the program at once.");
     command.add_option("SCENE", options->scenes, "one report of all of them");
-    CLI::Option* merging =
+    with_merge.push_back(
         command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
             ->expected(2, 26)
-            ->check(CLI::ExistingFile);
-    with_merge.push_back(merging);
+            ->check(CLI::ExistingFile));
     command.add_option("--ladders", options->ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
         ->delimiter(',');
     command.add_option("--knobs", options->knobs, "samples,tessellation,filter,cube-size,cube-precision")
@@ -370,10 +380,8 @@ Run add_accuracy(CLI::App& command) {
         ->check(check_file_name);
     command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
     add_context(command, options->context);
-    for (CLI::Option* option : command.get_options())
-        if (std::ranges::find(with_merge, option) == with_merge.end()) merging->excludes(option);
-    return [options] {
-        if (!options->merge.empty()) return merge(*options);
+    return [options, &command, with_merge] {
+        if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge(*options) : exit_usage;
         if (options->scenes.empty()) {
             fmt::print(stderr, "snell: error: no scene given; 'snell accuracy --help' shows the options\n");
             return exit_usage;
