@@ -9,6 +9,8 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <sstream>
+#include <string>
 
 #include "parser/text/utf8.h"
 #include "src/app/commands/subcommands.h"
@@ -54,6 +56,14 @@ int printed(int status) {
     return std::max<int>(status, exit_input);
 }
 
+// The message may quote arguments, with escape sequences that the terminal would obey.
+void print_usage_error(const CLI::App& program, const CLI::ParseError& error) {
+    std::ostringstream unused;
+    std::stringstream text;
+    program.exit(error, unused, text);
+    for (std::string line; std::getline(text, line);) fmt::print(stderr, "{}\n", utf8::printable(line));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -72,9 +82,9 @@ int main(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        const bool asked = error.get_exit_code() == 0;  // --help, --version
-        program.exit(error);
-        return asked ? exit_fine : exit_usage;
+        if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+        print_usage_error(program, error);
+        return exit_usage;
     }
     try {
         return printed(run());

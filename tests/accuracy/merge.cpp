@@ -3,14 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <vector>
+
 #include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
 namespace {
 
 // A report with two rungs besides the current one, whose costs are relative to it.
-NamedReport report(const std::string& name, double first, double second, bool quiet = true) {
-    SweepResult sweep{.scene = "scene.glib", .sweep = {.name = "L", .reference = 2, .current = 2}};
+NamedReport report(const std::string& name, double first, double second, bool quiet = true,
+                   const std::string& scene = "scene.glib", int side = 64) {
+    SweepResult sweep{.scene = scene, .sweep = {.name = "L", .reference = 2, .current = 2}};
     const double errors[]{.1, .05, 0}, costs[]{first, second, 1};
     for (std::size_t i = 0; i < 3; ++i) {
         RungResult rung{.name = std::string(1, static_cast<char>('a' + static_cast<int>(i))), .drawn = true};
@@ -25,8 +29,23 @@ NamedReport report(const std::string& name, double first, double second, bool qu
     conclude(sweep, again, 1);
     Report result;
     result.where.renderer = name;
+    result.where.width = result.where.height = side;
     result.sweeps = {sweep};
     return {name + ".json", json_text(result)};
+}
+
+// The report with every `from` replaced.
+NamedReport changed(NamedReport report, const std::string& from, const std::string& to) {
+    for (std::size_t at = report.json.find(from); at != std::string::npos; at = report.json.find(from, at + to.size()))
+        report.json.replace(at, from.size(), to);
+    return report;
+}
+
+std::string merged(std::initializer_list<NamedReport> reports) {
+    std::string error;
+    const auto text = merged_text(std::vector<NamedReport>(reports), error);
+    EXPECT_TRUE(text) << error;
+    return text.value_or("");
 }
 
 // The line of the rung.
@@ -63,6 +82,65 @@ TEST(Merge, WhatIsNoReportOrSharesNothingIsAnError) {
     const NamedReport alone[]{report("one", .5, .8)};
     EXPECT_FALSE(merged_text(alone, error));
     EXPECT_NE(error.find("more than one"), std::string::npos);
+}
+
+TEST(Merge, ScenesAreMatchedByTheirFilesNames) {
+    const std::string text =
+        merged({report("one", .5, .8, true, "/home/a/scene.glib"), report("two", .5, 1.3, true, "scene.glib")});
+    EXPECT_NE(line_of(text, "b").find("not portable"), std::string::npos) << text;
+    EXPECT_NE(text.find("matched by the file's name: A: /home/a/scene.glib, B: scene.glib"), std::string::npos) << text;
+    EXPECT_EQ(merged({report("one", .5, .8), report("two", .5, .8)}).find("matched by"), std::string::npos);
+}
+
+// Two scenes of one name in one report are told apart by their paths.
+TEST(Merge, ScenesOfOneNameInOneReportAreNotMixed) {
+    NamedReport both = report("one", .5, .8, true, "x/scene.glib");
+    const std::string ladders = "\"ladders\": [", other = report("one", .5, 1.3, true, "y/scene.glib").json;
+    const std::size_t from = other.find(ladders) + ladders.size();
+    both.json.insert(both.json.find(ladders) + ladders.size(), other.substr(from, other.rfind(']') - from) + ",");
+    const std::string text = merged({both, report("two", .5, .8, true, "x/scene.glib")});
+    EXPECT_NE(text.find("\nx/scene.glib: L\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("not portable"), std::string::npos) << text;
+    std::string error;
+    const NamedReport apart[]{both, report("two", .5, .8, true, "z/scene.glib")};
+    EXPECT_FALSE(merged_text(apart, error));
+    EXPECT_NE(error.find("several scenes named 'scene.glib'"), std::string::npos) << error;
+}
+
+TEST(Merge, PicturesOfDifferentSizesAreNotCompared) {
+    const std::string text = merged({report("one", .5, .8), report("two", .5, 1.3, true, "scene.glib", 32)});
+    EXPECT_NE(text.find("not comparable: A: 64 x 64, B: 32 x 32"), std::string::npos) << text;
+    EXPECT_EQ(text.find("not portable"), std::string::npos) << text;
+    EXPECT_NE(line_of(text, "b").find("can't say"), std::string::npos) << text;
+}
+
+TEST(Merge, RungsOfAnyReportAreListed) {
+    const std::string text = merged({report("one", .5, .8), changed(report("two", .5, .8), "\"b\"", "\"new\"")});
+    EXPECT_NE(line_of(text, "new").find("A: -"), std::string::npos) << text;
+    EXPECT_NE(line_of(text, "new").find("B: 0.8"), std::string::npos) << text;
+    EXPECT_NE(line_of(text, "b").find("A: 0.8"), std::string::npos) << text;
+}
+
+TEST(Merge, DamagedNumbersAndOtherSchemasAreErrors) {
+    const NamedReport good = report("one", .5, .8);
+    for (const auto& [from, to, message] :
+         {std::array{"\"median\": ", "\"median\": \"x\", \"was\": ", "is not a report"},
+          std::array{"\"schema\": 2", "\"schema\": 3", "another version of snell"}}) {
+        const NamedReport reports[]{good, changed(good, from, to)};
+        std::string error;
+        EXPECT_FALSE(merged_text(reports, error)) << from;
+        EXPECT_NE(error.find(message), std::string::npos) << error;
+    }
+}
+
+TEST(Merge, NoEscapeSequenceIsPrinted) {
+    const std::string sequence = "\\u001b[31m";
+    const NamedReport sent = changed(changed(report("two", .5, .8), "\"b\"", "\"b" + sequence + "\""), "\"cpu\": \"",
+                                     "\"cpu\": \"" + sequence);
+    const std::string text = merged({report("one", .5, .8), sent});
+    EXPECT_EQ(text.find('\x1b'), std::string::npos) << text;
+    EXPECT_NE(text.find("b\\x1B[31m"), std::string::npos) << text;
+    EXPECT_NE(text.find("(two, \\x1B[31m"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
+#include "parser/text/utf8.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/json.h"
 
@@ -15,6 +18,7 @@ namespace snell::accuracy {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr int schema = 2;  // of json_text()
 
 struct Cost {
     bool known = false;
@@ -24,38 +28,75 @@ struct Cost {
 
 struct OnMachine {
     std::size_t machine = 0;
+    std::string scene;  // its path
+    std::array<int, 2> size{};
     bool trusted = false;
     std::vector<std::string> order;  // the rungs
     std::map<std::string, Cost> costs;
 };
 
+using Key = std::pair<std::string, std::string>;  // scene and ladder
+
 struct Machine {
     std::string name;
-    std::map<std::pair<std::string, std::string>, OnMachine> ladders;  // by scene and ladder
+    std::map<Key, OnMachine> ladders;
 };
 
+char letter(std::size_t machine) { return static_cast<char>('A' + machine % 26); }
+
+// Reports come from anywhere, and their names go to the terminal.
+std::string text_of(const Json& json) { return utf8::printable(json.get<std::string>()); }
+
+Cost cost_of(const Json& rung) {
+    if (!rung.contains("ratio_to_current") || rung["ratio_to_current"].at("median").is_null()) return {};
+    const Json& ratio = rung["ratio_to_current"];
+    return {true,
+            {ratio.at("lo95").get<double>(), ratio.at("median").get<double>(), ratio.at("hi95").get<double>()},
+            text_of(rung.at("standing"))};
+}
+
 Machine machine_of(const Json& json, const std::string& file, std::size_t index) {
-    const Json &gl = json.at("gl"), &size = json.at("scene").at("size");
-    Machine machine{
-        fmt::format("{} ({}, {}, {} x {})", file, gl.at("renderer").get<std::string>(),
-                    json.at("host").at("cpu").get<std::string>(), size.at(0).get<int>(), size.at(1).get<int>()),
-        {}};
+    const Json &gl = json.at("gl"), &host = json.at("host");
+    const auto size = json.at("scene").at("size").get<std::array<int, 2>>();
+    Machine machine{fmt::format("{} ({}, {}, {} x {})", utf8::printable(file), text_of(gl.at("renderer")),
+                                text_of(host.at("cpu")), size[0], size[1]),
+                    {}};
     for (const Json& ladder : json.at("ladders")) {
-        OnMachine on{index, ladder.at("trusted").get<bool>(), {}, {}};
+        OnMachine on{index, text_of(ladder.at("scene")), size, ladder.at("trusted").get<bool>(), {}, {}};
         for (const Json& rung : ladder.at("rungs")) {
-            const auto name = rung.at("rung").get<std::string>();
-            on.order.push_back(name);
-            Cost& cost = on.costs[name];
-            if (!rung.contains("ratio_to_current") || !rung["ratio_to_current"].at("median").is_number()) continue;
-            const Json& ratio = rung["ratio_to_current"];
-            cost = {true,
-                    {ratio.at("lo95").get<double>(), ratio.at("median").get<double>(), ratio.at("hi95").get<double>()},
-                    rung.at("standing").get<std::string>()};
+            on.order.push_back(text_of(rung.at("rung")));
+            on.costs[on.order.back()] = cost_of(rung);
         }
-        machine.ladders[{ladder.at("scene").get<std::string>(), ladder.at("ladder").get<std::string>()}] =
-            std::move(on);
+        Key key{on.scene, text_of(ladder.at("ladder"))};
+        machine.ladders[std::move(key)] = std::move(on);
     }
     return machine;
+}
+
+// Returns nullopt and sets `error` if the text is not a report of this version.
+std::optional<Machine> read_machine(const NamedReport& report, std::size_t index, std::string& error) {
+    const Json json = content::parse_json(report.json);
+    try {
+        if (json.at("schema").get<int>() == schema) return machine_of(json, report.name, index);
+        error = fmt::format("'{}' was written by another version of snell; measure again", report.name);
+    } catch (const Json::exception&) {
+        error = fmt::format("'{}' is not a report that 'snell accuracy --json' wrote", report.name);
+    }
+    return std::nullopt;
+}
+
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
+
+// The names of files that a single report has in several folders: only their paths tell these scenes apart.
+std::set<std::string> ambiguous_names(const std::vector<Machine>& machines) {
+    std::set<std::string> ambiguous;
+    for (const Machine& machine : machines) {
+        std::map<std::string, std::string> paths;  // by name
+        for (const auto& [key, on] : machine.ladders)
+            if (paths.try_emplace(file_name(on.scene), on.scene).first->second != on.scene)
+                ambiguous.insert(file_name(on.scene));
+    }
+    return ambiguous;
 }
 
 // The conclusions about one rung on one machine; equal ones agree.
@@ -74,24 +115,51 @@ bool portable(const std::vector<const Cost*>& costs) {
     return true;
 }
 
-std::string ladder_text(const std::vector<const OnMachine*>& on) {
+// Every rung that any machine has, in the order of the first one that has it.
+std::vector<std::string> all_rungs(const std::vector<const OnMachine*>& on) {
+    std::vector<std::string> rungs;
+    for (const OnMachine* machine : on)
+        for (const std::string& rung : machine->order)
+            if (std::ranges::find(rungs, rung) == rungs.end()) rungs.push_back(rung);
+    return rungs;
+}
+
+// What a reader must know before comparing these; `comparable` is false if the pictures differ in size.
+std::string notes_text(const std::vector<const OnMachine*>& on, bool comparable) {
+    std::vector<std::string> paths, sizes;
+    bool one_path = true;
+    for (const OnMachine* machine : on) {
+        paths.push_back(fmt::format("{}: {}", letter(machine->machine), machine->scene));
+        sizes.push_back(fmt::format("{}: {} x {}", letter(machine->machine), machine->size[0], machine->size[1]));
+        one_path = one_path && machine->scene == on.front()->scene;
+    }
     std::string text;
+    if (!one_path) text += fmt::format("  matched by the file's name: {}\n", fmt::join(paths, ", "));
+    if (!comparable) text += fmt::format("  not comparable: {}\n", fmt::join(sizes, ", "));
+    return text;
+}
+
+std::string ladder_text(const std::vector<const OnMachine*>& on) {
+    const std::vector<std::string> rungs = all_rungs(on);
+    const bool comparable =
+        std::ranges::all_of(on, [&](const OnMachine* machine) { return machine->size == on.front()->size; });
+    std::string text = notes_text(on, comparable);
     std::size_t width = 8;
-    for (const std::string& rung : on.front()->order) width = std::max(width, rung.size());
-    for (const std::string& rung : on.front()->order) {
+    for (const std::string& rung : rungs) width = std::max(width, rung.size());
+    for (const std::string& rung : rungs) {
         text += fmt::format("  {:<{}}", rung, width);
         std::vector<const Cost*> trusted;
         for (const OnMachine* machine : on) {
             const auto found = machine->costs.find(rung);
             const bool known = found != machine->costs.end() && found->second.known;
-            text += fmt::format("  {}: {:<20} {:<24}", static_cast<char>('A' + machine->machine % 26),
+            text += fmt::format("  {}: {:<20} {:<24}", letter(machine->machine),
                                 known ? ratio_text(found->second.ratio) : "-",
                                 !known             ? "not measured"
                                 : machine->trusted ? found->second.standing
                                                    : "not trusted");
             if (known && machine->trusted) trusted.push_back(&found->second);
         }
-        text += trusted.size() < 2 ? "  can't say\n" : portable(trusted) ? "\n" : "  not portable\n";
+        text += trusted.size() < 2 || !comparable ? "  can't say\n" : portable(trusted) ? "\n" : "  not portable\n";
     }
     return text;
 }
@@ -100,18 +168,20 @@ std::string ladder_text(const std::vector<const OnMachine*>& on) {
 
 std::optional<std::string> merged_text(std::span<const NamedReport> reports, std::string& error) {
     std::vector<Machine> machines;
-    for (const NamedReport& report : reports) try {
-            machines.push_back(machine_of(content::parse_json(report.json), report.name, machines.size()));
-        } catch (const Json::exception&) {
-            error = fmt::format("'{}' is not a report that 'snell accuracy --json' wrote", report.name);
-            return std::nullopt;
-        }
+    for (const NamedReport& report : reports) {
+        auto machine = read_machine(report, machines.size(), error);
+        if (!machine) return std::nullopt;
+        machines.push_back(std::move(*machine));
+    }
     std::string text = "Costs relative to each scene's current rung\n";
-    for (std::size_t i = 0; i < machines.size(); ++i)
-        text += fmt::format("  {}: {}\n", static_cast<char>('A' + i % 26), machines[i].name);
-    std::map<std::pair<std::string, std::string>, std::vector<const OnMachine*>> ladders;
+    for (std::size_t i = 0; i < machines.size(); ++i) text += fmt::format("  {}: {}\n", letter(i), machines[i].name);
+    const std::set<std::string> ambiguous = ambiguous_names(machines);
+    std::map<Key, std::vector<const OnMachine*>> ladders;
     for (const Machine& machine : machines)
-        for (const auto& [key, on] : machine.ladders) ladders[key].push_back(&on);
+        for (const auto& [key, on] : machine.ladders) {
+            const std::string name = file_name(on.scene);
+            ladders[{ambiguous.contains(name) ? on.scene : name, key.second}].push_back(&on);
+        }
     bool any = false;
     for (const auto& [key, on] : ladders) {
         if (on.size() < 2) continue;
@@ -120,6 +190,9 @@ std::optional<std::string> merged_text(std::span<const NamedReport> reports, std
     }
     if (any) return text;
     error = "no ladder is in more than one of these reports";
+    if (!ambiguous.empty())
+        error += fmt::format("; a report has several scenes named '{}', so these are matched by their paths",
+                             fmt::join(ambiguous, "', '"));
     return std::nullopt;
 }
 

@@ -130,9 +130,11 @@ void Batch::skip(const Shot& shot) {
 bool Batch::open(Open& open, const std::string& path) {
     const runtime::Stopwatch watch;
     Diagnostics unknown;
+    const Access access = access_to(path, options_.access, options_.grade);
+    RungWishes wishes{options_.quality, options_.ladders, {}};
+    for (const Axis& axis : shots_.axes) wishes.swept.push_back(axis.name);
     const auto choose = [&](const Scene& scene, Rungs& rungs) {
-        if (!options_.quality.empty()) choose_quality(path, options_.quality, scene, rungs, unknown);
-        for (const std::string& ladder : options_.ladders) choose_rung(rungs, scene, ladder, unknown);
+        choose_rungs(path, wishes, access, scene, rungs, unknown);
     };
     deadline_.begin(fmt::format("reading '{}'", path));
     // Resources that the previous scene has too, such as snell's own programs, are shared.
@@ -140,7 +142,7 @@ bool Batch::open(Open& open, const std::string& path) {
     const auto planned = [&](const Plan& plan, Document& document) {
         if (may_go_round(plan, document, caps_)) open.looping = plan;
     };
-    open.document = open_document(path, caps_, choose, planned, how, access_to(path, options_.access, options_.grade));
+    open.document = open_document(path, caps_, choose, planned, how, access);
     print_all(*open.document, options_.quiet);
     say(unknown, open.document->sources);
     timings_.load += watch.milliseconds();

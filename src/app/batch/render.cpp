@@ -11,6 +11,7 @@
 #include "src/app/batch/reports.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/document.h"
+#include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
@@ -73,6 +74,7 @@ std::vector<std::string> files_read(const RenderOptions& options, const Shots& s
         deadline.begin(fmt::format("reading '{}'", scene));
         const auto files = files_read_by(scene, access_to(scene, options.access, options.grade));
         read.insert(read.end(), files.begin(), files.end());
+        if (!options.quality.empty()) read.push_back(quality_path(scene));
     }
     return read;
 }

@@ -14,7 +14,7 @@
 #include <memory>
 #include <thread>
 
-#include "src/accuracy/report/merge.h"
+#include "parser/text/utf8.h"
 #include "src/accuracy/report/report.h"
 #include "src/app/commands/accuracy_files.h"
 #include "src/app/commands/advice.h"
@@ -142,7 +142,8 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
     subject->measurable = !subject->sweeps.empty() || (asks_for_advice(options) && readable);
     subject->errors = diagnostics.has_errors() || !subject->measurable;
     if (!subject->measurable && !diagnostics.has_errors())
-        fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n", path);
+        fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n",
+                   utf8::printable(path));
     return subject;
 }
 
@@ -304,21 +305,19 @@ Exit accuracy(const AccuracyOptions& options) {
     return errors ? exit_input : exit_fine;
 }
 
-Exit merge(const std::vector<std::string>& files) {
-    std::vector<NamedReport> reports;
-    for (const std::string& file : files) {
-        std::ifstream stream(file, std::ios::binary);
-        reports.push_back({file, {std::istreambuf_iterator<char>(stream), {}}});
-    }
-    std::string wrong;
-    const auto text = merged_text(reports, wrong);
-    if (!text) fmt::print(stderr, "snell: error: {}\n", wrong);
-    fmt::print("{}", text.value_or(""));
-    return text ? exit_fine : exit_input;
-}
-
 std::string check_finite(const std::string& text) {
     return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is not a finite number";
+}
+
+// Not by CLI11's excludes(), which --help would print next to every option.
+bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fitting) {
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0 || std::ranges::find(fitting, option) != fitting.end()) continue;
+        fmt::print(stderr, "snell: error: --merge excludes {}: it compares reports and measures nothing\n",
+                   option->get_name());
+        return false;
+    }
+    return true;
 }
 
 std::string check_milliseconds(const std::string& text) {
@@ -330,15 +329,16 @@ std::string check_milliseconds(const std::string& text) {
 Run add_accuracy(CLI::App& command) {
     auto options = std::make_shared<AccuracyOptions>();
     add_access(command, options->access);
+    std::vector<CLI::Option*> with_merge = command.get_options();  // these hold for all files that are read
     add_timeout(command, options->timeout, "one step of the measurement, or for reading a scene");
     command.footer(
         "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
         "ends the program at once.");
-    CLI::Option* scenes = command.add_option("SCENE", options->scenes, "one report of all of them");
-    command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
-        ->expected(2, 26)
-        ->check(CLI::ExistingFile)
-        ->excludes(scenes);
+    command.add_option("SCENE", options->scenes, "one report of all of them");
+    with_merge.push_back(
+        command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
+            ->expected(2, 26)
+            ->check(CLI::ExistingFile));
     command.add_option("--ladders", options->ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
         ->delimiter(',');
     command.add_option("--knobs", options->knobs, "samples,tessellation,filter,cube-size,cube-precision")
@@ -379,8 +379,8 @@ Run add_accuracy(CLI::App& command) {
         ->check(check_file_name);
     command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
     add_context(command, options->context);
-    return [options] {
-        if (!options->merge.empty()) return merge(options->merge);
+    return [options, &command, with_merge] {
+        if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge(*options) : exit_usage;
         if (options->scenes.empty()) {
             fmt::print(stderr, "snell: error: no scene given; 'snell accuracy --help' shows the options\n");
             return exit_usage;

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "parser/text/utf8.h"
+#include "src/accuracy/report/merge.h"
 #include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/replace.h"
@@ -18,7 +20,7 @@ bool write_text(const std::string& path, const std::string& text) {
     if (path.empty()) return true;
     const std::string wrong = content::replace_file(path, text);
     if (wrong.empty()) return true;
-    fmt::print(stderr, "snell: error: cannot write '{}': {}\n", path, wrong);
+    fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(path), wrong);
     return false;
 }
 
@@ -59,6 +61,24 @@ bool write_reports(const AccuracyOptions& options, const Report& report) {
         plots.push_back(link_from(options.markdown, path));
     }
     return write_text(options.markdown, markdown_text(report, plots)) && written;
+}
+
+Exit merge_reports(const AccuracyOptions& options) {
+    Files files("", options.access);
+    std::vector<NamedReport> reports;
+    std::string wrong;
+    for (const std::string& file : options.merge) {
+        auto text = files.read(file, wrong);
+        if (!text) {
+            fmt::print(stderr, "snell: error: cannot read '{}': {}\n", utf8::printable(file), utf8::printable(wrong));
+            return exit_input;
+        }
+        reports.push_back({file, std::move(*text)});
+    }
+    const auto text = merged_text(reports, wrong);
+    if (!text) fmt::print(stderr, "snell: error: {}\n", utf8::printable(wrong));
+    fmt::print("{}", text.value_or(""));
+    return text ? exit_fine : exit_input;
 }
 
 }  // namespace snell::app

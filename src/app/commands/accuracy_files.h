@@ -14,4 +14,7 @@ Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vect
 // A report that can't be written is an error, and costs no other one. Returns false if there was one.
 bool write_reports(const AccuracyOptions& options, const accuracy::Report& report);
 
+// Prints what the JSON reports of several machines say together.
+Exit merge_reports(const AccuracyOptions& options);
+
 }  // namespace snell::app

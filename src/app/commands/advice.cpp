@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "parser/text/utf8.h"
 #include "src/accuracy/report/quality.h"
 #include "src/app/open/quality.h"
 #include "src/content/replace.h"
@@ -58,16 +59,17 @@ std::string advice_text(const std::string& path, const Scene& scene, const Advic
 
 bool save_presets(const std::string& path, const Scene& scene, const Counsel& counsel, const Circumstances& where) {
     if (!std::ranges::all_of(counsel.advice, &Advice::known)) {
-        fmt::print(stderr, "snell: error: there are no presets for '{}': nothing can be said of its rungs\n", path);
+        fmt::print(stderr, "snell: error: there are no presets for '{}': nothing can be said of its rungs\n",
+                   utf8::printable(path));
         return false;
     }
     const std::vector<Preset> presets = presets_of(scene, counsel);
     const std::string file = quality_path(path);
     if (const std::string wrong = content::replace_file(file, quality_json(where, presets)); !wrong.empty()) {
-        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", file, wrong);
+        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(file), wrong);
         return false;
     }
-    fmt::print("\npresets for --quality, in {}\n", file);
+    fmt::print("\npresets for --quality, in {}\n", utf8::printable(file));
     for (const Preset& preset : presets)
         fmt::print("  {:<8}  {}: RMSE {:.2g}, {:.2g} from the last rungs, {} times\n", preset.name,
                    fmt::join(preset.choices, " "), preset.rmse, preset.alone, ratio_text(preset.ratio));
@@ -90,7 +92,7 @@ std::optional<double> parse_milliseconds(const std::string& text) {
 bool give_advice(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
                  const MeasureOptions& measuring, Report& report) {
     if (bench.scene().ladders.empty()) {
-        fmt::print(stderr, "snell: error: '{}' has no ladders: there is nothing to choose\n", path);
+        fmt::print(stderr, "snell: error: '{}' has no ladders: there is nothing to choose\n", utf8::printable(path));
         return false;
     }
     std::vector<Wish> wishes;

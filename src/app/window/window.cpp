@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "parser/text/utf8.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/window/app.h"
 
@@ -35,7 +36,7 @@ int run_window(const WindowOptions& options) {
     if (carried) begin_with(*carried, now);
     std::error_code none;
     if (!carried && !std::filesystem::is_regular_file(now.scene, none)) {
-        fmt::print(stderr, "snell: error: cannot read '{}'\n", options.scene);
+        fmt::print(stderr, "snell: error: cannot read '{}'\n", utf8::printable(options.scene));
         return app::exit_input;
     }
     while (true) {

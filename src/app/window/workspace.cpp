@@ -14,8 +14,8 @@ namespace {
 
 FirstRungs first_rungs(const WindowOptions& options) {
     return [options](const Scene& scene, Rungs& rungs, Diagnostics& diagnostics) {
-        if (!options.quality.empty()) app::choose_quality(options.scene, options.quality, scene, rungs, diagnostics);
-        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, diagnostics);
+        app::choose_rungs(options.scene, {options.quality, options.ladders, {}}, options.access, scene, rungs,
+                          diagnostics);
     };
 }
 
