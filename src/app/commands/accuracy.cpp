@@ -380,7 +380,7 @@ Run add_accuracy(CLI::App& command) {
     command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
     add_context(command, options->context);
     return [options, &command, with_merge] {
-        if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge(*options) : exit_usage;
+        if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge_reports(*options) : exit_usage;
         if (options->scenes.empty()) {
             fmt::print(stderr, "snell: error: no scene given; 'snell accuracy --help' shows the options\n");
             return exit_usage;
