@@ -64,7 +64,8 @@ protected:
         folder.write("ladder.frag",
                      "void main() {\n#if WAY == WAY_dark\n  gl_FragColor = vec4(.2);\n#else\n"
                      "  gl_FragColor = vec4(.4);\n#endif\n}\n");
-        const std::string text = "Ladder WAY dark <light>\nOrtho -1 1 -1 1\nFragment ../ladder.frag\nProgram P\nQuadXY 0 .5\n";
+        const std::string text =
+            "Ladder WAY dark <light>\nOrtho -1 1 -1 1\nFragment ../ladder.frag\nProgram P\nQuadXY 0 .5\n";
         const std::string l = folder.write("out/l.glib", text);
         const std::string measure = "accuracy " + l + " --ladders WAY --size 16x16 ";
         std::vector<Output> all{

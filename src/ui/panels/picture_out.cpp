@@ -83,7 +83,8 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
 
 void answers(PictureMemory& picture, Requests& requests, Layout& layout) {
     const bool asks = !picture.there.empty() && picture.there == picture.file.data();
-    if (asks) ImGui::TextWrapped("%s exists. Replace it?", shortened(picture.existing, 30 * ImGui::GetFontSize()).c_str());
+    if (asks)
+        ImGui::TextWrapped("%s exists. Replace it?", shortened(picture.existing, 30 * ImGui::GetFontSize()).c_str());
     if (!picture.error.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
         ImGui::TextWrapped("%s", picture.error.c_str());
