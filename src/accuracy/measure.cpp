@@ -343,10 +343,10 @@ void conclude_times(SweepResult& result, std::span<const double> base_again, std
                         std::max(fewest_rounds, rounds_for(static_cast<std::size_t>(timed)));
     const std::vector<Verdict> verdicts = pareto_front(points);
     const bool row = result.sweep.kind != SweepKind::lattice;
-    const std::vector<bool> dear = row ? cliffs(points) : std::vector<bool>(points.size(), false);
+    const std::vector<bool> cliff = row ? cliffs(points) : std::vector<bool>(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
         result.rungs[i].verdict = verdicts[i];
-        result.rungs[i].cliff = dear[i] && result.trusted();
+        result.rungs[i].cliff = cliff[i] && result.trusted();
     }
 }
 

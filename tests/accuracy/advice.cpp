@@ -22,7 +22,7 @@ RungResult rung(std::string name, double error, double milliseconds) {
 SweepResult sweep() {
     SweepResult result;
     result.residual = 0;
-    result.rungs = {rung("quick", .5, 5), rung("good", .01, 10), rung("same", .004, 10.05), rung("dear", .002, 20),
+    result.rungs = {rung("quick", .5, 5), rung("good", .01, 10), rung("same", .004, 10.05), rung("costly", .002, 20),
                     rung("exact", 0, 40)};
     return result;
 }
@@ -86,7 +86,7 @@ TEST(Advice, ErrorsCountWithTheResidualOfTheReference) {
     SweepResult result = sweep();
     result.residual = .003;
     EXPECT_EQ(choose(result, {.error = .005}), 3U) << "'same' has .004, and may have .007";
-    EXPECT_EQ(choose(result, {.milliseconds = 1000}), 3U) << "'dear' and 'exact' are not told apart: the cheaper one";
+    EXPECT_EQ(choose(result, {.milliseconds = 1000}), 3U) << "'costly' and 'exact' are not told apart: the cheaper one";
 }
 
 TEST(Advice, WithoutAResidualNoErrorIsCertified) {

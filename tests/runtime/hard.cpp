@@ -91,7 +91,7 @@ TEST_P(HardScenes, AFrameIsTheSameHoweverItWasReached) {
     for (int i = 0; i < 216'000; ++i) summed += 1 / 60.F;
     const Picture added = draw(*document, {.time = static_cast<double>(summed)});
     for (const double time : {0., 100., 2.5}) draw(*document, {.time = time});
-    const Picture reached = draw(*document, {.time = 3600}), anew = draw(scene, {.time = 3600});
+    const Picture reached = draw(*document, {.time = 3600}), fresh = draw(scene, {.time = 3600});
     const auto differing = [](const Picture& a, const Picture& b) {
         int count = 0;
         for (std::size_t i = 0; i < a.rgba.size(); ++i) count += a.rgba[i] != b.rgba[i];
@@ -99,7 +99,7 @@ TEST_P(HardScenes, AFrameIsTheSameHoweverItWasReached) {
     };
     hard_case({"53",
                "the frame at 3600 s, drawn at once or after others; naive: a float that adds up sixtieths of a second",
-               "bytes that differ", 0, differing(reached, anew), differing(added, anew)});
+               "bytes that differ", 0, differing(reached, fresh), differing(added, fresh)});
 }
 
 TEST_P(HardScenes, NotANumberIsCounted) {

@@ -176,10 +176,11 @@ std::string in_words(const SweepResult& sweep) {
         count > 0 && sweep.sweep.kind != SweepKind::lattice)
         text += fmt::format(" The {} of {} {} so large that RMSE no longer ranks.", count > 1 ? "errors" : "error", far,
                             count > 1 ? "are" : "is");
-    if (const std::string dear = those(
+    if (const std::string expensive = those(
             sweep, [](const RungResult& rung) { return rung.cliff; }, count);
         count > 0)
-        text += fmt::format(" {} {} more expensive than both neighbours (a cliff).", dear, count > 1 ? "are" : "is");
+        text +=
+            fmt::format(" {} {} more expensive than both neighbours (a cliff).", expensive, count > 1 ? "are" : "is");
     if (const std::string odd = those(
             sweep, [](const RungResult& rung) { return rung.whole.nonfinite > 0; }, count);
         count > 0)

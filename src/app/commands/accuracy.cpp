@@ -324,6 +324,16 @@ std::string check_milliseconds(const std::string& text) {
     return parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
 }
 
+void add_reports(CLI::App& command, AccuracyOptions& options) {
+    command.add_option("-o,--output", options.html, "write the report, one HTML file")->check(check_file_name);
+    command.add_option("--svg", options.svg, "write the plots for a paper: FILE.svg, FILE-2.svg …")
+        ->check(check_file_name);
+    command.add_option("--json", options.json, "write the numbers as JSON")->check(check_file_name);
+    command.add_option("--markdown", options.markdown, "write the numbers as a page, with the plots of --svg")
+        ->check(check_file_name);
+    command.add_option("--csv", options.csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
+}
+
 }  // namespace
 
 Run add_accuracy(CLI::App& command) {
@@ -371,13 +381,7 @@ Run add_accuracy(CLI::App& command) {
     add_time(command, options->time);
     add_repeated(command, "--set", options->sets, "uniform=value or Program.uniform=value; may be repeated");
     add_repeated(command, "--ladder", options->choices, "ladder=rung of the scene; may be repeated");
-    command.add_option("-o,--output", options->html, "write the report, one HTML file")->check(check_file_name);
-    command.add_option("--svg", options->svg, "write the plots for a paper: FILE.svg, FILE-2.svg …")
-        ->check(check_file_name);
-    command.add_option("--json", options->json, "write the numbers as JSON")->check(check_file_name);
-    command.add_option("--markdown", options->markdown, "write the numbers as a page, with the plots of --svg")
-        ->check(check_file_name);
-    command.add_option("--csv", options->csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
+    add_reports(command, *options);
     add_context(command, options->context);
     return [options, &command, with_merge] {
         if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge_reports(*options) : exit_usage;
