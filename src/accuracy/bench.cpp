@@ -77,8 +77,9 @@ struct Bench::Stage {
     Diagnostics diagnostics;
     Runtime runtime;
 
-    Stage(const PlanKnobs& k, Plan plan, Files& files, Sources& sources, const gl::Caps& caps)
-        : knobs(k), runtime(std::move(plan), files, sources, caps, diagnostics) {}
+    Stage(const PlanKnobs& k, Plan plan, Files& files, Sources& sources, const gl::Caps& caps,
+          const RuntimeOptions& options)
+        : knobs(k), runtime(std::move(plan), files, sources, caps, diagnostics, options) {}
 };
 
 Bench::Bench(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, BenchSettings settings)
@@ -104,7 +105,13 @@ Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
     if (stages_.size() >= most_stages) stages_.erase(stages_.begin());
     Plan plan = with_knobs(plan_, knobs);
     if (directions_) plan = with_output(std::move(plan));
-    stages_.push_back(std::make_unique<Stage>(knobs, std::move(plan), *files_, *sources_, caps_));
+    RuntimeOptions how;
+    if (settings_.specialise)
+        how.settle = [this](Controls& controls, const Scene& scene) {
+            Diagnostics unheard;  // opening the scene has reported these
+            for (const std::string& set : settings_.sets) set_control(controls, scene, set, unheard);
+        };
+    stages_.push_back(std::make_unique<Stage>(knobs, std::move(plan), *files_, *sources_, caps_, how));
     for (const Diagnostic& diagnostic : stages_.back()->diagnostics.items())
         if (std::ranges::none_of(problems_.items(), [&](const Diagnostic& other) {
                 return other.code == diagnostic.code && other.span == diagnostic.span;

@@ -40,6 +40,7 @@ struct BenchSettings {
     int width = 512, height = 512;
     double time = 0;                // seconds since the scene began
     std::vector<std::string> sets;  // assignments to uniforms, as for set_control
+    bool specialise = true;         // programs are compiled for these values
 };
 
 // A shader can write the direction in which it looks up the environment, instead of a colour, if it tests SNELL_OUTPUT:

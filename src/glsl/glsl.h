@@ -42,9 +42,32 @@ struct IncludeText {
 using IncludeReader =
     std::function<std::optional<IncludeText>(std::string_view from, std::string_view name, bool angle)>;
 
+// A uniform that the program's own text declares, and whether drivers will find it active in the linked program.
+struct DeclaredUniform {
+    enum class Use : std::uint8_t { none, unsure, sure };
+    std::string name;       // the scene's, as RenamedUniform::name
+    std::string glsl_type;  // "vec3", on which all stages agree
+    int array_size = 0;     // 0: no array
+    // A number, vector or matrix: no array, structure, sampler or member of a block.
+    bool simple = true;
+    std::vector<double> initial;  // of its initialiser; empty: none
+    Use use = Use::unsure;
+};
+
+// A uniform that keeps its value, column by column: it is written as a constant.
+struct Settled {
+    std::string name;  // the scene's
+    std::vector<double> values;
+    bool operator==(const Settled&) const = default;
+};
+// Chooses the uniforms of a program that are settled.
+using Settler = std::function<std::vector<Settled>(std::span<const DeclaredUniform>)>;
+
 struct Options {
     Target target;
     std::vector<Define> defines;
+    // None: every uniform stays one. A value that no constant gives exactly, such as an infinity, is not settled.
+    Settler settle;
     std::string geometry_input, geometry_output;  // "gl_triangles" …, from GeometryInput/GeometryOutput
     bool flat_color = false;                      // the legacy colour varyings are not interpolated
     // Lines become quads of `snell_LineWidth` pixels in `snell_Viewport`, by a geometry stage that passes every
@@ -93,7 +116,9 @@ struct Translation {
     std::vector<StageOutput> stages;
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
-    bool uses_alpha = true;  // false: every colour output is known to have alpha 1
+    std::vector<DeclaredUniform> declared;  // stage by stage, as declared; each name once
+    std::vector<Settled> settled;           // those of Options::settle that became constants
+    bool uses_alpha = true;                 // false: every colour output is known to have alpha 1
     // Every vertex goes where the model-view-projection matrix puts it, and no stage reads a depth or the projection:
     // the near and the far plane may be moved without any other change.
     bool plain_depth = false;

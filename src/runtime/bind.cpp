@@ -38,10 +38,10 @@ Diagnostic unbound(const Scene& scene, const Draw& draw, const Sampled& sampled)
 
 }  // namespace
 
-std::vector<Sampled> Runtime::Impl::sampled_by(const Draw& draw, const LinkedProgram& program) const {
+std::vector<Sampled> Runtime::Impl::sampled_by(const Draw& draw, std::span<const SamplerUniform> samplers) const {
     std::vector<Sampled> result;
     if (draw.program == none) return result;
-    for (const SamplerUniform& sampler : program.samplers) {
+    for (const SamplerUniform& sampler : samplers) {
         if (!sampler.target) continue;
         // A sampler that the Program line sets reads that unit.
         const Control* control = given.find(draw.program, sampler.name);
@@ -79,8 +79,14 @@ Index Runtime::Impl::harmonics_of(const Draw& draw, const LinkedProgram& program
 }
 
 std::vector<Index> Runtime::Impl::read_by(const Draw& draw, const LinkedProgram& program) const {
-    std::vector<Index> result{harmonics_of(draw, program)};
-    for (const Sampled& sampled : sampled_by(draw, program)) {
+    std::vector<Index> result = read_by(draw, program.samplers);
+    if (const Index source = harmonics_of(draw, program); source != none) result.push_back(source);
+    return result;
+}
+
+std::vector<Index> Runtime::Impl::read_by(const Draw& draw, std::span<const SamplerUniform> samplers) const {
+    std::vector<Index> result;
+    for (const Sampled& sampled : sampled_by(draw, samplers)) {
         result.push_back(sampled.texture);
         if (sampled.texture != none) result.push_back(plan.scene.textures[sampled.texture].source);
     }
@@ -108,6 +114,18 @@ void Runtime::Impl::bind_harmonics(ReadyDraw& ready, Index pass, Diagnostics& di
     ready.harmonics = textures.harmonics(source);
 }
 
+std::optional<Diagnostic> Runtime::Impl::unreadable(const Sampled& sampled, const Draw& draw, Index pass,
+                                                    Index index) const {
+    const Scene& scene = plan.scene;
+    if (sampled.texture == none) {
+        if (sampled.noise) return std::nullopt;
+        return unbound(scene, draw, sampled);
+    }
+    if (auto problem = feedback_error(scene, pass, index, sampled.texture)) return problem;
+    // A map that is computed from the target would show the frame before.
+    return feedback_error(scene, pass, index, scene.textures[sampled.texture].source);
+}
+
 // Every sampler is bound, because its unit may still hold a texture of another scene.
 void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
     const Scene& scene = plan.scene;
@@ -122,10 +140,8 @@ void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
         const runtime::GpuTexture* gpu = nullptr;
         Filter filter;
         if (sampled.texture != none) {
-            // A map that is computed from the target would show the frame before.
             const Index source = scene.textures[sampled.texture].source;
-            auto problem = feedback_error(scene, pass, ready.draw, sampled.texture);
-            if (!problem) problem = feedback_error(scene, pass, ready.draw, source);
+            auto problem = unreadable(sampled, draw, pass, ready.draw);
             if (!problem) {
                 if (source != none) ready.sources.push_back(source);
                 gpu = textures.realise(sampled.texture);
@@ -136,7 +152,7 @@ void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
         } else if (sampled.noise) {
             gpu = textures.noise(sampled.noise);
         } else {
-            diagnostics.add(unbound(scene, draw, sampled));
+            diagnostics.add(*unreadable(sampled, draw, pass, ready.draw));
         }
         const bool cube = sampler.target == TextureTarget::cube;
         if (gpu)

@@ -61,6 +61,8 @@ Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics
       textures(plan.scene, f, caps, counters, store, savings, diagnostics),
       state(caps) {
     if (!savings) own_meshes(plan);
+    if (savings) settle = options.settle;
+    if (settle) settled_values = 1;
     prepare(diagnostics);
     if (!plan.scene.ladders.empty()) said = diagnostics.items();
 }
@@ -72,12 +74,14 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     value_problems = Diagnostics(files->limits());
     given = make_controls(plan.scene, active, value_problems);
     given.rungs = plan.rungs;
+    find_stand();
     passes.clear();
     fitted.reset();
     passes.resize(plan.scene.passes.size());
     find_live_passes(loading);
     ready_passes(loading);
     if (!savings) load_all(loading);
+    note_dormant();
     textures.finish();
     loaded_meshes.clear();
     store->prune();
@@ -86,26 +90,54 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     counters.bytes_read = files->counters().bytes;
 }
 
-LinkedProgram* Runtime::Impl::link(Index program, const runtime::Variant& variant, Loading& loading) {
-    const auto [slot, fresh] = programs.try_emplace({program, variant});
-    Diagnostics& problems_of = program_problems[slot->first];
-    if (fresh) {
-        runtime::Store* from = savings ? store.get() : nullptr;
-        if (program == none || (plan.programs[program].readable && plan.programs[program].stages.empty())) {
-            slot->second = runtime::link_builtin(variant, caps, from, counters);
-        } else if (plan.programs[program].readable) {
-            const bool another = std::ranges::any_of(
-                programs, [&](const auto& other) { return other.first.first == program && other.second; });
-            const std::uint64_t compiled = counters.programs_compiled;
-            slot->second =
-                runtime::link_program({plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders,
-                                       variant, caps, loading.files, loading.sources, from, counters},
-                                      problems_of);
-            if (another) counters.variants += counters.programs_compiled - compiled;
-        }
+std::shared_ptr<LinkedProgram> Runtime::Impl::compile(Index program, const runtime::Variant& variant, Loading& loading,
+                                                      Diagnostics& diagnostics) {
+    runtime::Store* from = savings ? store.get() : nullptr;
+    if (program == none || (plan.programs[program].readable && plan.programs[program].stages.empty()))
+        return runtime::link_builtin(variant, caps, from, counters);
+    if (!plan.programs[program].readable) return nullptr;
+    const bool another =
+        std::ranges::any_of(programs, [&](const auto& other) { return other.first.first == program && other.second; });
+    const std::uint64_t compiled = counters.programs_compiled;
+    auto linked = runtime::link_program(
+        {plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders, variant, caps, loading.files,
+         loading.sources, from, counters, variant.settled ? settler(program) : glsl::Settler()},
+        diagnostics);
+    const std::uint64_t fresh = counters.programs_compiled - compiled;
+    if (another) counters.variants += fresh;
+    if (linked && !linked->settled.empty() && fresh > 0) {
+        ++counters.specialised;
+        counters.specialise_us += static_cast<std::uint64_t>(linked->load_ms * 1e3);
     }
+    return linked;
+}
+
+std::shared_ptr<LinkedProgram>& Runtime::Impl::made(Index program, const runtime::Variant& variant, Loading& loading) {
+    const auto [slot, fresh] = programs.try_emplace({program, variant});
+    if (!fresh) return slot->second;
+    Diagnostics& problems_of = program_problems[slot->first];
+    slot->second = compile(program, variant, loading, problems_of);
+    if (variant.settled == 0 || (slot->second && !slot->second->settled.empty())) return slot->second;
+    // There is nothing to settle, or a driver refuses constants where it takes uniforms, as for an index that is too
+    // large: the program for any values is used, and says what is wrong.
+    runtime::Variant general = variant;
+    general.settled = 0;
+    if (slot->second) {
+        programs.try_emplace({program, general}, slot->second);
+        program_problems.try_emplace({program, general}, problems_of);
+    } else {
+        slot->second = made(program, general, loading);
+        problems_of = program_problems[{program, general}];
+    }
+    return slot->second;
+}
+
+LinkedProgram* Runtime::Impl::link(Index program, runtime::Variant variant, Loading& loading) {
+    variant.settled = program == none ? 0 : settled_values;
+    LinkedProgram* const linked = made(program, variant, loading).get();
+    Diagnostics& problems_of = program_problems[{program, variant}];
     if (loading.reported.insert(&problems_of).second) loading.diagnostics.append(problems_of);
-    return slot->second.get();
+    return linked;
 }
 
 // Programs that no draw uses are compiled too, because the user wants their sliders and errors.
@@ -114,6 +146,7 @@ void Runtime::Impl::link_programs(Loading& loading) {
     std::vector<runtime::Variant> first(scene.programs.size());
     std::vector<bool> used(scene.programs.size(), false);
     active.clear();
+    dormant.clear();
     animated = mouse = false;
     for (const Pass& pass : scene.passes)
         for (const Item& item : pass.items) {
@@ -126,7 +159,9 @@ void Runtime::Impl::link_programs(Loading& loading) {
     for (Index i = 0; i < scene.programs.size(); ++i) {
         tell(LoadProgress::Stage::programs, scene.programs[i].name, i, scene.programs.size());
         const LinkedProgram* linked = link_chosen(i, first[i], loading);
-        active.emplace_back(linked ? linked->active : std::vector<ActiveUniform>{});
+        active.emplace_back(linked ? general_uniforms(i, *linked, first[i], loading) : std::vector<ActiveUniform>{});
+        dormant.emplace_back();
+        if (linked) find_dormant(i, *linked);
         if (!linked || !used[i]) continue;
         animated = animated || linked->reads(glsl::System::timer) || linked->reads(glsl::System::time);
         mouse = mouse || linked->reads(glsl::System::mouse);
@@ -136,16 +171,16 @@ void Runtime::Impl::link_programs(Loading& loading) {
 
 // A pass is live if the window shows something of it, directly or through other passes. Nothing is loaded for the
 // others.
-void Runtime::Impl::find_live_passes(Loading& loading) {
+std::vector<bool> Runtime::Impl::live_passes(Loading& loading, bool of_dormant) {
     const Scene& scene = plan.scene;
+    std::vector<bool> live(passes.size(), false);
     std::vector<Index> open;
     const auto visit = [&](Index pass) {
-        if (passes[pass].live) return;
-        passes[pass].live = true;
+        if (live[pass]) return;
+        live[pass] = true;
         open.push_back(pass);
     };
     const auto read = [&](Index texture) {
-        if (texture == none) return;
         for (Index pass = 0; pass < passes.size(); ++pass)
             for (const Index drawn : scene.passes[pass].textures)
                 if (drawn != none && textures.first(drawn) == textures.first(texture)) visit(pass);
@@ -160,18 +195,27 @@ void Runtime::Impl::find_live_passes(Loading& loading) {
             const Draw& draw = scene.draws[item.index];
             const LinkedProgram* program = link(draw.program, variant_of(pass, draw), loading);
             if (!program) continue;
-            for (const Index texture : read_by(draw, *program)) read(texture);
+            std::ranges::for_each(read_by(draw, *program), read);
+            if (of_dormant && draw.program != none) std::ranges::for_each(read_by(draw, dormant[draw.program]), read);
         }
     }
-    for (Index pass = 0; pass < passes.size() && scene.ladders.empty(); ++pass)  // else another rung may read it
-        if (!passes[pass].live)
-            loading.diagnostics.add({Severity::note,
-                                     "unread-pass",
-                                     scene.passes[pass].span,
-                                     "nothing reads what is rendered here: the pass is not drawn",
-                                     "",
-                                     {},
-                                     true});
+    return live;
+}
+
+void Runtime::Impl::find_live_passes(Loading& loading) {
+    const Scene& scene = plan.scene;
+    const std::vector<bool> live = live_passes(loading, false), wanted = live_passes(loading, true);
+    for (Index pass = 0; pass < passes.size(); ++pass) {
+        passes[pass].live = live[pass];
+        if (wanted[pass] || !scene.ladders.empty()) continue;  // another rung may read it
+        loading.diagnostics.add({Severity::note,
+                                 "unread-pass",
+                                 scene.passes[pass].span,
+                                 "nothing reads what is rendered here: the pass is not drawn",
+                                 "",
+                                 {},
+                                 true});
+    }
 }
 
 runtime::Variant Runtime::Impl::variant_of(Index pass, const Draw& draw) const {
@@ -179,6 +223,7 @@ runtime::Variant Runtime::Impl::variant_of(Index pass, const Draw& draw) const {
         plan.scene.rasters[draw.raster].flat, false, outputs_of(plan.scene.passes[pass], caps), {}};
     if (draw.program != none) variant.rungs = working[draw.program].value_or(rungs_of(draw.program));
     if (!parts || plan.scene.passes[pass].kind != Pass::Kind::window) return variant;
+    variant.settled = draw.program == none ? 0 : settled_values;
     const auto whole = programs.find({draw.program, variant});
     variant.placed = whole != programs.end() && whole->second && whole->second->reads_place;
     return variant;
@@ -282,6 +327,7 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
         loading.diagnostics.warning("wireframe-unsupported", draw.span,
                                     "OpenGL ES draws no wireframes: faces are filled");
     bind_textures(ready, pass, loading.diagnostics);
+    report_dormant(pass, index, loading.diagnostics);
     bind_harmonics(ready, pass, loading.diagnostics);
     bind_tree(ready, loaded ? &*loaded : nullptr, loading);
     ready.controls = controls_of(draw.program, *ready.program);

@@ -32,6 +32,11 @@ std::string statement_of(const Texture& texture) {
         texture.unit);
 }
 
+runtime::Variant with_values(runtime::Variant variant, int values) {
+    variant.settled = values;
+    return variant;
+}
+
 std::string plural(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : what.ends_with('s') ? "es" : "s");
 }
@@ -143,9 +148,10 @@ private:
     }
 
     void programs() {
+        std::set<const runtime::LinkedProgram*> told;  // forms of a program may be one
         for (const auto& [key, linked] : impl_.programs) {
             const auto& [index, variant] = key;
-            if (!linked || index == none) continue;
+            if (!linked || index == none || !told.insert(linked.get()).second) continue;
             const Program& program = scene_.programs[index];
             Paid paid{Kind::program, program.name, "", program.span};
             paid.load_ms = linked->load_ms;
@@ -153,6 +159,9 @@ private:
                 if (with == linked.get()) paid.draws.push_back(draw);
             paid.why =
                 paid.draws.empty() ? "no draw; compiled for its sliders and errors" : plural(paid.draws.size(), "draw");
+            const bool asked = impl_.settled_values != 0 && variant.settled == 0 && linked->settled.empty() &&
+                               impl_.programs.contains({index, with_values(variant, impl_.settled_values)});
+            if (paid.draws.empty() && asked) paid.why = "no draw; compiled to learn which uniforms it reads";
             if (variant.wide) paid.name += ", lines widened";
             if (variant.outputs > 1) paid.name += fmt::format(", {} outputs", variant.outputs);
             for (std::size_t i = 0; i < variant.rungs.size(); ++i)

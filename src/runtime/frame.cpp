@@ -309,6 +309,7 @@ void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const
     const int uploads = runtime::set_system(program, context, !savings) +
                         (draw.program == none ? 0 : runtime::set_user(program, controls, *values, !savings));
     counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
+    counters.specialised_draws += program.settled.empty() ? 0 : 1;
     for (const runtime::BoundTexture& texture : ready.textures)
         state.texture(texture.unit, texture.target, texture.texture, texture.sampler);
     const Vec4& color = draw.color == none ? Vec4{1, 1, 1, 1} : plan.scene.colors[draw.color];

@@ -106,11 +106,17 @@ struct Runtime::Impl {
         std::set<const Diagnostics*> reported;  // of `program_problems`
     };
     void prepare(Diagnostics& diagnostics);
+    // Compiles the program if it is not there yet, and does not report its problems.
+    std::shared_ptr<runtime::LinkedProgram>& made(Index program, const runtime::Variant& variant, Loading& loading);
+    std::shared_ptr<runtime::LinkedProgram> compile(Index program, const runtime::Variant& variant, Loading& loading,
+                                                    Diagnostics& diagnostics);
     void tell(LoadProgress::Stage stage, std::string_view what, std::size_t done, std::size_t of) const {
         if (progress) progress({stage, what, done, of});
     }
     void link_programs(Loading& loading);
-    runtime::LinkedProgram* link(Index program, const runtime::Variant& variant, Loading& loading);
+    runtime::LinkedProgram* link(Index program, runtime::Variant variant, Loading& loading);
+    // By Scene::passes: whether the window shows something of it. `dormant`: or would, for other values.
+    std::vector<bool> live_passes(Loading& loading, bool dormant);
     void find_live_passes(Loading& loading);
     void ready_passes(Loading& loading);
     void load_all(Loading& loading);
@@ -122,9 +128,16 @@ struct Runtime::Impl {
     void ready_target(Index pass, Diagnostics& diagnostics);
 
     // bind.cpp
-    std::vector<runtime::Sampled> sampled_by(const Draw& draw, const runtime::LinkedProgram& program) const;
+    std::vector<runtime::Sampled> sampled_by(const Draw& draw, const runtime::LinkedProgram& program) const {
+        return sampled_by(draw, program.samplers);
+    }
+    std::vector<runtime::Sampled> sampled_by(const Draw& draw, std::span<const runtime::SamplerUniform> samplers) const;
     // Textures of the scene, and what they are computed from.
     std::vector<Index> read_by(const Draw& draw, const runtime::LinkedProgram& program) const;
+    std::vector<Index> read_by(const Draw& draw, std::span<const runtime::SamplerUniform> samplers) const;
+    // Null where the texture can be read in that pass, else why not.
+    std::optional<Diagnostic> unreadable(const runtime::Sampled& sampled, const Draw& draw, Index pass,
+                                         Index index) const;
     // The source of the harmonics that the program reads.
     Index harmonics_of(const Draw& draw, const runtime::LinkedProgram& program) const;
     void bind_harmonics(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
@@ -147,6 +160,20 @@ struct Runtime::Impl {
     void bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);
     void make_tree(runtime::GpuTree& tree, const content::Mesh& mesh, const std::array<bool, runtime::tree_parts>& read,
                    Index draw, Diagnostics& diagnostics);
+
+    // settle.cpp
+    glsl::Settler settler(Index program) const;
+    // The uniforms that are active if no value is settled; `linked` may be a program for settled values.
+    std::vector<ActiveUniform> general_uniforms(Index program, const runtime::LinkedProgram& linked,
+                                                runtime::Variant variant, Loading& loading);
+    // Finds `dormant` and `dormant_textures`.
+    void find_dormant(Index program, const runtime::LinkedProgram& linked);
+    void note_dormant();
+    // Says of dormant samplers what bind_textures would.
+    void report_dormant(Index pass, Index draw, Diagnostics& diagnostics) const;
+    // The values are those that the programs were compiled for.
+    bool stands(const Controls& controls) const;
+    void find_stand();
 
     // ladders.cpp
     bool choose(const Rungs& rungs);
@@ -221,14 +248,24 @@ struct Runtime::Impl {
     // By Scene::programs (none: the built-in one) and variant; null where it failed.
     std::map<std::pair<Index, runtime::Variant>, std::shared_ptr<runtime::LinkedProgram>> programs;
     std::map<std::pair<Index, runtime::Variant>, Diagnostics> program_problems;
-    std::vector<std::optional<Rungs>> working;       // by Scene::programs: the last rungs that linked
-    std::vector<Diagnostic> said;                    // when the runtime was made
-    Diagnostics problems;                            // of the rungs chosen since
-    std::vector<std::vector<ActiveUniform>> active;  // by Scene::programs
-    Controls given;                                  // the values of the scene's text
-    Diagnostics value_problems;                      // of `given`
-    const Controls* values = nullptr;                // of the frame that is drawn, at the places of `given`
-    Controls moved;                                  // a frame's controls, if they had to be moved to these places
+    std::vector<std::optional<Rungs>> working;            // by Scene::programs: the last rungs that linked
+    std::vector<Diagnostic> said;                         // when the runtime was made
+    Diagnostics problems;                                 // of the rungs chosen since
+    std::vector<std::vector<ActiveUniform>> active;       // by Scene::programs
+    Controls given;                                       // the values of the scene's text
+    Diagnostics value_problems;                           // of `given`
+    std::function<void(Controls&, const Scene&)> settle;  // RuntimeOptions::settle, as long as frames have its values
+    int settled_values = 0;                               // Variant::settled of the programs that are drawn
+    struct Stand {
+        Index control;  // of `given`
+        std::vector<double> values;
+    };
+    std::vector<Stand> stand;  // the values that the programs were compiled for
+    // By Scene::programs: samplers that only programs for other values read.
+    std::vector<std::vector<runtime::SamplerUniform>> dormant;
+    std::set<Index> dormant_textures;  // which only these read
+    const Controls* values = nullptr;  // of the frame that is drawn, at the places of `given`
+    Controls moved;                    // a frame's controls, if they had to be moved to these places
     std::vector<std::shared_ptr<runtime::GpuMesh>> meshes;
     std::map<Index, LoadedMesh> loaded_meshes;             // that were read and not asked for yet
     std::vector<std::shared_ptr<runtime::GpuTree>> trees;  // as `meshes`; what no program reads is not there

@@ -35,11 +35,21 @@ bool Runtime::Impl::choose(const Rungs& rungs) {
 
 void Runtime::Impl::take(const Controls& controls) {
     choose(controls.rungs);
-    values = &controls;
-    if (same_uniforms(controls, given)) return;
-    moved = given;
-    carry_over(controls, plan.scene, moved, plan.scene);
-    values = &moved;
+    const auto place = [&] {
+        values = &controls;
+        if (same_uniforms(controls, given)) return;
+        moved = given;
+        carry_over(controls, plan.scene, moved, plan.scene);
+        values = &moved;
+    };
+    place();
+    if (stands(*values)) return;
+    settle = nullptr;
+    settled_values = 0;
+    Diagnostics heard_before;
+    textures.resume(heard_before);
+    prepare(heard_before);
+    place();
 }
 
 std::vector<Index> Runtime::Impl::controls_of(Index program, const runtime::LinkedProgram& linked) const {

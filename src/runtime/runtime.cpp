@@ -20,7 +20,9 @@ const Controls& Runtime::controls() const { return impl_->given; }
 const Diagnostics& Runtime::value_problems() const { return impl_->value_problems; }
 bool Runtime::animated() const { return impl_->animated; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
-bool Runtime::sampled(Index texture) const { return impl_->textures.asked(texture); }
+bool Runtime::sampled(Index texture) const {
+    return impl_->textures.asked(texture) || impl_->dormant_textures.contains(impl_->textures.first(texture));
+}
 bool Runtime::choose(const Rungs& rungs) { return impl_->choose(rungs); }
 const Rungs& Runtime::rungs() const { return impl_->plan.rungs; }
 const Diagnostics& Runtime::ladder_problems() const { return impl_->problems; }

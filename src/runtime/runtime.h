@@ -81,6 +81,10 @@ struct RuntimeOptions {
     // Called on the runtime's thread while it is made and when other rungs are chosen, again and again while others
     // read files. It may draw into the default framebuffer. None: nobody looks.
     Watcher progress = nullptr;
+    // Sets the values that frames will have, and marks those that frames will change (Control::varies). Programs are
+    // then compiled for all other values, as constants. The first frame with other values gets programs that take any,
+    // and the runtime keeps to them. None, or no savings: programs take any value from the start.
+    std::function<void(Controls& controls, const Scene& scene)> settle = nullptr;
 };
 
 class Runtime {

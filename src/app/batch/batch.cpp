@@ -138,7 +138,9 @@ bool Batch::open(Open& open, const std::string& path) {
     };
     deadline_.begin(fmt::format("reading '{}'", path));
     // Resources that the previous scene has too, such as snell's own programs, are shared.
-    const RuntimeOptions how{.previous = last_ ? &*last_->runtime : nullptr, .progress = progress_.watcher()};
+    RuntimeOptions how = runtime_options();
+    how.previous = last_ ? &*last_->runtime : nullptr;
+    how.progress = progress_.watcher();
     const auto planned = [&](const Plan& plan, Document& document) {
         if (may_go_round(plan, document, caps_)) open.looping = plan;
     };
@@ -151,6 +153,27 @@ bool Batch::open(Open& open, const std::string& path) {
     open.rungs = open.document->runtime->rungs();
     find_roles(open);
     return true;
+}
+
+// Programs are compiled for the values that all pictures have. What an axis changes stays a uniform: compiling another
+// program takes longer than its constants save in one picture (docs/architecture.md).
+RuntimeOptions Batch::runtime_options() const {
+    RuntimeOptions options;
+    if (!options_.specialise) return options;
+    options.settle = [this](Controls& controls, const Scene& scene) {
+        Diagnostics unheard;  // check_values reports these
+        for (const std::string& set : options_.sets) set_control(controls, scene, set, unheard);
+        for (const Axis& axis : shots_.axes) {
+            if (axis.frames || axis.name == "time") continue;
+            for (const AxisValue& value : axis.values) {
+                const Controls before = controls;
+                set_control(controls, scene, assignment(axis, value), unheard);
+                for (std::size_t i = 0; axis.values.size() > 1 && i < before.items.size(); ++i)
+                    if (controls.items[i].value != before.items[i].value) controls.items[i].varies = true;
+            }
+        }
+    };
+    return options;
 }
 
 void Batch::find_roles(Open& open) const {
@@ -213,7 +236,8 @@ bool Batch::take_rungs(Open& open, const Shot& shot) {
     const auto choose = [&](const Scene& scene, Rungs& chosen) {
         if (scene.ladders.size() == rungs.size()) chosen = rungs;
     };
-    open.document = open_document(path, caps_, choose, nullptr, {}, access_to(path, options_.access, options_.grade));
+    open.document = open_document(path, caps_, choose, nullptr, runtime_options(),
+                                  access_to(path, options_.access, options_.grade));
     say(open.document->diagnostics, open.document->sources);
     if (open.document->diagnostics.has_errors()) fail();
     return open.document->runtime.has_value();

@@ -66,6 +66,7 @@ private:
     bool ready_context();
     void scene(std::size_t scene, const std::vector<std::size_t>& indices);
     bool open(Open& open, const std::string& path);
+    RuntimeOptions runtime_options() const;
     void find_roles(Open& open) const;
     bool check_values(Open& open);
     bool take_rungs(Open& open, const Shot& shot);

@@ -34,6 +34,7 @@ struct RenderOptions {
     double fps = 25;
     std::string context;  // OpenGL version: "", "3.3", "4.1", "4.5", "es3.2" …
     bool quiet = false;
+    bool specialise = true;  // programs are compiled for the values that all pictures have
     Access access;
     bool grade = false;   // confines each scene to its folder, unless `access` sets a folder
     double timeout = 20;  // in seconds for a frame, or for reading a scene; after that the process ends

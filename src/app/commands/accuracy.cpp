@@ -281,7 +281,7 @@ Exit accuracy(const AccuracyOptions& options) {
         return wrong;
     const std::array<int, 2> window = subjects.front()->plan.scene.window_size;
     const auto [width, height] = options.size.value_or(std::pair(window[0], window[1]));
-    const BenchSettings settings{width, height, options.time, options.sets};
+    const BenchSettings settings{width, height, options.time, options.sets, options.specialise};
     Report report{circumstances(options, caps, settings), {}, {}};
     interrupted = false;
     const auto before = std::signal(SIGINT, on_interrupt);
@@ -380,6 +380,7 @@ Run add_accuracy(CLI::App& command) {
         ->excludes(untimed);
     add_time(command, options->time);
     add_repeated(command, "--set", options->sets, "uniform=value or Program.uniform=value; may be repeated");
+    add_specialise(command, options->specialise);
     add_repeated(command, "--ladder", options->choices, "ladder=rung of the scene; may be repeated");
     add_reports(command, *options);
     add_context(command, options->context);

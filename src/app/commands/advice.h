@@ -15,6 +15,7 @@ struct AccuracyOptions {
     std::string html, svg, json, csv, markdown;
     std::vector<std::string> ladders, knobs;  // if both are empty: all
     std::string from = "reference";           // or "scene", "lattice"
+    bool specialise = true;                   // programs are compiled for the values that they have
     std::vector<std::string> sets, choices;   // uniform=value, ladder=rung
     std::optional<std::pair<int, int>> size;
     int rounds = 31;

@@ -43,6 +43,7 @@ void add_drawing(CLI::App& command, RenderOptions& render) {
     add_size(command, render.size, "WIDTHxHEIGHT (default: the scene's)");
     add_time(command, render.time);
     add_values(command, render.sets, render.ladders);
+    add_specialise(command, render.specialise);
     add_quality(command, render.quality);
     command.add_option("--samples", render.samples, "samples per pixel")->check(CLI::Range(1, 64));
     command.add_flag("--transparent", render.transparent, "without the background: PNG and EXR");

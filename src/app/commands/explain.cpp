@@ -30,6 +30,7 @@ namespace {
 struct ExplainOptions {
     std::string scene;
     bool json = false, no_time = false;
+    bool specialise = true;  // programs are compiled for the values that they have
     std::vector<std::string> sets, ladders;
     std::optional<std::pair<int, int>> size;
     double time = 0;
@@ -318,12 +319,18 @@ Exit explain(const ExplainOptions& options) {
         for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, chosen);
     };
     ProgressLine progress;
+    RuntimeOptions how{.progress = progress.watcher()};
+    if (options.specialise)
+        how.settle = [&](Controls& controls, const Scene& scene) {
+            Diagnostics unheard;
+            for (const std::string& set : options.sets) set_control(controls, scene, set, unheard);
+        };
     const auto document = open_document(
         options.scene, report.caps, choose,
         [&](const Plan& plan, Document& opened) {
             report.lints = lint::check(plan, opened.sources, runtime::include_reader(*opened.files));
         },
-        {.progress = progress.watcher()}, options.access);
+        how, options.access);
     if (document->runtime)
         for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, chosen);
     document->diagnostics.append(chosen);
@@ -355,6 +362,7 @@ Run add_explain(CLI::App& command) {
     add_size(command, options->size, "WIDTHxHEIGHT (default: the scene's)");
     add_time(command, options->time);
     add_values(command, options->sets, options->ladders);
+    add_specialise(command, options->specialise);
     add_context(command, options->context);
     return [options] { return size_fits(options->size, options->access.limits) ? explain(*options) : exit_usage; };
 }

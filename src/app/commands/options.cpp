@@ -95,6 +95,11 @@ void add_timeout(CLI::App& command, double& seconds, const std::string& what) {
         ->check(CLI::Range(0., 1e6));
 }
 
+void add_specialise(CLI::App& command, bool& specialise) {
+    command.add_flag("--no-specialise{false}", specialise,
+                     "compile programs that take any values of their uniforms, not for the values that they have");
+}
+
 void add_values(CLI::App& command, std::vector<std::string>& sets, std::vector<std::string>& ladders) {
     add_repeated(command, "--set", sets, "uniform=value or Program.uniform=value; may be repeated");
     add_repeated(command, "--ladder", ladders, "ladder=rung; may be repeated");

@@ -26,6 +26,7 @@ void add_access(CLI::App& command, Access& access);
 void add_grade(CLI::App& command, bool& grade);
 // `what` completes the sentence "seconds for …".
 void add_timeout(CLI::App& command, double& seconds, const std::string& what);
+void add_specialise(CLI::App& command, bool& specialise);
 void add_values(CLI::App& command, std::vector<std::string>& sets, std::vector<std::string>& ladders);
 void add_quality(CLI::App& command, std::string& quality);
 void add_context(CLI::App& command, std::string& context);

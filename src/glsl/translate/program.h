@@ -23,6 +23,8 @@ struct Program {
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
     std::vector<LegacyVarying> legacy_varyings;  // set by replace_legacy where lines are widened
+    std::vector<DeclaredUniform> declared = {};
+    std::vector<Settled> settled = {};  // what Options::settle answers, less what can't be a constant
 
     const Target& target() const { return options.target; }
     Unit* find(Stage stage) {
@@ -98,6 +100,10 @@ bool widens_lines(const Program& program);
 // Its text; makes the shaders on both sides give and take what it hands on. Nothing where it isn't wanted or,
 // with a warning, not possible.
 std::optional<std::string> widen_lines(Program& program);
+// What Translation::declared and Options::settle are to hold, after unify_uniforms.
+void choose_settled(Program& program);
+// Settled uniforms become constants.
+void settle_uniforms(const Program& program, Unit& unit);
 // Initialisers that are no constants move to the start of main.
 void move_initialisers(Program& program, Unit& unit);
 // Qualifiers and types as the target wants them; rewrites the declarations marked dirty.

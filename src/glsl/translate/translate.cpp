@@ -125,6 +125,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     }
     size_arrays(program);
     unify_uniforms(program);
+    choose_settled(program);
     flatten_blocks(program);
     match_interfaces(program);
     for (Unit& u : program.units) give_outputs(program, u);
@@ -142,6 +143,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
             out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});
         declare_functions(program, u);
         copy_assigned(program, u);
+        settle_uniforms(program, u);
         move_initialisers(program, u);
         write_declarations(program, u);
         if (options.target.es) add_precision(u);
@@ -151,6 +153,8 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     out.uses_alpha = !fragment || !fragment->alpha_known || fragment->alpha_unknown;
     out.defaults = std::move(program.defaults);
     out.renamed = std::move(program.renamed);
+    out.declared = std::move(program.declared);
+    out.settled = std::move(program.settled);
     out.ok = diagnostics.errors() == errors;
     return out;
 }

@@ -37,6 +37,7 @@ struct Control {
     std::vector<double> value;    // components · array_size numbers
     std::vector<double> initial;  // the scene's values, which a reset restores
     bool active = true;           // false if the linked program does not use the uniform
+    bool varies = false;          // frames change it, so programs are not made for its value
     bool listed = true;           // false if the uniform is not on the Program line but was found active
     Index uniform = none;         // index into Program::uniforms if listed
     Span span;

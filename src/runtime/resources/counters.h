@@ -18,12 +18,16 @@ struct Counters {
     std::uint64_t textures = 0, mip_chains = 0, noise_bytes = 0;
     std::uint64_t meshes = 0, buffers = 0, trees = 0;  // trees: that rays in shaders go through
     std::uint64_t programs_compiled = 0, shaders_compiled = 0;
-    std::uint64_t variants = 0;  // of these programs, those that are another form of one before
-    std::uint64_t targets = 0;   // off-screen
+    std::uint64_t variants = 0;       // of these programs, those that are another form of one before
+    std::uint64_t specialised = 0;    // of these programs, those with settled uniforms as constants
+    std::uint64_t specialise_us = 0;  // microseconds that they took
+    std::uint64_t images_spared = 0;  // files of images that were not opened because of values
+    std::uint64_t targets = 0;        // off-screen
     // Drawing.
     std::uint64_t frames = 0, frames_skipped = 0;  // skipped: the last picture still stood
     std::uint64_t passes = 0, draws = 0, triangles = 0, lines = 0, points = 0;
     std::uint64_t blended_draws = 0;
+    std::uint64_t specialised_draws = 0;  // by programs with settled uniforms as constants
     std::uint64_t uniform_uploads = 0, state_changes = 0;
     std::uint64_t cube_faces = 0;    // drawn by RenderToCube
     std::uint64_t convolutions = 0;  // irradiance maps, prefiltered chains and sets of harmonics computed

@@ -96,8 +96,7 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
                                    uniform.size, {}};
             for (double unit : active.initial) sampler.initial.push_back(static_cast<int>(unit));
             next_unit += uniform.size;
-            active.system = (uniform.name == "Noise2" || uniform.name == "Noise3" || tree_part(uniform.name, type)) &&
-                            !scene_sets(program, uniform.name);
+            active.system = set_by_snell(program, uniform.name, type);
             linked.samplers.push_back(std::move(sampler));
         } else if (const auto* system = find_system(names, uniform.name, type, program)) {
             active.system = true;
@@ -148,6 +147,25 @@ void take_defaults(LinkedProgram& linked, const glsl::Translation& translation) 
 }
 
 }  // namespace
+
+bool set_by_snell(const Program& program, std::string_view name, std::string_view type) {
+    const bool sampler = facts(type).type == ValueType::sampler;
+    if (sampler) return (name == "Noise2" || name == "Noise3" || tree_part(name, type)) && !scene_sets(program, name);
+    return name.starts_with("snell_") || find_system(glsl::system_names(), name, type, program) != nullptr;
+}
+
+ActiveUniform described(const Program& program, const glsl::DeclaredUniform& declared) {
+    ActiveUniform uniform;
+    uniform.name = declared.name;
+    uniform.glsl_type = declared.glsl_type;
+    uniform.type = facts(declared.glsl_type).type;
+    uniform.components = facts(declared.glsl_type).components;
+    uniform.array_size = std::max(declared.array_size, 1);
+    uniform.system = set_by_snell(program, declared.name, declared.glsl_type);
+    uniform.initial = declared.initial;
+    uniform.initial.resize(static_cast<std::size_t>(uniform.components) * static_cast<std::size_t>(uniform.array_size));
+    return uniform;
+}
 
 void find_uniforms(LinkedProgram& linked, const Program& program, const glsl::Translation& translation,
                    const gl::Caps& caps) {

@@ -125,6 +125,7 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.placed = request.variant.placed;
     options.defines = ladder_defines(request.ladders, request.variant.rungs);
     options.color_outputs = request.variant.outputs;
+    options.settle = request.settle;
     return glsl::translate(request.stages, request.sources, options, diagnostics);
 }
 
@@ -173,6 +174,8 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     linked->plain_depth = translation.plain_depth;
     linked->reads_place = translation.reads_place;
     linked->wide = request.variant.wide;
+    linked->declared = translation.declared;
+    linked->settled = translation.settled;
     note_geometry(*linked, translation);
     find_uniforms(*linked, request.program, translation, request.caps);
     assign_units(*linked);
@@ -196,6 +199,7 @@ const Instancing* make_instancing(LinkedProgram& linked, const Program& program,
     auto many = std::make_shared<LinkedProgram>();
     many->program = std::move(result.program);
     many->opaque = linked.opaque;
+    many->settled = linked.settled;
     find_uniforms(*many, program, {}, caps);
     // Both forms read the units that are bound for the draw.
     for (SamplerUniform& sampler : many->samplers) {

@@ -55,6 +55,8 @@ struct LinkedProgram {
     gl::Program program;
     std::vector<std::shared_ptr<gl::Shader>> shaders;  // for others that have the same stage
     std::vector<ActiveUniform> active;
+    std::vector<glsl::DeclaredUniform> declared;
+    std::vector<glsl::Settled> settled;  // uniforms that are constants in it
     std::vector<SystemUniform> system;
     std::optional<DrawContext> shown;  // what `system` was set from last
     std::vector<float> scratch;        // kept for its memory
@@ -80,6 +82,7 @@ struct Variant {
     int outputs = 1;      // textures rendered to at once: gl_FragColor is written to each
     Rungs rungs;          // of the ladders that the program knows
     bool placed = false;  // for parts of pictures
+    int settled = 0;      // 0: takes any values; else the number of the values that are constants in it
     auto operator<=>(const Variant&) const = default;
 };
 
@@ -93,6 +96,7 @@ struct LinkRequest {
     Sources& sources;
     Store* store;  // what it has is not compiled again; null: everything is compiled
     Counters& counters;
+    glsl::Settler settle = nullptr;
 };
 
 // Returns null if the program cannot be made; `diagnostics` says why, at the program's statement or in its shaders.
@@ -101,6 +105,10 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
 // Fills `active`, `system`, `user` and `samplers` from the driver's list of active uniforms.
 void find_uniforms(LinkedProgram& linked, const Program& program, const glsl::Translation& translation,
                    const gl::Caps& caps);
+// As find_uniforms would describe it if it is active.
+ActiveUniform described(const Program& program, const glsl::DeclaredUniform& declared);
+// True if snell sets a uniform of that name and type, because the scene does not.
+bool set_by_snell(const Program& program, std::string_view name, std::string_view type);
 // Gives each sampler its GL units, for good.
 void assign_units(const LinkedProgram& linked);
 
