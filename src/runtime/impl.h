@@ -92,6 +92,31 @@ struct ReadyPass {
     std::vector<Batch> batches;                    // in the order of items
 };
 
+// The value of a uniform that programs were compiled for.
+struct Settled {
+    Index control;  // of Impl::given
+    std::vector<double> values;
+};
+
+// What is ready to be drawn with programs for some values, or for any: as the members of Impl of the same names.
+struct Form {
+    int settled_values = 0;
+    std::vector<Settled> stand;
+    std::vector<std::vector<SamplerUniform>> dormant;
+    std::set<Index> dormant_textures;
+    std::vector<ReadyPass> passes;
+    bool animated = false, mouse = false;
+};
+
+// A form that is being made while nothing changes.
+struct Making {
+    enum class State : std::uint8_t { linking, drawing, done };
+    int number = 0;              // Variant::settled; 0: none was made yet
+    std::vector<double> values;  // of all controls, in their order
+    State state = State::done;
+    std::size_t drawn = 0;  // draws of the window whose programs were used
+};
+
 }  // namespace runtime
 
 struct Runtime::Impl {
@@ -174,6 +199,14 @@ struct Runtime::Impl {
     // The values are those that the programs were compiled for.
     bool stands(const Controls& controls) const;
     void find_stand();
+    // Of `forms`, the one whose values these are, or that of any values, becomes the current one. False: there is none.
+    bool take_form(const Controls& controls);
+    void exchange(runtime::Form& other);
+    bool specialise(const Frame& frame, const Surface& surface);
+    bool link_next();
+    void warm_next(const Frame& frame, const Surface& surface);
+    void forget_forms();
+    void drop_form();
 
     // ladders.cpp
     bool choose(const Rungs& rungs);
@@ -256,14 +289,12 @@ struct Runtime::Impl {
     Diagnostics value_problems;                           // of `given`
     std::function<void(Controls&, const Scene&)> settle;  // RuntimeOptions::settle, as long as frames have its values
     int settled_values = 0;                               // Variant::settled of the programs that are drawn
-    struct Stand {
-        Index control;  // of `given`
-        std::vector<double> values;
-    };
-    std::vector<Stand> stand;  // the values that the programs were compiled for
+    std::vector<runtime::Settled> stand;                  // the values that the programs were compiled for
     // By Scene::programs: samplers that only programs for other values read.
     std::vector<std::vector<runtime::SamplerUniform>> dormant;
     std::set<Index> dormant_textures;  // which only these read
+    std::vector<runtime::Form> forms;  // of other values, the one used last first; exchange() makes one of them current
+    runtime::Making making;
     const Controls* values = nullptr;  // of the frame that is drawn, at the places of `given`
     Controls moved;                    // a frame's controls, if they had to be moved to these places
     std::vector<std::shared_ptr<runtime::GpuMesh>> meshes;

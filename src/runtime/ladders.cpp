@@ -21,6 +21,7 @@ bool same(const Diagnostic& a, const Diagnostic& b) {
 bool Runtime::Impl::choose(const Rungs& rungs) {
     if (rungs == plan.rungs || !exist(rungs, plan.scene.ladders)) return false;
     plan.rungs = rungs;
+    forget_forms();
     Diagnostics all;
     textures.resume(all);
     prepare(all);
@@ -43,7 +44,8 @@ void Runtime::Impl::take(const Controls& controls) {
         values = &moved;
     };
     place();
-    if (stands(*values)) return;
+    if (stands(*values) && (settled_values != 0 || forms.empty())) return;
+    if (take_form(*values)) return;
     settle = nullptr;
     settled_values = 0;
     Diagnostics heard_before;
@@ -65,6 +67,7 @@ std::vector<Index> Runtime::Impl::controls_of(Index program, const runtime::Link
 void Runtime::Impl::take_parts(bool wanted) {
     if (parts == wanted) return;
     parts = wanted;
+    forget_forms();
     const auto reads_place = [](const auto& program) { return program.second && program.second->reads_place; };
     if (std::ranges::none_of(programs, reads_place)) return;
     Diagnostics heard_before;

@@ -30,6 +30,7 @@ void Runtime::draw(const Frame& frame, const Surface& surface) {
     impl_->take(frame.controls);
     impl_->draw(frame, surface);
 }
+bool Runtime::specialise(const Frame& frame, const Surface& surface) { return impl_->specialise(frame, surface); }
 void Runtime::skip_frame() { ++impl_->counters.frames_skipped; }
 bool Runtime::settled() const { return impl_->settled; }
 double Runtime::distance(Index draw, double depth, const Frame& frame, const Surface& surface) const {

@@ -122,6 +122,10 @@ public:
 
     // Chooses the rungs of `frame.controls` first. Uniforms that `frame.controls` lacks have the values of controls().
     void draw(const Frame& frame, const Surface& surface);
+    // While frames keep their values: compiles the next program for them, or draws with it for the first time, which is
+    // when some drivers compile. Frames of these values are drawn by such programs once all are there, and all others
+    // by the programs for any values. The last few values are kept. False: there was nothing to do.
+    bool specialise(const Frame& frame, const Surface& surface);
     // What the last frame drew still stands: counted.
     void skip_frame();
     // False after a paced frame whose cube maps still show something older: the same frame again would be another.

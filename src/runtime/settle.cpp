@@ -117,8 +117,154 @@ void Runtime::Impl::find_stand() {
 }
 
 bool Runtime::Impl::stands(const Controls& controls) const {
-    return std::ranges::all_of(stand,
-                               [&](const Stand& one) { return controls.items[one.control].value == one.values; });
+    return std::ranges::all_of(
+        stand, [&](const runtime::Settled& one) { return controls.items[one.control].value == one.values; });
+}
+
+// ---- forms, for windows -----------------------------------------------------------------------------------
+
+void Runtime::Impl::exchange(runtime::Form& other) {
+    for (Index pass = 0; pass < passes.size(); ++pass) {  // both draw into the same cube maps
+        other.passes[pass].cube_seen = std::move(passes[pass].cube_seen);
+        other.passes[pass].next_face = passes[pass].next_face;
+    }
+    std::swap(settled_values, other.settled_values);
+    std::swap(stand, other.stand);
+    std::swap(dormant, other.dormant);
+    std::swap(dormant_textures, other.dormant_textures);
+    std::swap(passes, other.passes);
+    std::swap(animated, other.animated);
+    std::swap(mouse, other.mouse);
+    fitted.reset();
+}
+
+bool Runtime::Impl::take_form(const Controls& controls) {
+    const auto fits = [&](const runtime::Form& form) {
+        return form.settled_values != 0 && std::ranges::all_of(form.stand, [&](const runtime::Settled& one) {
+                   return controls.items[one.control].value == one.values;
+               });
+    };
+    auto found = std::ranges::find_if(forms, fits);
+    if (found == forms.end() && settled_values == 0) return true;
+    if (found == forms.end()) found = std::ranges::find(forms, 0, &runtime::Form::settled_values);
+    if (found == forms.end()) return false;
+    exchange(*found);
+    std::rotate(forms.begin(), found, found + 1);
+    return true;
+}
+
+// Back to programs for any values alone.
+void Runtime::Impl::forget_forms() {
+    const auto any = std::ranges::find(forms, 0, &runtime::Form::settled_values);
+    if (any != forms.end()) exchange(*any);
+    forms.clear();
+    std::erase_if(programs, [&](const auto& entry) {
+        return entry.first.second.settled != 0 && entry.first.second.settled != settled_values;
+    });
+    making.values.clear();
+    making.state = runtime::Making::State::done;
+}
+
+namespace {
+
+constexpr std::size_t most_forms = 4;  // besides that of any values
+
+std::vector<double> values_of(const Controls& controls) {
+    std::vector<double> values;
+    for (const Control& control : controls.items)
+        values.insert(values.end(), control.value.begin(), control.value.end());
+    return values;
+}
+
+}  // namespace
+
+bool Runtime::Impl::specialise(const Frame& frame, const Surface& surface) {
+    using State = runtime::Making::State;
+    take(frame.controls);
+    if (!savings || settle || (settled_values != 0 && making.state == State::done)) return false;
+    if (std::vector<double> now = values_of(*values); now != making.values || making.number == 0) {
+        if (settled_values != 0) return false;
+        making = {making.number + 1, std::move(now), State::linking, 0};
+    }
+    if (making.state == State::linking && !link_next()) return false;
+    if (making.state == State::drawing) warm_next(frame, surface);
+    return true;
+}
+
+// Compiles one of the programs that are drawn, or makes the form once all are there. False: nothing can be settled.
+bool Runtime::Impl::link_next() {
+    using State = runtime::Making::State;
+    Diagnostics heard_before;
+    Loading loading{*files, *sources, heard_before, {}};
+    const Controls now = *values;
+    settle = [&now](Controls& controls, const Scene&) {
+        for (Control& control : controls.items)
+            if (const Control* same = now.find(control.program, control.name);
+                same && same->value.size() == control.value.size())
+                control.value = same->value;
+    };
+    bool any = false;
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        for (const auto& item : passes[pass].items) {
+            if (!item || plan.scene.draws[item->draw].program == none) continue;
+            runtime::Variant variant = variant_of(pass, plan.scene.draws[item->draw]);
+            variant.settled = making.number;
+            const Index program = plan.scene.draws[item->draw].program;
+            const bool known = programs.contains({program, variant});
+            any = any || !made(program, variant, loading)->settled.empty();
+            if (known) continue;
+            settle = nullptr;
+            return true;
+        }
+    making.state = any ? State::drawing : State::done;
+    if (any) {
+        runtime::Form form;
+        form.passes.resize(passes.size());
+        exchange(form);
+        forms.insert(forms.begin(), std::move(form));
+        if (forms.size() > most_forms) drop_form();
+        settled_values = making.number;
+        textures.resume(heard_before);
+        prepare(heard_before);
+    }
+    settle = nullptr;
+    return any;
+}
+
+// The one that was not used for the longest time.
+void Runtime::Impl::drop_form() {
+    const auto oldest = std::ranges::find_if(forms.rbegin(), forms.rend(),
+                                             [](const runtime::Form& form) { return form.settled_values != 0; });
+    if (oldest == forms.rend()) return;
+    const int number = oldest->settled_values;
+    forms.erase(std::next(oldest).base());
+    std::erase_if(programs, [&](const auto& entry) { return entry.first.second.settled == number; });
+    std::erase_if(program_problems, [&](const auto& entry) { return entry.first.second.settled == number; });
+}
+
+// Draws one pixel of the window with the next program that was not used yet, into a picture that is drawn again before
+// it is shown.
+void Runtime::Impl::warm_next(const Frame& frame, const Surface& surface) {
+    const std::vector<const runtime::ReadyDraw*> all = window_draws();
+    const auto is_new = [&](std::size_t i) {
+        const auto before = std::span(all).first(i);
+        return !all[i]->program->settled.empty() &&
+               std::ranges::count(before, all[i]->program, &runtime::ReadyDraw::program) == 0;
+    };
+    while (making.drawn < all.size() && !is_new(making.drawn)) ++making.drawn;
+    if (making.drawn < all.size()) {
+        std::vector<bool> hidden(plan.scene.draws.size(), true);
+        hidden[all[making.drawn++]->draw] = false;
+        Frame one = frame;
+        one.hidden = &hidden;
+        one.standing = true;
+        Surface pixel = surface;
+        pixel.region = PixelRect{0, 0, 1, 1};
+        const Counters before = counters;
+        draw(one, pixel);
+        counters = before;
+    }
+    if (making.drawn >= all.size()) making.state = runtime::Making::State::done;
 }
 
 }  // namespace snell

@@ -19,6 +19,7 @@ Run add_window(CLI::App& command) {
     command.add_option("--exit-after", window->exit_after)->group("");
     command.add_option("--lose-file", window->lose_file)->group("");
     command.add_option("--after", window->after)->group("");  // passed by a window that restarts itself
+    add_specialise(command, window->specialise);
     add_timeout(command, window->timeout, "a frame; then the scene waits for another edit");
     add_access(command, window->access);
     return [window, &command] {

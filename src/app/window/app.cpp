@@ -15,6 +15,7 @@ namespace {
 
 constexpr double look_at_files = .1;    // seconds between looks
 constexpr double frame_time = 1. / 60;  // seconds; for animated scenes if the screen sets no pace
+constexpr double until_still = .5;      // seconds without input, after which programs are compiled for the values
 constexpr int until_equal = 3;          // frames: Dear ImGui answers some input, and measures messages, a frame late
 constexpr PixelSize comfortable{1280, 800};
 
@@ -145,6 +146,7 @@ bool App::visible() {
 double App::pause() {
     if (unsettled_ > 0 || workspace_.saving() || (measuring_.busy() && visible())) return 0;
     double until = next_look_;
+    if (!specialised_ && options_.specialise) until = std::min(until, touched_ + until_still);
     if (moving() && visible()) until = std::min(until, display_.last_picture() + frame_time);
     if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
     return std::max(0.0, until - window_->now());
@@ -166,7 +168,12 @@ void App::step() {
         unsettled_ = 0;  // everything is drawn again when the window comes back, which is an event
         return;
     }
-    if (!woken && !measure()) return;
+    if (!events_.empty() || unsettled_ > 0) {
+        touched_ = now;
+        specialised_ = false;
+    }
+    const bool compiled = specialise();
+    if (!woken && (compiled || !measure())) return;
     if (!events_.empty()) settle(until_equal);
     std::span<const Event> rest(events_);
     do {
@@ -195,6 +202,15 @@ bool App::look() {
     const bool saved = workspace_.session().saved();
     if (saved) reload();
     return workspace_.look(interface_.memory()) || saved;
+}
+
+bool App::specialise() {
+    Document* document = workspace_.document();
+    if (specialised_ || !options_.specialise || !document || window_->now() < touched_ + until_still) return false;
+    hang_.begin("compiling programs for the values as they are");
+    specialised_ = !display_.specialise(*document);
+    hang_.rest();
+    return !specialised_;
 }
 
 bool App::measure() {

@@ -59,6 +59,9 @@ private:
     bool look();
     // Draws the next part of a picture that is being saved.
     void save();
+    // Compiles programs for the values as they are, if nothing was touched for a while. Returns true if there was
+    // something to do.
+    bool specialise();
     // Draws a picture to measure it, if nothing else is to be done. Returns true if there is something new to show.
     bool measure();
     void reload();
@@ -89,6 +92,8 @@ private:
     std::array<std::uint64_t, 2> presented_{};  // the panels, and what lies over the picture, as last presented
     int unsettled_ = 3;                         // number of frames to draw even without input
     double began_ = 0, next_look_ = 0;          // by the clock of the window
+    double touched_ = 0;                        // when there was input last
+    bool specialised_ = false;                  // nothing more can be compiled for the values as they are
 };
 
 }  // namespace snell

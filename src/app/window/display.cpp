@@ -10,6 +10,7 @@ namespace snell {
 namespace {
 
 constexpr int samples_shown = 4;
+constexpr double worth_compiling = 4;  // milliseconds of a frame
 
 }  // namespace
 
@@ -52,6 +53,13 @@ void Display::draw(Document& document, const std::function<void(const Step&)>* a
     counters_.time = stand.time;
     ++counters_.frames;
     drawn_ = std::move(next_);
+}
+
+bool Display::specialise(Document& document) {
+    const Stand& stand = drawn_.stand;
+    if (counters_.frame_ms < worth_compiling || counters_.frames == 0) return false;
+    const Frame frame{stand.time, stand.view, document.controls, true};
+    return document.runtime->specialise(frame, {canvas_.framebuffer(), stand.width, stand.height});
 }
 
 void Display::show(PixelSize pixels) const {

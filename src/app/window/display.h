@@ -45,6 +45,8 @@ public:
     bool prepare(Drawn next, Document& document);
     // Draws the picture. `after` is that of Frame; `density` is pixels per window coordinate.
     void draw(Document& document, const std::function<void(const Step&)>* after, float density);
+    // While the picture stays the same: see Runtime::specialise. Not for scenes that are cheap to draw.
+    bool specialise(Document& document);
     // True if the driver reset the context during draw(); drawn() is still the picture before.
     bool lost() const { return lost_; }
 

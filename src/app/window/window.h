@@ -18,9 +18,10 @@ struct WindowOptions {
     std::string quality;     // the preset that the scene begins with; empty: its own rungs
     std::vector<std::string> ladders;  // NAME=rung; applied after the preset
     Access access;
-    double timeout = 60;    // in seconds for one frame; 0: no timeout
-    std::string after;      // passed by Restart to a window that was restarted
-    std::string lose_file;  // for tests: when this file exists, the context counts as lost
+    double timeout = 60;     // in seconds for one frame; 0: no timeout
+    bool specialise = true;  // compile programs for the values as they are, while nothing is touched
+    std::string after;       // passed by Restart to a window that was restarted
+    std::string lose_file;   // for tests: when this file exists, the context counts as lost
 };
 
 // Returns the exit status.

@@ -116,7 +116,8 @@ void settle_uniforms(const Program& program, Unit& u) {
         if (!is_uniform(g) || program.settled.empty()) continue;
         const auto settled = std::ranges::find(program.settled, scene_name(program, g), &Settled::name);
         if (settled == program.settled.end()) continue;
-        g.qualifiers.storage = Storage::constant;
+        // Constants that index an array out of its bounds, or divide by zero, would be errors.
+        g.qualifiers.storage = g.type.integral() ? Storage::plain : Storage::constant;
         g.qualifiers.layout.clear();
         g.qualifiers.memory.clear();
         g.qualifiers.interpolation = {};
