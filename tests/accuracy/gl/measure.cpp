@@ -76,7 +76,8 @@ TEST_F(Measure, LadderOfKnownCostsAndErrorsComesOutRightThreeTimes) {
         for (std::size_t i : {0U, 1U, 4U, 5U}) EXPECT_EQ(result.rungs[i].verdict.standing, Standing::front) << i;
         // 'same' costs what 'half' does: dominated only if noise makes it look dearer. In no run it is on the front.
         EXPECT_EQ(result.rungs[2].verdict.by, 1U);
-        EXPECT_EQ(result.rungs[3].verdict, (Verdict{Standing::dominated, 1}));
+        EXPECT_EQ(result.rungs[3].verdict.by, 1U);
+        EXPECT_NE(result.rungs[3].verdict.standing, Standing::front);
     }
 }
 
