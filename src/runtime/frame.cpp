@@ -255,6 +255,7 @@ void Runtime::Impl::draw_face(Index pass, int face, const Frame& frame) {
     glViewport(0, 0, ready.width, ready.height);
     clear(view.background, {});
     state.forget();
+    view.face = static_cast<std::size_t>(face);
     draw_items(pass, frame, view);
     ++counters.cube_faces;
 }
@@ -275,6 +276,7 @@ void Runtime::Impl::finish_pass(Index pass) {
 void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
     const Pass& declared = plan.scene.passes[pass];
     auto batch = passes[pass].batches.begin();
+    view.out = out_of_view(pass, frame, view);
     for (size_t i = 0; i < declared.items.size(); ++i) {
         if (batch != passes[pass].batches.end() && batch->first == i) {
             runtime::Batch& next = *batch++;
@@ -288,7 +290,10 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
             clear(view.background, view.region);
             state.forget();
         } else if (passes[pass].items[i] && !hidden(frame, declared.items[i].index)) {
-            draw_one(*passes[pass].items[i], frame, view);
+            if (view.shows(i))
+                draw_one(*passes[pass].items[i], frame, view);
+            else
+                ++counters.draws_culled;
             runtime::told(frame, {pass, declared.items[i].index, 1});
         }
     }

@@ -81,6 +81,21 @@ struct Batch {
     std::vector<float> values;          // so are these
 };
 
+// Items of a pass that one of its views does not show.
+struct OutOfView {
+    // What it depends on.
+    struct Sight {
+        Transformation scene, eye;
+        std::map<unsigned, Transformation> objects;
+        Projection projection = Projection::scene;
+        int width = 0, height = 0;
+        std::optional<DepthRange> depth;
+        bool operator==(const Sight&) const = default;
+    };
+    std::optional<Sight> sight;  // none: never drawn
+    std::vector<bool> items;     // as Pass::items
+};
+
 struct ReadyPass {
     bool live = false;  // something reads what it renders
     std::vector<Index> textures;
@@ -90,6 +105,7 @@ struct ReadyPass {
     int next_face = 0;                             // cube: whose turn it is
     std::vector<std::optional<ReadyDraw>> items;   // as Pass::items; empty where it is a Clear or impossible
     std::vector<Batch> batches;                    // in the order of items
+    std::array<OutOfView, 6> out_of_view;          // of each face of a cube; else of the first
 };
 
 }  // namespace runtime
@@ -172,6 +188,10 @@ struct Runtime::Impl {
         std::optional<runtime::DrawContext> shared = std::nullopt;
         Index camera = none;
         std::array<float, 3> place{};  // as glsl::System::place
+        std::size_t face = 0;          // of a cube
+        // As Pass::items: those out of view. Null: all are drawn.
+        const std::vector<bool>* out = nullptr;
+        bool shows(std::size_t item) const { return !out || !(*out)[item]; }
     };
     void draw(const Frame& frame, const Surface& surface);
     void draw_window(Index pass, const Frame& frame, const Surface& surface, bool first);
@@ -206,6 +226,10 @@ struct Runtime::Impl {
     runtime::DrawContext look(Index camera, const Frame& frame, const PassView& view) const;
     // Stands in `view` until the next call.
     runtime::DrawContext& context(Index draw, const Frame& frame, PassView& view) const;
+
+    // cull.cpp
+    const std::vector<bool>* out_of_view(Index pass, const Frame& frame, const PassView& view);
+    bool out_of_view(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view) const;
 
     // pick.cpp
     bool ready_picker(int width, int height);
