@@ -1,9 +1,13 @@
-// Draws whose meshes are outside of the frustum are not handed to the driver.
+// Draws whose meshes are outside of the frustum are not handed to the driver, and neither are passes that only they
+// read.
+#include <algorithm>
 #include <cmath>
 
 #include "src/runtime/impl.h"
 
 namespace snell {
+
+using runtime::ReadyPass;
 
 namespace {
 
@@ -38,6 +42,41 @@ bool Runtime::Impl::out_of_view(const runtime::ReadyDraw& ready, const Frame& fr
     const runtime::DrawContext& c = context(ready.draw, frame, view);
     return snell::out_of_view({c.view * c.model, mesh.min, mesh.max}, c.projection,
                               {2 * pixels / view.width, 2 * pixels / view.height});
+}
+
+std::vector<runtime::Reader> Runtime::Impl::readers_of(Index pass) const {
+    std::vector<runtime::Reader> readers;
+    for (const Index rendered : passes[pass].textures)
+        for (Index other = 0; other < passes.size(); ++other) {
+            if (!passes[other].live) continue;
+            // Textures that two passes draw to hold what both left there.
+            if (other != pass && std::ranges::count(passes[other].textures, rendered) > 0) readers.push_back({pass, 0});
+            const auto& items = passes[other].items;
+            for (std::size_t item = 0; item < items.size(); ++item)
+                if (items[item] && reads(*items[item], rendered)) readers.push_back({other, item});
+        }
+    return readers;
+}
+
+void Runtime::Impl::find_needed(const Frame& frame, const PassView& window) {
+    for (Index pass = static_cast<Index>(passes.size()); pass-- > 0;) {
+        ReadyPass& ready = passes[pass];
+        if (!savings || !ready.live || plan.scene.passes[pass].kind == Pass::Kind::window) continue;
+        if (!ready.readers) ready.readers = readers_of(pass);
+        ready.needed = std::ranges::any_of(*ready.readers, [&](const runtime::Reader& reader) {
+            if (reader.pass <= pass) return true;  // it reads what the frame before has left
+            if (plan.scene.passes[reader.pass].kind != Pass::Kind::window) return passes[reader.pass].needed;
+            const std::vector<bool>* out = out_of_view(reader.pass, frame, window);
+            return !out || !(*out)[reader.item];
+        });
+    }
+}
+
+bool Runtime::Impl::due(Index pass, bool standing) {
+    ReadyPass& ready = passes[pass];
+    if (standing) return ready.needed && ready.stale;
+    if (!ready.needed) ready.stale = true;
+    return ready.needed;
 }
 
 }  // namespace snell

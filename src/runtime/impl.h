@@ -81,6 +81,12 @@ struct Batch {
     std::vector<float> values;          // so are these
 };
 
+// An item that reads what another pass renders.
+struct Reader {
+    Index pass = none;
+    std::size_t item = 0;
+};
+
 // Items of a pass that one of its views does not show.
 struct OutOfView {
     // What it depends on.
@@ -105,6 +111,9 @@ struct ReadyPass {
     int next_face = 0;                             // cube: whose turn it is
     std::vector<std::optional<ReadyDraw>> items;   // as Pass::items; empty where it is a Clear or impossible
     std::vector<Batch> batches;                    // in the order of items
+    std::optional<std::vector<Reader>> readers;    // off-screen; none: not known yet
+    bool needed = true;                            // something that the frame shows may read it
+    bool stale = false;                            // it was not when it was last its turn: it shows something older
     std::array<OutOfView, 6> out_of_view;          // of each face of a cube; else of the first
 };
 
@@ -194,7 +203,7 @@ struct Runtime::Impl {
         bool shows(std::size_t item) const { return !out || !(*out)[item]; }
     };
     void draw(const Frame& frame, const Surface& surface);
-    void draw_window(Index pass, const Frame& frame, const Surface& surface, bool first);
+    void draw_window(Index pass, const Frame& frame, const Surface& surface, PassView view, bool first);
     void draw_textures(Index pass, const Frame& frame);
     void draw_cube(Index pass, const Frame& frame);
     void draw_face(Index pass, int face, const Frame& frame);
@@ -206,6 +215,9 @@ struct Runtime::Impl {
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
     void count_draw(Topology topology, std::uint32_t count, std::uint64_t instances = 1);
+    PassView window_view(const Frame& frame, const Surface& surface) const;
+    // Directly, or by what is computed from it.
+    bool reads(const runtime::ReadyDraw& draw, Index rendered) const;
     bool reads_other_passes(const runtime::ReadyPass& pass) const;
     bool redrawn() const;
     void draw_axes(const Frame& frame, const Surface& surface);
@@ -230,6 +242,11 @@ struct Runtime::Impl {
     // cull.cpp
     const std::vector<bool>* out_of_view(Index pass, const Frame& frame, const PassView& view);
     bool out_of_view(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view) const;
+    std::vector<runtime::Reader> readers_of(Index pass) const;
+    // Sets ReadyPass::needed of all passes.
+    void find_needed(const Frame& frame, const PassView& window);
+    // Returns true if an off-screen pass must be drawn. `standing`: it was, if it was needed then.
+    bool due(Index pass, bool standing);
 
     // pick.cpp
     bool ready_picker(int width, int height);

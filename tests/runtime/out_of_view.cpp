@@ -162,6 +162,123 @@ TEST_F(OutOfView, AFrameThatIsShiftedIsWhole) {
     }
 }
 
+class PassesOutOfView : public OutOfView {
+protected:
+    void SetUp() override {
+        OutOfView::SetUp();
+        folder.write("clock.frag",
+                     "#version 330 compatibility\nuniform float uTime;\nvoid main() { gl_FragColor = "
+                     "vec4(fract(uTime * vec3(.1, .3, .7)), 1.); }\n");
+        folder.write("cube.vert",
+                     "out vec3 vDir;\nvoid main() { vDir = gl_Vertex.xyz; gl_Position = ftransform(); }\n");
+        folder.write(
+            "cube.frag",
+            "uniform samplerCube uCube;\nin vec3 vDir;\nvoid main() { gl_FragColor = texture(uCube, vDir); }\n");
+    }
+    // What the pass draws changes with the time.
+    static std::string pass(int unit, const std::string& what) {
+        return "RenderToTexture " + std::to_string(unit) + "\nOrtho -1 1 -1 1\n" + what + "RenderToTexture\n";
+    }
+    static std::string clock() { return "Vertex plain.vert\nFragment clock.frag\nProgram Clock\nQuadXY\n"; }
+    static std::string show(int unit) {
+        return "Vertex plain.vert\nFragment texture.frag\nProgram Show uUnit " + std::to_string(unit) + "\n";
+    }
+    static std::string mirror(int unit) {
+        return looking(show(unit) + "PushMatrix\nTranslate 0 0 -3\nQuadXY 0 1\nPopMatrix\n");
+    }
+    static Look turned(double time, double degrees = 180) {
+        Look look{.time = time};
+        look.view.eye.rotate_y = degrees;
+        return look;
+    }
+};
+
+TEST_F(PassesOutOfView, AreNotDrawnUntilSomethingInViewReadsThem) {
+    auto lean = open("Texture2D 5 8 8\n" + pass(5, clock()) + mirror(5));
+    expect_clean(*lean);
+    const auto full = open_full();
+    EXPECT_EQ(seen(*lean, *full, {.time = 1}).counters.draws, 2U);
+    EXPECT_EQ(seen(*lean, *full, turned(2)).counters.draws, 0U);
+    EXPECT_EQ(seen(*lean, *full, turned(3)).counters.draws, 0U);
+    EXPECT_EQ(seen(*lean, *full, {.time = 4}).counters.draws, 2U)
+        << "as of now, not of the time when it was last drawn";
+    EXPECT_EQ(seen(*lean, *full, turned(4)).counters.draws, 0U);
+}
+
+TEST_F(PassesOutOfView, AreThoseThatOthersOutOfViewRead) {
+    auto lean =
+        open("Texture2D 5 8 8\nTexture2D 6 8 8\n" + pass(5, clock()) + pass(6, show(5) + "QuadXY\n") + mirror(6));
+    expect_clean(*lean);
+    const auto full = open_full();
+    EXPECT_EQ(seen(*lean, *full, {.time = 1}).counters.draws, 3U);
+    EXPECT_EQ(seen(*lean, *full, turned(2)).counters.draws, 0U);
+    EXPECT_EQ(seen(*lean, *full, {.time = 3}).counters.draws, 3U);
+}
+
+// A pass reads what a later one left in the frame before, so that one must be drawn in each frame.
+TEST_F(PassesOutOfView, AreDrawnWhereTheNextFrameMayReadThem) {
+    const std::string later = show(6) + "QuadXY\n";
+    auto lean = open("Texture2D 5 8 8\nTexture2D 6 8 8\n" + pass(5, later) + pass(6, clock()) + mirror(5));
+    expect_clean(*lean);
+    const auto full = open_full();
+    seen(*lean, *full, {.time = 1});
+    EXPECT_EQ(seen(*lean, *full, turned(2)).counters.draws, 1U);
+    seen(*lean, *full, {.time = 3});
+}
+
+TEST_F(PassesOutOfView, AreDrawnWhereTwoDrawToATexture) {
+    auto lean = open("Texture2D 5 8 8\n" + pass(5, clock()) +
+                     pass(5, "Program\nColor 1 0 0\nQuadXY 0 .5\nColor 1 1 1\n") + mirror(5));
+    expect_clean(*lean);
+    const auto full = open_full();
+    seen(*lean, *full, {.time = 1});
+    EXPECT_EQ(seen(*lean, *full, turned(2)).counters.draws, 2U);
+    seen(*lean, *full, {.time = 3});
+}
+
+// In such a frame off-screen passes are not drawn again; those that were not drawn at all are.
+TEST_F(PassesOutOfView, AreDrawnInAStandingFrameThatShowsThem) {
+    auto lean = open("Texture2D 5 8 8\n" + pass(5, clock()) + mirror(5));
+    expect_clean(*lean);
+    const auto full = open_full();
+    draw(*lean, {.time = 1});
+    draw(*lean, turned(2));
+    const gl::Target target = gl::make_target(64, 64, 1);
+    const View view;
+    std::uint64_t draws = lean->runtime->counters().draws;
+    for (const unsigned now : {2U, 1U}) {
+        lean->runtime->draw({.time = 2, .view = view, .controls = lean->controls, .standing = true},
+                            {target.framebuffer.get(), 64, 64});
+        EXPECT_EQ(lean->runtime->counters().draws - draws, now);
+        draws = lean->runtime->counters().draws;
+        const auto pixels = gl::read_rgba8(target.framebuffer.get(), 64, 64, target.samples, target.pixels);
+        EXPECT_TRUE(pixels == draw(*full, {.time = 2}).rgba);
+    }
+}
+
+// Paced frames draw one face each, but never show faces of before the ball was out of view.
+TEST_F(PassesOutOfView, OfACubeAreWholeWhenTheyAreInViewAgain) {
+    auto lean = open(
+        "CubeMap 7 8\nRenderToCube 7 0 0 0 1\nVertex plain.vert\nFragment clock.frag\nProgram Clock\nSphere 5\n"
+        "RenderToTexture\n" +
+        looking("Vertex cube.vert\nFragment cube.frag\nProgram Show uCube 7\nPushMatrix\nTranslate 0 0 -3\n"
+                "Sphere 1\nPopMatrix\n"));
+    expect_clean(*lean);
+    const gl::Target target = gl::make_target(32, 32, 1);
+    const auto faces = [&](const Look& look) {
+        const std::uint64_t before = lean->runtime->counters().cube_faces;
+        lean->runtime->draw({.time = look.time, .view = look.view, .controls = lean->controls, .paced = true},
+                            {target.framebuffer.get(), 32, 32});
+        return lean->runtime->counters().cube_faces - before;
+    };
+    EXPECT_EQ(faces({.time = 1}), 6U);
+    EXPECT_EQ(faces({.time = 2}), 1U);
+    EXPECT_EQ(faces(turned(3)), 0U);
+    EXPECT_TRUE(lean->runtime->settled());
+    EXPECT_EQ(faces({.time = 4}), 6U);
+    EXPECT_EQ(faces({.time = 5}), 1U);
+}
+
 // Random places, sizes and views: mostly at the edges of the picture.
 TEST_F(OutOfView, NoPictureShowsIt) {
     std::mt19937 random(7);
