@@ -271,9 +271,9 @@ private:
         for (const std::string& shape : shapes | std::views::take(named)) names += (names.empty() ? "" : ", ") + shape;
         if (shapes.size() > named) names += " and others";
         say("draws out of view", out == 0,
-            fmt::format("{} of {} are outside of the picture or of a face of a cube: {}", out, all, names));
+            fmt::format("{} of {}, outside of the picture or of a face of a cube map: {}", out, all, names));
         say("passes out of view", passes == 0,
-            plural(passes, "pass") + ": only draws out of view read what is rendered there");
+            fmt::format("{}, read only by draws out of view", plural(passes, "pass")));
     }
 
     const Runtime::Impl& impl_;

@@ -148,6 +148,11 @@ TEST_F(OutOfView, LinesAndPointsHaveAWidth) {
     const std::string state = "LineWidth 8\n";
     EXPECT_EQ(culled(line(1.1, state)), 0U) << "3 pixels outside of 64";
     EXPECT_EQ(culled(line(2, state)), 1U);
+    const auto point = [](double x) {
+        return "Ortho -1 1 -1 1\nPointSize 20\nglBegin gl_points\nglVertex " + std::to_string(x) + " 0 0\nglEnd\n";
+    };
+    EXPECT_EQ(culled(point(1.3)), 0U) << "9.6 pixels outside of 64";
+    EXPECT_EQ(culled(point(2)), 1U);
 }
 
 TEST_F(OutOfView, AFrameThatIsShiftedIsWhole) {
