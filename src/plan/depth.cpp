@@ -46,7 +46,7 @@ bool out_of_view(const DepthBox& box, const glm::dmat4& clip_from_eye, const glm
             const glm::dvec4 inwards = w + side * rows[axis];
             double most = glm::dot(inwards, at);
             for (int k = 0; k < 3; ++k) most += std::abs(glm::dot(inwards, eye[k])) * half[k];
-            if (most < -error) return true;  // the same side of one plane, and so is all between its vertices
+            if (most < -error) return true;  // all corners are beyond one plane, and so is everything between them
         }
     }
     return false;

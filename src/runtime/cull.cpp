@@ -36,7 +36,7 @@ bool Runtime::Impl::out_of_view(const runtime::ReadyDraw& ready, const Frame& fr
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];
     const RasterState& raster = plan.scene.rasters[plan.scene.draws[ready.draw].raster];
     const bool points = mesh.topology == Topology::points;
-    if (!ready.program->in_place || mesh.has_w || (points && raster.point_size_mode)) return false;
+    if (!ready.program->in_place || mesh.has_w || !mesh.bounded || (points && raster.point_size_mode)) return false;
     // The driver may or may not clip lines and points by their middle. One more pixel is for its rounding.
     const double pixels = (points ? raster.point_size : raster.line_width) / 2 + most_shift + 1;
     const runtime::DrawContext& c = context(ready.draw, frame, view);

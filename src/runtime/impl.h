@@ -112,8 +112,8 @@ struct ReadyPass {
     std::vector<std::optional<ReadyDraw>> items;   // as Pass::items; empty where it is a Clear or impossible
     std::vector<Batch> batches;                    // in the order of items
     std::optional<std::vector<Reader>> readers;    // off-screen; none: not known yet
-    bool needed = true;                            // something that the frame shows may read it
-    bool stale = false;                            // it was not when it was last its turn: it shows something older
+    bool needed = true;                            // something that is in view may read it
+    bool stale = false;                            // not needed, and so not drawn, since its last turn
     std::array<OutOfView, 6> out_of_view;          // of each face of a cube; else of the first
 };
 
@@ -245,7 +245,7 @@ struct Runtime::Impl {
     std::vector<runtime::Reader> readers_of(Index pass) const;
     // Sets ReadyPass::needed of all passes.
     void find_needed(const Frame& frame, const PassView& window);
-    // Returns true if an off-screen pass must be drawn. `standing`: it was, if it was needed then.
+    // Returns true if an off-screen pass must be drawn. `standing`: it need not be if the last frame drew it.
     bool due(Index pass, bool standing);
 
     // pick.cpp

@@ -1,6 +1,8 @@
 // Draws out of view are not handed to the driver, and no picture shows the difference.
+#include <cmath>
 #include <random>
 
+#include "src/runtime/resources/mesh.h"
 #include "tests/harness/plain.h"
 
 namespace snell::test {
@@ -137,6 +139,18 @@ TEST_F(OutOfView, WhatAShaderPlacesIsDrawn) {
     EXPECT_EQ(culled(scene("named.vert")), 1U);
     const Seen own = seen(scene("named.vert", "PVM <.1 0. 0. 0. 0. .1 0. 0. 0. 0. .1 0. 0. 0. 0. 1.>"));
     EXPECT_EQ(own.counters.draws_culled, 0U) << "the scene has its own matrix";
+}
+
+// The bounds of a mesh are those of its finite positions.
+TEST_F(OutOfView, AMeshMayHaveNoBounds) {
+    content::Mesh mesh;
+    mesh.positions = {{3, 0, 0}, {3, 1, 0}, {2, .5F, 0}};
+    mesh.indices = {0, 1, 2};
+    EXPECT_TRUE(runtime::upload(mesh).bounded);
+    for (const float odd : {INFINITY, -INFINITY, NAN}) {
+        mesh.positions[2][1] = odd;
+        EXPECT_FALSE(runtime::upload(mesh).bounded);
+    }
 }
 
 TEST_F(OutOfView, LinesAndPointsHaveAWidth) {
