@@ -122,6 +122,9 @@ struct Translation {
     // Every vertex goes where the model-view-projection matrix puts it, and no stage reads a depth or the projection:
     // the near and the far plane may be moved without any other change.
     bool plain_depth = false;
+    // The name of the matrix that places the vertices, if the vertex shader only multiplies them by it, and a draw
+    // that shows none of them changes nothing; empty otherwise. A scene may set a uniform of that name.
+    std::string placed_by;
     bool reads_place = false;  // the fragment shader names gl_FragCoord
 };
 

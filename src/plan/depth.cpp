@@ -29,4 +29,27 @@ std::optional<DepthRange> fit_depth(std::span<const DepthBox> boxes) {
     return fitted;
 }
 
+bool out_of_view(const DepthBox& box, const glm::dmat4& clip_from_eye, const glm::dvec2& margin) {
+    // Of the sum of absolute values: about 80 times the rounding error of a float.
+    constexpr double rounding = 1e-5;
+    const glm::dvec3 low(box.min[0], box.min[1], box.min[2]), high(box.max[0], box.max[1], box.max[2]);
+    const glm::dvec3 middle = (low + high) / 2., half = (high - low) / 2.;
+    const glm::dmat4& eye = box.eye_from_model;
+    const glm::dvec4 at = eye * glm::dvec4(middle, 1);
+    glm::dvec4 size = glm::abs(eye[3]);
+    for (int axis = 0; axis < 3; ++axis) size += glm::abs(eye[axis]) * (std::abs(middle[axis]) + half[axis]);
+    const glm::dmat4 rows = glm::transpose(clip_from_eye);
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec4 w = rows[3] * (axis < 2 ? 1 + margin[axis] : 1.);
+        const double error = rounding * glm::dot(glm::abs(w) + glm::abs(rows[axis]), size);
+        for (const double side : {-1., 1.}) {
+            const glm::dvec4 inwards = w + side * rows[axis];
+            double most = glm::dot(inwards, at);
+            for (int k = 0; k < 3; ++k) most += std::abs(glm::dot(inwards, eye[k])) * half[k];
+            if (most < -error) return true;  // all corners are beyond one plane, and so is everything between them
+        }
+    }
+    return false;
+}
+
 }  // namespace snell

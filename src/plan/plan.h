@@ -117,6 +117,7 @@ std::string dump_plan(const Plan& plan, const Sources& sources);
 // Distances of the clipping planes from the eye, in its viewing direction.
 struct DepthRange {
     double near = .1, far = 1000;
+    bool operator==(const DepthRange&) const = default;
 };
 
 // A mesh's bounding box in model space, and its transformation to eye space (the eye looks along -Z).
@@ -130,6 +131,11 @@ struct DepthBox {
 // depth, near = .1 resolves .006 at a distance of 100, near = 90 resolves 7e-6. Nothing that the default planes show is
 // cut off. Returns nullopt if no box lies between them, or a box is not finite.
 std::optional<DepthRange> fit_depth(std::span<const DepthBox> boxes);
+
+// Returns true if nothing in the box can be within the frustum of `clip_from_eye`, even if it extends by `margin` times
+// half of its width and height on each side, and the matrices and positions are rounded to floats. Returns false if a
+// number is not finite.
+bool out_of_view(const DepthBox& box, const glm::dmat4& clip_from_eye, const glm::dvec2& margin);
 
 // Clip from eye. `aspect` is width / height; the content of a square window stays visible, and the longer sides show
 // more. Values outside of their domain fall back to their defaults, never to NaN. Default of `depth`: .1 to 1000 for

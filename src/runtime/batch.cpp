@@ -62,7 +62,10 @@ bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, Pas
     const runtime::Instancing& instancing = *ready.program->instancing;
     std::vector<runtime::DrawContext>& contexts = batch.contexts;
     contexts.clear();
-    for (const auto& item : items) contexts.push_back(context(item->draw, frame, view));
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (view.shows(batch.first + i)) contexts.push_back(context(items[i]->draw, frame, view));
+    counters.draws_culled += items.size() - contexts.size();
+    if (contexts.empty()) return true;
     set_up(ready, *instancing.program, batch.controls, contexts.front(), frame);
     instance_values(instancing, contexts, batch.values);
     if (!batch.matrices) batch.matrices = gl::Buffer(gl::make(glGenBuffers));
@@ -75,9 +78,9 @@ bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, Pas
     }
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];
     glDrawElementsInstanced(ready.mode, static_cast<GLsizei>(mesh.count), GL_UNSIGNED_INT, nullptr,
-                            static_cast<GLsizei>(batch.count));
+                            static_cast<GLsizei>(contexts.size()));
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, 0);  // a scene's own uniform blocks must not read the matrices
-    count_draw(mesh.topology, mesh.count, batch.count);
+    count_draw(mesh.topology, mesh.count, contexts.size());
     return true;
 }
 

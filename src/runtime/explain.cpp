@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 
 #include "parser/text_of.h"
@@ -254,7 +255,34 @@ private:
         say("irradiance, prefilter", c.convolutions > 0, "not sampled");
         say("trees of meshes", has(Kind::tree), "no program traces rays through what it draws");
         say("blending", c.blended_draws > 0, "no program can write an alpha below 1");
+        out_of_view();
         say("more samples a pixel", false, "1 sample");
+    }
+
+    // As of the last frame.
+    void out_of_view() {
+        std::size_t all = 0, out = 0, passes = 0;
+        std::set<std::string> shapes;
+        for (Index i = 0; i < impl_.passes.size(); ++i) {
+            const runtime::ReadyPass& pass = impl_.passes[i];
+            passes += pass.live && pass.stale ? 1 : 0;
+            for (const runtime::OutOfView& face : pass.out_of_view)
+                for (std::size_t item = 0; item < face.items.size(); ++item) {
+                    all += pass.items[item] ? 1 : 0;
+                    if (!face.items[item]) continue;
+                    ++out;
+                    const MeshRequest& request = impl_.plan.meshes[pass.items[item]->mesh];
+                    shapes.insert(text_of::shape(scene_, request.shape, request.wire));
+                }
+        }
+        constexpr std::size_t named = 3;
+        std::string names;
+        for (const std::string& shape : shapes | std::views::take(named)) names += (names.empty() ? "" : ", ") + shape;
+        if (shapes.size() > named) names += " and others";
+        say("draws out of view", out == 0,
+            fmt::format("{} of {}, outside of the picture or of a face of a cube map: {}", out, all, names));
+        say("passes out of view", passes == 0,
+            fmt::format("{}, read only by draws out of view", plural(passes, "pass")));
     }
 
     const Runtime::Impl& impl_;

@@ -105,14 +105,20 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     if (!only_window) settled = true;
     Frame off_screen = frame;
     off_screen.unblended = false;
+    const PassView window = window_view(frame, surface);
+    find_needed(frame, window);
     for (Index pass = 0; pass < passes.size(); ++pass) {
         if (!passes[pass].live) continue;
-        if (only_window && plan.scene.passes[pass].kind != Pass::Kind::window) continue;
+        const Pass::Kind kind = plan.scene.passes[pass].kind;
+        if (kind != Pass::Kind::window && !due(pass, only_window)) {
+            if (!only_window) runtime::told(frame, {pass});
+            continue;
+        }
         if (caps.software) gl::settle();
-        switch (plan.scene.passes[pass].kind) {
+        switch (kind) {
             case Pass::Kind::window: {
                 const gl::Encoded encoded(plan.scene.output == Encoding::srgb);
-                draw_window(pass, frame, surface, first_window);
+                draw_window(pass, frame, surface, window, first_window);
                 if (surface.region) glDisable(GL_SCISSOR_TEST);
                 first_window = false;
                 break;
@@ -139,8 +145,7 @@ Vec4 Runtime::Impl::behind(const Frame& frame) const {
     return frame.view.background ? background_of(*frame.view.background) : plan.scene.background;
 }
 
-void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& surface, bool first) {
-    runtime::aim(surface);
+Runtime::Impl::PassView Runtime::Impl::window_view(const Frame& frame, const Surface& surface) const {
     PassView view{surface.width, surface.height, behind(frame)};
     if (const auto& part = surface.part)
         view.place = {static_cast<float>(part->left), static_cast<float>(part->bottom),
@@ -148,6 +153,11 @@ void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& s
     view.region = surface.region;
     view.depth = fitted_depth(frame);
     view.shift = frame.shift;
+    return view;
+}
+
+void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& surface, PassView view, bool first) {
+    runtime::aim(surface);
     if (first) clear(view.background, view.region);
     if (passes[pass].items.empty()) return;
     state.forget();
@@ -172,6 +182,7 @@ void Runtime::Impl::draw_textures(Index pass, const Frame& frame) {
     state.forget();
     draw_items(pass, frame, view);
     finish_pass(pass);
+    ready.stale = false;
 }
 
 // Returns all numbers that decide what the faces of a cube pass show.
@@ -195,13 +206,14 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
     return seen;
 }
 
+bool Runtime::Impl::reads(const ReadyDraw& draw, Index rendered) const {
+    const auto* gpu = textures.find(rendered);
+    const auto same = [&](const runtime::BoundTexture& texture) { return texture.texture == gpu->texture.get(); };
+    return (gpu && std::ranges::any_of(draw.textures, same)) || std::ranges::count(draw.sources, rendered) > 0;
+}
+
 // If a pass reads other passes, seen_by() does not tell whether its picture changed.
 bool Runtime::Impl::reads_other_passes(const ReadyPass& pass) const {
-    const auto reads = [&](const ReadyDraw& draw, Index rendered) {
-        const auto* gpu = textures.find(rendered);
-        const auto same = [&](const runtime::BoundTexture& texture) { return texture.texture == gpu->texture.get(); };
-        return (gpu && std::ranges::any_of(draw.textures, same)) || std::ranges::count(draw.sources, rendered) > 0;
-    };
     for (const auto& item : pass.items)
         for (const ReadyPass& other : passes)
             for (const Index rendered : other.textures)
@@ -223,7 +235,7 @@ void Runtime::Impl::draw_cube(Index pass, const Frame& frame) {
     ReadyPass& ready = passes[pass];
     const std::vector<double> seen = seen_by(pass, frame);
     const bool all = !savings || reads_other_passes(ready);
-    const bool fresh = ready.cube_seen[0].empty();
+    const bool fresh = ready.cube_seen[0].empty() || ready.stale;
     int budget = frame.paced && !all && !fresh ? plan.scene.passes[pass].faces_per_frame : 6;
     const int first = ready.next_face;
     bool drawn = false;
@@ -241,6 +253,7 @@ void Runtime::Impl::draw_cube(Index pass, const Frame& frame) {
         drawn = true;
     }
     if (drawn) finish_pass(pass);
+    ready.stale = false;
 }
 
 void Runtime::Impl::draw_face(Index pass, int face, const Frame& frame) {
@@ -255,6 +268,7 @@ void Runtime::Impl::draw_face(Index pass, int face, const Frame& frame) {
     glViewport(0, 0, ready.width, ready.height);
     clear(view.background, {});
     state.forget();
+    view.face = static_cast<std::size_t>(face);
     draw_items(pass, frame, view);
     ++counters.cube_faces;
 }
@@ -275,6 +289,7 @@ void Runtime::Impl::finish_pass(Index pass) {
 void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
     const Pass& declared = plan.scene.passes[pass];
     auto batch = passes[pass].batches.begin();
+    view.out = out_of_view(pass, frame, view);
     for (size_t i = 0; i < declared.items.size(); ++i) {
         if (batch != passes[pass].batches.end() && batch->first == i) {
             runtime::Batch& next = *batch++;
@@ -288,7 +303,10 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
             clear(view.background, view.region);
             state.forget();
         } else if (passes[pass].items[i] && !hidden(frame, declared.items[i].index)) {
-            draw_one(*passes[pass].items[i], frame, view);
+            if (view.shows(i))
+                draw_one(*passes[pass].items[i], frame, view);
+            else
+                ++counters.draws_culled;
             runtime::told(frame, {pass, declared.items[i].index, 1});
         }
     }

@@ -81,6 +81,27 @@ struct Batch {
     std::vector<float> values;          // so are these
 };
 
+// An item that reads what another pass renders.
+struct Reader {
+    Index pass = none;
+    std::size_t item = 0;
+};
+
+// Items of a pass that one of its views does not show.
+struct OutOfView {
+    // What it depends on.
+    struct Sight {
+        Transformation scene, eye;
+        std::map<unsigned, Transformation> objects;
+        Projection projection = Projection::scene;
+        int width = 0, height = 0;
+        std::optional<DepthRange> depth;
+        bool operator==(const Sight&) const = default;
+    };
+    std::optional<Sight> sight;  // none: never drawn
+    std::vector<bool> items;     // as Pass::items
+};
+
 struct ReadyPass {
     bool live = false;  // something reads what it renders
     std::vector<Index> textures;
@@ -90,6 +111,10 @@ struct ReadyPass {
     int next_face = 0;                             // cube: whose turn it is
     std::vector<std::optional<ReadyDraw>> items;   // as Pass::items; empty where it is a Clear or impossible
     std::vector<Batch> batches;                    // in the order of items
+    std::optional<std::vector<Reader>> readers;    // off-screen; none: not known yet
+    bool needed = true;                            // something that is in view may read it
+    bool stale = false;                            // not needed, and so not drawn, since its last turn
+    std::array<OutOfView, 6> out_of_view;          // of each face of a cube; else of the first
 };
 
 // The value of a uniform that programs were compiled for.
@@ -232,9 +257,13 @@ struct Runtime::Impl {
         std::optional<runtime::DrawContext> shared = std::nullopt;
         Index camera = none;
         std::array<float, 3> place{};  // as glsl::System::place
+        std::size_t face = 0;          // of a cube
+        // As Pass::items: those out of view. Null: all are drawn.
+        const std::vector<bool>* out = nullptr;
+        bool shows(std::size_t item) const { return !out || !(*out)[item]; }
     };
     void draw(const Frame& frame, const Surface& surface);
-    void draw_window(Index pass, const Frame& frame, const Surface& surface, bool first);
+    void draw_window(Index pass, const Frame& frame, const Surface& surface, PassView view, bool first);
     void draw_textures(Index pass, const Frame& frame);
     void draw_cube(Index pass, const Frame& frame);
     void draw_face(Index pass, int face, const Frame& frame);
@@ -246,6 +275,9 @@ struct Runtime::Impl {
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
     void count_draw(Topology topology, std::uint32_t count, std::uint64_t instances = 1);
+    PassView window_view(const Frame& frame, const Surface& surface) const;
+    // Directly, or by what is computed from it.
+    bool reads(const runtime::ReadyDraw& draw, Index rendered) const;
     bool reads_other_passes(const runtime::ReadyPass& pass) const;
     bool redrawn() const;
     void draw_axes(const Frame& frame, const Surface& surface);
@@ -254,7 +286,7 @@ struct Runtime::Impl {
     // The draws of the window that were found possible, in their order.
     std::vector<const runtime::ReadyDraw*> window_draws() const;
 
-    // depth.cpp
+    // sight.cpp
     // The planes that all draws in the window lie between; none where some program might see the difference, or
     // place its vertices itself.
     std::optional<DepthRange> fitted_depth(const Frame& frame) const;
@@ -266,6 +298,15 @@ struct Runtime::Impl {
     runtime::DrawContext look(Index camera, const Frame& frame, const PassView& view) const;
     // Stands in `view` until the next call.
     runtime::DrawContext& context(Index draw, const Frame& frame, PassView& view) const;
+
+    // sight.cpp
+    const std::vector<bool>* out_of_view(Index pass, const Frame& frame, const PassView& view);
+    bool out_of_view(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view) const;
+    std::vector<runtime::Reader> readers_of(Index pass) const;
+    // Sets ReadyPass::needed of all passes.
+    void find_needed(const Frame& frame, const PassView& window);
+    // Returns true if an off-screen pass must be drawn. `standing`: it need not be if the last frame drew it.
+    bool due(Index pass, bool standing);
 
     // pick.cpp
     bool ready_picker(int width, int height);

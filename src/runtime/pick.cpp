@@ -194,11 +194,12 @@ std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height
     view.depth = fitted_depth(frame);
     view.shift = frame.shift;
     const bool only_window = frame.standing && !redrawn();
+    find_needed(frame, view);
     for (Index pass = 0; pass < passes.size(); ++pass) {
         if (!passes[pass].live) continue;
         if (plan.scene.passes[pass].kind == Pass::Kind::window) {
             pick_window(pass, frame, view);
-        } else if (!only_window) {
+        } else if (due(pass, only_window)) {
             glDisable(GL_SCISSOR_TEST);
             if (plan.scene.passes[pass].kind == Pass::Kind::textures)
                 draw_textures(pass, frame);

@@ -13,6 +13,7 @@
 #include "parser/scene.h"
 #include "src/gl/handle.h"
 #include "src/gl/target.h"
+#include "src/runtime/runtime.h"
 
 namespace snell::runtime {
 

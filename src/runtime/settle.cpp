@@ -127,6 +127,7 @@ void Runtime::Impl::exchange(runtime::Form& other) {
     for (Index pass = 0; pass < passes.size(); ++pass) {  // both draw into the same cube maps
         other.passes[pass].cube_seen = std::move(passes[pass].cube_seen);
         other.passes[pass].next_face = passes[pass].next_face;
+        other.passes[pass].stale = passes[pass].stale;
     }
     std::swap(settled_values, other.settled_values);
     std::swap(stand, other.stand);

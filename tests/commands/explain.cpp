@@ -87,6 +87,24 @@ TEST_F(Explain, WhatIsCalledForIsNotSaidToBeSaved) {
     EXPECT_EQ(of_kind(report, "pass").size(), 2U);
 }
 
+TEST_F(Explain, SaysWhatIsOutOfView) {
+    const std::string pass =
+        "Texture2D 4 8 8\nRenderToTexture 4\nOrtho -1 1 -1 1\nQuadXY\nRenderToTexture\n"
+        "Perspective 60\nLookAt 0 0 0  0 0 -1  0 1 0\nVertex plain.vert\nFragment texture.frag\nProgram A uUnit 4\n";
+    const json behind = explain(pass + "Translate 0 0 9\nCone 1 2 8 3\nProgram\nTranslate 0 0 -19\nSphere 1\n");
+    EXPECT_TRUE(has(behind["not_paid"], "draws out of view"));
+    EXPECT_TRUE(has(behind["not_paid"], "passes out of view"));
+    EXPECT_EQ(behind["counters"]["frame"]["draws_culled"], 1);
+    EXPECT_EQ(behind["counters"]["frame"]["draws"], 1);
+    const std::string text = behind["not_paid"].dump();
+    EXPECT_NE(text.find("1 of 2, outside of the picture or of a face of a cube map: Cone"), std::string::npos) << text;
+    EXPECT_EQ(text.find("Sphere"), std::string::npos) << text;
+    const json before = explain(pass + "Translate 0 0 -9\nCone 1 2 8 3\n");
+    EXPECT_FALSE(has(before["not_paid"], "draws out of view"));
+    EXPECT_FALSE(has(before["not_paid"], "passes out of view"));
+    EXPECT_EQ(before["counters"]["frame"]["draws_culled"], 0);
+}
+
 // Every key that others may rely on, with its type.
 TEST_F(Explain, ItsJsonHasItsKeys) {
     const json report = explain(two_of_twenty, "--reps 3");

@@ -69,6 +69,12 @@ std::string value_as(Attribute a, const Type& type) {
 
 }  // namespace
 
+std::optional<Attribute> attribute_of(const Global& input) {
+    std::optional<Attribute> a = by_exact_name(input.name);
+    if (!a) a = by_words(input.name);
+    return a ? a : by_location(input.qualifiers);
+}
+
 void assign_attributes(Program& program, Unit& u) {
     std::array<int, attribute_count> users{};
     for (const Token& t : u.tokens)
@@ -81,9 +87,7 @@ void assign_attributes(Program& program, Unit& u) {
     std::vector<Input> inputs;
     for (Global& g : u.globals) {
         if (g.qualifiers.storage != Storage::in || g.removed || g.name.starts_with("gl_")) continue;
-        std::optional<Attribute> a = by_exact_name(g.name);
-        if (!a) a = by_words(g.name);
-        if (!a) a = by_location(g.qualifiers);
+        const std::optional<Attribute> a = attribute_of(g);
         inputs.push_back({&g, a});
         if (a) ++users[static_cast<std::size_t>(*a)];
     }

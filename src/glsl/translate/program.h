@@ -58,6 +58,8 @@ std::string default_fragment_shader();
 
 // After the parse, before anything is replaced. See Translation::plain_depth.
 bool has_plain_depth(Program& program);
+// See Translation::placed_by.
+std::string placed_by(Program& program);
 
 // The name stands among its tokens.
 bool mentions(const Unit& unit, std::string_view name);
@@ -79,7 +81,9 @@ bool flattens_blocks(const Target& target);
 std::string variable_of(const Program& program, std::string_view block, std::string_view member);
 // Inputs of each stage meet outputs of the stage before.
 void match_interfaces(Program& program);
-// Vertex inputs get the attribute that their name or location means.
+// Returns the attribute that the name or the location of a vertex input means.
+std::optional<Attribute> attribute_of(const Global& input);
+// Vertex inputs get the attribute that they mean.
 void assign_attributes(Program& program, Unit& vertex);
 // What a stage may leave without a value is zero: on some drivers it is what another program has left in a register.
 void give_outputs(const Program& program, Unit& unit);

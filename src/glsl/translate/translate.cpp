@@ -117,6 +117,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     parse(program);
 
     const bool plain_depth = has_plain_depth(program);
+    std::string placed = placed_by(program);
     for (Unit& u : program.units) {
         separate_functions(u);
         want_extensions(options.target, u);
@@ -138,6 +139,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     Translation out;
     out.reads_place = place_in_picture(program);
     out.plain_depth = !lines && plain_depth;
+    if (!lines) out.placed_by = std::move(placed);
     for (Unit& u : program.units) {
         if (lines && u.stage == Stage::fragment)
             out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});

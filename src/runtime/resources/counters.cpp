@@ -30,6 +30,7 @@ std::span<const CounterName> counter_names() {
                                          {"points", "render.points", &Counters::points},
                                          {"blended_draws", "", &Counters::blended_draws},
                                          {"specialised_draws", "", &Counters::specialised_draws},
+                                         {"draws_culled", "", &Counters::draws_culled},
                                          {"uniform_uploads", "", &Counters::uniform_uploads},
                                          {"state_changes", "", &Counters::state_changes},
                                          {"cube_faces", "", &Counters::cube_faces},

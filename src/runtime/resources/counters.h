@@ -28,6 +28,7 @@ struct Counters {
     std::uint64_t passes = 0, draws = 0, triangles = 0, lines = 0, points = 0;
     std::uint64_t blended_draws = 0;
     std::uint64_t specialised_draws = 0;  // by programs with settled uniforms as constants
+    std::uint64_t draws_culled = 0;       // of the scene, out of view: not handed to the driver
     std::uint64_t uniform_uploads = 0, state_changes = 0;
     std::uint64_t cube_faces = 0;    // drawn by RenderToCube
     std::uint64_t convolutions = 0;  // irradiance maps, prefiltered chains and sets of harmonics computed

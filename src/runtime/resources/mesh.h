@@ -19,6 +19,7 @@ struct GpuMesh {
     bool has_color = false;
     bool has_w = false;  // some w is not 1
     content::Float3 min{}, max{};
+    bool bounded = true;  // no position is outside of these: none is infinite or not a number
     std::size_t bytes = 0;
     double load_ms = 0;
 };

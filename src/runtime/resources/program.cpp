@@ -62,6 +62,7 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
     }
     for (const glsl::RenamedUniform& renamed : translation.renamed) add(renamed.name + '=' + renamed.shader_name);
     add(fmt::format("{}{}", translation.uses_alpha, translation.plain_depth));
+    add(translation.placed_by);
     std::vector<std::string_view> names;
     for (const UniformValue& uniform : program.uniforms) names.push_back(uniform.name);
     std::ranges::sort(names);
@@ -172,6 +173,8 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     if (!linked) return nullptr;
     linked->opaque = !translation.uses_alpha;
     linked->plain_depth = translation.plain_depth;
+    linked->in_place = !translation.placed_by.empty() &&
+                       std::ranges::count(request.program.uniforms, translation.placed_by, &UniformValue::name) == 0;
     linked->reads_place = translation.reads_place;
     linked->wide = request.variant.wide;
     linked->declared = translation.declared;

@@ -67,6 +67,7 @@ struct LinkedProgram {
     double load_ms = 0;                    // to translate, compile and link
     bool opaque = false;                   // writes alpha 1 whatever happens
     bool plain_depth = false;              // as Translation's
+    bool in_place = false;                 // vertices are where the mesh and the matrices have them
     bool reads_place = false;              // as Translation's
     bool tessellates = false;
     bool wide = false;          // its lines are triangles
