@@ -75,6 +75,9 @@ struct Options {
     bool wide_lines = false;
     // gl_FragCoord is that of the whole picture where only a part of it is drawn: `snell_Place` is added.
     bool placed = false;
+    // Where GLSL leaves a result undefined (x / 0.), it is what it is at run time, even if the driver could fold it:
+    // for a program some of whose uniforms are written as constants, so that its picture stays the same.
+    bool undefined_at_run_time = false;
     int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
     IncludeReader include;
     Limits limits;  // of includes and of nesting

@@ -240,6 +240,7 @@ void Parser::call_builtin(Expression& result, std::string_view name, std::vector
         else if (const auto want = parameter_type(code, size))
             convert(given[n], *want, Due::argument);
     }
+    mark_call(result, name, given);
     const std::string_view sampler = given.empty() ? std::string_view() : given.front().type.name;
     if (const auto type = parameter_type(best.result, size)) {
         result.type = *type;

@@ -26,8 +26,9 @@ struct Expression {
 
 class Parser {
 public:
-    Parser(Unit& unit, const Target& target, Diagnostics& diagnostics)
-        : u_(unit), target_(target), diagnostics_(diagnostics) {}
+    // `at_run_time`: see Options::undefined_at_run_time.
+    Parser(Unit& unit, const Target& target, Diagnostics& diagnostics, bool at_run_time = false)
+        : u_(unit), target_(target), diagnostics_(diagnostics), at_run_time_(at_run_time) {}
     void run();
 
 private:
@@ -94,6 +95,10 @@ private:
     // Remembers operands that the operator does not take.
     void note_operands(const Expression& a, const Expression& b, std::string_view op);
     void note_operand(const Expression& e, std::string_view op);
+    // Marks operands whose result is undefined for some constants. `a` is null where the dividend is assigned.
+    void mark(const Expression& e, std::string_view function);
+    void mark_division(const Expression* a, const Expression& b, std::string_view op);
+    void mark_call(const Expression& call, std::string_view name, const std::vector<Expression>& given);
     void note_write(const Expression& target, const Expression* value, std::string_view op);
     void touch(const Expression& e, bool write);
 
@@ -123,6 +128,7 @@ private:
     Unit& u_;
     const Target& target_;
     Diagnostics& diagnostics_;
+    bool at_run_time_;
     int p_ = 0;
     int depth_ = 0;
     std::set<std::string_view> told_;                      // kinds of forgiveness: one warning each

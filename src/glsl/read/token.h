@@ -206,6 +206,7 @@ struct Unit {
 
     std::vector<Misfit> misfits;
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
+    bool marks_undefined = false;                   // operands are marked, see read/undefined.cpp
     std::set<std::string_view> legacy_written;      // built-in variables that are assigned
     bool alpha_known = false;                       // some write of a colour output gave it alpha 1
     bool alpha_unknown = false;                     // some write may have given it another

@@ -46,6 +46,44 @@ std::string smoothstep_function(std::string_view edge, std::string_view type) {
            "; }\n";
 }
 
+// What read/undefined.cpp marks operands with. Nothing folds what a uniform takes part in, and one that is never set
+// is 0. Constants for which results are defined stay constants.
+struct Mark {
+    std::string_view name, text, prefix;  // for a scalar; of the vectors that it is repeated for
+    bool two = false;                     // parameters
+};
+constexpr std::string_view live_text =
+    "float snell_live(float x) { return intBitsToFloat(floatBitsToInt(x) | snell_Zero); }\n";
+constexpr Mark marks[] = {
+    {"snell_divisor", "float snell_divisor(float x) { return x == 0.0 ? snell_live(x) : x; }\n", "vec"},
+    {"snell_divisor", "int snell_divisor(int x) { return x <= 0 ? x | snell_Zero : x; }\n", "ivec"},
+    {"snell_divisor", "uint snell_divisor(uint x) { return x == 0u ? uint(snell_Zero) : x; }\n", "uvec"},
+    {"snell_dividend", "int snell_dividend(int x) { return x < 0 ? x | snell_Zero : x; }\n", "ivec"},
+    {"snell_base", "float snell_base(float x) { return x > 0.0 ? x : snell_live(x); }\n", "vec"},
+    {"snell_pow", "float snell_pow(float x, float y) { return pow(snell_base(x), x > 0.0 ? y : snell_live(y)); }\n",
+     "vec", true},
+};
+
+std::string by_component(const Mark& mark, int size) {
+    const std::string name(mark.name), type = std::string(mark.prefix) + std::to_string(size);
+    std::string text =
+        type + " " + name + "(" + type + " x" + (mark.two ? ", " + type + " y" : "") + ") { return " + type + "(";
+    for (int k = 0; k < size; ++k) {
+        const std::string component = std::string(".") + "xyzw"[k];
+        text += (k ? ", " : "") + name + "(x" + component + (mark.two ? ", y" + component : "") + ")";
+    }
+    return text + "); }\n";
+}
+
+std::string undefined_functions() {
+    std::string text(live_text);
+    for (const Mark& mark : marks) {
+        text += mark.text;
+        for (int size = 2; size <= 4; ++size) text += by_component(mark, size);
+    }
+    return text;
+}
+
 bool has_doubles(const Unit& u) {
     return std::ranges::any_of(u.tokens, [](const Token& t) {
         return t.text == "double" || t.text.starts_with("dvec") || t.text.ends_with("lf") || t.text.ends_with("LF");
@@ -79,6 +117,10 @@ void provide_helpers(const Target& target, Unit& u) {
             u.header += smoothstep_function(type, type);
             if (type != "float") u.header += smoothstep_function("float", type);
         }
+    if (u.marks_undefined) {
+        declare_once(u, "snell_Zero", "uniform int snell_Zero;");
+        u.header += undefined_functions();
+    }
     if (target.es && target.version < 320 && redirect(u, "fma"))
         for (const std::string_view type : arguments) {
             const std::string t(type);

@@ -93,7 +93,8 @@ void assign_outputs(Program& program, Unit& fragment);
 int vertices_in(const Unit& geometry);
 // Layouts that an old geometry shader leaves to the application.
 void complete_geometry(Program& program, Unit& geometry);
-// Functions that the target lacks, where they are called: noise1 … noise4, fma.
+// Functions that the target lacks, or that leave results undefined, where they are called: noise1 … noise4, fma,
+// smoothstep; and those that undefined operands are marked with.
 void provide_helpers(const Target& target, Unit& unit);
 // gl_… to snell_….
 void replace_legacy(Program& program);

@@ -20,7 +20,8 @@ void read_unit(Program& program, Unit& u, FileId file) {
 }
 
 void parse(Program& program) {
-    for (Unit& u : program.units) Parser(u, program.target(), program.diagnostics).run();
+    for (Unit& u : program.units)
+        Parser(u, program.target(), program.diagnostics, program.options.undefined_at_run_time).run();
 }
 
 void add_default(Program& program, Stage stage, std::string text, std::string name) {

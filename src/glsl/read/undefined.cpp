@@ -1,0 +1,48 @@
+// Drivers fold constants by other rules than they compute by: where GLSL leaves a result undefined, the two differ.
+// Operands that could be such constants are marked here, if the program asks for results as at run time; the functions
+// that keep them from being folded there are written by provide_helpers.
+#include <algorithm>
+
+#include "src/glsl/read/parse.h"
+
+namespace snell::glsl {
+
+namespace {
+
+// A number or a vector of numbers that the helpers take.
+bool marked_type(const Type& t) {
+    return t.dims == 0 && t.cols == 1 && (t.base == Base::real || t.base == Base::integer || t.base == Base::uinteger);
+}
+
+// Whether the source text itself says what the value is: then it is folded in every form of the program.
+bool from_source(const Expression& e) { return e.constant || e.first < 0 || e.last < e.first; }
+
+bool positive(const Expression& e) {
+    return !e.value.empty() && std::ranges::all_of(e.value, [](double v) { return v > 0; });
+}
+
+}  // namespace
+
+void Parser::mark(const Expression& e, std::string_view function) {
+    if (from_source(e) || !marked_type(e.type)) return;
+    wrap(e, function);
+    u_.marks_undefined = true;
+}
+
+void Parser::mark_division(const Expression* a, const Expression& b, std::string_view op) {
+    if (!at_run_time_ || (op != "/" && op != "%")) return;
+    mark(b, "snell_divisor");
+    if (op == "%" && a && a->type.base == Base::integer) mark(*a, "snell_dividend");
+}
+
+void Parser::mark_call(const Expression& call, std::string_view name, const std::vector<Expression>& given) {
+    if (!at_run_time_ || given.size() != 2) return;
+    if (name == "mod") mark(given[1], "snell_divisor");
+    if (name == "atan") mark(from_source(given[0]) ? given[1] : given[0], "snell_divisor");
+    if (name != "pow" || positive(given[0]) || !marked_type(given[0].type)) return;
+    if (from_source(given[1])) return mark(given[0], "snell_base");
+    u_.replace(call.first, "snell_pow");
+    u_.marks_undefined = true;
+}
+
+}  // namespace snell::glsl

@@ -1,0 +1,66 @@
+// Marks on operands of undefined results: for programs some of whose uniforms become constants.
+#include "tests/translator/translate_help.h"
+
+namespace snell::glsl::test {
+namespace {
+
+Texts program(std::string_view statements, std::string_view before = "") {
+    return {{Stage::fragment, "uniform float a, b;\nuniform int n;\nuniform vec3 v;\n" + std::string(before) +
+                                  "void main() {\nfloat x = gl_FragCoord.x;\n" + std::string(statements) +
+                                  "\ngl_FragColor = vec4(x); }\n"},
+            {Stage::vertex, "void main() { gl_Position = ftransform(); }"}};
+}
+
+// The fragment shader with marks, which the reference compiler takes in every target.
+std::string marked(const Texts& texts) {
+    std::string first;
+    for (const Target& target : {core450, core330, es300, es320}) {
+        Options options;
+        options.target = target;
+        options.undefined_at_run_time = true;
+        Translated out;
+        translate_texts(out, texts, options);
+        std::string log;
+        EXPECT_TRUE(reference_accepts(out.translation, log)) << log << out.text(Stage::fragment);
+        if (first.empty()) first = out.text(Stage::fragment);
+    }
+    return first.substr(first.find("void main()"));
+}
+
+TEST(GlslUndefined, OperandsAreMarkedWhereTheyMayBecomeConstants) {
+    const std::string text = marked(
+        program("x = x / a;\nx /= b;\nx = v.x / (a - b);\nv / v;\nx = mod(x, a);\nx = pow(x, a);\nx = pow(a, 3.);\n"
+                "x = atan(a, b);\nx = float(n % 3);\nx = float(7 / n);\nx = x / n;"));
+    for (const char* part :
+         {"x / snell_divisor(a);", "x /= snell_divisor(b);", "v.x / snell_divisor((a - b));", "v / snell_divisor(v);",
+          "mod(x, snell_divisor(a));", "snell_pow(x, a);", "pow(snell_base(a), 3.);", "atan(snell_divisor(a), b);",
+          "float(snell_dividend(n) % 3);", "7 / snell_divisor(n)"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+}
+
+// Numbers of the text are folded whether uniforms are constants or not; the user's own functions are defined.
+TEST(GlslUndefined, NumbersOfTheTextAreNotMarked) {
+    const Texts texts = program(
+        "const float k = 3.;\nx = x / 2. + x / k + x / sqrt(2.) + 1. / radians(90.);\nx = mod(x, 2.) + pow(2., a);\n"
+        "x = pow(k, 2.) + atan(0., -1.) + atan(x);\nx = mod(x, a, b);\nmat2 m = mat2(x);\nm = m / m;",
+        "float mod(float x, float y, float z) { return x + y + z; }\n");
+    const std::string text = marked(texts);
+    for (const char* mark : {"snell_divisor", "snell_base", "snell_pow"})
+        EXPECT_EQ(text.find(mark), std::string::npos) << text;
+}
+
+TEST(GlslUndefined, NothingIsMarkedUnlessAskedFor) {
+    const Texts texts = program("x = x / a + pow(x, b) + mod(x, a) + atan(a, b) + float(n % 3);");
+    EXPECT_FALSE(translated(texts).has(Stage::fragment, "snell_divisor"));
+    EXPECT_FALSE(translated(texts).has(Stage::fragment, "snell_Zero"));
+    EXPECT_FALSE(translated(texts).has(Stage::fragment, "snell_pow"));
+}
+
+// What a macro gives is marked, too.
+TEST(GlslUndefined, DivisionsOfMacrosAreMarked) {
+    const std::string text = marked(program("x = OVER(x);", "#define OVER(y) ((y) / a)\n"));
+    EXPECT_NE(text.find("/ snell_divisor(a)"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace snell::glsl::test
