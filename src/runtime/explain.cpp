@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 #include <set>
 
 #include "parser/text_of.h"
@@ -275,12 +274,14 @@ private:
                     shapes.insert(text_of::shape(scene_, request.shape, request.wire));
                 }
         }
-        constexpr std::size_t named = 3;
-        std::string names;
-        for (const std::string& shape : shapes | std::views::take(named)) names += (names.empty() ? "" : ", ") + shape;
-        if (shapes.size() > named) names += " and others";
+        std::vector<std::string> names(shapes.begin(), shapes.end());
+        if (names.size() > 4) {
+            names.resize(3);
+            names.emplace_back("others");
+        }
         say("draws out of view", out == 0,
-            fmt::format("{} of {}, outside of the picture or of a face of a cube map: {}", out, all, names));
+            fmt::format("{} of {}, outside of the picture or of a face of a cube map: {}", out, all,
+                        fmt::join(names, ", ")));
         say("passes out of view", passes == 0,
             fmt::format("{}, read only by draws out of view", plural(passes, "pass")));
     }
