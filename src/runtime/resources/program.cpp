@@ -127,7 +127,13 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.defines = ladder_defines(request.ladders, request.variant.rungs);
     options.color_outputs = request.variant.outputs;
     options.settle = request.settle;
-    return glsl::translate(request.stages, request.sources, options, diagnostics);
+    options.undefined_at_run_time = request.settle != nullptr;
+    glsl::Translation translation = glsl::translate(request.stages, request.sources, options, diagnostics);
+    if (!request.settle || !translation.settled.empty()) return translation;
+    options.settle = nullptr;  // it is the program for any values
+    options.undefined_at_run_time = false;
+    Diagnostics said_before;
+    return glsl::translate(request.stages, request.sources, options, said_before);
 }
 
 // Returns null if a stage does not compile, or if the stages do not link.
