@@ -88,11 +88,27 @@ struct RenamedUniform {
     std::string name, shader_name;
 };
 
+// A uniform that the program's own text declares, and whether drivers find it active in the linked program.
+struct DeclaredUniform {
+    enum class Use : std::uint8_t {
+        none,    // no code that runs names it
+        unsure,  // the driver has to be asked
+        sure,    // a change of it changes what the program draws
+    };
+    std::string name;       // the scene's
+    std::string glsl_type;  // that all stages agree on
+    int array_size = 0;     // 0: no array, or one of unknown size
+    bool simple = true;     // a number, a vector or a matrix; no array, structure, sampler or member of a block
+    std::vector<double> initial;  // its initialiser; empty: none
+    Use use = Use::unsure;
+};
+
 struct Translation {
     bool ok = false;  // false: diagnostics hold at least one error
     std::vector<StageOutput> stages;
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
+    std::vector<DeclaredUniform> declared;  // stage by stage, as the texts declare them; each once
     bool uses_alpha = true;  // false: every colour output is known to have alpha 1
     // Every vertex goes where the model-view-projection matrix puts it, and no stage reads a depth or the projection:
     // the near and the far plane may be moved without any other change.

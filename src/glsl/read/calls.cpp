@@ -113,6 +113,11 @@ Expression Parser::call(int name_token) {
         u_.edit(given[1].last).after += ", 0.5)";
     }
     if (wraps) e.type = make_type(Base::real, 4);
+    const bool ours = !modern.empty() || !builtin_signatures(name).empty();
+    if (ours)
+        emit(Op::built_in, static_cast<int>(given.size()), modern.empty() ? name : modern, e.type);
+    else
+        emit(Op::call, static_cast<int>(given.size()), name, -1);
     return e;
 }
 
@@ -143,6 +148,7 @@ bool Parser::foreign_function(std::string_view name, std::vector<Expression>& gi
         u_.replace(result.first, "(");
         u_.replace(given[0].last + 1, ") * (");
         u_.replace(result.last, "))");
+        emit(Op::infix, 0, "*");
         const int first = result.first, last = result.last;
         result = combine(given[0], given[1], "*");
         result.first = first;
@@ -154,6 +160,7 @@ bool Parser::foreign_function(std::string_view name, std::vector<Expression>& gi
             result.type = given[0].type;
         else
             call_builtin(result, found->ours, given);
+        emit(Op::built_in, static_cast<int>(given.size()), name == "saturate" ? name : found->ours, result.type);
     }
     diagnostics_.warning("foreign-function", u_.span(result.first),
                          "'" + std::string(name) + "' is not a function of GLSL; it is read as " +
@@ -186,6 +193,7 @@ bool Parser::call_user(Expression& result, std::string_view name, std::vector<Ex
     }
     if (!any || (!best && !builtin_signatures(name).empty())) return false;
     result.constant = false;
+    emit(Op::call, static_cast<int>(given.size()), name, best ? static_cast<int>(best - u_.functions.data()) : -1);
     if (best && target_.es && !builtin_signatures(name).empty())
         u_.replace(result.first, "snell_user_" + std::string(name));
     if (!best) {

@@ -70,6 +70,9 @@ void copy_assigned(Program& program, Unit& unit);
 void size_arrays(Program& program);
 // Uniforms of one name agree in type and initialiser; values of initialisers are recorded.
 void unify_uniforms(Program& program);
+// The uniforms of the texts and their uses. After the interfaces are matched and the attributes assigned, but before
+// the outputs are.
+std::vector<DeclaredUniform> declared_uniforms(Program& program);
 // Blocks that pass between shaders become single variables where the target has none.
 void flatten_blocks(Program& program);
 bool flattens_blocks(const Target& target);

@@ -129,6 +129,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     match_interfaces(program);
     for (Unit& u : program.units) give_outputs(program, u);
     if (Unit* vertex = program.find(Stage::vertex)) assign_attributes(program, *vertex);
+    std::vector<DeclaredUniform> declared = declared_uniforms(program);
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);
     replace_legacy(program);
     if (options.target.es && program.units.size() == 2) give_point_size(program.units.front());
@@ -151,6 +152,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     out.uses_alpha = !fragment || !fragment->alpha_known || fragment->alpha_unknown;
     out.defaults = std::move(program.defaults);
     out.renamed = std::move(program.renamed);
+    out.declared = std::move(declared);
     out.ok = diagnostics.errors() == errors;
     return out;
 }

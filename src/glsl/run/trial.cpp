@@ -1,0 +1,346 @@
+#include "src/glsl/run/trial.h"
+
+#include <algorithm>
+
+#include "src/glsl/read/legacy.h"
+#include "src/glsl/run/machine.h"
+
+namespace snell::glsl::run {
+
+namespace {
+
+constexpr int most_rounds = 6;
+constexpr std::size_t most_changes = 62;  // at once: a lane each
+
+// From 0 to 1, the same for the same arguments.
+double random(std::string_view name, int k, int seed) {
+    std::uint64_t h = 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(k) * 0xBF58476D1CE4E5B9u +
+                      static_cast<std::uint64_t>(seed) * 0x94D049BB133111EBu;
+    for (const char c : name) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
+    h ^= h >> 29;
+    h *= 0xBF58476D1CE4E5B9u;
+    h ^= h >> 32;
+    return static_cast<double>(h >> 11) / static_cast<double>(std::uint64_t{1} << 53);
+}
+
+// The type of a variable's k-th number.
+Base base_at(const Unit& u, const Type& type, int k) {
+    if (type.base != Base::structure || type.structure < 0) return type.base;
+    Type one = type;
+    one.dims = 0;
+    k %= std::max(count(u, one), 1);
+    for (const Member& m : u.structure(type).members) {
+        const int size = count(u, m.type);
+        if (k < size) return base_at(u, m.type, k);
+        k -= size;
+    }
+    return Base::unknown;
+}
+
+// A value of a uniform: each round tries others, of other sizes.
+double uniform_value(Base base, std::string_view name, int k, int round, bool changed) {
+    const double first = random(name, k, round * 2), u = changed ? random(name, k, round * 2 + 1) : first;
+    // Each number and each truth value has its turn.
+    const auto turn = [&](int n) {
+        const int seed = round < n ? 0 : round;
+        return std::fmod(std::floor(random(name, k, seed) * n) + round % n, n);
+    };
+    if (base == Base::boolean) return (turn(2) != 0) != changed ? 1 : 0;
+    if (base == Base::integer || base == Base::uinteger)
+        return changed ? std::fmod(turn(4) + 1 + std::floor(u * 3), 4) : turn(4);
+    if (base == Base::unknown) return nothing;
+    const int scale = round % 4;
+    if (scale == 3) return random(name, 7, round) < .5 ? u : 20 * u;
+    return scale == 0 ? .05 + u : scale == 1 ? 2 * u - 1 : 10 * u;
+}
+
+// What vertices and fragments are given.
+double input(Base base, std::string_view name, int k, int round, bool neighbour) {
+    const double u = random(name, k, 1000 + round);
+    if (base == Base::boolean) return u < .7 ? 1 : 0;
+    if (base == Base::integer) return std::floor(u * 3);
+    const double step = neighbour ? .01 * (1 + random(name, k, 2000)) : 0;
+    return step + (name == "FragCoord" ? 300 * u : name == "PointCoord" ? u : 2 * u - .8);
+}
+
+struct Place {
+    int variable = -1, first = 0, size = 0;
+};
+
+bool derives(const Unit& u) {
+    return std::ranges::any_of(u.code.steps, [](const Instruction& i) {
+        return i.op == Op::built_in && (i.text.starts_with("dF") || i.text.starts_with("fwidth"));
+    });
+}
+
+class Trial {
+public:
+    Trial(const std::vector<Unit>& units, const std::vector<std::string_view>& names) : names_(names) {
+        for (const Unit& u : units) {
+            machines_.emplace_back(u);
+            tokens_ += static_cast<int>(u.tokens.size());
+            derives_ = derives_ || derives(u);
+        }
+    }
+    std::set<std::string_view> run();
+
+private:
+    using Outputs = std::vector<double>;  // of each lane, one after the other
+    struct Result {
+        Machine::End end = Machine::End::unknown;
+        std::size_t lanes = 1;
+        Outputs position, colors;
+    };
+
+    void try_values();
+    Result draw(int lanes, int neighbour, std::uint64_t& alive, int changed);
+    void give_uniform(Machine& m, int n, std::string_view name, int changed);
+    void give_block(Machine& m, const Block& b);
+    void give(Machine& m, Machine* before, bool known, int changed);
+    void give_built_in(Machine& m, Machine* before, std::string_view name, int n);
+    void give_interface(Machine& m, Machine& before, bool known);
+    void collect(Machine& m, int variable, Outputs& out);
+
+    const std::vector<std::string_view>& names_;
+    std::vector<Machine> machines_;
+    std::set<std::string_view> found_;
+    std::vector<std::string_view> lane_names_;  // the uniform that lane n + 1 changes
+    bool derives_ = false;                      // some stage asks for derivatives
+    int tokens_ = 0, budget_ = 0;
+    int round_ = 0, lanes_ = 1, neighbour_ = -1;
+};
+
+const Global* find_global(const Unit& u, Storage storage, std::string_view name) {
+    for (const Global& g : u.globals)
+        if (g.qualifiers.storage == storage && g.name == name && !g.removed) return &g;
+    return nullptr;
+}
+
+int find_built_in(const Unit& u, std::string_view name) {
+    if (const auto found = u.built_ins.find(name); found != u.built_ins.end()) return found->second;
+    for (const Global& g : u.globals)
+        if (g.name == name) return g.variable;
+    return -1;
+}
+
+// Where a member of a block is.
+Place member_place(const Unit& u, const Block& b, std::size_t member) {
+    if (b.variable < 0) return {};
+    if (b.instance.empty()) {
+        const int n = b.variable + static_cast<int>(member);
+        return {n, 0, count(u, u.code.variables[static_cast<std::size_t>(n)])};
+    }
+    Place place{b.variable, 0, 0};
+    for (std::size_t k = 0; k <= member; ++k) {
+        place.first += place.size;
+        place.size = count(u, b.members[k].type);
+        if (place.size == 0) return {};
+    }
+    return place;
+}
+
+Place output_place(const Unit& u, std::string_view name) {
+    if (const Global* g = find_global(u, Storage::out, name)) return {g->variable, 0, count(u, g->type)};
+    for (const Block& b : u.blocks)
+        for (std::size_t k = 0; k < b.members.size(); ++k)
+            if (b.qualifiers.storage == Storage::out && b.instance.empty() && b.members[k].name == name)
+                return member_place(u, b, k);
+    return {};
+}
+
+void Trial::collect(Machine& m, int n, Outputs& out) {
+    if (n < 0) return;
+    const Variable& v = m.variable(n);
+    for (int k = 0; k < v.size; ++k)
+        for (int l = 0; l < lanes_; ++l) out.push_back(v.get(k, l));
+}
+
+// A built-in variable: from the stage before, as its name is there, or from outside.
+void Trial::give_built_in(Machine& m, Machine* before, std::string_view name, int n) {
+    const bool fragment = m.unit().stage == Stage::fragment;
+    const std::string_view key = name.starts_with("gl_MultiTexCoord") ? "MultiTexCoord0" : name.substr(3);
+    const bool color = name == "gl_Color" || name == "gl_SecondaryColor", texcoord = name == "gl_TexCoord";
+    const bool passes = fragment && (color || texcoord || name == "gl_FogFragCoord");
+    const auto unknown = [&] { m.set(n, 1, [](int, int) { return nothing; }); };
+    if (passes && before->unit().stage != Stage::vertex) return unknown();
+    if (passes) {
+        const std::string from = color ? "gl_Front" + std::string(key) : std::string(name);
+        if (color && find_built_in(before->unit(), "gl_Back" + std::string(key)) >= 0) return unknown();
+        if (const int source = find_built_in(before->unit(), from); source >= 0) {
+            const Variable& v = before->variable(source);
+            if (v.size != m.variable(n).size) return unknown();
+            return m.set(n, v.lanes, [&](int k, int l) {
+                const double x = v.get(k, l);
+                return !color || std::isnan(x) ? x : std::clamp(x, 0., 1.);
+            });
+        }
+    }
+    if (texcoord || (passes && !color))
+        return m.set(n, 1, [&](int k, int) { return texcoord && k % 4 == 3 ? 1. : 0.; });
+    const LegacyName* legacy = legacy_name(name);
+    const bool uniform = legacy && legacy->kind == LegacyKind::uniform;
+    constexpr std::array<std::string_view, 5> inputs = {"gl_FragCoord", "gl_FrontFacing", "gl_PointCoord",
+                                                        "gl_VertexID", "gl_InstanceID"};
+    if (!uniform && !(legacy && legacy->kind == LegacyKind::attribute) &&
+        std::ranges::find(inputs, name) == inputs.end())
+        return unknown();
+    const bool varies = neighbour_ >= 0 && !uniform;
+    m.set(n, varies ? lanes_ : 1, [&](int k, int l) {
+        return input(base_at(m.unit(), m.type_of(n), k), key, k, round_, varies && l == neighbour_);
+    });
+}
+
+void Trial::give_interface(Machine& m, Machine& before, bool known) {
+    const Unit &u = m.unit(), &from = before.unit();
+    const auto copy = [&](int to, int first, int size, const Place& place) {
+        Variable& v = m.variable(to);
+        if (place.variable < 0 || place.size != size || !known || first + size > v.size) return;
+        const Variable& w = before.variable(place.variable);
+        if (w.lanes > v.lanes) {
+            const Variable narrow = v;
+            m.set(to, w.lanes, [&](int k, int l) { return narrow.get(k, l); });
+        }
+        for (int k = 0; k < size; ++k)
+            for (int l = 0; l < v.lanes; ++l)
+                v.data[static_cast<std::size_t>((first + k) * v.lanes + l)] = w.get(place.first + k, l);
+    };
+    const auto clear = [&](int n) {
+        m.variable(n).given = true;
+        m.set(n, 1, [](int, int) { return nothing; });
+    };
+    for (const Global& g : u.globals)
+        if (g.qualifiers.storage == Storage::in && g.variable >= 0 && !g.name.starts_with("gl_")) {
+            clear(g.variable);
+            const Place place = output_place(from, g.name);
+            if (place.variable >= 0 && g.new_type.empty()) copy(g.variable, 0, m.variable(g.variable).size, place);
+        }
+    for (const Block& b : u.blocks) {
+        if (b.qualifiers.storage != Storage::in || b.variable < 0) continue;
+        const auto source = std::ranges::find_if(from.blocks, [&](const Block& o) {
+            return o.qualifiers.storage == Storage::out && o.name == b.name && o.members.size() == b.members.size();
+        });
+        for (std::size_t k = 0; k < b.members.size(); ++k) {
+            const Place to = member_place(u, b, k);
+            if (to.variable < 0) continue;
+            if (k == 0 || b.instance.empty()) clear(to.variable);
+            if (source != from.blocks.end() && source->members[k].name == b.members[k].name)
+                copy(to.variable, to.first, to.size, member_place(from, *source, k));
+        }
+    }
+}
+
+void Trial::give_uniform(Machine& m, int n, std::string_view name, int changed) {
+    const auto lane = static_cast<int>(std::ranges::find(lane_names_, name) - lane_names_.begin());
+    const bool changes = lane < static_cast<int>(lane_names_.size()), own = changes && changed < 0;
+    m.set(n, own ? lanes_ : 1, [&](int k, int l) {
+        const bool other = changes && (changed < 0 ? l == lane + 1 : lane == changed);
+        return uniform_value(base_at(m.unit(), m.type_of(n), k), name, k, round_, other);
+    });
+}
+
+void Trial::give_block(Machine& m, const Block& b) {
+    for (std::size_t k = 0; k < b.members.size(); ++k) {
+        const Place place = member_place(m.unit(), b, k);
+        if (place.variable < 0) continue;
+        const bool known = b.qualifiers.storage == Storage::uniform;
+        m.set(place.variable, 1, [&](int n, int) {
+            const Base base = base_at(m.unit(), m.type_of(place.variable), n);
+            return known ? uniform_value(base, b.members[k].name, n, round_, false) : nothing;
+        });
+    }
+}
+
+void Trial::give(Machine& m, Machine* before, bool known, int changed) {
+    const Unit& u = m.unit();
+    for (const auto& [name, n] : u.built_ins) give_built_in(m, before, name, n);
+    for (const Block& b : u.blocks) give_block(m, b);
+    for (const Global& g : u.globals) {
+        const Storage s = g.qualifiers.storage;
+        const bool language = g.name.starts_with("gl_"), varies = neighbour_ >= 0;
+        if (g.variable < 0 || (s != Storage::uniform && s != Storage::buffer && g.attribute < 0 && !language)) continue;
+        m.variable(g.variable).given = true;
+        if (language) {
+            give_built_in(m, before, g.name, g.variable);
+        } else if (s == Storage::uniform) {
+            give_uniform(m, g.variable, g.name, changed);
+        } else if (g.attribute >= 0) {
+            const AttributeFacts& facts = attribute_facts()[static_cast<std::size_t>(g.attribute)];
+            m.set(g.variable, varies ? lanes_ : 1, [&](int k, int l) {
+                const bool there = k < facts.rows && m.type_of(g.variable).base == Base::real;
+                return there ? input(Base::real, facts.name.substr(6), k, round_, varies && l == neighbour_) : nothing;
+            });
+        }
+    }
+    if (before) give_interface(m, *before, known);
+}
+
+// `changed`: the uniform that has its other value in all lanes; -1: each in its own lane.
+Trial::Result Trial::draw(int lanes, int neighbour, std::uint64_t& alive, int changed) {
+    lanes_ = lanes, neighbour_ = neighbour;
+    Result result;
+    result.lanes = static_cast<std::size_t>(lanes);
+    Machine* before = nullptr;
+    for (Machine& m : machines_) {
+        give(m, before, result.end == Machine::End::done, changed);
+        result.end = m.unit().code.whole ? m.run(lanes, neighbour, alive, budget_) : Machine::End::unknown;
+        const bool last = m.unit().stage == Stage::vertex && machines_.size() == 2;
+        if (last && result.end == Machine::End::done)
+            collect(m, find_built_in(m.unit(), "gl_Position"), result.position);
+        before = &m;
+    }
+    Machine& last = machines_.back();
+    if (last.unit().stage != Stage::fragment || result.end != Machine::End::done) return result;
+    bool legacy = false;
+    for (const std::string_view name : {"gl_FragColor", "gl_FragData", "gl_FragDepth"})
+        if (const int n = find_built_in(last.unit(), name); n >= 0) {
+            legacy = legacy || name != "gl_FragDepth";
+            collect(last, n, result.colors);
+        }
+    for (const Global& g : last.unit().globals)
+        if (g.qualifiers.storage == Storage::out && g.written && !legacy && !g.removed && !g.name.starts_with("gl_"))
+            collect(last, g.variable, result.colors);
+    return result;
+}
+
+// One set of values, and each uniform changed.
+void Trial::try_values() {
+    lane_names_.clear();
+    for (const std::string_view name : names_)
+        if (!found_.contains(name) && lane_names_.size() < most_changes) lane_names_.push_back(name);
+    const auto changes = static_cast<int>(lane_names_.size());
+    std::uint64_t alive = ~std::uint64_t{0};
+    const Result base = draw(changes + (derives_ ? 2 : 1), derives_ ? changes + 1 : -1, alive, -1);
+    const auto differs = [](const Outputs& a, std::size_t a_lanes, const Outputs& b, std::size_t b_lanes,
+                            std::size_t lane) {
+        for (std::size_t k = 0; k * b_lanes < b.size() && k * a_lanes < a.size(); ++k) {
+            const double x = a[k * a_lanes], y = b[k * b_lanes + lane];
+            if (std::abs(x - y) > 1e-7 * std::max({1., std::abs(x), std::abs(y)})) return true;  // false where unknown
+        }
+        return false;
+    };
+    for (int n = 0; n < changes && budget_ > 0; ++n) {
+        const bool alone = (alive >> (n + 1) & 1) == 0;
+        std::uint64_t other_alive = ~std::uint64_t{0};
+        const Result own = alone ? draw(derives_ ? 2 : 1, derives_ ? 1 : -1, other_alive, n) : Result{};
+        const Result& other = alone ? own : base;
+        const std::size_t lane = alone ? 0 : static_cast<std::size_t>(n) + 1;
+        const bool ended = base.end != Machine::End::unknown && other.end != Machine::End::unknown;
+        if (differs(base.position, base.lanes, other.position, other.lanes, lane) || (ended && base.end != other.end) ||
+            differs(base.colors, base.lanes, other.colors, other.lanes, lane))
+            found_.insert(lane_names_[static_cast<std::size_t>(n)]);
+    }
+}
+
+std::set<std::string_view> Trial::run() {
+    budget_ = 4000 + 20 * tokens_;
+    for (round_ = 0; round_ < most_rounds && found_.size() < names_.size() && budget_ > 0; ++round_) try_values();
+    return std::move(found_);
+}
+
+}  // namespace
+
+std::set<std::string_view> that_matter(const std::vector<Unit>& units, const std::vector<std::string_view>& names) {
+    return Trial(units, names).run();
+}
+
+}  // namespace snell::glsl::run
