@@ -33,15 +33,15 @@ Type shape(Base base, int rows, int cols) {
 Type unknown_type() { return {}; }
 
 double* Arena::take(std::size_t size) {
-    constexpr std::size_t block = 1 << 14;
     for (; at_.block < blocks_.size(); ++at_.block, at_.used = 0)
-        if (at_.used + size <= blocks_[at_.block].size()) {
+        if (at_.used + size <= blocks_[at_.block].size) {
             at_.used += size;
-            return blocks_[at_.block].data() + at_.used - size;
+            return blocks_[at_.block].data.get() + at_.used - size;
         }
-    blocks_.emplace_back(std::max(block, size));
+    const std::size_t whole = std::max(size, std::size_t{2048} << std::min<std::size_t>(blocks_.size(), 8));
+    blocks_.push_back({std::make_unique_for_overwrite<double[]>(whole), whole});
     at_.used = size;
-    return blocks_.back().data();
+    return blocks_.back().data.get();
 }
 
 Machine::Machine(const Unit& unit) : u_(unit) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 
 #include "src/glsl/read/token.h"
@@ -45,7 +46,11 @@ public:
     void release(Mark mark) { at_ = mark; }
 
 private:
-    std::vector<std::vector<double>> blocks_;
+    struct Block {
+        std::unique_ptr<double[]> data;
+        std::size_t size = 0;
+    };
+    std::vector<Block> blocks_;
     Mark at_;
 };
 

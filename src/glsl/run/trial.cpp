@@ -9,7 +9,7 @@ namespace snell::glsl::run {
 
 namespace {
 
-constexpr int most_rounds = 6;
+constexpr int most_rounds = 16;
 constexpr std::size_t most_changes = 62;  // at once: a lane each
 
 // From 0 to 1, the same for the same arguments.
@@ -49,9 +49,8 @@ double uniform_value(Base base, std::string_view name, int k, int round, bool ch
     if (base == Base::integer || base == Base::uinteger)
         return changed ? std::fmod(turn(4) + 1 + std::floor(u * 3), 4) : turn(4);
     if (base == Base::unknown) return nothing;
-    const int scale = round % 4;
-    if (scale == 3) return random(name, 7, round) < .5 ? u : 20 * u;
-    return scale == 0 ? .05 + u : scale == 1 ? 2 * u - 1 : 10 * u;
+    if (round % 4 == 3) return 2 * u - 1;
+    return round % 4 == 1 && random(name, -1, round) < .5 ? 20 * u : .05 + u;
 }
 
 // What vertices and fragments are given.
@@ -60,7 +59,10 @@ double input(Base base, std::string_view name, int k, int round, bool neighbour)
     if (base == Base::boolean) return u < .7 ? 1 : 0;
     if (base == Base::integer) return std::floor(u * 3);
     const double step = neighbour ? .01 * (1 + random(name, k, 2000)) : 0;
-    return step + (name == "FragCoord" ? 300 * u : name == "PointCoord" ? u : 2 * u - .8);
+    if (name == "FragCoord") return 300 * u + step;
+    if (name == "PointCoord") return u + step;
+    // By turns all components of one sign, as lights shine on surfaces then, and of both.
+    return step + (round % 2 == 1 ? 2 * u - .8 : random(name, -1, round) < .5 ? -.1 - u : .1 + u);
 }
 
 struct Place {
@@ -75,7 +77,7 @@ bool derives(const Unit& u) {
 
 class Trial {
 public:
-    Trial(const std::vector<Unit>& units, const std::vector<std::string_view>& names) : names_(names) {
+    Trial(const std::vector<Unit>& units, const std::vector<Tried>& uniforms) : uniforms_(uniforms) {
         for (const Unit& u : units) {
             machines_.emplace_back(u);
             tokens_ += static_cast<int>(u.tokens.size());
@@ -101,7 +103,7 @@ private:
     void give_interface(Machine& m, Machine& before, bool known);
     void collect(Machine& m, int variable, Outputs& out);
 
-    const std::vector<std::string_view>& names_;
+    const std::vector<Tried>& uniforms_;
     std::vector<Machine> machines_;
     std::set<std::string_view> found_;
     std::vector<std::string_view> lane_names_;  // the uniform that lane n + 1 changes
@@ -266,8 +268,9 @@ void Trial::give(Machine& m, Machine* before, bool known, int changed) {
         } else if (g.attribute >= 0) {
             const AttributeFacts& facts = attribute_facts()[static_cast<std::size_t>(g.attribute)];
             m.set(g.variable, varies ? lanes_ : 1, [&](int k, int l) {
-                const bool there = k < facts.rows && m.type_of(g.variable).base == Base::real;
-                return there ? input(Base::real, facts.name.substr(6), k, round_, varies && l == neighbour_) : nothing;
+                if (m.type_of(g.variable).base != Base::real) return nothing;
+                if (k >= facts.rows) return 0.;  // as assign_attributes widens it
+                return input(Base::real, facts.name.substr(6), k, round_, varies && l == neighbour_);
             });
         }
     }
@@ -305,8 +308,8 @@ Trial::Result Trial::draw(int lanes, int neighbour, std::uint64_t& alive, int ch
 // One set of values, and each uniform changed.
 void Trial::try_values() {
     lane_names_.clear();
-    for (const std::string_view name : names_)
-        if (!found_.contains(name) && lane_names_.size() < most_changes) lane_names_.push_back(name);
+    for (const Tried& t : uniforms_)
+        if (!found_.contains(t.name) && lane_names_.size() < most_changes) lane_names_.push_back(t.name);
     const auto changes = static_cast<int>(lane_names_.size());
     std::uint64_t alive = ~std::uint64_t{0};
     const Result base = draw(changes + (derives_ ? 2 : 1), derives_ ? changes + 1 : -1, alive, -1);
@@ -314,7 +317,7 @@ void Trial::try_values() {
                             std::size_t lane) {
         for (std::size_t k = 0; k * b_lanes < b.size() && k * a_lanes < a.size(); ++k) {
             const double x = a[k * a_lanes], y = b[k * b_lanes + lane];
-            if (std::abs(x - y) > 1e-7 * std::max({1., std::abs(x), std::abs(y)})) return true;  // false where unknown
+            if (std::abs(x - y) > 1e-9 * std::max({1., std::abs(x), std::abs(y)})) return true;  // false where unknown
         }
         return false;
     };
@@ -333,14 +336,19 @@ void Trial::try_values() {
 
 std::set<std::string_view> Trial::run() {
     budget_ = 4000 + 20 * tokens_;
-    for (round_ = 0; round_ < most_rounds && found_.size() < names_.size() && budget_ > 0; ++round_) try_values();
+    const auto open = [&](const Tried& t) { return t.wanted && !found_.contains(t.name); };
+    for (round_ = 0; round_ < most_rounds && budget_ > 0; ++round_) {
+        if (round_ > 0 && std::ranges::none_of(uniforms_, open)) break;
+
+        try_values();
+    }
     return std::move(found_);
 }
 
 }  // namespace
 
-std::set<std::string_view> that_matter(const std::vector<Unit>& units, const std::vector<std::string_view>& names) {
-    return Trial(units, names).run();
+std::set<std::string_view> that_matter(const std::vector<Unit>& units, const std::vector<Tried>& uniforms) {
+    return Trial(units, uniforms).run();
 }
 
 }  // namespace snell::glsl::run

@@ -9,7 +9,12 @@
 
 namespace snell::glsl::run {
 
-// Those of the uniforms `names` of which a change changes an output. No optimiser may remove them then.
-std::set<std::string_view> that_matter(const std::vector<Unit>& units, const std::vector<std::string_view>& names);
+struct Tried {
+    std::string_view name;
+    bool wanted = true;  // false: it is looked at where others are, but is not worth a try of its own
+};
+
+// Those of the uniforms of which a change changes an output. No optimiser may remove them then.
+std::set<std::string_view> that_matter(const std::vector<Unit>& units, const std::vector<Tried>& uniforms);
 
 }  // namespace snell::glsl::run

@@ -86,17 +86,18 @@ std::vector<DeclaredUniform> declared_uniforms(Program& program) {
                 candidates.push_back({false, true, true});
             }
     }
-    std::vector<std::string_view> open;
+    std::vector<run::Tried> tried;
     for (std::size_t n = 0; n < declared.size(); ++n) {
         const Candidate& c = candidates[n];
         if (c.certain && !c.named) declared[n].use = Use::none;
-        if (c.named && !c.adapted) open.push_back(declared[n].name);
+        if (c.named && !c.adapted) tried.push_back({declared[n].name, declared[n].simple});
     }
-    const std::set<std::string_view> matter = open.empty() || program.diagnostics.errors() > 0
-                                                  ? std::set<std::string_view>()
-                                                  : run::that_matter(program.units, open);
+    const std::set<std::string_view> matter = run::that_matter(program.units, tried);
     for (DeclaredUniform& d : declared)
         if (matter.contains(d.name)) d.use = Use::sure;
+    for (const RenamedUniform& r : program.renamed)
+        for (DeclaredUniform& d : declared)
+            if (d.name == r.shader_name) d.name = r.name;
     return declared;
 }
 
