@@ -7,6 +7,26 @@
 
 namespace snell::glsl::run {
 
+struct BuiltIn {
+    enum class Kind : std::uint8_t {
+        component,
+        mix,
+        atan,
+        vector,
+        scalar,
+        transpose,
+        derivative,
+        texture,
+        noise,
+        none,
+        stop
+    };
+    std::string_view name;
+    double (*f)(const double*) = nullptr;  // of a component, given what stands there in each argument
+    Base result = Base::unknown;           // unknown: that of the arguments
+    Kind kind = Kind::component;
+};
+
 namespace {
 
 double known(double condition, double x) { return std::isnan(condition) ? nothing : x; }
@@ -18,14 +38,8 @@ double smoothed(double a, double b, double x) {
     return t * t * (3 - 2 * t);
 }
 
-// Functions of each component, given as an array of what stands there in each argument.
-struct Row {
-    std::string_view name;
-    double (*f)(const double*);
-    Base result = Base::unknown;  // unknown: that of the arguments
-};
 constexpr double pi = std::numbers::pi;
-constexpr Row rows[] = {
+constexpr BuiltIn rows[] = {
     {"radians", [](const double* x) { return x[0] * pi / 180; }, Base::real},
     {"degrees", [](const double* x) { return x[0] * 180 / pi; }, Base::real},
     {"sin", [](const double* x) { return std::sin(x[0]); }, Base::real},
@@ -73,26 +87,47 @@ constexpr Row rows[] = {
     {"equal", [](const double* x) { return known(x[0] + x[1], x[0] == x[1]); }, Base::boolean},
     {"notEqual", [](const double* x) { return known(x[0] + x[1], x[0] != x[1]); }, Base::boolean},
     {"not", [](const double* x) { return known(x[0], x[0] == 0); }, Base::boolean},
+    {.name = "atan", .kind = BuiltIn::Kind::atan},
+    {.name = "mix", .kind = BuiltIn::Kind::mix},
+    {.name = "length", .kind = BuiltIn::Kind::scalar},
+    {.name = "distance", .kind = BuiltIn::Kind::scalar},
+    {.name = "dot", .kind = BuiltIn::Kind::scalar},
+    {.name = "any", .kind = BuiltIn::Kind::scalar},
+    {.name = "all", .kind = BuiltIn::Kind::scalar},
+    {.name = "normalize", .kind = BuiltIn::Kind::vector},
+    {.name = "cross", .kind = BuiltIn::Kind::vector},
+    {.name = "reflect", .kind = BuiltIn::Kind::vector},
+    {.name = "refract", .kind = BuiltIn::Kind::vector},
+    {.name = "faceforward", .kind = BuiltIn::Kind::vector},
+    {.name = "transpose", .kind = BuiltIn::Kind::transpose},
+    {.name = "ftransform", .kind = BuiltIn::Kind::texture},
 };
+// By how the names begin.
+constexpr BuiltIn families[] = {
+    {.name = "texture", .kind = BuiltIn::Kind::texture},   {.name = "texelFetch", .kind = BuiltIn::Kind::texture},
+    {.name = "noise", .kind = BuiltIn::Kind::noise},       {.name = "dFd", .kind = BuiltIn::Kind::derivative},
+    {.name = "fwidth", .kind = BuiltIn::Kind::derivative}, {.name = "EmitVertex", .kind = BuiltIn::Kind::stop},
+    {.name = "barrier", .kind = BuiltIn::Kind::stop},      {.name = "modf", .kind = BuiltIn::Kind::stop},
+    {.name = "frexp", .kind = BuiltIn::Kind::stop},        {.name = "image", .kind = BuiltIn::Kind::stop},
+    {.name = "atomic", .kind = BuiltIn::Kind::stop},
+};
+constexpr BuiltIn other = {.name = "", .kind = BuiltIn::Kind::none};
 
-const Row* row_of(std::string_view name) {
-    static const std::unordered_map<std::string_view, const Row*> table = [] {
-        std::unordered_map<std::string_view, const Row*> t;
-        for (const Row& row : rows) t.emplace(row.name, &row);
+const BuiltIn& find_built_in(std::string_view name) {
+    static const std::unordered_map<std::string_view, const BuiltIn*> table = [] {
+        std::unordered_map<std::string_view, const BuiltIn*> t;
+        for (const BuiltIn& row : rows) t.emplace(row.name, &row);
         return t;
     }();
-    const auto found = table.find(name);
-    return found == table.end() ? nullptr : found->second;
+    if (const auto found = table.find(name); found != table.end()) return *found->second;
+    const auto* family = std::ranges::find_if(families, [&](const BuiltIn& f) { return name.starts_with(f.name); });
+    return family == std::end(families) ? other : *family;
 }
 
 double atan_of(const double* x) { return std::atan(x[0]); }
 double atan2_of(const double* x) { return x[0] == 0 && x[1] == 0 ? nothing : std::atan2(x[0], x[1]); }
 double mixed(const double* x) { return x[0] * (1 - x[2]) + x[1] * x[2]; }
 double chosen(const double* x) { return std::isnan(x[2]) ? nothing : x[2] != 0 ? x[1] : x[0]; }
-
-bool samples(std::string_view name) {
-    return name.starts_with("texture") || name.starts_with("texelFetch") || name.starts_with("noise");
-}
 
 double dot(const Value& a, const Value& b, int lane) {
     double sum = 0;
@@ -118,7 +153,7 @@ Value Machine::by_component(std::span<const Value> given, double (*f)(const doub
 }
 
 // By the lane of the neighbour. It is the same in all lanes: a dependence that goes through it is not seen.
-Value Machine::derivative(const Value& v) {
+Value Machine::differences(const Value& v) {
     Value out = make(v.type, v.size, 1);
     const bool there = neighbour_ >= 0 && (*alive_ >> neighbour_ & 1) != 0;
     for (int k = 0; k < v.size; ++k) out.data[k] = there ? v.get(k, neighbour_) - v.get(k, 0) : nothing;
@@ -126,7 +161,7 @@ Value Machine::derivative(const Value& v) {
 }
 
 // A texture or a field of noise may hold anything: here, waves.
-Value Machine::texture(std::span<const Value> given, const Type& type) {
+Value Machine::sampled(std::span<const Value> given, const Type& type) {
     int lanes = 1;
     for (const Value& v : given) lanes = std::max(lanes, v.lanes);
     const int size = std::max(count(u_, type), 1);
@@ -143,92 +178,60 @@ Value Machine::texture(std::span<const Value> given, const Type& type) {
     return out;
 }
 
-// Functions whose components are not computed one by one. They are few enough numbers that a loop over lanes will do.
-Value Machine::vector_function(std::string_view name, std::span<const Value> given) {
-    const Value& a = given[0];
-    const Value& b = given.size() > 1 ? given[1] : a;
+Value Machine::transposed(const Value& m) {
+    Value out = make(shape(m.type.base, m.type.cols, m.type.rows), m.size, m.lanes);
+    for (int k = 0; k < m.size; ++k)
+        for (int l = 0; l < m.lanes; ++l)
+            out.data[k * m.lanes + l] = m.get(k % m.type.cols * m.type.rows + k / m.type.cols, l);
+    return out;
+}
+
+// One number from vectors.
+Value Machine::measured(std::string_view name, std::span<const Value> given) {
+    const Value &a = given[0], &b = given.back();
+    const bool truth = name == "any" || name == "all", difference = name == "distance", root = name != "dot";
+    Value out = make(shape(a.type.base), 1, std::max(a.lanes, b.lanes));
+    for (int l = 0; l < out.lanes; ++l) {
+        double sum = 0;
+        for (int k = 0; k < a.size; ++k) {
+            const double x = a.get(k, l), y = b.get(k, l);
+            sum += truth ? x : difference ? (x - y) * (x - y) : x * y;
+        }
+        const double result = name == "any" ? sum > 0 : name == "all" ? sum == a.size : root ? std::sqrt(sum) : sum;
+        out.data[l] = known(sum, result);
+    }
+    return out;
+}
+
+// A vector from vectors.
+Value Machine::directed(std::string_view name, std::span<const Value> given) {
+    const Value &a = given[0], &b = given.size() > 1 ? given[1] : a, &c = given.back();
     int lanes = 1;
     for (const Value& v : given) lanes = std::max(lanes, v.lanes);
-    const bool scalar = name == "length" || name == "distance" || name == "dot" || name == "any" || name == "all";
-    const bool vectors = a.type.basic() && a.type.dims == 0 && a.type.cols == 1;
-    if (name == "transpose" && a.type.basic() && a.type.dims == 0) {
-        Value out = make(shape(a.type.base, a.type.cols, a.type.rows), a.size, lanes);
-        for (int k = 0; k < a.size; ++k)
-            for (int l = 0; l < lanes; ++l)
-                out.data[k * lanes + l] = a.get(k % a.type.cols * a.type.rows + k / a.type.cols, l);
-        return out;
-    }
-    if (!vectors || (b.size != a.size && name != "refract") || (name == "cross" && a.size != 3)) return unknown(a.type);
-    Value out = make(scalar ? shape(a.type.base) : a.type, scalar ? 1 : a.size, lanes);
+    Value out = make(a.type, a.size, lanes);
+    const char which = name == "refract" ? 'T' : name[0];
     for (int l = 0; l < lanes; ++l) {
-        const auto put = [&](const auto& f) {
-            for (int k = 0; k < out.size; ++k) out.data[k * lanes + l] = f(k);
-        };
-        if (name == "length") {
-            put([&](int) { return std::sqrt(dot(a, a, l)); });
-        } else if (name == "distance") {
-            double sum = 0;
-            for (int k = 0; k < a.size; ++k) sum += std::pow(a.get(k, l) - b.get(k, l), 2);
-            put([&](int) { return std::sqrt(sum); });
-        } else if (name == "dot") {
-            put([&](int) { return dot(a, b, l); });
-        } else if (name == "any" || name == "all") {
-            int set = 0;
-            bool sure = true;
-            for (int k = 0; k < a.size; ++k) sure = sure && !std::isnan(a.get(k, l)), set += a.get(k, l) != 0;
-            put([&](int) { return !sure ? nothing : (name == "any" ? set > 0 : set == a.size) ? 1. : 0.; });
-        } else if (name == "normalize") {
-            const double scale = finite(1 / std::sqrt(dot(a, a, l)));
-            put([&](int k) { return a.get(k, l) * scale; });
-        } else if (name == "cross") {
-            put([&](int k) {
-                const int i = (k + 1) % 3, j = (k + 2) % 3;
-                return a.get(i, l) * b.get(j, l) - a.get(j, l) * b.get(i, l);
-            });
-        } else if (name == "reflect") {
-            const double d = dot(a, b, l);
-            put([&](int k) { return a.get(k, l) - 2 * d * b.get(k, l); });
-        } else if (name == "refract" && given.size() == 3 && b.size == a.size) {
-            const double d = dot(a, b, l), eta = given[2].get(0, l), rest = 1 - eta * eta * (1 - d * d);
-            put([&](int k) {
-                return std::isnan(rest) ? nothing
-                       : rest < 0       ? 0.
-                                        : eta * a.get(k, l) - (eta * d + std::sqrt(rest)) * b.get(k, l);
-            });
-        } else if (name == "faceforward" && given.size() == 3 && given[2].size == a.size) {
-            const double d = dot(given[2], b, l);
-            put([&](int k) { return known(d, d < 0 ? a.get(k, l) : -a.get(k, l)); });
-        } else {
-            put([&](int) { return nothing; });
+        const double d = which == 'n'   ? finite(1 / std::sqrt(dot(a, a, l)))
+                         : which == 'f' ? dot(c, b, l)
+                                        : dot(a, b, l);
+        const double eta = c.get(0, l), rest = 1 - eta * eta * (1 - d * d);
+        for (int k = 0; k < a.size; ++k) {
+            const double x = a.get(k, l), y = b.get(k, l);
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            double& to = out.data[k * lanes + l];
+            if (which == 'n') to = x * d;
+            if (which == 'c') to = a.get(i, l) * b.get(j, l) - a.get(j, l) * b.get(i, l);
+            if (which == 'r') to = x - 2 * d * y;
+            if (which == 'T') to = known(rest, rest < 0 ? 0. : eta * x - (eta * d + std::sqrt(std::max(rest, 0.))) * y);
+            if (which == 'f') to = known(d, d < 0 ? x : -x);
         }
     }
     return out;
 }
 
-Value Machine::built_in(const Instruction& i, std::span<const Value> given) {
-    const Type& type = u_.code.types[static_cast<std::size_t>(i.type)];
-    const std::string_view name = i.text;
-    if (name.starts_with("EmitVertex") || name == "barrier") stop(End::unknown);
-    if (name == "modf" || name == "frexp" || name.starts_with("image") || name.starts_with("atomic")) {
-        if (given.size() > 1) stop(End::unknown);
-        return unknown(type);
-    }
-    if (name == "ftransform") {
-        Value out = make(shape(Base::real, 4), 4, 1);
-        for (int k = 0; k < 4; ++k) out.data[k] = .37 * k + .21;
-        return out;
-    }
-    if (samples(name)) {
-        const bool whole = std::ranges::all_of(given, [](const Value& v) {
-            for (int n = 0; n < v.size * v.lanes; ++n)
-                if (v.data[n] != std::trunc(v.data[n])) return false;
-            return true;
-        });
-        if (name.starts_with("noise") && whole) return unknown(type);  // zero at lattice points
-        return texture(given, type);
-    }
-    if (given.empty()) return unknown(type);
-    if (name.starts_with("dF") || name.starts_with("fwidth")) return derivative(given[0]);
+// Functions of numbers: all arguments have one size, or are single numbers.
+Value Machine::arithmetic(const BuiltIn& f, std::string_view name, std::span<const Value> given, const Type& type) {
+    using enum BuiltIn::Kind;
     Type large = given[0].type;
     Base base = Base::boolean;
     for (const Value& v : given) {
@@ -236,20 +239,47 @@ Value Machine::built_in(const Instruction& i, std::span<const Value> given) {
         if (v.size > large.rows * large.cols) large = v.type;
         if (v.type.base != Base::boolean || given.size() == 1) base = std::max(base, v.type.base);
     }
-    for (const Value& v : given)
-        if (v.size != 1 && v.size != large.rows * large.cols && name != "refract") return unknown(type);
-    large.base = base;
-    if (name == "atan") {
-        large.base = Base::real;
-        return by_component(given, given.size() > 1 ? atan2_of : atan_of, large);
+    const int size = large.rows * large.cols;
+    const bool vectors = f.kind == vector || f.kind == scalar;
+    for (std::size_t n = 0; n < given.size(); ++n) {
+        const bool fits = given[n].size == size || (given[n].size == 1 && (!vectors || n == 2));
+        if (!fits || (vectors && given[n].type.cols > 1)) return unknown(type);
     }
-    if (name == "mix" && given.size() == 3)
-        return by_component(given, given[2].type.base == Base::boolean ? chosen : mixed, large);
-    if (const Row* row = row_of(name)) {
-        if (row->result != Base::unknown) large.base = row->result;
-        return by_component(given, row->f, large);
+    if (name == "cross" && size != 3) return unknown(type);
+    large.base = f.result != Base::unknown ? f.result : f.kind == atan ? Base::real : base;
+    switch (f.kind) {
+        case component:
+            return by_component(given, f.f, large);
+        case atan:
+            return by_component(given, given.size() > 1 ? atan2_of : atan_of, large);
+        case mix:
+            return by_component(given, given.back().type.base == Base::boolean ? chosen : mixed, large);
+        case vector:
+            return directed(name, given);
+        case scalar:
+            return measured(name, given);
+        case transpose:
+            return transposed(given[0]);
+        default:
+            return unknown(type);
     }
-    return vector_function(name, given);
+}
+
+Value Machine::built_in(const Instruction& i, std::span<const Value> given) {
+    const Type& type = u_.code.types[static_cast<std::size_t>(i.type)];
+    const BuiltIn*& f = functions_[static_cast<std::size_t>(&i - u_.code.steps.data())];
+    if (!f) f = &find_built_in(i.text);
+    const auto whole = [](const Value& v) {
+        return std::all_of(v.data, v.data + v.size * v.lanes, [](double x) { return x == std::trunc(x); });
+    };
+    using enum BuiltIn::Kind;
+    if (f->kind == texture) return sampled(given, type);
+    if (f->kind == noise && !std::ranges::all_of(given, whole))
+        return sampled(given, type);  // else at a lattice point: 0
+    if (f->kind == stop) return Machine::stop(End::unknown), unknown(type);
+    if (f->kind == stop || f->kind == noise || f->kind == none || given.empty()) return unknown(type);
+    if (f->kind == derivative) return differences(given[0]);
+    return arithmetic(*f, i.text, given, type);
 }
 
 }  // namespace snell::glsl::run

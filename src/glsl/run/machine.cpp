@@ -44,7 +44,7 @@ double* Arena::take(std::size_t size) {
     return blocks_.back().data.get();
 }
 
-Machine::Machine(const Unit& unit) : u_(unit) {
+Machine::Machine(const Unit& unit) : u_(unit), functions_(unit.code.steps.size()), operators_(unit.code.steps.size()) {
     for (const Type& type : u_.code.variables) {
         Variable v;
         v.size = std::max(count(u_, type), 1);
@@ -135,7 +135,8 @@ void Machine::declare(int n, const Value* value) {
     if (!value) return set(n, 1, [](int, int) { return 0.; });
     const Value v = converted(*value, type_of(n));
     if (v.size != to.size) return set(n, 1, [](int, int) { return nothing; });
-    set(n, v.lanes, [&](int k, int l) { return v.get(k, l); });
+    to.lanes = v.lanes;
+    to.data.assign(v.data, v.data + v.size * v.lanes);
 }
 
 void Machine::store(const Value& target, const Value& given) {
@@ -166,83 +167,22 @@ bool Machine::is_true(const Value& condition) {
 }
 
 void Machine::step(const Instruction& i, int& at) {
-    const auto type = [&] { return i.type < 0 ? unknown_type() : u_.code.types[static_cast<std::size_t>(i.type)]; };
     switch (i.op) {
-        case Op::number: {
-            Value v = make(type(), 1, 1);
-            v.data[0] = i.number;
-            return push(v);
-        }
-        case Op::load:
-            return push(load(i.a));
-        case Op::unknown:
-            return push(unknown(unknown_type()));
-        case Op::select:
-            return push(select(pop(), i.text));
-        case Op::index: {
-            const Value index = pop();
-            return push(element(pop(), index));
-        }
-        case Op::length: {
-            const Value of = pop();
-            Value v = make(shape(Base::integer), 1, 1);
-            v.data[0] = of.type.dims == 1 && of.type.size > 0  ? of.type.size
-                        : of.type.dims > 0 || !of.type.basic() ? nothing
-                        : of.type.cols > 1                     ? of.type.cols
-                                                               : of.type.rows;
-            return push(v);
-        }
-        case Op::prefix:
-            return push(prefix(i.text, pop()));
-        case Op::step: {
-            const Value old = pop();
-            Value one = make(shape(Base::integer), 1, 1);
-            one.data[0] = 1;
-            Value now = infix(i.text.substr(0, 1), old, one);
-            store(old, now);
-            Value shown = i.a ? old : now;
-            shown.variable = -1;
-            return push(shown);
-        }
-        case Op::infix: {
-            const Value b = pop(), a = pop();
-            return push(infix(i.text, a, b));
-        }
-        case Op::choose: {
-            const Value b = pop(), a = pop();
-            return push(choose(pop(), a, b));
-        }
-        case Op::assign: {
-            const Value given = pop(), target = pop();
-            Value v = i.text == "=" ? given : infix(i.text.substr(0, i.text.size() - 1), target, given);
-            v = converted(v, target.type);
-            store(target, v);
-            v.variable = -1;
-            return push(v);
-        }
-        case Op::construct:
-            return push(construct(type(), i.a));
-        case Op::call:
-        case Op::built_in:
-            return call(i);
         case Op::declare: {
             if (i.b == 0) return declare(i.a, nullptr);
             const Value v = pop();
             declare(i.a, &v);
-            if (stack_.size() == statement_stack_) arena_.release(statement_);
-            return;
+            return end_statement();
         }
         case Op::drop:
             pop();
-            if (stack_.size() == statement_stack_) arena_.release(statement_);
-            return;
+            return end_statement();
         case Op::jump:
             at = i.a;
             return;
         case Op::unless:
             if (!is_true(pop())) at = i.a;
-            if (stack_.size() == statement_stack_) arena_.release(statement_);
-            return;
+            return end_statement();
         case Op::back:
             result_.reset();
             if (i.a) result_ = pop();
@@ -250,15 +190,80 @@ void Machine::step(const Instruction& i, int& at) {
             return;
         case Op::discard:
             return stop(End::discarded);
+        case Op::call:
+        case Op::built_in:
+            return call(i);
+        default:
+            return evaluate(i);
     }
+}
+
+void Machine::evaluate(const Instruction& i) {
+    const auto type = [&] { return i.type < 0 ? unknown_type() : u_.code.types[static_cast<std::size_t>(i.type)]; };
+    switch (i.op) {
+        case Op::number:
+            return push(constant(type(), i.number));
+        case Op::load:
+            return push(load(i.a));
+        case Op::select:
+            return push(select(pop(), i.text));
+        case Op::index: {
+            const Value index = pop();
+            return push(element(pop(), index));
+        }
+        case Op::length: {
+            const Type of = pop().type;
+            const int rows = of.cols > 1 ? of.cols : of.rows, known = of.dims == 0 ? rows : of.dims == 1 ? of.size : -1;
+            return push(constant(shape(Base::integer), known > 0 ? known : nothing));
+        }
+        case Op::prefix:
+            return push(prefix(i.text, pop()));
+        case Op::step: {
+            Value old = pop(), now = infix(i, i.text.substr(0, 1), old, constant(shape(Base::integer), 1));
+            store(old, now);
+            old.variable = now.variable = -1;
+            return push(i.a ? old : now);
+        }
+        case Op::infix: {
+            const Value b = pop(), a = pop();
+            return push(infix(i, i.text, a, b));
+        }
+        case Op::choose: {
+            const Value b = pop(), a = pop();
+            return push(choose(pop(), a, b));
+        }
+        case Op::assign: {
+            const Value given = pop(), target = pop();
+            const bool plain = i.text.size() == 1;
+            Value v = plain ? given : infix(i, i.text.substr(0, i.text.size() - 1), target, given);
+            v = converted(v, target.type);
+            store(target, v);
+            v.variable = -1;
+            return push(v);
+        }
+        case Op::construct:
+            return push(construct(type(), i.a));
+        default:
+            return push(unknown(unknown_type()));
+    }
+}
+
+Value Machine::constant(const Type& type, double number) {
+    Value v = make(type, 1, 1);
+    v.data[0] = number;
+    return v;
 }
 
 void Machine::call(const Instruction& i) {
     const auto n = static_cast<std::size_t>(i.a);
     if (stack_.size() < statement_stack_ + n) return stop(End::unknown);
+    if (i.op == Op::built_in) {
+        const Value result = built_in(i, std::span(stack_).last(n));
+        stack_.resize(stack_.size() - n);
+        return push(result);
+    }
     const std::vector<Value> given(stack_.end() - i.a, stack_.end());
     stack_.resize(stack_.size() - n);
-    if (i.op == Op::built_in) return push(built_in(i, given));
     const Function* f = find_function(i, given);
     push(f ? call_user(*f, given) : unknown(unknown_type()));
     if (!f) stop(End::unknown);

@@ -62,6 +62,9 @@ struct Variable {
     double get(int k, int lane) const { return data[static_cast<std::size_t>(k * lanes + (lanes > 1 ? lane : 0))]; }
 };
 
+struct BuiltIn;                               // a function of the language
+using Operator = double (*)(double, double);  // of components
+
 class Machine {
 public:
     enum class End : std::uint8_t { running, done, discarded, unknown };
@@ -79,6 +82,10 @@ public:
 private:
     void execute(int from);
     void step(const Instruction& i, int& at);
+    void evaluate(const Instruction& i);
+    void end_statement() {
+        if (stack_.size() == statement_stack_) arena_.release(statement_);
+    }
     Value pop();
     void push(const Value& v) { stack_.push_back(v); }
     void stop(End end) {
@@ -86,6 +93,7 @@ private:
     }
     Value make(const Type& type, int size, int lanes);
     Value unknown(const Type& type);
+    Value constant(const Type& type, double number);
     Value load(int variable);
     void store(const Value& target, const Value& value);
     void declare(int variable, const Value* value);
@@ -100,7 +108,7 @@ private:
     Value construct(const Type& type, int n);
     Value choose(const Value& condition, const Value& a, const Value& b);
     Value prefix(std::string_view op, const Value& v);
-    Value infix(std::string_view op, const Value& a, const Value& b);
+    Value infix(const Instruction& i, std::string_view op, const Value& a, const Value& b);
     Value multiply(const Value& a, const Value& b);
     Value equal(const Value& a, const Value& b, bool same);
 
@@ -109,13 +117,19 @@ private:
     Value call_user(const Function& f, std::span<const Value> given);
     Value built_in(const Instruction& i, std::span<const Value> given);
     Value by_component(std::span<const Value> given, double (*f)(const double*), const Type& result);
-    Value vector_function(std::string_view name, std::span<const Value> given);
-    Value derivative(const Value& v);
-    Value texture(std::span<const Value> given, const Type& type);
+    Value arithmetic(const BuiltIn& f, std::string_view name, std::span<const Value> given, const Type& type);
+    Value transposed(const Value& m);
+    Value measured(std::string_view name, std::span<const Value> given);
+    Value directed(std::string_view name, std::span<const Value> given);
+    Value differences(const Value& v);
+    Value sampled(std::span<const Value> given, const Type& type);
 
     const Unit& u_;
     int lanes_ = 1, neighbour_ = -1;
     std::vector<Variable> variables_;
+    // For each of the code's steps: what its text means, once it has run.
+    std::vector<const BuiltIn*> functions_;
+    std::vector<Operator> operators_;
     std::vector<Value> stack_;
     Arena arena_;
     Arena::Mark statement_;  // values of the calls around lie before it

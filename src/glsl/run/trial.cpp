@@ -37,8 +37,17 @@ Base base_at(const Unit& u, const Type& type, int k) {
     return Base::unknown;
 }
 
+// By turns: as scenes are, all components of one sign, and of both.
+double real_value(const Type& type, std::string_view name, int k, int round, double u) {
+    if (round % 2 == 1) return 2 * u - .8;
+    if (round % 4 == 2 && type.cols == 1) return random(name, -1, round) < .5 ? -.1 - u : .1 + u;
+    if (type.cols > 1) return (k % (type.rows + 1) == 0 ? 1 : 0) + .2 * u - (k == 14 ? 3 : 0);  // ahead of the eye
+    if (name == "Normal") return k == 2 ? 1 : .3 * u;
+    return name == "Vertex" && k == 3 ? 1 : .05 + u;
+}
+
 // A value of a uniform: each round tries others, of other sizes.
-double uniform_value(Base base, std::string_view name, int k, int round, bool changed) {
+double uniform_value(const Type& type, Base base, std::string_view name, int k, int round, bool changed) {
     const double first = random(name, k, round * 2), u = changed ? random(name, k, round * 2 + 1) : first;
     // Each number and each truth value has its turn.
     const auto turn = [&](int n) {
@@ -49,20 +58,19 @@ double uniform_value(Base base, std::string_view name, int k, int round, bool ch
     if (base == Base::integer || base == Base::uinteger)
         return changed ? std::fmod(turn(4) + 1 + std::floor(u * 3), 4) : turn(4);
     if (base == Base::unknown) return nothing;
+    if (type.cols > 1) return real_value(type, name, k, round, u);
     if (round % 4 == 3) return 2 * u - 1;
     return round % 4 == 1 && random(name, -1, round) < .5 ? 20 * u : .05 + u;
 }
 
 // What vertices and fragments are given.
-double input(Base base, std::string_view name, int k, int round, bool neighbour) {
+double input(const Type& type, Base base, std::string_view name, int k, int round, bool neighbour) {
     const double u = random(name, k, 1000 + round);
     if (base == Base::boolean) return u < .7 ? 1 : 0;
     if (base == Base::integer) return std::floor(u * 3);
     const double step = neighbour ? .01 * (1 + random(name, k, 2000)) : 0;
     if (name == "FragCoord") return 300 * u + step;
-    if (name == "PointCoord") return u + step;
-    // By turns all components of one sign, as lights shine on surfaces then, and of both.
-    return step + (round % 2 == 1 ? 2 * u - .8 : random(name, -1, round) < .5 ? -.1 - u : .1 + u);
+    return (name == "PointCoord" ? u : real_value(type, name, k, round, u)) + step;
 }
 
 struct Place {
@@ -188,7 +196,7 @@ void Trial::give_built_in(Machine& m, Machine* before, std::string_view name, in
         return unknown();
     const bool varies = neighbour_ >= 0 && !uniform;
     m.set(n, varies ? lanes_ : 1, [&](int k, int l) {
-        return input(base_at(m.unit(), m.type_of(n), k), key, k, round_, varies && l == neighbour_);
+        return input(m.type_of(n), base_at(m.unit(), m.type_of(n), k), key, k, round_, varies && l == neighbour_);
     });
 }
 
@@ -236,7 +244,7 @@ void Trial::give_uniform(Machine& m, int n, std::string_view name, int changed) 
     const bool changes = lane < static_cast<int>(lane_names_.size()), own = changes && changed < 0;
     m.set(n, own ? lanes_ : 1, [&](int k, int l) {
         const bool other = changes && (changed < 0 ? l == lane + 1 : lane == changed);
-        return uniform_value(base_at(m.unit(), m.type_of(n), k), name, k, round_, other);
+        return uniform_value(m.type_of(n), base_at(m.unit(), m.type_of(n), k), name, k, round_, other);
     });
 }
 
@@ -247,7 +255,8 @@ void Trial::give_block(Machine& m, const Block& b) {
         const bool known = b.qualifiers.storage == Storage::uniform;
         m.set(place.variable, 1, [&](int n, int) {
             const Base base = base_at(m.unit(), m.type_of(place.variable), n);
-            return known ? uniform_value(base, b.members[k].name, n, round_, false) : nothing;
+            return known ? uniform_value(m.type_of(place.variable), base, b.members[k].name, n, round_, false)
+                         : nothing;
         });
     }
 }
@@ -270,7 +279,8 @@ void Trial::give(Machine& m, Machine* before, bool known, int changed) {
             m.set(g.variable, varies ? lanes_ : 1, [&](int k, int l) {
                 if (m.type_of(g.variable).base != Base::real) return nothing;
                 if (k >= facts.rows) return 0.;  // as assign_attributes widens it
-                return input(Base::real, facts.name.substr(6), k, round_, varies && l == neighbour_);
+                return input(m.type_of(g.variable), Base::real, facts.name.substr(6), k, round_,
+                             varies && l == neighbour_);
             });
         }
     }
@@ -335,7 +345,7 @@ void Trial::try_values() {
 }
 
 std::set<std::string_view> Trial::run() {
-    budget_ = 4000 + 20 * tokens_;
+    budget_ = 2000 + 5 * tokens_;
     const auto open = [&](const Tried& t) { return t.wanted && !found_.contains(t.name); };
     for (round_ = 0; round_ < most_rounds && budget_ > 0; ++round_) {
         if (round_ > 0 && std::ranges::none_of(uniforms_, open)) break;

@@ -22,8 +22,6 @@ double if_known(double a, double b, F f) {
     return std::isnan(a) || std::isnan(b) ? nothing : static_cast<double>(f(a, b));
 }
 
-using Operator = double (*)(double, double);
-
 template <class F>
 double bits(double a, double b, F f) {
     return if_known(a, b, [&](double x, double y) {
@@ -70,7 +68,8 @@ Operator operator_of(std::string_view op, bool whole) {
 }
 
 bool compares(std::string_view op) {
-    return op.starts_with('<') || op.starts_with('>') || op == "&&" || op == "||" || op == "^^";
+    const bool twice = op.size() == 2 && op[0] == op[1];  // && || ^^, and << >>
+    return op[0] == '<' || op[0] == '>' ? !twice : twice;
 }
 
 }  // namespace
@@ -180,18 +179,19 @@ Value Machine::multiply(const Value& a, const Value& b) {
     return out;
 }
 
-Value Machine::infix(std::string_view op, const Value& a, const Value& b) {
-    if (op == "==" || op == "!=") return equal(a, b, op == "==");
+Value Machine::infix(const Instruction& i, std::string_view op, const Value& a, const Value& b) {
+    if (op.size() == 2 && op[1] == '=' && (op[0] == '=' || op[0] == '!')) return equal(a, b, op[0] == '=');
     if (!a.type.basic() || !b.type.basic() || a.type.dims || b.type.dims) return unknown(unknown_type());
     const bool matrix = a.type.cols > 1 || b.type.cols > 1;
-    if (op == "*" && matrix && a.size > 1 && b.size > 1) return multiply(a, b);
+    if (op[0] == '*' && matrix && a.size > 1 && b.size > 1) return multiply(a, b);
     if (a.size != b.size && a.size != 1 && b.size != 1) return unknown(unknown_type());
     const Value& large = a.size >= b.size ? a : b;
     Value out = make(large.type, large.size, std::max(a.lanes, b.lanes));
     out.variable = -1;
     out.type.base = compares(op) ? Base::boolean : std::max(a.type.base, b.type.base);
     const bool whole = out.type.integral();
-    const Operator f = operator_of(op, whole);
+    Operator& f = operators_[static_cast<std::size_t>(&i - u_.code.steps.data())];
+    if (!f) f = operator_of(op, whole);
     for (int k = 0; k < out.size; ++k) {
         const double *x = a.data + (a.size > 1 ? k : 0) * a.lanes, *y = b.data + (b.size > 1 ? k : 0) * b.lanes;
         double* to = out.data + k * out.lanes;
