@@ -121,6 +121,12 @@ TEST(Uses, OfAConstantVaryingThatHidesAUniform) {
               "uA?");
 }
 
+TEST(Uses, OfStructuresThatHoldThemselvesAreNotCounted) {
+    EXPECT_EQ(uses_of({{Stage::fragment,
+                        in_main("struct S { float f; S s; }; uniform S uS;", "gl_FragColor = vec4(uS.f);")}}),
+              "uS?");
+}
+
 TEST(Uses, SayTypeSizeAndInitialValue) {
     const auto declared =
         fragment(

@@ -11,8 +11,9 @@ int count(const Unit& unit, const Type& type) {
     int one = 0;
     if (type.base == Base::structure && type.structure >= 0) {
         for (const Member& m : unit.structure(type).members) {
-            const int size = count(unit, m.type);
-            if (size == 0) return 0;
+            const bool inside_itself = m.type.structure >= type.structure;  // an error of the text
+            const int size = inside_itself ? 0 : count(unit, m.type);
+            if (size == 0 || size > most - one) return 0;
             one += size;
         }
     } else if (type.base != Base::unknown && type.base != Base::none) {

@@ -234,7 +234,7 @@ Value Machine::component(const Value& v, std::string_view swizzle) {
 
 Value Machine::select(const Value& v, std::string_view member) {
     if (v.type.base != Base::structure || v.type.dims || v.type.structure < 0) return component(v, member);
-    int first = 0;
+    int first = count(u_, v.type) == v.size ? 0 : v.size;  // or its members are not known
     for (const Member& m : u_.structure(v.type).members) {
         const int size = count(u_, m.type);
         if (size == 0 || first + size > v.size) break;
