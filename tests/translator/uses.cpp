@@ -55,6 +55,9 @@ const Row rows[] = {
     {"uA? uB+", in_main(a, "gl_FragColor = vec4(sqrt(-1. - uA * uA), uB, 1., 1.);")},
     {"uA? uB?", in_main(a, "gl_FragColor = vec4(uA, uB, 1., 1.) / 0.;")},
     {"uA? uB?", in_main(a, "gl_FragColor = vec4(normalize(vec3(0.)) * uA, uB * log(0.));")},
+    {"uA? uB+", in_main(a + "float g;", "gl_FragColor = vec4(uA * g, uB, g + uA, 1.);")},
+    {"uA? uB+", in_main(a + "\n#define LOCAL float x\n", "LOCAL; gl_FragColor = vec4(uA + x, uB, 1., 1.);")},
+    {"uA? uB+", in_main(a + "float f() { if (uB > 9.) return 1.; }", "gl_FragColor = vec4(f() + uA, uB, 1., 1.);")},
     // With an effect.
     {"uA+ uB+", in_main(a, "gl_FragColor = vec4(uA, 0., 0., 1.); gl_FragColor.g = uB;")},
     {"uA+ uB+", in_main(a, "gl_FragColor = mix(vec4(1.), vec4(0.), uA); if (uB < .3) discard;")},

@@ -21,7 +21,7 @@ enum class Op : unsigned char {
     construct,  // a values; `type`
     call,       // a values; text: the name; b: Unit::functions, or -1 where it is declared further down
     built_in,   // the same for a function of the language; `type` is that of the result
-    declare,    // the variable a begins: with the value, where b is 1
+    declare,    // the variable a begins; b: with zero (0), with the value (1), with what GLSL leaves undefined (2)
     drop,       // the value of a statement
     jump,       // to a
     unless,     // condition → ; to a where it is false

@@ -49,11 +49,16 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     // Without a value it has what another program left in a register.
     const bool whole = g.init_first < 0 && (is(";") || is(","));  // else the driver's message is of what is wrong here
     const bool again = type.dims > 0 && find(g.name);             // an array may only be getting its size
+    const bool color = q.storage == Storage::out && u_.stage == Stage::fragment;
+    bool undefined = global && (q.storage == Storage::plain || color);
+    if (!global && g.init_first < 0) undefined = true;
     if (!global && whole && !again && q.storage == Storage::plain && u_.at(p_ - 1).macro < 0)
-        if (const std::string value_of = zero_of(u_.structs, type); !value_of.empty())
+        if (const std::string value_of = zero_of(u_.structs, type); !value_of.empty()) {
             u_.edit(p_ - 1).after += " = " + value_of;
+            undefined = false;
+        }
     g.variable = variable(g.type);
-    emit(Op::declare, g.variable, {}, g.init_first >= 0 ? 1 : 0);
+    emit(Op::declare, g.variable, {}, g.init_first >= 0 ? 1 : undefined ? 2 : 0);
     Symbol symbol{g.type, -1, g.variable, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant,
                   false,  {}};
     if (symbol.constant) symbol.value = value;

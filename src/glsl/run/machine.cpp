@@ -130,11 +130,18 @@ Value Machine::load(int n) {
     return v;
 }
 
-void Machine::declare(int n, const Value* value) {
+void Machine::begin(int n, double number) {
     Variable& to = variable(n);
     if (to.given) return;
-    if (!value) return set(n, 1, [](int, int) { return 0.; });
-    const Value v = converted(*value, type_of(n));
+    if (count(u_, type_of(n)) == 0) number = nothing;
+    to.lanes = 1;
+    to.data.assign(static_cast<std::size_t>(to.size), number);
+}
+
+void Machine::declare(int n, const Value& value) {
+    Variable& to = variable(n);
+    if (to.given) return;
+    const Value v = converted(value, type_of(n));
     if (v.size != to.size) return set(n, 1, [](int, int) { return nothing; });
     to.lanes = v.lanes;
     to.data.assign(v.data, v.data + v.size * v.lanes);
@@ -170,9 +177,9 @@ bool Machine::is_true(const Value& condition) {
 void Machine::step(const Instruction& i, int& at) {
     switch (i.op) {
         case Op::declare: {
-            if (i.b == 0) return declare(i.a, nullptr);
+            if (i.b != 1) return begin(i.a, i.b == 0 ? 0. : nothing);
             const Value v = pop();
-            declare(i.a, &v);
+            declare(i.a, v);
             return end_statement();
         }
         case Op::drop:
@@ -293,7 +300,8 @@ Value Machine::call_user(const Function& f, std::span<const Value> given) {
     }
     for (std::size_t n = 0; n < given.size(); ++n) {
         const Parameter& p = f.parameters[n];
-        if (p.variable >= 0) declare(p.variable, p.storage == Storage::out ? nullptr : &given[n]);
+        if (p.variable >= 0 && p.storage == Storage::out) begin(p.variable, nothing);
+        if (p.variable >= 0 && p.storage != Storage::out) declare(p.variable, given[n]);
     }
     const Arena::Mark statement = statement_;
     const std::size_t stack = statement_stack_;

@@ -96,7 +96,8 @@ private:
     Value constant(const Type& type, double number);
     Value load(int variable);
     void store(const Value& target, const Value& value);
-    void declare(int variable, const Value* value);
+    void begin(int variable, double number);
+    void declare(int variable, const Value& value);
     bool is_true(const Value& condition);
 
     Value select(const Value& v, std::string_view member);

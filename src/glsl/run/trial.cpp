@@ -106,9 +106,9 @@ private:
     Result draw(int lanes, int neighbour, std::uint64_t& alive, int changed);
     void give_uniform(Machine& m, int n, std::string_view name, int changed);
     void give_block(Machine& m, const Block& b);
-    void give(Machine& m, Machine* before, bool known, int changed);
+    void give(Machine& m, Machine* before, int changed);
     void give_built_in(Machine& m, Machine* before, std::string_view name, int n);
-    void give_interface(Machine& m, Machine& before, bool known);
+    void give_interface(Machine& m, Machine& before);
     void collect(Machine& m, int variable, Outputs& out);
 
     const std::vector<Tried>& uniforms_;
@@ -116,6 +116,7 @@ private:
     std::set<std::string_view> found_;
     std::vector<std::string_view> lane_names_;  // the uniform that lane n + 1 changes
     bool derives_ = false;                      // some stage asks for derivatives
+    bool known_ = false;                        // what the stage before has given
     int tokens_ = 0, budget_ = 0;
     int round_ = 0, lanes_ = 1, neighbour_ = -1;
 };
@@ -172,7 +173,7 @@ void Trial::give_built_in(Machine& m, Machine* before, std::string_view name, in
     const bool color = name == "gl_Color" || name == "gl_SecondaryColor", texcoord = name == "gl_TexCoord";
     const bool passes = fragment && (color || texcoord || name == "gl_FogFragCoord");
     const auto unknown = [&] { m.set(n, 1, [](int, int) { return nothing; }); };
-    if (passes && before->unit().stage != Stage::vertex) return unknown();
+    if (passes && (!known_ || before->unit().stage != Stage::vertex)) return unknown();
     if (passes) {
         const std::string from = color ? "gl_Front" + std::string(key) : std::string(name);
         if (color && find_built_in(before->unit(), "gl_Back" + std::string(key)) >= 0) return unknown();
@@ -200,11 +201,11 @@ void Trial::give_built_in(Machine& m, Machine* before, std::string_view name, in
     });
 }
 
-void Trial::give_interface(Machine& m, Machine& before, bool known) {
+void Trial::give_interface(Machine& m, Machine& before) {
     const Unit &u = m.unit(), &from = before.unit();
     const auto copy = [&](int to, int first, int size, const Place& place) {
         Variable& v = m.variable(to);
-        if (place.variable < 0 || place.size != size || !known || first + size > v.size) return;
+        if (place.variable < 0 || place.size != size || !known_ || first + size > v.size) return;
         const Variable& w = before.variable(place.variable);
         if (w.lanes > v.lanes) {
             const Variable narrow = v;
@@ -248,20 +249,21 @@ void Trial::give_uniform(Machine& m, int n, std::string_view name, int changed) 
     });
 }
 
+// The same numbers in all stages, whether they have a name for the block as a whole or not.
 void Trial::give_block(Machine& m, const Block& b) {
-    for (std::size_t k = 0; k < b.members.size(); ++k) {
-        const Place place = member_place(m.unit(), b, k);
-        if (place.variable < 0) continue;
-        const bool known = b.qualifiers.storage == Storage::uniform;
-        m.set(place.variable, 1, [&](int n, int) {
-            const Base base = base_at(m.unit(), m.type_of(place.variable), n);
-            return known ? uniform_value(m.type_of(place.variable), base, b.members[k].name, n, round_, false)
-                         : nothing;
+    if (b.variable < 0) return;
+    const bool known = b.qualifiers.storage == Storage::uniform;
+    int before = 0;
+    for (int n = b.variable; n < b.variable + (b.instance.empty() ? static_cast<int>(b.members.size()) : 1); ++n) {
+        m.set(n, 1, [&](int k, int) {
+            const Base base = base_at(m.unit(), m.type_of(n), k);
+            return known ? uniform_value(Type(), base, b.name, before + k, round_, false) : nothing;
         });
+        before += m.variable(n).size;
     }
 }
 
-void Trial::give(Machine& m, Machine* before, bool known, int changed) {
+void Trial::give(Machine& m, Machine* before, int changed) {
     const Unit& u = m.unit();
     for (const auto& [name, n] : u.built_ins) give_built_in(m, before, name, n);
     for (const Block& b : u.blocks) give_block(m, b);
@@ -284,7 +286,7 @@ void Trial::give(Machine& m, Machine* before, bool known, int changed) {
             });
         }
     }
-    if (before) give_interface(m, *before, known);
+    if (before) give_interface(m, *before);
 }
 
 // `changed`: the uniform that has its other value in all lanes; -1: each in its own lane.
@@ -294,7 +296,8 @@ Trial::Result Trial::draw(int lanes, int neighbour, std::uint64_t& alive, int ch
     result.lanes = static_cast<std::size_t>(lanes);
     Machine* before = nullptr;
     for (Machine& m : machines_) {
-        give(m, before, result.end == Machine::End::done, changed);
+        known_ = result.end == Machine::End::done;
+        give(m, before, changed);
         result.end = m.unit().code.whole ? m.run(lanes, neighbour, alive, budget_) : Machine::End::unknown;
         const bool last = m.unit().stage == Stage::vertex && machines_.size() == 2;
         if (last && result.end == Machine::End::done)
