@@ -100,9 +100,11 @@ Expression Parser::call(int name_token) {
         before.before = "vec4(" + before.before;
         u_.edit(e.last).after += ")";
     }
-    if (modern.empty() && builtin_signatures(name).empty()) u_.unknown_calls.try_emplace(name, name_token);
+    const bool ours = !modern.empty() || !builtin_signatures(name).empty();
+    if (!ours) u_.unknown_calls.try_emplace(name, name_token);
     call_builtin(e, modern.empty() ? name : modern, given);
-    if (const auto later = foreseen_.find(name); later != foreseen_.end() && builtin_signatures(name).empty()) {
+    if (const auto later = foreseen_.find(name);
+        later != foreseen_.end() && (!ours || (!modern.empty() && builtin_signatures(name).empty()))) {
         e.type = later->second;
         e.constant = false;
     }
@@ -113,7 +115,6 @@ Expression Parser::call(int name_token) {
         u_.edit(given[1].last).after += ", 0.5)";
     }
     if (wraps) e.type = make_type(Base::real, 4);
-    const bool ours = !modern.empty() || !builtin_signatures(name).empty();
     if (ours)
         emit(Op::built_in, static_cast<int>(given.size()), modern.empty() ? name : modern, e.type);
     else

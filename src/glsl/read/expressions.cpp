@@ -53,8 +53,9 @@ bool takes(std::string_view op, const Type& a, const Type& b) {
 }  // namespace
 
 void Parser::emit(Op op, int a, std::string_view text, const Type& type, double number) {
-    u_.code.steps.push_back({op, a, 0, static_cast<int>(u_.code.types.size()), number, text});
-    u_.code.types.push_back(type);
+    auto& types = u_.code.types;
+    if (types.empty() || !types.back().same(type) || types.back().size != type.size) types.push_back(type);
+    u_.code.steps.push_back({op, a, 0, static_cast<int>(types.size()) - 1, number, text});
 }
 
 int Parser::variable(const Type& type) {

@@ -25,6 +25,7 @@ void Parser::foresee() {
 
 void Parser::run() {
     foresee();
+    u_.code.steps.reserve(u_.tokens.size());
     open_scope();
     while (!at_end()) {
         const int before = p_;

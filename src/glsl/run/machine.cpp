@@ -49,7 +49,6 @@ Machine::Machine(const Unit& unit) : u_(unit), functions_(unit.code.steps.size()
     for (const Type& type : u_.code.variables) {
         Variable v;
         v.size = std::max(count(u_, type), 1);
-        v.data.assign(static_cast<std::size_t>(v.size), nothing);
         variables_.push_back(std::move(v));
     }
 }

@@ -75,7 +75,11 @@ public:
     End run(int lanes, int neighbour, std::uint64_t& alive, int& budget);
 
     const Unit& unit() const { return u_; }
-    Variable& variable(int n) { return variables_[static_cast<std::size_t>(n)]; }
+    Variable& variable(int n) {
+        Variable& v = variables_[static_cast<std::size_t>(n)];
+        if (v.data.empty()) v.data.assign(static_cast<std::size_t>(v.size), nothing);
+        return v;
+    }
     const Type& type_of(int n) const { return u_.code.variables[static_cast<std::size_t>(n)]; }
     void set(int n, int lanes, const std::function<double(int k, int lane)>& value);
 
