@@ -95,10 +95,10 @@ struct DeclaredUniform {
         unsure,  // the driver has to be asked
         sure,    // a change of it changes what the program draws
     };
-    std::string name;       // the scene's
-    std::string glsl_type;  // that all stages agree on
-    int array_size = 0;     // 0: no array, or one of unknown size
-    bool simple = true;     // a number, a vector or a matrix; no array, structure, sampler or member of a block
+    std::string name;             // the scene's
+    std::string glsl_type;        // that all stages agree on
+    int array_size = 0;           // 0: no array, or one of unknown size
+    bool simple = true;           // a number, a vector or a matrix; no array, structure, sampler or member of a block
     std::vector<double> initial;  // its initialiser; empty: none
     Use use = Use::unsure;
 };
@@ -109,7 +109,7 @@ struct Translation {
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
     std::vector<DeclaredUniform> declared;  // stage by stage, as the texts declare them; each once
-    bool uses_alpha = true;  // false: every colour output is known to have alpha 1
+    bool uses_alpha = true;                 // false: every colour output is known to have alpha 1
     // Every vertex goes where the model-view-projection matrix puts it, and no stage reads a depth or the projection:
     // the near and the far plane may be moved without any other change.
     bool plain_depth = false;
