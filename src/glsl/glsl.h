@@ -51,7 +51,7 @@ struct DeclaredUniform {
     // A number, vector or matrix: no array, structure, sampler or member of a block.
     bool simple = true;
     std::vector<double> initial;  // of its initialiser; empty: none
-    Use use = Use::unsure;
+    Use use = Use::unsure;        // none, sure: only if Options::find_uses
 };
 
 // A uniform that keeps its value, column by column: it is written as a constant.
@@ -78,7 +78,8 @@ struct Options {
     // Where GLSL leaves a result undefined (x / 0.), it is what it is at run time, even if the driver could fold it:
     // for a program some of whose uniforms are written as constants, so that its picture stays the same.
     bool undefined_at_run_time = false;
-    int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
+    bool find_uses = false;  // DeclaredUniform::use is wanted
+    int color_outputs = 1;   // render targets at once: gl_FragColor is written to each
     IncludeReader include;
     Limits limits;  // of includes and of nesting
 };
@@ -119,7 +120,7 @@ struct Translation {
     std::vector<StageOutput> stages;
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
-    std::vector<DeclaredUniform> declared;  // stage by stage, as declared; each name once
+    std::vector<DeclaredUniform> declared;  // stage by stage, as the texts declare them; each once
     std::vector<Settled> settled;           // those of Options::settle that became constants
     bool uses_alpha = true;                 // false: every colour output is known to have alpha 1
     // Every vertex goes where the model-view-projection matrix puts it, and no stage reads a depth or the projection:

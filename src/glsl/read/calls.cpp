@@ -100,9 +100,11 @@ Expression Parser::call(int name_token) {
         before.before = "vec4(" + before.before;
         u_.edit(e.last).after += ")";
     }
-    if (modern.empty() && builtin_signatures(name).empty()) u_.unknown_calls.try_emplace(name, name_token);
+    const bool ours = !modern.empty() || !builtin_signatures(name).empty();
+    if (!ours) u_.unknown_calls.try_emplace(name, name_token);
     call_builtin(e, modern.empty() ? name : modern, given);
-    if (const auto later = foreseen_.find(name); later != foreseen_.end() && builtin_signatures(name).empty()) {
+    if (const auto later = foreseen_.find(name);
+        later != foreseen_.end() && (!ours || (!modern.empty() && builtin_signatures(name).empty()))) {
         e.type = later->second;
         e.constant = false;
     }
@@ -113,6 +115,10 @@ Expression Parser::call(int name_token) {
         u_.edit(given[1].last).after += ", 0.5)";
     }
     if (wraps) e.type = make_type(Base::real, 4);
+    if (ours)
+        emit(Op::built_in, static_cast<int>(given.size()), modern.empty() ? name : modern, e.type);
+    else
+        emit(Op::call, static_cast<int>(given.size()), name, -1);
     return e;
 }
 
@@ -143,6 +149,7 @@ bool Parser::foreign_function(std::string_view name, std::vector<Expression>& gi
         u_.replace(result.first, "(");
         u_.replace(given[0].last + 1, ") * (");
         u_.replace(result.last, "))");
+        emit(Op::infix, 0, "*");
         const int first = result.first, last = result.last;
         result = combine(given[0], given[1], "*");
         result.first = first;
@@ -154,6 +161,7 @@ bool Parser::foreign_function(std::string_view name, std::vector<Expression>& gi
             result.type = given[0].type;
         else
             call_builtin(result, found->ours, given);
+        emit(Op::built_in, static_cast<int>(given.size()), name == "saturate" ? name : found->ours, result.type);
     }
     diagnostics_.warning("foreign-function", u_.span(result.first),
                          "'" + std::string(name) + "' is not a function of GLSL; it is read as " +
@@ -186,6 +194,7 @@ bool Parser::call_user(Expression& result, std::string_view name, std::vector<Ex
     }
     if (!any || (!best && !builtin_signatures(name).empty())) return false;
     result.constant = false;
+    emit(Op::call, static_cast<int>(given.size()), name, best ? static_cast<int>(best - u_.functions.data()) : -1);
     if (best && target_.es && !builtin_signatures(name).empty())
         u_.replace(result.first, "snell_user_" + std::string(name));
     if (!best) {

@@ -12,6 +12,7 @@ void Parser::declarators(const Qualifiers& q, Type type, Group group, bool globa
         if (!accept(",")) break;
     }
     if (!is(";")) {
+        give_up();
         if (!global) return skip_to_semicolon();
         u_.groups.back().last = -1;  // not understood: left as it is
         return skip_declaration();
@@ -48,10 +49,18 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     // Without a value it has what another program left in a register.
     const bool whole = g.init_first < 0 && (is(";") || is(","));  // else the driver's message is of what is wrong here
     const bool again = type.dims > 0 && find(g.name);             // an array may only be getting its size
+    const bool color = q.storage == Storage::out && u_.stage == Stage::fragment;
+    bool undefined = global && (q.storage == Storage::plain || color);
+    if (!global && g.init_first < 0) undefined = true;
     if (!global && whole && !again && q.storage == Storage::plain && u_.at(p_ - 1).macro < 0)
-        if (const std::string value_of = zero_of(u_.structs, type); !value_of.empty())
+        if (const std::string value_of = zero_of(u_.structs, type); !value_of.empty()) {
             u_.edit(p_ - 1).after += " = " + value_of;
-    Symbol symbol{g.type, -1, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant, false, {}};
+            undefined = false;
+        }
+    g.variable = variable(g.type);
+    emit(Op::declare, g.variable, {}, g.init_first >= 0 ? 1 : undefined ? 2 : 0);
+    Symbol symbol{g.type, -1, g.variable, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant,
+                  false,  {}};
     if (symbol.constant) symbol.value = value;
     if (global && g.type.base == Base::sampler && q.storage == Storage::plain) {
         diagnostics_.warning("sampler-not-uniform", u_.span(g.name_token), "a sampler is a uniform: taken as one");
@@ -94,6 +103,7 @@ Expression Parser::initialiser(const Type& due) {
         p_ = open;
         skip_balanced();
         --depth_;
+        give_up();
         return list;
     }
     while (!at_end() && !is("}")) {
@@ -109,6 +119,7 @@ Expression Parser::initialiser(const Type& due) {
     --depth_;
     const int close = p_;
     if (!accept("}")) {
+        give_up();
         p_ = open;
         skip_balanced();
         return list;
@@ -116,6 +127,7 @@ Expression Parser::initialiser(const Type& due) {
     if (!known) list.value.clear();
     list.last = close;
     if (due.dims > 0) list.type.size = count;
+    emit(Op::construct, count, {}, list.type);
     if ((target_.es || target_.version < 420) && due.structure < 0 && !due.name.empty() && element.dims == 0) {
         u_.replace(open, std::string(due.name) + (due.dims > 0 ? "[" + std::to_string(count) + "]" : "") + "(");
         u_.replace(close, ")");
@@ -160,7 +172,8 @@ void Parser::function(const Type& result, int first, int name) {
             const std::string_view parameter_name = text();
             const int name_at = p_++;
             dimensions(parameter.type, nullptr);
-            declare(parameter_name, {parameter.type, -1, false, false, {}});
+            parameter.variable = variable(parameter.type);
+            declare(parameter_name, {parameter.type, -1, parameter.variable, false, false, {}});
             if (parameter.storage == Storage::out) given.emplace_back(name_at, parameter.type);
         }
         if (parameter.type.base != Base::none) f.parameters.push_back(parameter);
@@ -179,7 +192,11 @@ void Parser::function(const Type& result, int first, int name) {
         u_.functions[index].open = p_;
         for (const auto& [parameter_name, type] : given) give_parameter(parameter_name, type);
         result_ = result;
+        const int around = emit(Op::jump);
+        u_.functions[index].code = here();
         compound();
+        u_.functions[index].code_end = emit(Op::back);
+        land(around);
         u_.functions[index].close = p_ - 1;
     } else {
         accept(";");
@@ -188,7 +205,7 @@ void Parser::function(const Type& result, int first, int name) {
     if (const Symbol* variable = find(function_name); variable && !variable->function)
         u_.shared_by_kinds.insert(function_name);
     else
-        declare(function_name, {result, -1, false, true, {}});
+        declare(function_name, {result, -1, -1, false, true, {}});
 }
 
 }  // namespace snell::glsl

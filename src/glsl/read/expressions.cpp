@@ -52,6 +52,17 @@ bool takes(std::string_view op, const Type& a, const Type& b) {
 
 }  // namespace
 
+void Parser::emit(Op op, int a, std::string_view text, const Type& type, double number) {
+    auto& types = u_.code.types;
+    if (types.empty() || !types.back().same(type) || types.back().size != type.size) types.push_back(type);
+    u_.code.steps.push_back({op, a, 0, static_cast<int>(types.size()) - 1, number, text});
+}
+
+int Parser::variable(const Type& type) {
+    u_.code.variables.push_back(type);
+    return static_cast<int>(u_.code.variables.size()) - 1;
+}
+
 void Parser::note_operands(const Expression& a, const Expression& b, std::string_view op) {
     if (a.first < 0 || b.last < a.first || !known(a.type) || !known(b.type) || takes(op, a.type, b.type)) return;
     const Span first = u_.span(a.first), last = u_.span(b.last);
@@ -146,6 +157,7 @@ Expression Parser::expression() {
         // An operand before a comma that has no effect is removed: OpenGL ES 1.00 has constants with commas.
         if (e.constant && first >= 0 && e.last == p_ - 1) u_.erase(first, p_);
         ++p_;
+        emit(Op::drop);
         e = assignment();
         e.first = first;
     }
@@ -159,6 +171,8 @@ Expression Parser::assignment() {
         skip_balanced();
         e.last = p_ - 1;
         e.constant = false;
+        emit(Op::unknown);
+        give_up();
         return e;
     }
     ++depth_;
@@ -174,6 +188,7 @@ Expression Parser::assignment() {
         if (op != "<<=" && op != ">>=") convert(value, due, plain ? Due::assignment : Due::operand);
         if (!plain) mark_division(nullptr, value, op.substr(0, 1));
         note_write(target, &value, op);
+        emit(Op::assign, 0, op);
         target.last = value.last >= 0 ? value.last : p_ - 1;
         target.constant = false;
         target.value.clear();
@@ -191,6 +206,7 @@ Expression Parser::ternary() {
     Expression a = expression();
     accept(":");
     Expression b = assignment();
+    emit(Op::choose);
     note_operands(a, b, "?:");
     if (a.type.base != b.type.base && a.type.numeric() && b.type.numeric()) {
         const Base base = std::max(a.type.base, b.type.base);
@@ -257,6 +273,7 @@ Expression Parser::binary(int least) {
         const std::string_view op = text();
         ++p_;
         Expression right = binary(level + 1);
+        emit(Op::infix, 0, op);
         left = combine(std::move(left), std::move(right), op);
     }
     return left;
@@ -274,7 +291,9 @@ Expression Parser::unary() {
     --depth_;
     note_operand(e, op);
     e.first = first;
-    if (op == "++" || op == "--") {
+    const bool steps = op == "++" || op == "--";
+    emit(steps ? Op::step : Op::prefix, 0, op);
+    if (steps) {
         note_write(e, nullptr, op);
         e.constant = false;
     }

@@ -11,6 +11,7 @@ namespace snell::glsl {
 
 void Parser::select(Expression& e, std::string_view member) {
     e.selected = true;
+    emit(Op::select, 0, member);
     if (member.starts_with("gl_")) {
         const LegacyName* legacy = legacy_name(member);
         e.type = {};
@@ -59,7 +60,11 @@ void Parser::select(Expression& e, std::string_view member) {
 bool Parser::index(Expression& e) {
     const Expression at = expression();
     if (at.type.base == Base::real) convert(at, make_type(Base::integer), Due::operand);
-    if (!accept("]")) return false;
+    emit(Op::index);
+    if (!accept("]")) {
+        give_up();
+        return false;
+    }
     if (e.global >= 0 && !e.selected) {
         Global& g = u_.globals[static_cast<std::size_t>(e.global)];
         if (at.value.size() == 1 && at.value[0] < 1e6)
@@ -88,6 +93,7 @@ bool Parser::index(Expression& e) {
 
 // e.length(), behind its name.
 void Parser::length(Expression& e) {
+    emit(Op::length);
     skip_balanced();
     e.value = e.type.size > 0 ? std::vector<double>{static_cast<double>(e.type.size)} : std::vector<double>{};
     e.constant = true;
@@ -115,12 +121,14 @@ Expression Parser::postfix() {
             diagnostics_.error("not-a-function", u_.span(p_),
                                "the expression before this parenthesis is not a function");
             skip_balanced();
+            give_up();
             e = Expression{};
             e.constant = false;
             continue;
         } else if (is("++") || is("--")) {
             note_operand(e, text());
             note_write(e, nullptr, text());
+            emit(Op::step, 1, text());
             ++p_;
             e.constant = false;
             e.value.clear();
@@ -151,6 +159,7 @@ Expression Parser::number() {
         std::from_chars(t.data(), t.data() + t.size(), v);
         e.value = {v};
     }
+    emit(Op::number, 0, {}, e.type, e.value.front());
     ++p_;
     return e;
 }
@@ -175,6 +184,8 @@ Expression Parser::primary() {
     }
     if (t.kind != Kind::identifier) {
         e.constant = false;
+        emit(Op::unknown);
+        give_up();
         if (t.kind == Kind::other) ++p_;
         return e;
     }
@@ -182,6 +193,7 @@ Expression Parser::primary() {
         ++p_;
         e.type = make_type(Base::boolean);
         e.value = {t.text == "true" ? 1. : 0.};
+        emit(Op::number, 0, {}, e.type, e.value.front());
         return e;
     }
     const Symbol* symbol = find(t.text);
@@ -214,6 +226,7 @@ Expression Parser::cast() {
     ++depth_;
     Expression e = depth_ > 200 ? Expression{} : unary();
     --depth_;
+    emit(Op::construct, 1, {}, type);
     if (e.last >= first + 3) {
         u_.replace(first, "");
         u_.replace(first + 2, "(");
@@ -239,6 +252,10 @@ Expression Parser::name() {
         u_.tokens[static_cast<std::size_t>(e.first)].text = t = meaning;
     }
     if (symbol && !symbol->function) {
+        if (symbol->variable >= 0)
+            emit(Op::load, symbol->variable);
+        else
+            emit(Op::unknown);
         e.type = symbol->type;
         e.constant = symbol->constant;
         e.value = symbol->value;
@@ -258,6 +275,17 @@ Expression Parser::name() {
         e.constant = t.starts_with("gl_Max");
     }
     if (t == "gl_in" || t == "gl_out") e.type.dims = 1;
+    if (e.legacy.empty()) {
+        emit(Op::unknown);
+    } else {
+        const auto [known, fresh] = u_.built_ins.try_emplace(t, -1);
+        if (fresh) {
+            Type type = e.type;
+            if (type.dims == 1) type.size = legacy_name(t)->size;
+            known->second = variable(type);
+        }
+        emit(Op::load, known->second);
+    }
     return e;
 }
 
@@ -272,6 +300,7 @@ std::vector<Expression> Parser::arguments() {
         if (p_ == before) ++p_;
     }
     if (!accept(")") && !at_end()) {
+        give_up();
         // The arguments were not understood: parsing resumes after the closing parenthesis, within the statement.
         int open = 1;
         while (!at_end() && !is(";") && !is("{") && !is("}") && open > 0) {
@@ -291,6 +320,8 @@ Expression Parser::constructor(const Type& type, int first) {
     if (!is("(")) {
         e.last = p_ - 1;
         e.constant = false;
+        emit(Op::unknown);
+        give_up();
         return e;
     }
     const std::vector<Expression> given = arguments();
@@ -307,8 +338,10 @@ Expression Parser::constructor(const Type& type, int first) {
         --element.dims;
         for (const Expression& a : given) convert(a, element, Due::argument);
         if (e.type.size < 0) e.type.size = static_cast<std::int32_t>(given.size());
+        emit(Op::construct, static_cast<int>(given.size()), {}, e.type);
         return e;
     }
+    emit(Op::construct, static_cast<int>(given.size()), {}, e.type);
     if (type.base == Base::structure) {
         const Struct& s = u_.structure(type);
         for (std::size_t n = 0; n < given.size() && n < s.members.size(); ++n)

@@ -25,6 +25,7 @@ void Parser::foresee() {
 
 void Parser::run() {
     foresee();
+    u_.code.steps.reserve(u_.tokens.size());
     open_scope();
     while (!at_end()) {
         const int before = p_;
@@ -78,6 +79,7 @@ void Parser::skip_to_semicolon() {
 }
 
 void Parser::skip_declaration() {
+    give_up();
     while (!at_end() && !is(";")) {
         if (is("{")) {
             skip_balanced();
@@ -260,6 +262,7 @@ int Parser::dimensions(Type& type, std::string* written) {
         std::int32_t size = -1;
         if (!is("]")) {
             const Expression e = expression();
+            emit(Op::drop);
             if (e.value.size() == 1 && e.value[0] >= 0 && e.value[0] < 1e6)
                 size = static_cast<std::int32_t>(e.value[0]);
         }
@@ -298,9 +301,12 @@ void Parser::block(const Qualifiers& q, int first) {
         b.instance = text();
         ++p_;
         b.arrayed = dimensions(type, nullptr) > 0;
-        declare(b.instance, {type, -1, false, false, {}});
+        if (b.arrayed) give_up();
+        b.variable = variable(type);
+        declare(b.instance, {type, -1, b.variable, false, false, {}});
     } else {
-        for (const Member& m : b.members) declare(m.name, {m.type, -1, false, false, {}});
+        b.variable = static_cast<int>(u_.code.variables.size());
+        for (const Member& m : b.members) declare(m.name, {m.type, -1, variable(m.type), false, false, {}});
     }
     skip_to_semicolon();
     b.last = p_ - 1;

@@ -36,6 +36,7 @@ private:
     struct Symbol {
         Type type;
         int global = -1;
+        int variable = -1;  // Code::variables
         bool constant = false;
         bool function = false;
         std::vector<double> value;
@@ -63,6 +64,12 @@ private:
     // statements
     void statement();
     void compound();
+    void simple_statement();
+    void if_statement();
+    void while_statement();
+    void do_statement();
+    void switch_statement();
+    void condition();
     void local_declaration();
     void local_prototype(const Type& result, int first);
     void for_statement();
@@ -102,6 +109,25 @@ private:
     void note_write(const Expression& target, const Expression* value, std::string_view op);
     void touch(const Expression& e, bool write);
 
+    // code
+    int emit(Op op, int a = 0, std::string_view text = {}, int b = 0) {
+        u_.code.steps.push_back({op, a, b, -1, 0, text});
+        return here() - 1;
+    }
+    void emit(Op op, int a, std::string_view text, const Type& type, double number = 0);
+    int here() const { return static_cast<int>(u_.code.steps.size()); }
+    void land(int jump) { u_.code.steps[static_cast<std::size_t>(jump)].a = here(); }
+    int variable(const Type& type);
+    void give_up() { u_.code.whole = false; }  // the code is not that of the text
+    // Statements that break and continue leave or repeat.
+    struct Leaving {
+        std::vector<int> breaks, continues;
+        int value = -1, test = -1, type = -1;  // of a switch: the variable, the test of the next case
+    };
+    void jump_out(bool repeat);
+    void close_loop(int again, int out);
+    void case_label(bool other);
+
     // scopes
     void declare(std::string_view name, Symbol symbol);
     const Symbol* find(std::string_view name) const;
@@ -133,7 +159,8 @@ private:
     int depth_ = 0;
     std::set<std::string_view> told_;                      // kinds of forgiveness: one warning each
     std::unordered_map<std::string_view, Type> foreseen_;  // results of functions defined further down
-    Type result_;                                          // of the function being read
+    std::vector<Leaving> leaving_;
+    Type result_;  // of the function being read
     std::unordered_map<std::string_view, Symbol> symbols_;
     std::vector<std::vector<std::pair<std::string_view, std::optional<Symbol>>>> undo_;
 };

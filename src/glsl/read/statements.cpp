@@ -1,4 +1,6 @@
 // Statements in function bodies.
+#include <algorithm>
+
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
 
@@ -38,7 +40,10 @@ void Parser::local_declaration() {
     const int first = p_;
     const Qualifiers q = qualifiers();
     const std::optional<Type> type = type_specifier();
-    if (!type) return skip_to_semicolon();
+    if (!type) {
+        give_up();
+        return skip_to_semicolon();
+    }
     Type base = *type;
     dimensions(base, nullptr);
     if (is("(", 1)) return local_prototype(base, first);
@@ -49,11 +54,40 @@ void Parser::local_declaration() {
 void Parser::local_prototype(const Type& result, int first) {
     const int name = p_++;
     skip_balanced();
-    if (!is(";")) return skip_to_semicolon();
+    if (!is(";")) {
+        give_up();
+        return skip_to_semicolon();
+    }
     p_ = name;
     const std::size_t known = u_.functions.size();
     function(result, first, name);
     if (u_.functions.size() > known) u_.functions.back().local = true;
+}
+
+void Parser::jump_out(bool repeat) {
+    const auto loop =
+        std::find_if(leaving_.rbegin(), leaving_.rend(), [&](const Leaving& l) { return !repeat || l.value < 0; });
+    if (loop == leaving_.rend()) return give_up();
+    (repeat ? loop->continues : loop->breaks).push_back(emit(Op::jump));
+}
+
+// `continue` goes on at `again`, `break` behind the loop.
+void Parser::close_loop(int again, int out) {
+    if (out >= 0) land(out);
+    for (const int jump : leaving_.back().breaks) land(jump);
+    for (const int jump : leaving_.back().continues) u_.code.steps[static_cast<std::size_t>(jump)].a = again;
+    leaving_.pop_back();
+}
+
+void Parser::condition() {
+    if (!accept("(")) return give_up();
+    if (starts_declaration()) {
+        local_declaration();
+        give_up();
+    } else {
+        convert(expression(), make_type(Base::boolean), Due::condition);
+    }
+    accept(")");
 }
 
 void Parser::for_statement() {
@@ -62,69 +96,158 @@ void Parser::for_statement() {
     if (starts_declaration()) {
         local_declaration();
     } else {
-        if (!is(";")) expression();
+        if (!is(";")) expression(), emit(Op::drop);
         accept(";");
     }
-    if (!is(";")) convert(expression(), make_type(Base::boolean), Due::condition);
+    const int test = here();
+    int out = -1;
+    if (!is(";")) {
+        convert(expression(), make_type(Base::boolean), Due::condition);
+        out = emit(Op::unless);
+    }
     accept(";");
-    if (!is(")")) expression();
+    const int in = emit(Op::jump), again = here();
+    if (!is(")")) expression(), emit(Op::drop);
+    emit(Op::jump, test);
     accept(")");
+    land(in);
+    leaving_.emplace_back();
     statement();
+    emit(Op::jump, again);
+    close_loop(again, out);
     close_scope();
 }
 
-void Parser::statement() {
-    if (depth_ > 200) return skip_balanced();
-    ++depth_;
-    if (is("{")) {
-        compound();
-    } else if (accept(";")) {
-    } else if (is("if") || is("while") || is("switch")) {
-        const bool condition = !is("switch");
-        ++p_;
-        open_scope();
-        if (accept("(")) {
-            if (starts_declaration()) {
-                local_declaration();
-            } else {
-                const Expression e = expression();
-                if (condition) convert(e, make_type(Base::boolean), Due::condition);
-            }
-            accept(")");
-        }
-        statement();
-        close_scope();
-        if (accept("else")) statement();
-    } else if (is("for") && is("(", 1)) {
-        for_statement();
-    } else if (accept("do")) {
-        statement();
-        if (accept("while") && accept("(")) {
-            convert(expression(), make_type(Base::boolean), Due::condition);
-            accept(")");
-        }
-        accept(";");
-    } else if (accept("return")) {
-        if (!is(";")) {
-            const Expression e = expression();
-            convert(e, result_, Due::result);
-        }
-        accept(";");
-    } else if (is("case")) {
-        ++p_;
+void Parser::if_statement() {
+    ++p_;
+    open_scope();
+    condition();
+    const int otherwise = emit(Op::unless);
+    statement();
+    close_scope();
+    if (!accept("else")) return land(otherwise);
+    const int end = emit(Op::jump);
+    land(otherwise);
+    statement();
+    land(end);
+}
+
+void Parser::while_statement() {
+    ++p_;
+    open_scope();
+    const int again = here();
+    condition();
+    const int out = emit(Op::unless);
+    leaving_.emplace_back();
+    statement();
+    emit(Op::jump, again);
+    close_loop(again, out);
+    close_scope();
+}
+
+void Parser::do_statement() {
+    const int start = here();
+    leaving_.emplace_back();
+    statement();
+    const int again = here();
+    if (accept("while"))
+        condition();
+    else
+        give_up();
+    const int out = emit(Op::unless);
+    emit(Op::jump, start);
+    close_loop(again, out);
+    accept(";");
+}
+
+void Parser::switch_statement() {
+    ++p_;
+    open_scope();
+    Leaving cases;
+    if (accept("(")) {
+        cases.value = variable(expression().type);
+        emit(Op::declare, cases.value, {}, 1);
+        accept(")");
+    }
+    cases.test = emit(Op::jump);
+    leaving_.push_back(std::move(cases));
+    statement();
+    const int last = leaving_.back().test;
+    if (last >= 0) land(last);
+    close_loop(0, -1);
+    close_scope();
+}
+
+// A label: what comes from above passes the test, which leads to the next label.
+void Parser::case_label(bool other) {
+    ++p_;
+    if (leaving_.empty() || leaving_.back().value < 0 || leaving_.back().test < 0) give_up();  // or behind `default`
+    const int fall = emit(Op::jump);
+    if (!leaving_.empty() && leaving_.back().test >= 0) {
+        land(leaving_.back().test);
+        leaving_.back().test = -1;
+    }
+    if (!other) {
+        emit(Op::load, leaving_.empty() ? 0 : std::max(leaving_.back().value, 0));
         expression();
-        accept(":");
-    } else if (is("default") || is("break") || is("continue") || is("discard")) {
+        emit(Op::infix, 0, "==");
+        const int test = emit(Op::unless);
+        if (!leaving_.empty()) leaving_.back().test = test;
+    }
+    land(fall);
+    accept(":");
+}
+
+// Statements that hold no other ones.
+void Parser::simple_statement() {
+    if (accept("return")) {
+        const bool value = !is(";");
+        if (value) convert(expression(), result_, Due::result);
+        emit(Op::back, value ? 1 : 0);
+        accept(";");
+    } else if (is("case") || is("default")) {
+        case_label(is("default"));
+    } else if (is("break") || is("continue") || is("discard")) {
+        if (is("discard"))
+            emit(Op::discard);
+        else
+            jump_out(is("continue"));
         ++p_;
         if (!accept(";")) accept(":");
     } else if (starts_declaration()) {
         local_declaration();
     } else {
         expression();
+        emit(Op::drop);
         if (!accept(";") && !is("}")) {
+            give_up();
             // The statement was not understood, or lacks its semicolon: parsing resumes after it.
             if (!starts_declaration() && !is_statement_word(text())) skip_to_semicolon();
         }
+    }
+}
+
+void Parser::statement() {
+    if (depth_ > 200) {
+        give_up();
+        return skip_balanced();
+    }
+    ++depth_;
+    if (is("{")) {
+        compound();
+    } else if (accept(";")) {
+    } else if (is("if")) {
+        if_statement();
+    } else if (is("while")) {
+        while_statement();
+    } else if (is("switch")) {
+        switch_statement();
+    } else if (is("for") && is("(", 1)) {
+        for_statement();
+    } else if (accept("do")) {
+        do_statement();
+    } else {
+        simple_statement();
     }
     --depth_;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/glsl/glsl.h"
+#include "src/glsl/read/code.h"
 
 namespace snell::glsl {
 
@@ -131,6 +132,8 @@ struct Global {
     std::string initial;          // what it begins with where the text gives it nothing
     std::vector<double> value;    // of a constant initialiser, where known
     std::vector<int> uses;        // tokens
+    int variable = -1;            // Code::variables
+    int attribute = -1;           // Attribute: that the runtime gives it
     int most_index = -1;          // of the constants that index an array
     bool indexed_freely = false;  // or something else indexes it
 };
@@ -149,12 +152,14 @@ struct Block {
     bool arrayed = false;
     int first = -1, last = -1, open = -1, close = -1;
     std::vector<Member> members;
+    int variable = -1;                               // Code::variables: of the instance, or of the first member
     std::vector<std::pair<int, int>> member_tokens;  // each member's tokens, `;` included
 };
 
 struct Parameter {
     Type type;
     Storage storage = Storage::in;
+    int variable = -1;  // Code::variables
 };
 
 struct Function {
@@ -163,8 +168,9 @@ struct Function {
     std::vector<Parameter> parameters;
     int first = -1, parameters_end = -1;  // tokens: of the signature
     int name_token = -1;
-    int open = -1, close = -1;  // tokens of the body's braces; -1: a prototype
-    bool local = false;         // a prototype within a function
+    int open = -1, close = -1;     // tokens of the body's braces; -1: a prototype
+    bool local = false;            // a prototype within a function
+    int code = -1, code_end = -1;  // Code::steps: of the body
 };
 
 // `layout(…) in;` and `layout(…) out;`
@@ -204,6 +210,8 @@ struct Unit {
     std::vector<std::pair<int, int>> invariants;           // tokens of `invariant A, B;`
     std::unordered_set<std::string_view> shared_by_kinds;  // names of a function and of a variable
 
+    Code<Type> code;
+    std::map<std::string_view, int> built_ins;  // Code::variables of the built-in variables that are named
     std::vector<Misfit> misfits;
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
     bool marks_undefined = false;                   // operands are marked, see read/undefined.cpp

@@ -104,6 +104,7 @@ void assign_attributes(Program& program, Unit& u) {
             continue;
         }
         const Attribute a = *input.attribute;
+        g.attribute = static_cast<int>(a);
         const bool known = by_exact_name(g.name) == a;
         const bool widened = (a == Attribute::normal || a == Attribute::tangent) && g.type.rows > 3;
         const bool plain = g.type.base == Base::real && g.type.cols == 1 && g.type.dims == 0 && !widened;

@@ -74,6 +74,9 @@ void copy_assigned(Program& program, Unit& unit);
 void size_arrays(Program& program);
 // Uniforms of one name agree in type and initialiser; values of initialisers are recorded.
 void unify_uniforms(Program& program);
+// The uniforms of the texts and their uses. After the interfaces are matched and the attributes assigned, but before
+// the outputs are.
+std::vector<DeclaredUniform> declared_uniforms(Program& program);
 // Blocks that pass between shaders become single variables where the target has none.
 void flatten_blocks(Program& program);
 bool flattens_blocks(const Target& target);
@@ -105,7 +108,7 @@ bool widens_lines(const Program& program);
 // Its text; makes the shaders on both sides give and take what it hands on. Nothing where it isn't wanted or,
 // with a warning, not possible.
 std::optional<std::string> widen_lines(Program& program);
-// What Translation::declared and Options::settle are to hold, after unify_uniforms.
+// Asks Options::settle, after declared_uniforms.
 void choose_settled(Program& program);
 // Settled uniforms become constants.
 void settle_uniforms(const Program& program, Unit& unit);

@@ -127,11 +127,12 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     }
     size_arrays(program);
     unify_uniforms(program);
-    choose_settled(program);
     flatten_blocks(program);
     match_interfaces(program);
     for (Unit& u : program.units) give_outputs(program, u);
     if (Unit* vertex = program.find(Stage::vertex)) assign_attributes(program, *vertex);
+    program.declared = declared_uniforms(program);
+    choose_settled(program);
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);
     replace_legacy(program);
     if (options.target.es && program.units.size() == 2) give_point_size(program.units.front());

@@ -1,5 +1,10 @@
-// Uniforms: one type and one initialiser across all stages.
+// Uniforms: one type and one initialiser across all stages; those that keep their values become constants, so that the
+// driver leaves out what they switch off.
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "src/glsl/read/words.h"
@@ -134,6 +139,113 @@ void unify_uniforms(Program& program) {
             }
             if (!g.new_type.empty() || program.target().es) g.drop_init = true;
         }
+    }
+}
+
+// ---- settled uniforms --------------------------------------------------------------------------------------
+
+namespace {
+
+template <class Real>
+std::string real_text(double value, std::string_view suffix) {
+    std::array<char, 64> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<Real>(value)).ptr;
+    std::string text(digits.data(), end);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text + std::string(suffix);
+}
+
+// False for what a decimal does not give on every driver: zeros of negative sign, numbers that are too small to be
+// normal, and those that are not finite.
+template <class Real>
+bool exact(double value) {
+    const Real real = static_cast<Real>(value);
+    return std::isnormal(real) || (real == 0 && !std::signbit(real));
+}
+
+// The text of one component, as the uniform would hold it; empty if there is none.
+std::string component_text(Base base, double value) {
+    using Int = std::numeric_limits<std::int32_t>;
+    using Uint = std::numeric_limits<std::uint32_t>;
+    switch (base) {
+        case Base::boolean:
+            return std::abs(value) >= 1 ? "true" : "false";
+        case Base::integer:  // the least integer is no literal
+            return value > Int::min() && value <= Int::max() ? std::to_string(static_cast<std::int32_t>(value)) : "";
+        case Base::uinteger:
+            return value >= 0 && value <= Uint::max() ? std::to_string(static_cast<std::uint32_t>(value)) + "u" : "";
+        case Base::real:
+            return std::abs(value) <= std::numeric_limits<float>::max() && exact<float>(value)
+                       ? real_text<float>(value, "")
+                       : "";
+        case Base::dreal:
+            return exact<double>(value) ? real_text<double>(value, "lf") : "";
+        default:
+            return "";
+    }
+}
+
+std::string constant_text(const Type& type, const std::vector<double>& values) {
+    if (values.size() != static_cast<std::size_t>(type.rows) * type.cols) return {};
+    std::string text;
+    for (const double value : values) {
+        const std::string component = component_text(type.base, value);
+        if (component.empty()) return {};
+        text += (text.empty() ? "" : ", ") + component;
+    }
+    return type.scalar() ? text : std::string(type_name(type.base, type.rows, type.cols)) + "(" + text + ")";
+}
+
+std::string scene_name(const Program& program, const Global& g) {
+    const auto renamed = std::ranges::find(program.renamed, g.name, &RenamedUniform::shader_name);
+    return renamed == program.renamed.end() ? std::string(g.name) : renamed->name;
+}
+
+bool is_uniform(const Global& g) { return g.qualifiers.storage == Storage::uniform && !g.removed; }
+
+const Global* declaration(const Program& program, std::string_view name) {
+    for (const Unit& u : program.units)
+        for (const Global& g : u.globals)
+            if (is_uniform(g) && scene_name(program, g) == name) return &g;
+    return nullptr;
+}
+
+}  // namespace
+
+void choose_settled(Program& program) {
+    if (!program.options.settle) return;
+    std::set<std::string> unfit;  // types differ between stages, or the initial value is not known here
+    for (const Unit& u : program.units)
+        for (const Global& g : u.globals) {
+            const bool known =
+                g.init_first < 0 || std::ranges::count(program.defaults, g.name, &UniformDefault::name) > 0;
+            const bool held = g.type.base != Base::dreal || program.target().fp64;
+            if (is_uniform(g) && (!g.new_type.empty() || !known || !held)) unfit.insert(scene_name(program, g));
+        }
+    std::vector<DeclaredUniform> fit;
+    for (const DeclaredUniform& declared : program.declared)
+        if (declared.simple && !unfit.contains(declared.name)) fit.push_back(declared);
+    program.settled = program.options.settle(fit);
+    std::erase_if(program.settled, [&](const Settled& settled) {
+        if (std::ranges::find(fit, settled.name, &DeclaredUniform::name) == fit.end()) return true;
+        const Global* g = declaration(program, settled.name);
+        return !g || constant_text(g->type, settled.values).empty();
+    });
+}
+
+void settle_uniforms(const Program& program, Unit& u) {
+    for (Global& g : u.globals) {
+        if (!is_uniform(g) || program.settled.empty()) continue;
+        const auto settled = std::ranges::find(program.settled, scene_name(program, g), &Settled::name);
+        if (settled == program.settled.end()) continue;
+        // Constants that index an array out of its bounds, or divide by zero, would be errors.
+        g.qualifiers.storage = g.type.integral() ? Storage::plain : Storage::constant;
+        g.qualifiers.layout.clear();
+        g.qualifiers.memory.clear();
+        g.qualifiers.interpolation = {};
+        g.qualifiers.invariant = g.qualifiers.precise = false;
+        g.initial = constant_text(g.type, settled->values);
+        g.drop_init = g.dirty = true;
     }
 }
 

@@ -127,7 +127,7 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.defines = ladder_defines(request.ladders, request.variant.rungs);
     options.color_outputs = request.variant.outputs;
     options.settle = request.settle;
-    options.undefined_at_run_time = request.settle != nullptr;
+    options.undefined_at_run_time = options.find_uses = request.settle != nullptr;
     glsl::Translation translation = glsl::translate(request.stages, request.sources, options, diagnostics);
     if (!request.settle || !translation.settled.empty()) return translation;
     options.settle = nullptr;  // it is the program for any values

@@ -1,0 +1,215 @@
+// What the translator says of the uses of uniforms, against the driver's lists of active uniforms: for every program of
+// every scene, for the small programs of the dialects, and for each of their stages alone.
+#include <filesystem>
+#include <random>
+#include <set>
+
+#include "src/gl/program.h"
+#include "src/runtime/resources/program.h"
+#include "tests/harness/harness.h"
+
+namespace snell::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Use = glsl::DeclaredUniform::Use;
+
+struct Tally {
+    int programs = 0, simple = 0, certain = 0;
+    std::string wrong, unsure;
+};
+
+class Uses : public GlTest {
+protected:
+    void judge(const std::vector<glsl::StageInput>& stages, Sources& sources, Files& files, const Program* program,
+               const std::string& where) {
+        glsl::Options options;
+        options.target = {caps.glsl, caps.es, caps.fp64};
+        options.find_uses = true;
+        options.include = runtime::include_reader(files);
+        if (program)
+            options.geometry_input = program->geometry_input, options.geometry_output = program->geometry_output;
+        Diagnostics diagnostics;
+        const glsl::Translation t = glsl::translate(stages, sources, options, diagnostics);
+        std::string text;
+        for (const glsl::StageOutput& stage : t.stages) text += stage.text;
+        if (!t.ok || t.declared.empty() || !seen.insert(text).second) return;
+        std::vector<gl::Shader> shaders;
+        std::vector<const gl::Shader*> parts;
+        constexpr GLenum kinds[] = {GL_VERTEX_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER,
+                                    GL_GEOMETRY_SHADER, GL_FRAGMENT_SHADER};
+        for (const glsl::StageOutput& stage : t.stages)
+            shaders.push_back(gl::compile(kinds[static_cast<std::size_t>(stage.stage)], stage.text).shader);
+        for (const gl::Shader& shader : shaders) parts.push_back(&shader);
+        if (std::ranges::any_of(shaders, [](const gl::Shader& s) { return !s; })) return;
+        const gl::Linked linked = gl::link(parts, {});
+        if (linked.program) compare(t, linked.program, where);
+    }
+
+    void compare(const glsl::Translation& t, const gl::Program& program, const std::string& where) {
+        std::set<std::string> active;
+        for (const gl::Uniform& u : gl::active_uniforms(program.get(), caps.program_interface_query)) {
+            const auto renamed = std::ranges::find(t.renamed, u.name, &glsl::RenamedUniform::shader_name);
+            active.insert(renamed == t.renamed.end() ? u.name : renamed->name);
+        }
+        ++tally.programs;
+        for (const glsl::DeclaredUniform& d : t.declared) {
+            const bool found = std::ranges::any_of(active, [&](const std::string& name) {
+                return name == d.name || name.starts_with(d.name + ".") || name.starts_with(d.name + "[");
+            });
+            const char* use = d.use == Use::sure ? "sure" : d.use == Use::none ? "none" : "unsure";
+            if (d.use != Use::unsure && found != (d.use == Use::sure))
+                tally.wrong += where + ": " + d.name + " is " + use + ", but " + (found ? "active\n" : "inactive\n");
+            if (!d.simple) continue;
+            ++tally.simple;
+            if (d.use == Use::unsure)
+                tally.unsure += where + ": " + d.name + (found ? " is active\n" : " is inactive\n");
+            else
+                ++tally.certain;
+        }
+    }
+
+    void judge_scenes(const std::string& root) {
+        for (const auto& entry : fs::recursive_directory_iterator(root)) {
+            if (entry.path().extension() != ".glib") continue;
+            const std::string path = entry.path().string();
+            Files files(scene_folder(path));
+            Sources sources;
+            Diagnostics diagnostics;
+            auto parsed = parse_document(path, files, sources, diagnostics);
+            if (!parsed) continue;
+            const Plan plan = make_plan(std::move(parsed->scene), files, sources, diagnostics);
+            for (const PlannedProgram& p : plan.programs)
+                if (p.readable && !p.stages.empty())
+                    judge(p.stages, sources, files, &plan.scene.programs[p.program], path);
+        }
+    }
+
+    // Shaders of one name are a program, and each is one by itself.
+    void judge_shaders(const std::string& folder) {
+        constexpr std::pair<std::string_view, Stage> stages[] = {{".vert", Stage::vertex}, {".frag", Stage::fragment}};
+        std::map<std::string, std::vector<std::pair<Stage, std::string>>> programs;
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            for (const auto& [extension, stage] : stages)
+                if (entry.path().extension() == extension) {
+                    fs::path stem = entry.path();
+                    programs[stem.replace_extension().string()].emplace_back(stage, entry.path().string());
+                    programs[entry.path().string()].emplace_back(stage, entry.path().string());
+                }
+        for (const auto& [name, texts] : programs) {
+            Files files(folder);
+            Sources sources;
+            std::vector<glsl::StageInput> inputs;
+            for (const auto& [stage, path] : texts) {
+                std::string error;
+                inputs.push_back({stage, sources.add(path, *files.read(path, error)), {}});
+            }
+            judge(inputs, sources, files, nullptr, name);
+        }
+    }
+
+    void expect_right(int percent) {
+        EXPECT_EQ(tally.wrong, "");
+        std::printf("%d programs, %d of %d simple uniforms are certain\n", tally.programs, tally.certain, tally.simple);
+        EXPECT_GE(tally.certain * 100, tally.simple * percent) << tally.unsure;
+        if (std::getenv("SNELL_UNSURE")) std::printf("%s", tally.unsure.c_str());
+        complaints.clear();  // of texts that are wrong on purpose
+    }
+
+    Tally tally;
+    std::set<std::string> seen;
+};
+
+TEST_F(Uses, OfScenesAreTheDrivers) {
+    for (const char* root : {"scenes", "tests/cases", "tests/odd"}) judge_scenes(root);
+    expect_right(80);
+}
+
+TEST_F(Uses, OfSmallProgramsAreTheDrivers) {
+    for (const char* root : {"tests/glsl", "scenes", "../shared/corpus"})
+        if (fs::exists(root)) judge_shaders(root);
+    expect_right(60);
+}
+
+// Random fragment shaders, full of what optimisers fold: zeros, ones, constant conditions, values that nothing reads.
+struct Writer {
+    std::mt19937 random;
+
+    std::string pick(std::initializer_list<std::string> all) { return *(all.begin() + random() % all.size()); }
+    std::string leaf() {
+        return pick({"uA", "uB", "uC", "uD", "uE", "uF", "v", "w", "float(uN)", "vST.x", "vST.y", "0.", "1.", ".5",
+                     "2.", "-1.", "noise"});
+    }
+    std::string number(int depth) {
+        if (depth == 0) return leaf();
+        const std::string a = number(depth - 1), b = number(random() % 2 ? depth - 1 : 0), c = leaf();
+        return pick({"(" + a + " + " + b + ")",
+                     "(" + a + " - " + b + ")",
+                     "(" + a + " * " + b + ")",
+                     "(" + a + " / " + b + ")",
+                     "min(" + a + ", " + b + ")",
+                     "max(" + a + ", " + b + ")",
+                     "clamp(" + a + ", 0., 1.)",
+                     "mix(" + a + ", " + b + ", " + c + ")",
+                     "step(" + a + ", " + b + ")",
+                     "sin(" + a + ")",
+                     "abs(" + a + ")",
+                     "fract(" + a + ")",
+                     "pow(abs(" + a + "), " + c + ")",
+                     "(" + a + " < " + b + " ? " + c + " : " + leaf() + ")",
+                     "vec3(" + a + ", " + b + ", " + c + ").y",
+                     "dot(vec2(" + a + ", " + b + "), vec2(" + c + ", " + leaf() + "))",
+                     "f(" + a + ", " + b + ")",
+                     "length(vec2(" + a + ", " + c + "))",
+                     "sqrt(" + a + " * " + a + ")",
+                     "(mat2(" + a + ", " + b + ", 0., 1.) * vec2(" + c + ", 1.)).x",
+                     "floor(" + a + ")",
+                     "smoothstep(0., " + c + ", " + a + ")"});
+    }
+    std::string truth() {
+        return pick({"uOn", "uN == 1", "uN > 2", number(1) + " < " + number(1), "abs(" + leaf() + ") >= 0.", "false",
+                     "uOn && !uOn", "uOn || " + leaf() + " > 0.", leaf() + " == " + leaf()});
+    }
+    std::string statement(int depth) {
+        const std::string set = pick({"v", "w"}) + pick({" = ", " = ", " += ", " *= "}) + number(2) + "; ";
+        if (depth == 0) return set;
+        const std::string inner = statement(depth - 1);
+        return pick({set, set, "if (" + truth() + ") { " + inner + "} else { " + set + "}",
+                     "if (" + truth() + ") { " + inner + "} ",
+                     "for (int i = 0; i < " + pick({"0", "1", "3", "uN"}) + "; ++i) { " + inner + "} ",
+                     "{ float v = " + number(1) + "; " + set + "} ",
+                     "s.k[" + pick({"0", "1", "uN"}) + "] = " + number(1) + "; ", "v = s.k[0]; ", "w = s.k[1]; ",
+                     "if (" + truth() + ") discard; "});
+    }
+    std::string text() {
+        std::string body;
+        for (int n = 0; n < 5; ++n) body += statement(2) + "\n";
+        return "#version 330 compatibility\nuniform float uA, uB, uC, uD, uE, uF; uniform bool uOn; uniform int uN;\n"
+               "in vec2 vST; struct S { float k[2]; };\n"
+               "float f(float x, float k) { if (k > 0.) return x * k; return x; }\n"
+               "void main() { float v = 1., w = 0., noise = vST.x * 3.; S s; s.k[0] = uA; s.k[1] = 0.;\n" +
+               body + "gl_FragColor = vec4(v, " + pick({"w", "0.", "v * w"}) + ", 1., 1.); }\n";
+    }
+};
+
+TEST_F(Uses, OfRandomProgramsAreTheDrivers) {
+    const char* campaign = std::getenv("SNELL_USES");  // how many programs
+    const unsigned programs = campaign ? static_cast<unsigned>(std::atoi(campaign)) : 60;
+    for (unsigned n = 0; n < programs; ++n) {
+        Files files("");
+        Sources sources;
+        const std::string vertex =
+                              "#version 330 compatibility\nout vec2 vST;\nvoid main() { vST = gl_MultiTexCoord0.st; "
+                              "gl_Position = ftransform(); }\n",
+                          text = Writer{std::mt19937(n)}.text();
+        const std::vector<glsl::StageInput> stages = {{Stage::vertex, sources.add("a.vert", vertex), {}},
+                                                      {Stage::fragment, sources.add("a.frag", text), {}}};
+        const std::size_t before = tally.wrong.size();
+        judge(stages, sources, files, nullptr, std::to_string(n));
+        if (tally.wrong.size() > before) tally.wrong += text;
+    }
+    expect_right(50);
+}
+
+}  // namespace
+}  // namespace snell::test
