@@ -207,6 +207,7 @@ void Runtime::Impl::find_live_passes(Loading& loading) {
     const std::vector<bool> live = live_passes(loading, false), wanted = live_passes(loading, true);
     for (Index pass = 0; pass < passes.size(); ++pass) {
         passes[pass].live = live[pass];
+        passes[pass].wanted = wanted[pass];
         if (wanted[pass] || !scene.ladders.empty()) continue;  // another rung may read it
         loading.diagnostics.add({Severity::note,
                                  "unread-pass",

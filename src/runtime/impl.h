@@ -82,7 +82,8 @@ struct Batch {
 };
 
 struct ReadyPass {
-    bool live = false;  // something reads what it renders
+    bool live = false;    // something reads what it renders
+    bool wanted = false;  // or would, for other values
     std::vector<Index> textures;
     int width = 0, height = 0;                     // of off-screen targets
     std::vector<GLenum> remake_mipmaps;            // targets, as `textures`; 0: none
@@ -196,6 +197,11 @@ struct Runtime::Impl {
     void note_dormant();
     // Says of dormant samplers what bind_textures would.
     void report_dormant(Index pass, Index draw, Diagnostics& diagnostics) const;
+    // The program that the draw is drawn with, or would be in a pass that is not live; null where it failed.
+    runtime::LinkedProgram* program_of(Index pass, const Draw& draw) const;
+    // Links a program for one value, or links none as nothing reads it, and notes LinkedProgram::alone.
+    bool link_alone();
+    std::shared_ptr<runtime::LinkedProgram> link_for(Index pass, const Draw& draw, const glsl::Settled& value);
     // The values are those that the programs were compiled for.
     bool stands(const Controls& controls) const;
     void find_stand();

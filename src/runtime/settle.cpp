@@ -93,16 +93,56 @@ void Runtime::Impl::report_dormant(Index pass, Index index, Diagnostics& diagnos
 
 void Runtime::Impl::note_dormant() {
     dormant_textures.clear();
-    for (const Pass& pass : plan.scene.passes)
-        for (const Item& item : pass.items) {
-            if (item.kind != Item::Kind::draw) continue;
+    const auto note = [&](Index texture) {
+        if (!textures.asked(texture)) dormant_textures.insert(textures.first(texture));
+    };
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        for (const Item& item : plan.scene.passes[pass].items) {
+            if (item.kind != Item::Kind::draw || !passes[pass].wanted) continue;
             const Draw& draw = plan.scene.draws[item.index];
             if (draw.program == none) continue;
-            for (const Index texture : read_by(draw, dormant[draw.program]))
-                if (!textures.asked(texture)) dormant_textures.insert(textures.first(texture));
+            std::ranges::for_each(read_by(draw, dormant[draw.program]), note);
+            const LinkedProgram* linked = passes[pass].live ? nullptr : program_of(pass, draw);
+            if (linked) std::ranges::for_each(read_by(draw, *linked), note);
         }
     counters.images_spared = 0;
     for (const Index texture : dormant_textures) counters.images_spared += plan.scene.textures[texture].files.size();
+}
+
+LinkedProgram* Runtime::Impl::program_of(Index pass, const Draw& draw) const {
+    runtime::Variant variant = variant_of(pass, draw);
+    variant.settled = draw.program == none ? 0 : settled_values;
+    const auto found = programs.find({draw.program, variant});
+    return found == programs.end() ? nullptr : found->second.get();
+}
+
+std::shared_ptr<LinkedProgram> Runtime::Impl::link_for(Index pass, const Draw& draw, const glsl::Settled& value) {
+    Counters uncounted;  // nothing is drawn with it
+    Diagnostics unheard;
+    return runtime::link_program({plan.scene.programs[draw.program], plan.programs[draw.program].stages,
+                                  plan.scene.ladders, variant_of(pass, draw), caps, *files, *sources, store.get(),
+                                  uncounted, [&](const auto&) { return std::vector{value}; }},
+                                 unheard);
+}
+
+// False: there is nothing to link.
+bool Runtime::Impl::link_alone() {
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        for (const Item& item : plan.scene.passes[pass].items) {
+            if (item.kind != Item::Kind::draw) continue;
+            const Draw& draw = plan.scene.draws[item.index];
+            LinkedProgram* const linked = program_of(pass, draw);
+            if (!linked || linked->alone.size() == linked->settled.size()) continue;
+            const glsl::Settled& settled = linked->settled[linked->alone.size()];
+            const bool read = std::ranges::count(active[draw.program], settled.name, &ActiveUniform::name) > 0;
+            const auto alone = read ? link_for(pass, draw, settled) : nullptr;
+            std::vector<std::string>& names = linked->alone.emplace_back();
+            // Without it, as where a driver refuses the constant, nothing is known to be left out.
+            for (const ActiveUniform& uniform : alone ? alone->active : active[draw.program])
+                names.push_back(uniform.name);
+            return true;
+        }
+    return false;
 }
 
 void Runtime::Impl::find_stand() {

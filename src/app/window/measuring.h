@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "src/app/window/display.h"
 #include "src/app/window/measure/accuracy_view.h"
@@ -30,7 +31,7 @@ public:
     // again.
     bool follow(Document& document, bool stale, const Display& display, const ui::Memory& memory);
     // True if step() has something to do.
-    bool busy() const { return accuracy_.busy() || frame_costs_.busy(); }
+    bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_; }
     // Draws one picture to measure it. Returns true if there is something new to show.
     bool step(Document* document, const Display& display);
     // Starts and stops what the panels ask for.
@@ -51,7 +52,8 @@ private:
     FrameCosts frame_costs_;
     PixelView pixels_;
     Explanation explanation_;
-    std::uint64_t explained_ = 0;  // the revision that explanation_ belongs to
+    std::pair<std::uint64_t, int> explained_;  // the revision and Runtime::form() that explanation_ belongs to
+    bool linking_ = false;                     // programs that tell what values switch off
 };
 
 }  // namespace snell

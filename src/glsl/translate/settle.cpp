@@ -80,6 +80,18 @@ DeclaredUniform described(const Program& program, const Global& g, std::string n
     return declared;
 }
 
+void note_functions(const Unit& u, const Global& g, std::vector<std::string>& functions) {
+    constexpr std::array<std::string_view, 5> stages{"vertex", "tessellation control", "tessellation evaluation",
+                                                     "geometry", "fragment"};  // as Stage
+    for (const Function& function : u.functions) {
+        const auto within = [&](int use) { return use > function.open && use < function.close; };
+        if (!std::ranges::any_of(g.uses, within)) continue;
+        std::string name(function.name);
+        name.append(" (").append(stages[static_cast<std::size_t>(u.stage)]).append(")");
+        if (std::ranges::count(functions, name) == 0) functions.push_back(std::move(name));  // overloaded
+    }
+}
+
 const Global* declaration(const Program& program, std::string_view name) {
     for (const Unit& u : program.units)
         for (const Global& g : u.globals)
@@ -97,8 +109,10 @@ void choose_settled(Program& program) {
             std::string name = scene_name(program, g);
             const bool known = std::ranges::count(program.defaults, g.name, &UniformDefault::name) > 0;
             if (!g.new_type.empty() || (g.init_first >= 0 && !known)) mixed.insert(name);
-            if (std::ranges::find(program.declared, name, &DeclaredUniform::name) == program.declared.end())
-                program.declared.push_back(described(program, g, std::move(name)));
+            auto declared = std::ranges::find(program.declared, name, &DeclaredUniform::name);
+            if (declared == program.declared.end())
+                declared = program.declared.insert(declared, described(program, g, std::move(name)));
+            note_functions(u, g, declared->functions);
         }
     for (DeclaredUniform& declared : program.declared)
         declared.simple = declared.simple && !mixed.contains(declared.name);

@@ -111,6 +111,12 @@ bool LinkedProgram::reads(glsl::System which) const {
     return std::ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
 }
 
+std::vector<std::string> LinkedProgram::functions_naming(std::string_view uniform) const {
+    const std::string_view name = uniform.substr(0, uniform.find_first_of(".["));
+    const auto found = std::ranges::find(declared, name, &glsl::DeclaredUniform::name);
+    return found == declared.end() ? std::vector<std::string>() : found->functions;
+}
+
 namespace {
 
 glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics) {
