@@ -129,7 +129,7 @@ std::shared_ptr<LinkedProgram> Runtime::Impl::link_for(Index pass, const Draw& d
 bool Runtime::Impl::link_alone() {
     for (Index pass = 0; pass < passes.size(); ++pass)
         for (const Item& item : plan.scene.passes[pass].items) {
-            if (item.kind != Item::Kind::draw) continue;
+            if (item.kind != Item::Kind::draw || !passes[pass].live) continue;
             const Draw& draw = plan.scene.draws[item.index];
             LinkedProgram* const linked = program_of(pass, draw);
             if (!linked || linked->alone.size() == linked->settled.size()) continue;

@@ -135,7 +135,8 @@ public:
         explanation_.switched_off = {{0, "Glass", "uMix", "0", {}, {{Kind::image, "Texture2D 8 " + long_path}}, {}}};
         facts_.explanation = &explanation_;
         memory_.open.emplace("Costs");
-        unfolded_ = {"costs.Images", "costs.Programs", "costs.Passes", "costs.Not loaded", "costs.Declared but unused"};
+        unfolded_ = {"costs.Images",     "costs.Programs",           "costs.Passes", "costs.Switched off by values",
+                     "costs.Not loaded", "costs.Declared but unused"};
     }
     void files() {
         facts_.files = files_;
