@@ -61,6 +61,10 @@ void Measuring::explain(ui::Facts& facts, const Document& document, const ui::Me
     facts.sources = &document.sources;
 }
 
+bool Measuring::outdated(const Document& document) const {
+    return explained_.first != 0 && explained_.second != document.runtime->form();
+}
+
 void Measuring::show(int y, const ui::Memory& memory) {
     accuracy_.show(y, memory.accuracy);
     pixels_.show(y);

@@ -41,6 +41,8 @@ public:
     void tell(ui::Facts& facts, const Document* document, const ui::Memory& memory);
     // Fills in the explanation of the costs, if its panel is open.
     void explain(ui::Facts& facts, const Document& document, const ui::Memory& memory);
+    // The explanation that is shown is of programs for other values.
+    bool outdated(const Document& document) const;
     // Changes whenever show() would draw something else because of the accuracy panel.
     std::uint64_t revision(const ui::Memory& memory) const { return accuracy_.revision(memory.accuracy); }
     // Draws what is measured over the picture, whose bottom left is at pixel (0, y).
