@@ -59,11 +59,6 @@ std::string name_of(const Pass& pass) {
     return std::array{"window", "RenderToTexture", "RenderToCube"}[static_cast<std::size_t>(pass.kind)];
 }
 
-runtime::Variant with_values(runtime::Variant variant, int values) {
-    variant.settled = values;
-    return variant;
-}
-
 std::string plural(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : what.ends_with('s') ? "es" : "s");
 }
@@ -102,10 +97,8 @@ public:
     }
 
 private:
-    const Draw& draw_of(const runtime::ReadyDraw& ready) const { return scene_.draws[ready.draw]; }
-
     void note(const runtime::ReadyDraw& ready) {
-        const Draw& draw = draw_of(ready);
+        const Draw& draw = scene_.draws[ready.draw];
         ++mesh_draws_[ready.mesh];
         if (draw.program != none) ++program_draws_[draw.program];
         drawn_with_[ready.draw] = ready.program;
@@ -184,8 +177,10 @@ private:
                 if (with == linked.get()) paid.draws.push_back(draw);
             paid.why =
                 paid.draws.empty() ? "no draw; compiled for its sliders and errors" : plural(paid.draws.size(), "draw");
+            runtime::Variant drawn = variant;
+            drawn.settled = impl_.settled_values;
             const bool asked = impl_.settled_values != 0 && variant.settled == 0 && linked->settled.empty() &&
-                               impl_.programs.contains({index, with_values(variant, impl_.settled_values)});
+                               impl_.programs.contains({index, drawn});
             if (paid.draws.empty() && asked) paid.why = "no draw; compiled to learn which uniforms it reads";
             if (variant.wide) paid.name += ", lines widened";
             if (variant.outputs > 1) paid.name += fmt::format(", {} outputs", variant.outputs);
@@ -246,11 +241,12 @@ private:
     void reach(Reach& all, const Draw& draw, std::span<const runtime::SamplerUniform> samplers) const {
         for (const runtime::Sampled& sampled : impl_.sampled_by(draw, samplers))
             if (sampled.noise) all.noise.insert(sampled.noise);
-        for (const Index texture : impl_.read_by(draw, samplers)) reach(all, impl_.textures.first(texture));
+        for (const Index texture : impl_.read_by(draw, samplers)) reach(all, texture);
     }
 
-    void reach(Reach& all, Index texture) const {
-        if (!all.textures.insert(texture).second) return;
+    void reach(Reach& all, Index index) const {
+        const Index texture = index == none ? none : impl_.textures.first(index);
+        if (texture == none || !all.textures.insert(texture).second) return;
         const auto is_it = [&](Index drawn) { return drawn != none && impl_.textures.first(drawn) == texture; };
         for (Index i = 0; i < impl_.passes.size(); ++i) {
             const Pass& pass = scene_.passes[i];
@@ -305,7 +301,9 @@ private:
     void add_parts(Explanation::SwitchedOff row, const runtime::LinkedProgram& linked,
                    const std::vector<const ActiveUniform*>& inactive) {
         std::vector<runtime::SamplerUniform> samplers;
+        bool light = false;
         for (const ActiveUniform* uniform : inactive) {
+            light = light || (uniform->system && uniform->name == "uHarmonics");
             if (uniform->name.starts_with("snell_")) continue;  // matrices and the like
             row.parts.push_back({uniform->type == ValueType::sampler ? Kind::sampler : Kind::uniform,
                                  fmt::format("{} {}", uniform->glsl_type, uniform->name),
@@ -314,8 +312,11 @@ private:
                 if (sampler.name == uniform->name) samplers.push_back(sampler);
         }
         Reach all;
-        for (const Draw& draw : scene_.draws)
-            if (draw.program == row.program) reach(all, draw, samplers);
+        for (const Draw& draw : scene_.draws) {
+            if (draw.program != row.program) continue;
+            reach(all, draw, samplers);
+            if (light) reach(all, impl_.light_of(draw));
+        }
         for (const Index index : all.textures) {
             const Texture& texture = scene_.textures[index];
             if (impl_.textures.asked(index)) continue;

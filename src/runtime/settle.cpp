@@ -84,11 +84,13 @@ void Runtime::Impl::find_dormant(Index program, const LinkedProgram& linked) {
     }
 }
 
-void Runtime::Impl::report_dormant(Index pass, Index index, Diagnostics& diagnostics) const {
-    const Draw& draw = plan.scene.draws[index];
+void Runtime::Impl::report_dormant(Index pass, const runtime::ReadyDraw& ready, Diagnostics& diagnostics) const {
+    const Draw& draw = plan.scene.draws[ready.draw];
     if (draw.program == none) return;
     for (const runtime::Sampled& sampled : sampled_by(draw, dormant[draw.program]))
-        if (auto problem = unreadable(sampled, draw, pass, index)) diagnostics.add(std::move(*problem));
+        if (auto problem = unreadable(sampled, draw, pass, ready.draw)) diagnostics.add(std::move(*problem));
+    if (!spares_harmonics(draw, *ready.program)) return;
+    if (auto problem = no_harmonics(pass, ready.draw)) diagnostics.add(std::move(*problem));
 }
 
 void Runtime::Impl::note_dormant() {
@@ -100,10 +102,10 @@ void Runtime::Impl::note_dormant() {
         for (const Item& item : plan.scene.passes[pass].items) {
             if (item.kind != Item::Kind::draw || !passes[pass].wanted) continue;
             const Draw& draw = plan.scene.draws[item.index];
-            if (draw.program == none) continue;
-            std::ranges::for_each(read_by(draw, dormant[draw.program]), note);
-            const LinkedProgram* linked = passes[pass].live ? nullptr : program_of(pass, draw);
-            if (linked) std::ranges::for_each(read_by(draw, *linked), note);
+            const LinkedProgram* linked = program_of(pass, draw);
+            if (!linked) continue;
+            std::ranges::for_each(spared_by(draw, *linked), note);
+            if (!passes[pass].live) std::ranges::for_each(read_by(draw, *linked), note);
         }
     counters.images_spared = 0;
     for (const Index texture : dormant_textures) counters.images_spared += plan.scene.textures[texture].files.size();

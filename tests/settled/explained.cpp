@@ -130,6 +130,28 @@ TEST_F(Explained, PassesComeWithWhatOnlyTheyRead) {
     EXPECT_TRUE(hidden->runtime->sampled(1)) << "by other values";
 }
 
+// Harmonics are no sampler, but they are computed from a cube map.
+TEST_F(Explained, HarmonicsComeWithTheirCubeMap) {
+    const std::string body = quad("uniform vec3 uHarmonics[9];\nuniform float uLight;",
+                                  "gl_FragColor = vec4(vec3(.5) + uLight * uHarmonics[0], 1.);", "uLight <0. 0. 1.>");
+    const std::string faces = "CubeMap 6 t6.bmp t7.bmp t8.bmp t9.bmp t10.bmp ";
+    auto document = settle(faces + "t11.bmp\nIrradiance 7 6\n" + body);
+    expect_clean(*document);
+    EXPECT_EQ(document->runtime->counters().convolutions, 0U);
+    EXPECT_EQ(document->runtime->counters().images_spared, 6U);
+    const Explanation explanation = explain(*document);
+    ASSERT_EQ(explanation.switched_off.size(), 1U);
+    EXPECT_EQ(names(explanation.switched_off[0], Kind::uniform), Names{"vec3 uHarmonics"});
+    EXPECT_EQ(names(explanation.switched_off[0], Kind::cube_map), Names{"CubeMap 6 t6.bmp"});
+    EXPECT_FALSE(unused(explanation, "CubeMap 6"));
+    const auto said = [](const Document& one) { return render(one.diagnostics, one.sources); };
+    for (const std::string& scene : {faces + "missing.bmp\nIrradiance 7 6\n" + body, body}) {
+        const std::string as_ever = said(*open(scene));
+        EXPECT_NE(as_ever, "");
+        EXPECT_EQ(said(*settle(scene)), as_ever) << "whatever the value is";
+    }
+}
+
 TEST_F(Explained, FormsOfOtherValuesSayNothing) {
     auto document =
         settle("Texture2D 5 t1.bmp\n" + quad("uniform sampler2D uA;\nuniform float uMix;",
