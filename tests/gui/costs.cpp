@@ -32,7 +32,8 @@ TEST_F(CostsInTheWindow, SayWhatValuesSwitchOffWhileNothingIsTouched) {
     EXPECT_TRUE(wait(tells, 20));
     settle();
     const json still = state();
-    EXPECT_FALSE(wait([&](const json& s) { return s["presents"] != still["presents"]; }, .8)) << "all is said";
+    EXPECT_FALSE(wait([&](const json& s) { return s["presents"] != still["presents"]; }, .8))
+        << "nothing is left to show";
     click("Slow.uMix", .7);
     EXPECT_TRUE(wait([&](const json& s) { return !tells(s); })) << "programs for any values draw now";
     EXPECT_EQ(state()["gl_errors"].size(), 0U);
