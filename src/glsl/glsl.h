@@ -52,6 +52,7 @@ struct DeclaredUniform {
     bool simple = true;
     std::vector<double> initial;  // of its initialiser; empty: none
     Use use = Use::unsure;        // none, sure: only if Options::find_uses
+    std::vector<std::string> functions = {};  // that name it, such as "main (fragment)"
 };
 
 // A uniform that keeps its value, column by column: it is written as a constant.

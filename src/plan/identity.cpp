@@ -95,6 +95,17 @@ Identity texture_identity(const Scene& scene, Index index, const Files& files) {
     return identity;
 }
 
+std::uint64_t file_bytes(const Scene& scene, Index texture, const Files& files) {
+    Diagnostics unheard;
+    std::uint64_t bytes = 0;
+    for (const TextureFile& file : locate_texture(scene.textures[texture], files, unheard)) {
+        struct stat status {};
+        if (!file.path.empty() && stat(file.path.c_str(), &status) == 0)
+            bytes += static_cast<std::uint64_t>(status.st_size);
+    }
+    return bytes;
+}
+
 Identity noise_identity(int dimensions, int size, const Files& files) {
     Identity identity;
     put(identity.key, 'n', dimensions, size);

@@ -1,6 +1,7 @@
 // Identities of resources: resources with equal identities have equal bytes, also after the scene was read again.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct Identity {
 
 // The identity of a texture from files, without its filter, or of a texture that is computed from one.
 Identity texture_identity(const Scene& scene, Index texture, const Files& files);
+// The size of the texture's files; 0 for one that is missing.
+std::uint64_t file_bytes(const Scene& scene, Index texture, const Files& files);
 // The identity of a mesh, by its shape or its file.
 Identity mesh_identity(const Plan& plan, Index mesh, const Files& files);
 // The file that a shape is read from, as an index into Scene::files; none if it is made.

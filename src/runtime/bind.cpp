@@ -64,9 +64,8 @@ std::vector<Sampled> Runtime::Impl::sampled_by(const Draw& draw, std::span<const
 }
 
 // The last Irradiance before the draw counts, otherwise the last one of the text, as for textures.
-Index Runtime::Impl::harmonics_of(const Draw& draw, const LinkedProgram& program) const {
+Index Runtime::Impl::light_of(const Draw& draw) const {
     const Scene& scene = plan.scene;
-    if (!program.reads(glsl::System::harmonics)) return none;
     Index last = none;
     const auto consider = [&](Index texture) {
         if (scene.textures[texture].computed == Computed::irradiance && (last == none || texture > last))
@@ -80,8 +79,25 @@ Index Runtime::Impl::harmonics_of(const Draw& draw, const LinkedProgram& program
 
 std::vector<Index> Runtime::Impl::read_by(const Draw& draw, const LinkedProgram& program) const {
     std::vector<Index> result = read_by(draw, program.samplers);
-    if (const Index source = harmonics_of(draw, program); source != none) result.push_back(source);
+    if (program.reads(glsl::System::harmonics)) result.push_back(light_of(draw));
+    std::erase(result, none);
     return result;
+}
+
+std::vector<Index> Runtime::Impl::spared_by(const Draw& draw, const LinkedProgram& program) const {
+    std::vector<Index> result;
+    if (draw.program == none) return result;
+    result = read_by(draw, dormant[draw.program]);
+    if (spares_harmonics(draw, program)) result.push_back(light_of(draw));
+    std::erase(result, none);
+    return result;
+}
+
+bool Runtime::Impl::spares_harmonics(const Draw& draw, const LinkedProgram& program) const {
+    return !program.reads(glsl::System::harmonics) &&
+           std::ranges::any_of(active[draw.program], [](const ActiveUniform& uniform) {
+               return uniform.system && uniform.name == "uHarmonics";
+           });
 }
 
 std::vector<Index> Runtime::Impl::read_by(const Draw& draw, std::span<const SamplerUniform> samplers) const {
@@ -96,22 +112,26 @@ std::vector<Index> Runtime::Impl::read_by(const Draw& draw, std::span<const Samp
 
 void Runtime::Impl::bind_harmonics(ReadyDraw& ready, Index pass, Diagnostics& diagnostics) {
     if (!ready.program->reads(glsl::System::harmonics)) return;
-    const Scene& scene = plan.scene;
-    const Draw& draw = scene.draws[ready.draw];
-    const Index source = harmonics_of(draw, *ready.program);
-    if (source == none) {
-        diagnostics.warning("no-harmonics", draw.span,
-                            "the program reads uHarmonics, but no Irradiance names a cube map",
-                            "name one: Irradiance 7 6");
-        return;
-    }
-    if (auto problem = feedback_error(scene, pass, ready.draw, source)) {
+    if (auto problem = no_harmonics(pass, ready.draw)) {
         diagnostics.add(std::move(*problem));
         return;
     }
+    const Index source = light_of(plan.scene.draws[ready.draw]);
     ready.sources.push_back(source);
-    if (scene.textures[source].files.empty()) textures.realise(source);
+    if (plan.scene.textures[source].files.empty()) textures.realise(source);
     ready.harmonics = textures.harmonics(source);
+}
+
+std::optional<Diagnostic> Runtime::Impl::no_harmonics(Index pass, Index index) const {
+    const Draw& draw = plan.scene.draws[index];
+    const Index source = light_of(draw);
+    if (source != none) return feedback_error(plan.scene, pass, index, source);
+    return Diagnostic{Severity::warning,
+                      "no-harmonics",
+                      draw.span,
+                      "the program reads uHarmonics, but no Irradiance names a cube map",
+                      "name one: Irradiance 7 6",
+                      {}};
 }
 
 std::optional<Diagnostic> Runtime::Impl::unreadable(const Sampled& sampled, const Draw& draw, Index pass,

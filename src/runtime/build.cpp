@@ -196,7 +196,7 @@ std::vector<bool> Runtime::Impl::live_passes(Loading& loading, bool of_dormant) 
             const LinkedProgram* program = link(draw.program, variant_of(pass, draw), loading);
             if (!program) continue;
             std::ranges::for_each(read_by(draw, *program), read);
-            if (of_dormant && draw.program != none) std::ranges::for_each(read_by(draw, dormant[draw.program]), read);
+            if (of_dormant) std::ranges::for_each(spared_by(draw, *program), read);
         }
     }
     return live;
@@ -207,6 +207,7 @@ void Runtime::Impl::find_live_passes(Loading& loading) {
     const std::vector<bool> live = live_passes(loading, false), wanted = live_passes(loading, true);
     for (Index pass = 0; pass < passes.size(); ++pass) {
         passes[pass].live = live[pass];
+        passes[pass].wanted = wanted[pass];
         if (wanted[pass] || !scene.ladders.empty()) continue;  // another rung may read it
         loading.diagnostics.add({Severity::note,
                                  "unread-pass",
@@ -327,7 +328,7 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
         loading.diagnostics.warning("wireframe-unsupported", draw.span,
                                     "OpenGL ES draws no wireframes: faces are filled");
     bind_textures(ready, pass, loading.diagnostics);
-    report_dormant(pass, index, loading.diagnostics);
+    report_dormant(pass, ready, loading.diagnostics);
     bind_harmonics(ready, pass, loading.diagnostics);
     bind_tree(ready, loaded ? &*loaded : nullptr, loading);
     ready.controls = controls_of(draw.program, *ready.program);

@@ -28,7 +28,9 @@ struct Explanation {
         tree,
         program,
         target,
-        pass
+        pass,
+        sampler,
+        uniform
     };
     // A resource or a pass, by the statement that asked for it.
     struct Paid {
@@ -50,10 +52,29 @@ struct Explanation {
         std::string name, why;
         Span span;
     };
+    // What the value of a uniform switches off in the programs that are compiled for it.
+    struct SwitchedOff {
+        struct Part {
+            Kind kind = Kind::sampler;
+            std::string name;
+            std::vector<std::string> functions = {};  // of the shaders that name it, such as "main (fragment)"
+            std::vector<std::string> files = {};      // that are not opened
+            std::uint64_t bytes = 0;                  // of these files
+            std::optional<Span> span = {};            // of the statement that declares it
+        };
+        Index program = none;  // Scene::programs
+        std::string program_name,
+            uniform;  // without `uniform`: what only all values of the program together switch off
+        std::string value;
+        std::optional<Span> span;  // of the value in the scene
+        std::vector<Part> parts;
+        std::optional<FrameCost> saved;  // none: not measured
+    };
     std::string redraw;  // when another frame is drawn, and why
     std::vector<Paid> paid;
     std::vector<Unpaid> unpaid;
     std::vector<Unused> unused;
+    std::vector<SwitchedOff> switched_off;  // as far as Runtime::find_switched_off() found it
 };
 
 std::string_view name(Explanation::Kind kind);

@@ -103,7 +103,8 @@ struct OutOfView {
 };
 
 struct ReadyPass {
-    bool live = false;  // something reads what it renders
+    bool live = false;    // something reads what it renders
+    bool wanted = false;  // or would, for other values
     std::vector<Index> textures;
     int width = 0, height = 0;                     // of off-screen targets
     std::vector<GLenum> remake_mipmaps;            // targets, as `textures`; 0: none
@@ -188,8 +189,13 @@ struct Runtime::Impl {
     // Null where the texture can be read in that pass, else why not.
     std::optional<Diagnostic> unreadable(const runtime::Sampled& sampled, const Draw& draw, Index pass,
                                          Index index) const;
-    // The source of the harmonics that the program reads.
-    Index harmonics_of(const Draw& draw, const runtime::LinkedProgram& program) const;
+    // The source of the harmonics that its program reads, if it does; none: there is none.
+    Index light_of(const Draw& draw) const;
+    // Why they can't be read, if they can't.
+    std::optional<Diagnostic> no_harmonics(Index pass, Index index) const;
+    // What `program`, which the draw has, would read for other values.
+    std::vector<Index> spared_by(const Draw& draw, const runtime::LinkedProgram& program) const;
+    bool spares_harmonics(const Draw& draw, const runtime::LinkedProgram& program) const;
     void bind_harmonics(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
     void bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
 
@@ -219,8 +225,13 @@ struct Runtime::Impl {
     // Finds `dormant` and `dormant_textures`.
     void find_dormant(Index program, const runtime::LinkedProgram& linked);
     void note_dormant();
-    // Says of dormant samplers what bind_textures would.
-    void report_dormant(Index pass, Index draw, Diagnostics& diagnostics) const;
+    // Says of dormant samplers and harmonics what bind_textures and bind_harmonics would.
+    void report_dormant(Index pass, const runtime::ReadyDraw& ready, Diagnostics& diagnostics) const;
+    // The program that the draw is drawn with, or would be in a pass that is not live; null where it failed.
+    runtime::LinkedProgram* program_of(Index pass, const Draw& draw) const;
+    // Links a program for one value, or links none as nothing reads it, and notes LinkedProgram::alone.
+    bool link_alone();
+    std::shared_ptr<runtime::LinkedProgram> link_for(Index pass, const Draw& draw, const glsl::Settled& value);
     // The values are those that the programs were compiled for.
     bool stands(const Controls& controls) const;
     void find_stand();

@@ -45,6 +45,8 @@ void Runtime::outline(const Frame& frame, const Surface& surface, Index draw, fl
     impl_->outline(frame, surface, draw, line);
 }
 Runtime::Drawn Runtime::drawn(const Frame& frame) const { return impl_->drawn(frame); }
+bool Runtime::find_switched_off() { return impl_->link_alone(); }
+int Runtime::form() const { return impl_->settled_values; }
 const Counters& Runtime::counters() const { return impl_->counters; }
 
 }  // namespace snell

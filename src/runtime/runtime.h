@@ -150,6 +150,11 @@ public:
     const Counters& counters() const;
     // Without times of frames: these are for who has a clock.
     Explanation explain() const;
+    // Links one more program for one of its values alone, which tells explain() what this value switches off. False:
+    // there is none left.
+    bool find_switched_off();
+    // Another number whenever frames are drawn by programs for other values; 0: for any values.
+    int form() const;
 
     struct Impl;
 

@@ -84,25 +84,67 @@ void Runtime::Impl::find_dormant(Index program, const LinkedProgram& linked) {
     }
 }
 
-void Runtime::Impl::report_dormant(Index pass, Index index, Diagnostics& diagnostics) const {
-    const Draw& draw = plan.scene.draws[index];
+void Runtime::Impl::report_dormant(Index pass, const runtime::ReadyDraw& ready, Diagnostics& diagnostics) const {
+    const Draw& draw = plan.scene.draws[ready.draw];
     if (draw.program == none) return;
     for (const runtime::Sampled& sampled : sampled_by(draw, dormant[draw.program]))
-        if (auto problem = unreadable(sampled, draw, pass, index)) diagnostics.add(std::move(*problem));
+        if (auto problem = unreadable(sampled, draw, pass, ready.draw)) diagnostics.add(std::move(*problem));
+    if (!spares_harmonics(draw, *ready.program)) return;
+    if (auto problem = no_harmonics(pass, ready.draw)) diagnostics.add(std::move(*problem));
 }
 
 void Runtime::Impl::note_dormant() {
     dormant_textures.clear();
-    for (const Pass& pass : plan.scene.passes)
-        for (const Item& item : pass.items) {
-            if (item.kind != Item::Kind::draw) continue;
+    const auto note = [&](Index texture) {
+        if (!textures.asked(texture)) dormant_textures.insert(textures.first(texture));
+    };
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        for (const Item& item : plan.scene.passes[pass].items) {
+            if (item.kind != Item::Kind::draw || !passes[pass].wanted) continue;
             const Draw& draw = plan.scene.draws[item.index];
-            if (draw.program == none) continue;
-            for (const Index texture : read_by(draw, dormant[draw.program]))
-                if (!textures.asked(texture)) dormant_textures.insert(textures.first(texture));
+            const LinkedProgram* linked = program_of(pass, draw);
+            if (!linked) continue;
+            std::ranges::for_each(spared_by(draw, *linked), note);
+            if (!passes[pass].live) std::ranges::for_each(read_by(draw, *linked), note);
         }
     counters.images_spared = 0;
     for (const Index texture : dormant_textures) counters.images_spared += plan.scene.textures[texture].files.size();
+}
+
+LinkedProgram* Runtime::Impl::program_of(Index pass, const Draw& draw) const {
+    runtime::Variant variant = variant_of(pass, draw);
+    variant.settled = draw.program == none ? 0 : settled_values;
+    const auto found = programs.find({draw.program, variant});
+    return found == programs.end() ? nullptr : found->second.get();
+}
+
+std::shared_ptr<LinkedProgram> Runtime::Impl::link_for(Index pass, const Draw& draw, const glsl::Settled& value) {
+    Counters uncounted;  // nothing is drawn with it
+    Diagnostics unheard;
+    return runtime::link_program({plan.scene.programs[draw.program], plan.programs[draw.program].stages,
+                                  plan.scene.ladders, variant_of(pass, draw), caps, *files, *sources, store.get(),
+                                  uncounted, [&](const auto&) { return std::vector{value}; }},
+                                 unheard);
+}
+
+// False: there is nothing to link.
+bool Runtime::Impl::link_alone() {
+    for (Index pass = 0; pass < passes.size(); ++pass)
+        for (const Item& item : plan.scene.passes[pass].items) {
+            if (item.kind != Item::Kind::draw || !passes[pass].live) continue;
+            const Draw& draw = plan.scene.draws[item.index];
+            LinkedProgram* const linked = program_of(pass, draw);
+            if (!linked || linked->alone.size() == linked->settled.size()) continue;
+            const glsl::Settled& settled = linked->settled[linked->alone.size()];
+            const bool read = std::ranges::count(active[draw.program], settled.name, &ActiveUniform::name) > 0;
+            const auto alone = read ? link_for(pass, draw, settled) : nullptr;
+            std::vector<std::string>& names = linked->alone.emplace_back();
+            // Without it, as where a driver refuses the constant, nothing is known to be left out.
+            for (const ActiveUniform& uniform : alone ? alone->active : active[draw.program])
+                names.push_back(uniform.name);
+            return true;
+        }
+    return false;
 }
 
 void Runtime::Impl::find_stand() {

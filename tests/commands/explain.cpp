@@ -122,7 +122,7 @@ TEST_F(Explain, ItsJsonHasItsKeys) {
         EXPECT_TRUE(paid["at"].is_null() || (paid["at"]["file"].is_string() && paid["at"]["line"].is_number())) << paid;
     }
     EXPECT_TRUE(of_kind(report, "pass").at(0)["frame"]["cpu_ms"].is_number());
-    for (const char* key : {"not_paid", "unused", "lints"}) EXPECT_TRUE(report[key].is_array()) << key;
+    for (const char* key : {"not_paid", "switched_off", "unused", "lints"}) EXPECT_TRUE(report[key].is_array()) << key;
     for (const char* when : {"load", "frame"})
         for (const CounterName& counter : counter_names())
             EXPECT_TRUE(report["counters"][when][std::string(counter.name)].is_number_unsigned()) << counter.name;
@@ -137,6 +137,87 @@ TEST_F(Explain, TextSaysTheSame) {
                               "DECLARED BUT UNUSED", "no draw samples it"})
         EXPECT_TRUE(outcome.says(words)) << words << "\n" << outcome.output;
     EXPECT_EQ(snell("explain " + folder.path("nothing.glib")).status, 1);
+}
+
+class SwitchedOffCommand : public Explain {
+protected:
+    void SetUp() override {
+        Explain::SetUp();
+        if (IsSkipped()) return;
+        for (int i = 0; i < 12; ++i)  // faces of cubes are square
+            folder.write("t" + std::to_string(i) + ".bmp",
+                         bmp(4, 4, std::vector<std::array<int, 3>>(16, {20 * i, 90, 30})));
+        folder.write("weight.frag",
+                     "#version 330 compatibility\nuniform samplerCube uBent, uMirrored;\nuniform float uMix;\nin vec2 "
+                     "vST;\nvoid main() { vec3 d = vec3(vST - .5, 1.); gl_FragColor = vec4(mix(texture(uBent, d).rgb, "
+                     "texture(uMirrored, d).rgb, uMix), 1.); }\n");
+        folder.write("scene.glib", scene_text);
+    }
+    const std::string scene_text =
+        "CubeMap 5 t0.bmp t1.bmp t2.bmp t3.bmp t4.bmp t5.bmp\nCubeMap 6 t6.bmp t7.bmp t8.bmp t9.bmp t10.bmp t11.bmp\n"
+        "Ortho -1 1 -1 1\nVertex plain.vert\nFragment weight.frag\nProgram P uBent 5 uMirrored 6 uMix <0. 0. 1.>\n"
+        "QuadXY\n";
+};
+
+TEST_F(SwitchedOffCommand, IsAKeyOfTheJson) {
+    const json rows = explain(scene_text, "--reps 3")["switched_off"];
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0]["uniform"], "uMix");
+    EXPECT_EQ(rows[0]["program"], "P");
+    EXPECT_EQ(rows[0]["value"], "0");
+    EXPECT_EQ(rows[0]["at"]["line"], 6);
+    EXPECT_EQ(rows[0]["at"]["column"], 31);
+    EXPECT_TRUE(rows[0]["saves"]["cpu_ms"].is_number());
+    const json& off = rows[0]["off"];
+    ASSERT_EQ(off.size(), 2U);
+    EXPECT_EQ(off[0]["kind"], "sampler");
+    EXPECT_EQ(off[0]["name"], "samplerCube uMirrored");
+    EXPECT_EQ(off[0]["functions"], json::array({"main (fragment)"}));
+    EXPECT_EQ(off[1]["kind"], "cube map");
+    EXPECT_EQ(off[1]["files"].size(), 6U);
+    EXPECT_EQ(off[1]["bytes"], 6 * bytes_of(folder.path("t6.bmp")).size());
+    EXPECT_EQ(off[1]["at"]["line"], 2);
+    EXPECT_TRUE(rows[1]["uniform"].is_null()) << "all values together";
+    EXPECT_TRUE(rows[1]["saves"]["cpu_ms"].is_number());
+    EXPECT_FALSE(has(explain(scene_text)["unused"], "CubeMap 6"));
+}
+
+TEST_F(SwitchedOffCommand, IsEmptyWithoutTimesOrConstants) {
+    const json untimed = explain(scene_text, "--no-time")["switched_off"];
+    ASSERT_EQ(untimed.size(), 1U);
+    EXPECT_TRUE(untimed[0]["saves"].is_null());
+    EXPECT_EQ(explain(scene_text, "--no-time --no-specialise")["switched_off"], json::array());
+    EXPECT_EQ(explain(scene_text, "--no-time --set uMix=.5")["switched_off"], json::array());
+    EXPECT_EQ(explain(scene_text, "--no-time --no-specialise")["counters"]["load"]["images_decoded"], 12);
+    EXPECT_EQ(untimed[0]["off"][1]["files"].size(), 6U);
+}
+
+// The programs for other values read a texture a few hundred times, which the value of zero leaves out.
+TEST_F(SwitchedOffCommand, SavesWhatIsMeasured) {
+    folder.write(
+        "weight.frag",
+        "#version 330 compatibility\nuniform samplerCube uBent, uMirrored;\nuniform float uMix;\nin vec2 vST;\n"
+        "void main() { vec3 d = vec3(vST - .5, 1.), c = texture(uBent, d).rgb;\nfor (int i = 0; i < 300; ++i) "
+        "c += uMix * texture(uMirrored, d + float(i)).rgb;\ngl_FragColor = vec4(c, 1.); }\n");
+    const json report = explain(scene_text, "--reps 7");
+    const json& rows = report["switched_off"];
+    ASSERT_EQ(rows.size(), 2U);
+    for (const json& row : rows)
+        EXPECT_GT(row["saves"]["cpu_ms"].get<double>(), report["frame"]["cpu_ms"].get<double>()) << row;
+}
+
+TEST_F(SwitchedOffCommand, IsASectionOfTheText) {
+    const auto text = [&](const std::string& flags) {
+        return snell("explain " + folder.path("scene.glib") + " --size 32x32 " + flags).output;
+    };
+    const std::string timed = text("--reps 3");
+    for (const char* words : {"SWITCHED OFF", "by uMix = 0 of P", "scene.glib:6:31", "samplerCube uMirrored",
+                              "CubeMap 6 t6.bmp, 6 files not opened", "in all, against programs for any values"})
+        EXPECT_NE(timed.find(words), std::string::npos) << words << "\n" << timed;
+    EXPECT_EQ(timed.find("no draw samples it"), std::string::npos) << timed;
+    EXPECT_EQ(text("--no-time").find("in all,"), std::string::npos);
+    for (const char* flags : {"--no-time --no-specialise", "--no-time --set uMix=.5"})
+        EXPECT_EQ(text(flags).find("SWITCHED OFF"), std::string::npos) << flags;
 }
 
 // All rounds would take minutes. Where the machine is so busy that there is no time for a frame, it is ended.

@@ -142,6 +142,11 @@ TEST_F(CostsPanel, FoldsWhatIsPaidForByKind) {
     EXPECT_TRUE(has("costs.Not loaded"));
     EXPECT_FALSE(has("costs.Noise")) << "none of it";
     EXPECT_FALSE(has("costs.Declared but unused"));
+    EXPECT_FALSE(has("costs.Switched off by values"));
+    Explanation::SwitchedOff row{0, "Glass", "uMix", "0", {}, {}, {}};
+    row.parts.push_back({Explanation::Kind::sampler, "samplerCube uMirrored", {"main (fragment)"}});
+    explanation_.switched_off.push_back(std::move(row));
+    EXPECT_TRUE(has("costs.Switched off by values"));
 }
 
 }  // namespace

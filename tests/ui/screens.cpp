@@ -132,9 +132,11 @@ public:
                              {Kind::pass, "the window", "shown", {}, 0, {}, {0, 1, 2}}};
         explanation_.unpaid = {{"Noise3", "no drawn program reads it"}};
         explanation_.unused = {{"Texture2D 7 " + long_path, "no drawn program samples it", {}}};
+        explanation_.switched_off = {{0, "Glass", "uMix", "0", {}, {{Kind::image, "Texture2D 8 " + long_path}}, {}}};
         facts_.explanation = &explanation_;
         memory_.open.emplace("Costs");
-        unfolded_ = {"costs.Images", "costs.Programs", "costs.Passes", "costs.Not loaded", "costs.Declared but unused"};
+        unfolded_ = {"costs.Images",     "costs.Programs",           "costs.Passes", "costs.Switched off by values",
+                     "costs.Not loaded", "costs.Declared but unused"};
     }
     void files() {
         facts_.files = files_;

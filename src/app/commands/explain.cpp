@@ -4,11 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
-#include <set>
 
-#include "src/accuracy/clock.h"
-#include "src/accuracy/statistics.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/deadline.h"
@@ -16,7 +12,6 @@
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/progress.h"
-#include "src/content/json.h"
 #include "src/gl/exact_target.h"
 #include "src/gl/present.h"
 #include "src/lint/lint.h"
@@ -40,225 +35,8 @@ struct ExplainOptions {
     double timeout = 20;  // in seconds, for the whole command; frames are timed as long as there is time
 };
 
-using Json = nlohmann::ordered_json;
-using Paid = Explanation::Paid;
-
 constexpr double most_time = 20e3;  // milliseconds of timing frames
 constexpr double most_share = .9;   // of the time left of --timeout: the last frame may take longer than the others
-
-int line_of(const Span& span, const Sources& sources) { return sources.position(span.file, span.begin).line; }
-
-std::string place_of(const Span& span, const Sources& sources) {
-    return fmt::format("{}:{}", sources.name(span.file), line_of(span, sources));
-}
-
-std::string bytes_text(std::uint64_t bytes) {
-    if (bytes == 0) return "";
-    if (bytes < 1024 * 1024) return fmt::format("{:.1f} KiB", static_cast<double>(bytes) / 1024);
-    return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / 1024 / 1024);
-}
-
-// Times frames of which some draws are left out.
-class Rounds {
-public:
-    Rounds(Runtime& runtime, const Frame& frame, const Surface& surface, bool software)
-        : runtime_(runtime), frame_(frame), surface_(surface), software_(software) {}
-
-    FrameCost once(const std::vector<bool>* hidden, int frames = 1) {
-        Frame frame = frame_;
-        frame.hidden = hidden;
-        gl::finish();
-        const bool query = !software_ && query_.available();
-        if (query) query_.begin();
-        const double cpu = accuracy::cpu_milliseconds();
-        const runtime::Stopwatch watch;
-        for (int i = 0; i < frames; ++i) {
-            runtime_.draw(frame, surface_);
-            gl::finish();
-        }
-        FrameCost cost{(accuracy::cpu_milliseconds() - cpu) / frames, watch.milliseconds() / frames, std::nullopt};
-        if (query) cost.gpu = query_.end() / frames;
-        return cost;
-    }
-
-    // A timer query is trusted if it agrees with the wall clock on a heavy load.
-    bool calibrated() {
-        if (software_ || !query_.available()) return false;
-        const int frames = std::clamp(static_cast<int>(200 / std::max(once(nullptr).wall, .01)), 1, 1000);
-        const FrameCost heavy = once(nullptr, frames);
-        return heavy.gpu && *heavy.gpu > .8 * heavy.wall && *heavy.gpu < 1.2 * heavy.wall;
-    }
-
-private:
-    Runtime& runtime_;
-    Frame frame_;
-    Surface surface_;
-    bool software_;
-    gl::TimerQuery query_;
-};
-
-// Compares times of the same rounds; the last round may be incomplete.
-FrameCost median_difference(const std::vector<FrameCost>& with, const std::vector<FrameCost>& without, bool gpu) {
-    const auto median = [&](auto value) {
-        std::vector<double> differences;
-        for (std::size_t i = 0; i < without.size(); ++i) differences.push_back(value(with[i]) - value(without[i]));
-        return accuracy::median(differences);
-    };
-    FrameCost cost{median([](const FrameCost& c) { return c.cpu; }), median([](const FrameCost& c) { return c.wall; }),
-                   std::nullopt};
-    if (gpu) cost.gpu = median([](const FrameCost& c) { return c.gpu.value_or(0); });
-    return cost;
-}
-
-double shown(const FrameCost& cost, bool software) { return cost.gpu ? *cost.gpu : software ? cost.cpu : cost.wall; }
-
-Json cost_json(const FrameCost& cost) {
-    return {{"cpu_ms", cost.cpu}, {"wall_ms", cost.wall}, {"gpu_ms", cost.gpu ? Json(*cost.gpu) : Json(nullptr)}};
-}
-
-Json counters_json(const Counters& counters) {
-    Json json = Json::object();
-    for (const CounterName& counter : counter_names()) json[std::string(counter.name)] = counters.*counter.value;
-    return json;
-}
-
-Json span_json(const std::optional<Span>& span, const Sources& sources) {
-    if (!span) return nullptr;
-    return {{"file", sources.name(span->file)}, {"line", line_of(*span, sources)}};
-}
-
-// Returns the parts that are left out in turns. Cube passes that are kept are not among them: they would be drawn only
-// because their draws come and go.
-std::vector<Paid*> timed_parts(Explanation& explanation) {
-    std::vector<Paid*> parts;
-    std::set<Index> kept;
-    for (const Paid& paid : explanation.paid)
-        if (paid.kept) kept.insert(paid.draws.begin(), paid.draws.end());
-    for (Paid& paid : explanation.paid)
-        if (!paid.draws.empty() && std::ranges::none_of(paid.draws, [&](Index draw) { return kept.contains(draw); }))
-            parts.push_back(&paid);
-    return parts;
-}
-
-}  // namespace
-
-void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface,
-                 const Timing& timing) {
-    const runtime::Stopwatch watch;
-    Rounds clock(runtime, frame, surface, report.caps.software);
-    std::vector<Paid*> parts = timed_parts(report.explanation);
-    std::vector<std::vector<bool>> hidden;
-    for (const Paid* part : parts) {
-        hidden.emplace_back(runtime.scene().draws.size(), false);
-        for (const Index draw : part->draws) hidden.back()[draw] = true;
-    }
-    const bool gpu = clock.calibrated();
-    std::vector<FrameCost> whole;
-    std::vector<std::vector<FrameCost>> without(parts.size());
-    double longest = timing.frame;
-    const auto fits = [&] { return watch.milliseconds() + longest < timing.milliseconds; };
-    const auto timed = [&](const std::vector<bool>* left_out) {
-        const double share = std::max(watch.milliseconds() / std::max(timing.milliseconds, 1.),
-                                      static_cast<double>(whole.size()) / static_cast<double>(timing.rounds));
-        if (timing.report) timing.report(static_cast<int>(whole.size()), share);
-        const FrameCost cost = clock.once(left_out);
-        longest = std::max(longest, cost.wall);
-        return cost;
-    };
-    for (int round = 0; round < timing.rounds && fits(); ++round) {
-        whole.push_back(timed(nullptr));
-        for (std::size_t i = 0; i < parts.size() && fits(); ++i) without[i].push_back(timed(&hidden[i]));
-    }
-    if (whole.empty()) return;
-    report.asked = timing.rounds;
-    report.rounds = static_cast<int>(whole.size());
-    report.clock = gpu                    ? "timer queries of the GPU"
-                   : report.caps.software ? "CPU time of the process"
-                                          : "the wall's clock";
-    report.frame = median_difference(whole, std::vector<FrameCost>(whole.size()), gpu);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        if (!without[i].empty()) parts[i]->frame = median_difference(whole, without[i], gpu);
-    std::vector<double> values;
-    for (FrameCost& cost : whole) {
-        if (!gpu) cost.gpu.reset();
-        values.push_back(shown(cost, report.caps.software));
-    }
-    report.spread = accuracy::mad(values);
-}
-
-std::string explain_text(const ExplainReport& report, const Sources& sources) {
-    const bool timed = !report.clock.empty();
-    std::string text = fmt::format("{}  {}x{}, {}", report.scene, report.width, report.height, report.caps.renderer);
-    if (timed)
-        text += fmt::format("  frame {:.2f} ms (±{:.2f}), {}, {} rounds{}", shown(report.frame, report.caps.software),
-                            report.spread, report.clock, report.rounds,
-                            report.rounds < report.asked ? fmt::format(" of {}: time was up", report.asked) : "");
-    text += fmt::format("\ndrawn  {}\n\n{:<52}{:>10}{:>11}{:>11}\n", report.explanation.redraw, "PAYS FOR", "load ms",
-                        "frame ms", "memory");
-    const auto number = [](std::optional<double> ms) { return ms ? fmt::format("{:.2f}", *ms) : std::string("-"); };
-    for (const Paid& paid : report.explanation.paid) {
-        std::string what = fmt::format("  {} {}", name(paid.kind), paid.name);
-        if (paid.triangles) what += fmt::format(", {} triangles", paid.triangles);
-        const auto frame = paid.frame ? std::optional(shown(*paid.frame, report.caps.software)) : std::nullopt;
-        text += fmt::format("{:<52}{:>10}{:>11}{:>11}\n", what, number(paid.load_ms), number(frame),
-                            bytes_text(paid.bytes));
-        text += fmt::format("      {}{}{}\n", paid.span ? place_of(*paid.span, sources) : "", paid.span ? ": " : "",
-                            paid.why);
-    }
-    if (!report.explanation.unpaid.empty()) text += "\nNOT PAID FOR\n";
-    for (const auto& unpaid : report.explanation.unpaid) text += fmt::format("  {:<24}{}\n", unpaid.name, unpaid.why);
-    if (!report.explanation.unused.empty()) text += "\nDECLARED BUT UNUSED\n";
-    for (const auto& unused : report.explanation.unused)
-        text += fmt::format("  {:<24}{}: {}\n", unused.name, place_of(unused.span, sources), unused.why);
-    if (!report.lints.empty()) text += "\nLINTS\n";
-    for (const Diagnostic& lint : report.lints.items())
-        text += fmt::format("  {} {} [{}]\n", place_of(lint.span, sources), lint.message, lint.code);
-    text += "\nCOUNTED                      loading  each frame\n";
-    for (const CounterName& counter : counter_names()) {
-        const std::uint64_t load = report.load.*counter.value, frame = report.per_frame.*counter.value;
-        if (load || frame) text += fmt::format("  {:<22}{:>12}{:>12}\n", counter.name, load, frame);
-    }
-    return text;
-}
-
-namespace {
-
-// Has "schema" 1 and the keys that docs/architecture.md lists.
-Json explain_json(const ExplainReport& report, const Sources& sources) {
-    Json json{{"schema", 1},
-              {"scene", report.scene},
-              {"size", {report.width, report.height}},
-              {"renderer", report.caps.renderer},
-              {"gl", report.caps.version},
-              {"clock", report.clock.empty() ? Json(nullptr) : Json(report.clock)},
-              {"rounds", report.rounds},
-              {"frame", report.clock.empty() ? Json(nullptr) : cost_json(report.frame)}};
-    if (!report.clock.empty()) json["frame"]["spread_ms"] = report.spread;
-    json["redraw"] = report.explanation.redraw;
-    json["pays"] = Json::array();
-    for (const Paid& paid : report.explanation.paid) {
-        Json one{{"kind", name(paid.kind)}, {"name", paid.name}, {"why", paid.why}};
-        one["at"] = span_json(paid.span, sources);
-        one["bytes"] = paid.bytes;
-        one["load_ms"] = paid.load_ms ? Json(*paid.load_ms) : Json(nullptr);
-        one["frame"] = paid.frame ? cost_json(*paid.frame) : Json(nullptr);
-        if (paid.kind == Explanation::Kind::pass) one["draws"] = paid.draws.size();
-        if (paid.triangles) one["triangles"] = paid.triangles;
-        json["pays"].push_back(std::move(one));
-    }
-    json["not_paid"] = Json::array();
-    for (const auto& unpaid : report.explanation.unpaid)
-        json["not_paid"].push_back({{"name", unpaid.name}, {"why", unpaid.why}});
-    json["unused"] = Json::array();
-    for (const auto& unused : report.explanation.unused)
-        json["unused"].push_back({{"name", unused.name}, {"why", unused.why}, {"at", span_json(unused.span, sources)}});
-    json["lints"] = Json::array();
-    for (const Diagnostic& lint : report.lints.items())
-        json["lints"].push_back(
-            {{"code", lint.code}, {"message", lint.message}, {"at", span_json(lint.span, sources)}});
-    json["counters"] = {{"load", counters_json(report.load)}, {"frame", counters_json(report.per_frame)}};
-    return json;
-}
 
 // What outlives the steps of the command.
 struct Running {
@@ -266,6 +44,79 @@ struct Running {
     Deadline& deadline;
     ProgressLine& progress;
 };
+
+// Milliseconds that may be spent on timing.
+double time_left(const ExplainOptions& options, const Running& running) {
+    if (options.timeout <= 0) return most_time;
+    return std::min(most_share * (options.timeout * 1e3 - running.watch.milliseconds()), most_time);
+}
+
+RungChooser rungs_of(const ExplainOptions& options, Diagnostics& diagnostics) {
+    return [&](const Scene& scene, Rungs& rungs) {
+        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, diagnostics);
+    };
+}
+
+// As RuntimeOptions::settle, less one uniform.
+std::function<void(Controls&, const Scene&)> values_of(const ExplainOptions& options, Index program = none,
+                                                       const std::string& without = "") {
+    return [&options, program, without](Controls& controls, const Scene& scene) {
+        Diagnostics unheard;
+        for (const std::string& set : options.sets) set_control(controls, scene, set, unheard);
+        if (auto* control = controls.find(program, without)) control->varies = true;
+    };
+}
+
+// The scene with programs for other sets of values.
+struct Compared {
+    std::vector<std::unique_ptr<Document>> documents;  // which share what they can with the scene
+    std::vector<Comparison> comparisons;
+};
+
+// With programs for any values, and for all values but one that switches something off; as many as there is time for.
+Compared compare(ExplainReport& report, const Document& document, const ExplainOptions& options, const Frame& frame,
+                 const Surface& surface, const Running& running) {
+    Compared compared;
+    const double until = running.watch.milliseconds() + .5 * time_left(options, running);
+    const auto add = [&](std::function<void(Controls&, const Scene&)> settle, std::optional<FrameCost>& saved) {
+        if (running.watch.milliseconds() > until) return;
+        running.deadline.now(fmt::format("drawing '{}' with programs for other values", options.scene));
+        Diagnostics unheard;
+        const RuntimeOptions how{.previous = &*document.runtime, .settle = std::move(settle)};
+        auto other =
+            open_document(options.scene, report.caps, rungs_of(options, unheard), nullptr, how, options.access);
+        if (!other->runtime) return;
+        other->runtime->draw(frame, surface);
+        gl::finish();
+        compared.comparisons.push_back({&*other->runtime, &saved});
+        compared.documents.push_back(std::move(other));
+    };
+    auto& rows = report.explanation.switched_off;
+    if (!rows.empty()) add(nullptr, report.saved);
+    for (auto& row : rows)
+        if (!row.uniform.empty()) add(values_of(options, row.program, row.uniform), row.saved);
+    return compared;
+}
+
+// `took`: milliseconds of a frame.
+void time_all(ExplainReport& report, Document& document, const ExplainOptions& options, const Frame& frame,
+              const Surface& surface, double took, const Running& running) {
+    const Compared compared = compare(report, document, options, frame, surface, running);
+    running.progress.begin();
+    time_frames(report, *document.runtime, frame, surface,
+                {options.rounds, time_left(options, running), took,
+                 [&](int round, double share) {
+                     running.progress.show(fmt::format("timing frames: round {} of {}", round + 1, options.rounds),
+                                           share);
+                 }},
+                compared.comparisons);
+    running.progress.clear();
+    if (report.clock.empty())
+        fmt::print(stderr,
+                   "snell: warning: frames are not timed: one takes {:.1f} s\n   help: take a smaller --size or a "
+                   "longer --timeout\n",
+                   took / 1e3);
+}
 
 // Draws two frames and counts, then times frames for as long as there is time.
 void measure(ExplainReport& report, Document& document, const ExplainOptions& options, const Running& running) {
@@ -286,23 +137,10 @@ void measure(ExplainReport& report, Document& document, const ExplainOptions& op
     const double took = second.milliseconds();
     for (const CounterName& counter : counter_names())
         report.per_frame.*counter.value = runtime.counters().*counter.value - report.load.*counter.value;
+    const double until = running.watch.milliseconds() + .25 * time_left(options, running);
+    while (running.watch.milliseconds() < until && runtime.find_switched_off()) continue;
     report.explanation = runtime.explain();
-    if (!options.no_time) {
-        const double left = most_share * (options.timeout * 1e3 - running.watch.milliseconds());
-        running.progress.begin();
-        time_frames(report, runtime, frame, surface,
-                    {options.rounds, options.timeout > 0 ? std::min(left, most_time) : most_time, took,
-                     [&](int round, double share) {
-                         running.progress.show(fmt::format("timing frames: round {} of {}", round + 1, options.rounds),
-                                               share);
-                     }});
-        running.progress.clear();
-        if (report.clock.empty())
-            fmt::print(stderr,
-                       "snell: warning: frames are not timed: one takes {:.1f} s\n   help: take a smaller --size or a "
-                       "longer --timeout\n",
-                       took / 1e3);
-    }
+    if (!options.no_time) time_all(report, document, options, frame, surface, took, running);
 }
 
 Exit explain(const ExplainOptions& options) {
@@ -315,18 +153,11 @@ Exit explain(const ExplainOptions& options) {
     report.scene = options.scene;
     report.caps = gl::query_caps();
     Diagnostics chosen;
-    const auto choose = [&](const Scene& scene, Rungs& rungs) {
-        for (const std::string& ladder : options.ladders) choose_rung(rungs, scene, ladder, chosen);
-    };
     ProgressLine progress;
     RuntimeOptions how{.progress = progress.watcher()};
-    if (options.specialise)
-        how.settle = [&](Controls& controls, const Scene& scene) {
-            Diagnostics unheard;
-            for (const std::string& set : options.sets) set_control(controls, scene, set, unheard);
-        };
+    if (options.specialise) how.settle = values_of(options);
     const auto document = open_document(
-        options.scene, report.caps, choose,
+        options.scene, report.caps, rungs_of(options, chosen),
         [&](const Plan& plan, Document& opened) {
             report.lints = lint::check(plan, opened.sources, runtime::include_reader(*opened.files));
         },
@@ -341,8 +172,8 @@ Exit explain(const ExplainOptions& options) {
     if (!document->runtime) return exit_input;
     measure(report, *document, options, {watch, deadline, progress});
     deadline.rest();
-    const std::string text = options.json ? content::json_text(explain_json(report, document->sources)) + "\n"
-                                          : explain_text(report, document->sources);
+    const std::string text =
+        options.json ? explain_json(report, document->sources) : explain_text(report, document->sources);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return errors.has_errors() ? exit_input : exit_fine;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,11 +23,17 @@ struct ExplainReport {
     FrameCost frame;
     double spread = 0;  // median absolute deviation of the frame's time by the chosen clock, in milliseconds
     Explanation explanation;
-    Counters load, per_frame;  // for loading, and for one further frame
+    std::optional<FrameCost> saved;  // by programs for these values against those for any; none: not measured
+    Counters load, per_frame;        // for loading, and for one further frame
     Diagnostics lints;
 };
 
 std::string explain_text(const ExplainReport& report, const Sources& sources);
+// Has "schema" 1 and the keys that docs/architecture.md lists.
+std::string explain_json(const ExplainReport& report, const Sources& sources);
+
+// The time by the clock that is trusted, in milliseconds.
+double shown(const FrameCost& cost, bool software);
 
 // How long frames are timed.
 struct Timing {
@@ -35,10 +43,17 @@ struct Timing {
     std::function<void(int round, double share)> report;  // called before each frame; share: 0 to 1
 };
 
+// A runtime of the same scene whose programs take more values. `saved` gets what its frames take more.
+struct Comparison {
+    Runtime* runtime;
+    std::optional<FrameCost>* saved;
+};
+
 // Times every pass, and the draws of every program, by difference: whole frames and frames without these draws are
 // timed in interleaved rounds. Cube passes that are not drawn again have no time, nor have parts for which the time was
-// up. `clock` stays empty if there is no time for a frame. Precondition: the frame was drawn before.
+// up. So are frames of `comparisons`, which were drawn before, too. `clock` stays empty if there is no time for a
+// frame. Precondition: the frame was drawn before.
 void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface,
-                 const Timing& timing);
+                 const Timing& timing, std::span<const Comparison> comparisons = {});
 
 }  // namespace snell::app

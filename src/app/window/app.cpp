@@ -210,6 +210,7 @@ bool App::specialise() {
     hang_.begin("compiling programs for the values as they are");
     specialised_ = !display_.specialise(*document);
     hang_.rest();
+    if (specialised_ && measuring_.outdated(*document)) settle(1);
     return !specialised_;
 }
 

@@ -7,7 +7,7 @@ Measuring::Measuring(const std::string& scene, const gl::Caps& caps)
 
 void Measuring::begin_scene(const std::string& scene) {
     accuracy_ = AccuracyView(scene, caps_);
-    explained_ = 0;
+    explained_ = {};
 }
 
 const std::function<void(const Step&)>* Measuring::begin_picture(std::uint64_t revision, bool wanted) {
@@ -24,6 +24,12 @@ bool Measuring::follow(Document& document, bool stale, const Display& display, c
 }
 
 bool Measuring::step(Document* document, const Display& display) {
+    linking_ = linking_ && document;
+    if (linking_) {
+        linking_ = document->runtime->find_switched_off();
+        if (!linking_) explanation_ = document->runtime->explain();
+        return !linking_;
+    }
     return (document && frame_costs_.step(*document, display.drawn().stand, display.samples())) || accuracy_.step();
 }
 
@@ -39,12 +45,24 @@ void Measuring::tell(ui::Facts& facts, const Document* document, const ui::Memor
 }
 
 void Measuring::explain(ui::Facts& facts, const Document& document, const ui::Memory& memory) {
-    if (!memory.costs) return;
-    if (explained_ != facts.revision) explanation_ = document.runtime->explain();
-    explained_ = facts.revision;
+    if (!memory.costs) {
+        explained_ = {};
+        linking_ = false;
+        return;
+    }
+    const std::pair now{facts.revision, document.runtime->form()};
+    if (explained_ != now) {
+        explanation_ = document.runtime->explain();
+        linking_ = document.runtime->form() != 0;
+    }
+    explained_ = now;
     frame_costs_.fill(explanation_);
     facts.explanation = &explanation_;
     facts.sources = &document.sources;
+}
+
+bool Measuring::outdated(const Document& document) const {
+    return explained_.first != 0 && explained_.second != document.runtime->form();
 }
 
 void Measuring::show(int y, const ui::Memory& memory) {

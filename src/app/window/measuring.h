@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "src/app/window/display.h"
 #include "src/app/window/measure/accuracy_view.h"
@@ -30,7 +31,7 @@ public:
     // again.
     bool follow(Document& document, bool stale, const Display& display, const ui::Memory& memory);
     // True if step() has something to do.
-    bool busy() const { return accuracy_.busy() || frame_costs_.busy(); }
+    bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_; }
     // Draws one picture to measure it. Returns true if there is something new to show.
     bool step(Document* document, const Display& display);
     // Starts and stops what the panels ask for.
@@ -40,6 +41,8 @@ public:
     void tell(ui::Facts& facts, const Document* document, const ui::Memory& memory);
     // Fills in the explanation of the costs, if its panel is open.
     void explain(ui::Facts& facts, const Document& document, const ui::Memory& memory);
+    // The explanation that is shown is of programs for other values.
+    bool outdated(const Document& document) const;
     // Changes whenever show() would draw something else because of the accuracy panel.
     std::uint64_t revision(const ui::Memory& memory) const { return accuracy_.revision(memory.accuracy); }
     // Draws what is measured over the picture, whose bottom left is at pixel (0, y).
@@ -51,7 +54,8 @@ private:
     FrameCosts frame_costs_;
     PixelView pixels_;
     Explanation explanation_;
-    std::uint64_t explained_ = 0;  // the revision that explanation_ belongs to
+    std::pair<std::uint64_t, int> explained_;  // the revision and Runtime::form() that explanation_ belongs to
+    bool linking_ = false;                     // programs that tell what values switch off
 };
 
 }  // namespace snell

@@ -186,7 +186,7 @@ Expression Parser::assignment() {
         if (!plain && op != "<<=" && op != ">>=") note_operands(target, value, op.substr(0, 1));
         if (!plain && due.floating()) due = make_type(due.base, value.type.rows);
         if (op != "<<=" && op != ">>=") convert(value, due, plain ? Due::assignment : Due::operand);
-        if (!plain) mark_division(nullptr, value, op.substr(0, 1));
+        if (!plain) mark_division(nullptr, value, op.substr(0, 1), here());
         note_write(target, &value, op);
         emit(Op::assign, 0, op);
         target.last = value.last >= 0 ? value.last : p_ - 1;
@@ -256,7 +256,7 @@ Expression Parser::combine(Expression a, Expression b, std::string_view op) {
         out.type = make_type(Base::boolean);
         return out;
     }
-    mark_division(&a, b, op);
+    mark_division(&a, b, op, here() - 1);
     out.type = arithmetic(a.type, b.type, op);
     const bool matrix = a.type.cols > 1 || b.type.cols > 1;
     if (out.constant && !(matrix && op == "*") && (op == "+" || op == "-" || op == "*" || op == "/")) {

@@ -24,6 +24,9 @@ struct Expression {
     void no_variable() { global = -1, legacy = {}; }
 };
 
+// What stands in front of a marked operand until it is known whether the mark stays, with its number.
+inline constexpr std::string_view mark_name = "snell_mark";
+
 class Parser {
 public:
     // `at_run_time`: see Options::undefined_at_run_time.
@@ -103,8 +106,9 @@ private:
     void note_operands(const Expression& a, const Expression& b, std::string_view op);
     void note_operand(const Expression& e, std::string_view op);
     // Marks operands whose result is undefined for some constants. `a` is null where the dividend is assigned.
-    void mark(const Expression& e, std::string_view function);
-    void mark_division(const Expression* a, const Expression& b, std::string_view op);
+    // `step`: the instruction whose operand it is.
+    void mark(const Expression& e, std::string_view function, int step, int operand);
+    void mark_division(const Expression* a, const Expression& b, std::string_view op, int step);
     void mark_call(const Expression& call, std::string_view name, const std::vector<Expression>& given);
     void note_write(const Expression& target, const Expression* value, std::string_view op);
     void touch(const Expression& e, bool write);

@@ -179,6 +179,14 @@ struct StageLayout {
     int last = -1;
 };
 
+// An operand whose result GLSL leaves undefined for some constants. The text has `snell_markN(` in front of it, or, for
+// a call, another function in its place if the mark stays.
+struct Mark {
+    std::string_view function;
+    int step = 0, operand = 0;  // of Code::steps; of its operands
+    int call = -1;              // the token of a call whose operands are both marked
+};
+
 // One stage of a program.
 struct Unit {
     Stage stage = Stage::vertex;
@@ -214,7 +222,7 @@ struct Unit {
     std::map<std::string_view, int> built_ins;  // Code::variables of the built-in variables that are named
     std::vector<Misfit> misfits;
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
-    bool marks_undefined = false;                   // operands are marked, see read/undefined.cpp
+    std::vector<Mark> marks;                        // see read/undefined.cpp
     std::set<std::string_view> legacy_written;      // built-in variables that are assigned
     bool alpha_known = false;                       // some write of a colour output gave it alpha 1
     bool alpha_unknown = false;                     // some write may have given it another

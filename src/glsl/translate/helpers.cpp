@@ -48,13 +48,13 @@ std::string smoothstep_function(std::string_view edge, std::string_view type) {
 
 // What read/undefined.cpp marks operands with. Nothing folds what a uniform takes part in, and one that is never set
 // is 0. Constants for which results are defined stay constants.
-struct Mark {
+struct MarkText {
     std::string_view name, text, prefix;  // for a scalar; of the vectors that it is repeated for
     bool two = false;                     // parameters
 };
 constexpr std::string_view live_text =
     "float snell_live(float x) { return intBitsToFloat(floatBitsToInt(x) | snell_Zero); }\n";
-constexpr Mark marks[] = {
+constexpr MarkText marks[] = {
     {"snell_divisor", "float snell_divisor(float x) { return x == 0.0 ? snell_live(x) : x; }\n", "vec"},
     {"snell_divisor", "int snell_divisor(int x) { return x <= 0 ? x | snell_Zero : x; }\n", "ivec"},
     {"snell_divisor", "uint snell_divisor(uint x) { return x == 0u ? uint(snell_Zero) : x; }\n", "uvec"},
@@ -64,7 +64,7 @@ constexpr Mark marks[] = {
      "vec", true},
 };
 
-std::string by_component(const Mark& mark, int size) {
+std::string by_component(const MarkText& mark, int size) {
     const std::string name(mark.name), type = std::string(mark.prefix) + std::to_string(size);
     std::string text =
         type + " " + name + "(" + type + " x" + (mark.two ? ", " + type + " y" : "") + ") { return " + type + "(";
@@ -77,7 +77,7 @@ std::string by_component(const Mark& mark, int size) {
 
 std::string undefined_functions() {
     std::string text(live_text);
-    for (const Mark& mark : marks) {
+    for (const MarkText& mark : marks) {
         text += mark.text;
         for (int size = 2; size <= 4; ++size) text += by_component(mark, size);
     }
@@ -104,6 +104,11 @@ static bool redirect(Unit& u, const std::string& name) {
     return used;
 }
 
+void provide_marks(Unit& u) {
+    declare_once(u, "snell_Zero", "uniform int snell_Zero;");
+    u.header += undefined_functions();
+}
+
 void provide_helpers(const Target& target, Unit& u) {
     bool declared = false;
     for (int n = 1; n <= 4; ++n) {
@@ -117,10 +122,6 @@ void provide_helpers(const Target& target, Unit& u) {
             u.header += smoothstep_function(type, type);
             if (type != "float") u.header += smoothstep_function("float", type);
         }
-    if (u.marks_undefined) {
-        declare_once(u, "snell_Zero", "uniform int snell_Zero;");
-        u.header += undefined_functions();
-    }
     if (target.es && target.version < 320 && redirect(u, "fma"))
         for (const std::string_view type : arguments) {
             const std::string t(type);

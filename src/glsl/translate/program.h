@@ -110,6 +110,10 @@ bool widens_lines(const Program& program);
 std::optional<std::string> widen_lines(Program& program);
 // Asks Options::settle, after declared_uniforms.
 void choose_settled(Program& program);
+// Marks of operands stay where settled uniforms may make these constants (read/undefined.cpp); the others go.
+void resolve_marks(Program& program);
+// The functions that marks call.
+void provide_marks(Unit& unit);
 // Settled uniforms become constants.
 void settle_uniforms(const Program& program, Unit& unit);
 // Initialisers that are no constants move to the start of main.

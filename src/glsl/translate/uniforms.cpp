@@ -7,7 +7,9 @@
 #include <limits>
 #include <map>
 
+#include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
+#include "src/glsl/run/folding.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::glsl {
@@ -231,6 +233,30 @@ void choose_settled(Program& program) {
         const Global* g = declaration(program, settled.name);
         return !g || constant_text(g->type, settled.values).empty();
     });
+}
+
+void resolve_marks(Program& program) {
+    std::set<std::string_view> settled;
+    for (const DeclaredUniform& declared : program.declared)
+        if (!program.options.settle ||
+            std::ranges::find(program.settled, declared.name, &Settled::name) != program.settled.end())
+            settled.insert(declared.name);
+    for (const RenamedUniform& renamed : program.renamed)
+        if (settled.contains(renamed.name)) settled.insert(renamed.shader_name);
+    std::map<std::string_view, run::Fold> passed;
+    for (Unit& u : program.units) {
+        const std::vector<bool> stay = run::marks_that_stay(u, settled, passed);
+        for (Edit& edit : u.edits)
+            for (std::size_t at = edit.before.find(mark_name); at != std::string::npos;
+                 at = edit.before.find(mark_name, at + 1)) {
+                const std::size_t end = edit.before.find('(', at);
+                const auto n = static_cast<std::size_t>(std::stoi(edit.before.substr(at + mark_name.size())));
+                edit.before.replace(at, end - at, stay[n] ? u.marks[n].function : std::string_view());
+            }
+        for (std::size_t n = 0; n < stay.size(); ++n)
+            if (stay[n] && u.marks[n].call >= 0) u.replace(u.marks[n].call, u.marks[n].function);
+        if (std::ranges::count(stay, true) > 0) provide_marks(u);
+    }
 }
 
 void settle_uniforms(const Program& program, Unit& u) {

@@ -1,5 +1,6 @@
 // Which uniforms of the texts the linked program will have, as far as that is certain without a driver.
 #include <algorithm>
+#include <array>
 
 #include "src/glsl/read/words.h"
 #include "src/glsl/run/trial.h"
@@ -38,6 +39,18 @@ bool named(const Unit& u, const std::set<std::string_view>& running, const Globa
     });
 }
 
+void note_functions(const Unit& u, const Global& g, std::vector<std::string>& functions) {
+    constexpr std::array<std::string_view, 5> stages{"vertex", "tessellation control", "tessellation evaluation",
+                                                     "geometry", "fragment"};  // as Stage
+    for (const Function& function : u.functions) {
+        const auto within = [&](int use) { return use > function.open && use < function.close; };
+        if (!std::ranges::any_of(g.uses, within)) continue;
+        std::string name(function.name);
+        name.append(" (").append(stages[static_cast<std::size_t>(u.stage)]).append(")");
+        if (std::ranges::count(functions, name) == 0) functions.push_back(std::move(name));  // overloaded
+    }
+}
+
 struct Candidate {
     bool certain = true, named = false, adapted = false;
 };
@@ -69,6 +82,7 @@ std::vector<DeclaredUniform> declared_uniforms(Program& program) {
                 candidates.emplace_back();
                 known = declared.end() - 1;
             }
+            note_functions(u, g, known->functions);
             Candidate& c = candidates[static_cast<std::size_t>(known - declared.begin())];
             c.certain = c.certain && u.code.whole;
             c.named = c.named || named(u, running, g);

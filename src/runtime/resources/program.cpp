@@ -112,6 +112,12 @@ bool LinkedProgram::reads(glsl::System which) const {
     return std::ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
 }
 
+std::vector<std::string> LinkedProgram::functions_naming(std::string_view uniform) const {
+    const std::string_view name = uniform.substr(0, uniform.find_first_of(".["));
+    const auto found = std::ranges::find(declared, name, &glsl::DeclaredUniform::name);
+    return found == declared.end() ? std::vector<std::string>() : found->functions;
+}
+
 namespace {
 
 glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics) {
@@ -128,12 +134,7 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.color_outputs = request.variant.outputs;
     options.settle = request.settle;
     options.undefined_at_run_time = options.find_uses = request.settle != nullptr;
-    glsl::Translation translation = glsl::translate(request.stages, request.sources, options, diagnostics);
-    if (!request.settle || !translation.settled.empty()) return translation;
-    options.settle = nullptr;  // it is the program for any values
-    options.undefined_at_run_time = false;
-    Diagnostics said_before;
-    return glsl::translate(request.stages, request.sources, options, said_before);
+    return glsl::translate(request.stages, request.sources, options, diagnostics);
 }
 
 // Returns null if a stage does not compile, or if the stages do not link.

@@ -57,6 +57,8 @@ struct LinkedProgram {
     std::vector<ActiveUniform> active;
     std::vector<glsl::DeclaredUniform> declared;
     std::vector<glsl::Settled> settled;  // uniforms that are constants in it
+    // By `settled`, as far as anyone asked: the uniforms that are active if only this one is a constant.
+    std::vector<std::vector<std::string>> alone;
     std::vector<SystemUniform> system;
     std::optional<DrawContext> shown;  // what `system` was set from last
     std::vector<float> scratch;        // kept for its memory
@@ -74,6 +76,8 @@ struct LinkedProgram {
     GLenum geometry_input = 0;  // 0: no geometry shader
 
     bool reads(glsl::System system) const;
+    // The functions of the shaders that name the uniform, such as "main (fragment)".
+    std::vector<std::string> functions_naming(std::string_view uniform) const;
 };
 
 // One program may be compiled in several ways.

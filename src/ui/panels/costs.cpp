@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -91,6 +92,21 @@ void paid_for(const Facts& facts, Layout& layout) {
     }
 }
 
+void switched_off(const Facts& facts, Layout& layout) {
+    const auto& rows = facts.explanation->switched_off;
+    if (rows.empty() || !branch("Switched off by values", rows.size(), "", layout)) return;
+    for (const Explanation::SwitchedOff& row : rows) {
+        const std::string by = row.uniform.empty() ? fmt::format("values of {} together", row.program_name)
+                                                   : fmt::format("{} = {}", row.uniform, row.value);
+        std::string what = "program " + row.program_name;
+        for (const auto& part : row.parts)
+            what += "\n" + (part.functions.empty() ? fmt::format("{} {}", name(part.kind), part.name)
+                                                   : fmt::format("{}, {}", part.name, fmt::join(part.functions, ", ")));
+        line(facts, by, counted(row.parts.size(), "item"), what, row.span);
+    }
+    ImGui::TreePop();
+}
+
 void not_paid_for(const Facts& facts, Layout& layout) {
     const Explanation& explanation = *facts.explanation;
     if (!explanation.unpaid.empty() && branch("Not loaded", explanation.unpaid.size(), "", layout)) {
@@ -121,6 +137,7 @@ void costs_section(const Facts& facts, Memory& memory, Layout& layout) {
     fitted(bytes_text(bytes) + " of GPU memory", ImGui::GetContentRegionAvail().x);
     wrapped("redrawn " + facts.explanation->redraw, true);
     paid_for(facts, layout);
+    switched_off(facts, layout);
     not_paid_for(facts, layout);
 }
 
