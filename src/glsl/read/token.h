@@ -181,6 +181,7 @@ struct StageLayout {
 
 // An operand whose result GLSL leaves undefined for some constants. The text has `snell_markN(` in front of it, or, for
 // a call, another function in its place if the mark stays.
+inline constexpr std::string_view divisor_mark = "snell_divisor";
 struct Mark {
     std::string_view function;
     int step = 0, operand = 0;  // of Code::steps; of its operands

@@ -31,16 +31,16 @@ void Parser::mark(const Expression& e, std::string_view function, int step, int 
 
 void Parser::mark_division(const Expression* a, const Expression& b, std::string_view op, int step) {
     if (!at_run_time_ || (op != "/" && op != "%")) return;
-    mark(b, "snell_divisor", step, 1);
+    mark(b, divisor_mark, step, 1);
     if (op == "%" && a && a->type.base == Base::integer) mark(*a, "snell_dividend", step, 0);
 }
 
 void Parser::mark_call(const Expression& call, std::string_view name, const std::vector<Expression>& given) {
     if (!at_run_time_ || given.size() != 2) return;
     const int step = here();  // the call comes next
-    if (name == "mod") mark(given[1], "snell_divisor", step, 1);
-    if (name == "atan" && from_source(given[0])) mark(given[1], "snell_divisor", step, 1);
-    if (name == "atan") mark(given[0], "snell_divisor", step, 0);
+    if (name == "mod") mark(given[1], divisor_mark, step, 1);
+    if (name == "atan" && from_source(given[0])) mark(given[1], divisor_mark, step, 1);
+    if (name == "atan") mark(given[0], divisor_mark, step, 0);
     if (name != "pow" || positive(given[0]) || !marked_type(given[0].type)) return;
     if (from_source(given[1])) return mark(given[0], "snell_base", step, 0);
     u_.marks.push_back({"snell_pow", step, 0, call.first});

@@ -3,31 +3,44 @@
 #include "src/glsl/run/folding.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace snell::glsl::run {
 
 namespace {
 
+using Kind = Fold::Kind;
+
 struct Item {
-    Fold fold = Fold::live;
+    Fold fold;
     int variable = -1;
 };
 
-Fold both(Fold a, Fold b) { return a == Fold::live || b == Fold::live ? Fold::live : std::max(a, b); }
-// Zero times anything is zero.
-Fold product(Fold a, Fold b) { return std::max(a, b) == Fold::settled ? Fold::settled : both(a, b); }
-Fold of_operator(std::string_view op, Fold a, Fold b) { return op == "*" ? product(a, b) : both(a, b); }
+bool is_live(const Fold& a) { return a.kind == Kind::live; }
+bool is_settled(const Fold& a) { return a.kind == Kind::settled; }
+
+Fold both(const Fold& a, const Fold& b, bool zero) {
+    if (is_live(a) || is_live(b)) return {};
+    return {std::max(a.kind, b.kind), zero};
+}
+
+Fold of_operator(std::string_view op, const Fold& a, const Fold& b) {
+    // Zero times anything is zero.
+    if (op == "*" && ((is_settled(a) && a.zero) || (is_settled(b) && b.zero))) return {Kind::settled, true};
+    return both(a, b, op == "*" ? a.zero || b.zero : op == "/" ? a.zero : true);
+}
+
+// One of them, nobody knows which.
+Fold either(const Fold& a, const Fold& b) { return {std::max(a.kind, b.kind), a.zero || b.zero}; }
 
 class Follower {
 public:
-    explicit Follower(const Unit& unit) : u_(unit), variables_(unit.code.variables.size(), Fold::live) {}
+    explicit Follower(const Unit& unit) : u_(unit), variables_(unit.code.variables.size()) {}
 
-    void know(int variable, Fold fold) {
-        if (variable < 0 || variables_[at(variable)] >= fold) return;
-        variables_[at(variable)] = fold;
-        changed_ = true;
+    void know(int variable, const Fold& fold) {
+        if (variable >= 0) know(variables_[at(variable)], fold);
     }
-    Fold of(int variable) const { return variable < 0 ? Fold::live : variables_[at(variable)]; }
+    Fold of(int variable) const { return variable < 0 ? Fold{} : variables_[at(variable)]; }
 
     void follow() {
         do {
@@ -39,10 +52,15 @@ public:
     // Of an instruction with two operands.
     Fold operand(int step, int n) const {
         const auto found = operands_.find(at(step));
-        return found == operands_.end() ? Fold::settled : found->second[at(n)];
+        return found == operands_.end() ? Fold{Kind::settled, true} : found->second[at(n)];
     }
 
 private:
+    void know(Fold& known, const Fold& fold) {
+        const Fold now = either(known, fold);
+        changed_ = changed_ || now.kind != known.kind || now.zero != known.zero;
+        known = now;
+    }
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
     Item pop() {
@@ -51,7 +69,7 @@ private:
         stack_.pop_back();
         return item;
     }
-    void push(Fold fold, int variable = -1) { stack_.push_back({fold, variable}); }
+    void push(const Fold& fold, int variable = -1) { stack_.push_back({fold, variable}); }
     std::vector<Item> pop(int count) {
         std::vector<Item> items(at(count));
         for (auto item = items.rbegin(); item != items.rend(); ++item) *item = pop();
@@ -63,11 +81,11 @@ private:
             case Op::number:
             case Op::length:
                 if (i.op == Op::length) pop();
-                return push(Fold::constant);
+                return push({Kind::constant, i.op == Op::number && i.number == 0});
             case Op::load:
                 return push(of(i.a), i.a);
             case Op::unknown:
-                return push(Fold::live);
+                return push({});
             case Op::select:
                 return;
             case Op::prefix:
@@ -79,7 +97,7 @@ private:
             case Op::index: {
                 const Fold index = pop().fold;
                 const Item of_what = pop();
-                return push(both(of_what.fold, index), of_what.variable);
+                return push(both(of_what.fold, index, of_what.fold.zero), of_what.variable);
             }
             case Op::infix: {
                 const Fold b = pop().fold, a = pop().fold;
@@ -88,9 +106,10 @@ private:
             }
             case Op::choose: {
                 const Fold b = pop().fold, a = pop().fold, condition = pop().fold;
-                const bool may =
-                    std::max(a, b) == Fold::settled || (condition == Fold::settled && std::max(a, b) != Fold::live);
-                return push(may ? Fold::settled : both(both(a, b), condition));
+                const Fold one = either(a, b);
+                const bool may = is_settled(one) || (is_settled(condition) && !is_live(one));
+                if (may) return push({Kind::settled, one.zero});
+                return push(both(both(a, b, one.zero), condition, one.zero));
             }
             case Op::assign: {
                 const Item given = pop(), target = pop();
@@ -124,25 +143,32 @@ private:
 
     // `any`: one that is settled is enough.
     static Fold all_of(const std::vector<Item>& items, bool any = false) {
-        Fold all = Fold::constant, most = Fold::live;
+        Fold all{Kind::constant, false}, one;
         for (const Item& item : items) {
-            all = both(all, item.fold);
-            most = std::max(most, item.fold);
+            one = either(one, item.fold);
+            all = both(all, item.fold, one.zero);
         }
-        return any && most == Fold::settled ? most : all;
+        return any && is_settled(one) ? one : all;
     }
 
     void built_in(const Instruction& i, std::size_t step) {
         const std::vector<Item> given = pop(i.a);
         if (given.size() == 2) operands_[step] = {given[0].fold, given[1].fold};
         if (i.text == "dot" || i.text == "cross" || i.text == "matrixCompMult") return push(all_of(given, true));
-        if (i.text == "mix" && given.size() == 3 && given[2].fold == Fold::settled) return push(Fold::settled);
-        push(all_of(given));
+        Fold result = all_of(given);
+        if (i.text == "mix" && given.size() == 3 && is_settled(given[2].fold)) {  // it may be the first or the second
+            result = either(given[0].fold, given[1].fold);
+            if (!is_live(result)) result.kind = Kind::settled;
+        }
+        constexpr std::string_view keep_zero[] = {"abs", "sqrt", "min",     "max",    "clamp",
+                                                  "mix", "sign", "radians", "degrees"};
+        result.zero = !is_live(result) && (result.zero || std::ranges::count(keep_zero, i.text) == 0);
+        push(result);
     }
 
     void call(const Instruction& i) {
         const std::vector<Item> given = pop(i.a);
-        Fold result = Fold::live;
+        Fold result;
         for (std::size_t n = 0; n < u_.functions.size(); ++n) {
             const Function& f = u_.functions[n];
             if (f.name != i.text || f.parameters.size() != given.size()) continue;
@@ -150,17 +176,16 @@ private:
                 if (f.parameters[k].storage != Storage::out) know(f.parameters[k].variable, given[k].fold);
                 if (f.parameters[k].storage != Storage::in) know(given[k].variable, of(f.parameters[k].variable));
             }
-            if (const auto known = results_.find(n); known != results_.end()) result = std::max(result, known->second);
+            if (const auto known = results_.find(n); known != results_.end()) result = either(result, known->second);
         }
         push(result);
     }
 
-    void know_result(std::size_t step, Fold fold) {
+    void know_result(std::size_t step, const Fold& fold) {
         for (std::size_t n = 0; n < u_.functions.size(); ++n) {
             const Function& f = u_.functions[n];
-            if (f.code < 0 || step < at(f.code) || step >= at(f.code_end) || results_[n] >= fold) continue;
-            results_[n] = fold;
-            changed_ = true;
+            if (f.code < 0 || step < at(f.code) || step >= at(f.code_end)) continue;
+            know(results_[n], fold);
         }
     }
 
@@ -174,7 +199,7 @@ private:
 
 }  // namespace
 
-std::vector<bool> marks_that_stay(const Unit& unit, const std::set<std::string_view>& settled,
+std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, bool>& settled,
                                   std::map<std::string_view, Fold>& passed) {
     if (!unit.code.whole) {
         passed.clear();
@@ -182,19 +207,23 @@ std::vector<bool> marks_that_stay(const Unit& unit, const std::set<std::string_v
     }
     Follower follower(unit);
     for (const Global& g : unit.globals) {
-        if (g.qualifiers.storage == Storage::uniform && settled.contains(g.name))
-            follower.know(g.variable, Fold::settled);
-        if (g.qualifiers.storage != Storage::in) continue;
-        if (const auto known = passed.find(g.name); known != passed.end()) follower.know(g.variable, known->second);
+        if (g.qualifiers.storage == Storage::uniform)
+            if (const auto known = settled.find(g.name); known != settled.end())
+                follower.know(g.variable, {Kind::settled, known->second});
+        if (g.qualifiers.storage == Storage::in)
+            if (const auto known = passed.find(g.name); known != passed.end()) follower.know(g.variable, known->second);
     }
     follower.follow();
     passed.clear();
     for (const Global& g : unit.globals)
         if (g.qualifiers.storage == Storage::out) passed[g.name] = follower.of(g.variable);
+    const auto stays = [&](const Mark& mark) {
+        const Fold fold = follower.operand(mark.step, mark.operand);
+        if (mark.call >= 0 && is_settled(follower.operand(mark.step, 1))) return true;
+        return is_settled(fold) && (fold.zero || mark.function != divisor_mark);
+    };
     std::vector<bool> stay;
-    for (const Mark& mark : unit.marks)
-        stay.push_back(follower.operand(mark.step, mark.operand) == Fold::settled ||
-                       (mark.call >= 0 && follower.operand(mark.step, 1) == Fold::settled));
+    std::ranges::transform(unit.marks, std::back_inserter(stay), stays);
     return stay;
 }
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,15 +11,19 @@
 
 namespace snell::glsl::run {
 
-enum class Fold : unsigned char {
-    live,      // it differs between vertices or pixels, or is not known to be constant
-    constant,  // by the text alone
-    settled,   // if the uniforms are constants
+struct Fold {
+    enum class Kind : unsigned char {
+        live,      // it differs between vertices or pixels, or is not known to be constant
+        constant,  // by the text alone
+        settled,   // if the uniforms are constants
+    };
+    Kind kind = Kind::live;
+    bool zero = false;  // a constant of which a component may be 0
 };
 
-// By Unit::marks, whether the mark stays. `settled`: names of uniforms. `passed`: what is known of the stage's inputs;
-// of its outputs when this returns.
-std::vector<bool> marks_that_stay(const Unit& unit, const std::set<std::string_view>& settled,
+// By Unit::marks, whether the mark stays. `settled`: uniforms, and whether a component of them is 0. `passed`: what is
+// known of the stage's inputs; of its outputs when this returns.
+std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, bool>& settled,
                                   std::map<std::string_view, Fold>& passed);
 
 }  // namespace snell::glsl::run

@@ -236,13 +236,13 @@ void choose_settled(Program& program) {
 }
 
 void resolve_marks(Program& program) {
-    std::set<std::string_view> settled;
+    std::map<std::string_view, bool> settled;  // whether a component is 0
+    for (const Settled& one : program.settled) settled[one.name] = std::ranges::count(one.values, 0.) > 0;
     for (const DeclaredUniform& declared : program.declared)
-        if (!program.options.settle ||
-            std::ranges::find(program.settled, declared.name, &Settled::name) != program.settled.end())
-            settled.insert(declared.name);
+        if (!program.options.settle) settled[declared.name] = true;
     for (const RenamedUniform& renamed : program.renamed)
-        if (settled.contains(renamed.name)) settled.insert(renamed.shader_name);
+        if (const auto known = settled.find(renamed.name); known != settled.end())
+            settled[renamed.shader_name] = known->second;
     std::map<std::string_view, run::Fold> passed;
     for (Unit& u : program.units) {
         const std::vector<bool> stay = run::marks_that_stay(u, settled, passed);
