@@ -10,6 +10,12 @@
 
 namespace snell::bench {
 
+RuntimeOptions for_values() {
+    RuntimeOptions options;
+    options.settle = [](Controls&, const Scene&) {};
+    return options;
+}
+
 namespace {
 
 std::uint64_t calls = 0;
@@ -51,7 +57,8 @@ Rooms::Rooms(const std::string& root) {
         room->context = HeadlessContext::make({}, error);
         if (!room->context) throw NoGraphics(error);
         if (who == Who::snell) {
-            room->document = open_document(root + "/scenes/refraction-room/refraction-room.glib", gl::query_caps());
+            room->document = open_document(root + "/scenes/refraction-room/refraction-room.glib", gl::query_caps(),
+                                           nullptr, nullptr, for_values());
             if (room->document->diagnostics.has_errors()) throw std::runtime_error("the scene has errors");
         } else {
             room->by_hand.emplace(root + "/scenes/environments/room", who == Who::by_hand);

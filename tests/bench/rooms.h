@@ -9,12 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "src/runtime/runtime.h"
 #include "tests/bench/timing.h"
 
 namespace snell::bench {
 
 enum class Who { snell, by_hand, by_hand_constants };
 inline constexpr std::array<Who, 3> everybody{Who::snell, Who::by_hand, Who::by_hand_constants};
+
+// Programs are compiled for the values of the scene's text, as without a window.
+RuntimeOptions for_values();
 
 struct NoGraphics : std::runtime_error {
     using std::runtime_error::runtime_error;

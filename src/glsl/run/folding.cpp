@@ -3,6 +3,7 @@
 #include "src/glsl/run/folding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace snell::glsl::run {
@@ -24,14 +25,33 @@ Fold both(const Fold& a, const Fold& b, bool zero) {
     return {std::max(a.kind, b.kind), zero};
 }
 
+// A difference of floats may be 0 where one of doubles is not.
+bool vanishes(double value, double a, double b) {
+    return !std::isfinite(value) || std::abs(value) <= 1e-5 * std::max(std::abs(a), std::abs(b));
+}
+
 Fold of_operator(std::string_view op, const Fold& a, const Fold& b) {
     // Zero times anything is zero.
     if (op == "*" && ((is_settled(a) && a.zero) || (is_settled(b) && b.zero))) return {Kind::settled, true};
-    return both(a, b, op == "*" ? a.zero || b.zero : op == "/" ? a.zero : true);
+    Fold result = both(a, b, op == "*" ? a.zero || b.zero : op == "/" ? a.zero : true);
+    if (is_live(result) || std::isnan(a.value) || std::isnan(b.value) || op.size() != 1) return result;
+    result.value = op == "+"   ? a.value + b.value
+                   : op == "-" ? a.value - b.value
+                   : op == "*" ? a.value * b.value
+                   : op == "/" ? a.value / b.value
+                               : result.value;
+    if (op == "+" || op == "-") result.zero = vanishes(result.value, a.value, b.value);
+    return result;
 }
 
 // One of them, nobody knows which.
-Fold either(const Fold& a, const Fold& b) { return {std::max(a.kind, b.kind), a.zero || b.zero}; }
+Fold either(const Fold& a, const Fold& b) {
+    if (is_live(a)) return b;
+    if (is_live(b)) return a;
+    Fold one{std::max(a.kind, b.kind), a.zero || b.zero};
+    if (a.value == b.value) one.value = a.value;
+    return one;
+}
 
 class Follower {
 public:
@@ -58,7 +78,8 @@ public:
 private:
     void know(Fold& known, const Fold& fold) {
         const Fold now = either(known, fold);
-        changed_ = changed_ || now.kind != known.kind || now.zero != known.zero;
+        const bool same = now.value == known.value || (std::isnan(now.value) && std::isnan(known.value));
+        changed_ = changed_ || now.kind != known.kind || now.zero != known.zero || !same;
         known = now;
     }
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
@@ -81,18 +102,25 @@ private:
             case Op::number:
             case Op::length:
                 if (i.op == Op::length) pop();
-                return push({Kind::constant, i.op == Op::number && i.number == 0});
+                return push({Kind::constant, i.op == Op::number && i.number == 0,
+                             i.op == Op::number ? i.number : std::numeric_limits<double>::quiet_NaN()});
             case Op::load:
                 return push(of(i.a), i.a);
             case Op::unknown:
                 return push({});
             case Op::select:
+                if (!stack_.empty()) stack_.back().fold.value = std::numeric_limits<double>::quiet_NaN();
                 return;
-            case Op::prefix:
-                return push(pop().fold);
+            case Op::prefix: {
+                Fold fold = pop().fold;
+                fold.value = i.text == "-" ? -fold.value : std::numeric_limits<double>::quiet_NaN();
+                if (i.text != "-" && i.text != "+") fold.zero = true;
+                return push(fold);
+            }
             case Op::step: {
                 const Item item = pop();
-                return push(item.fold);
+                know(item.variable, both(item.fold, {Kind::constant, false}, true));
+                return push(both(item.fold, item.fold, true));
             }
             case Op::index: {
                 const Fold index = pop().fold;
@@ -199,7 +227,7 @@ private:
 
 }  // namespace
 
-std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, bool>& settled,
+std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, Fold>& settled,
                                   std::map<std::string_view, Fold>& passed) {
     if (!unit.code.whole) {
         passed.clear();
@@ -209,7 +237,7 @@ std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_v
     for (const Global& g : unit.globals) {
         if (g.qualifiers.storage == Storage::uniform)
             if (const auto known = settled.find(g.name); known != settled.end())
-                follower.know(g.variable, {Kind::settled, known->second});
+                follower.know(g.variable, known->second);
         if (g.qualifiers.storage == Storage::in)
             if (const auto known = passed.find(g.name); known != passed.end()) follower.know(g.variable, known->second);
     }

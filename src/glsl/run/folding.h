@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -18,12 +19,13 @@ struct Fold {
         settled,   // if the uniforms are constants
     };
     Kind kind = Kind::live;
-    bool zero = false;  // a constant of which a component may be 0
+    bool zero = false;                                        // a constant of which a component may be 0
+    double value = std::numeric_limits<double>::quiet_NaN();  // of a scalar constant, where known
 };
 
-// By Unit::marks, whether the mark stays. `settled`: uniforms, and whether a component of them is 0. `passed`: what is
-// known of the stage's inputs; of its outputs when this returns.
-std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, bool>& settled,
+// By Unit::marks, whether the mark stays. `passed`: what is known of the stage's inputs; of its outputs when this
+// returns.
+std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, Fold>& settled,
                                   std::map<std::string_view, Fold>& passed);
 
 }  // namespace snell::glsl::run

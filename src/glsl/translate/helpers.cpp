@@ -47,7 +47,7 @@ std::string smoothstep_function(std::string_view edge, std::string_view type) {
 }
 
 // What read/undefined.cpp marks operands with. Nothing folds what a uniform takes part in, and one that is never set
-// is 0. Constants for which results are defined stay constants.
+// is 0.
 struct MarkText {
     std::string_view name, text, prefix;  // for a scalar; of the vectors that it is repeated for
     bool two = false;                     // parameters
@@ -55,7 +55,7 @@ struct MarkText {
 constexpr std::string_view live_text =
     "float snell_live(float x) { return intBitsToFloat(floatBitsToInt(x) | snell_Zero); }\n";
 constexpr MarkText marks[] = {
-    {"snell_divisor", "float snell_divisor(float x) { return x == 0.0 ? snell_live(x) : x; }\n", "vec"},
+    {"snell_divisor", "float snell_divisor(float x) { return snell_live(x); }\n", "vec"},
     {"snell_divisor", "int snell_divisor(int x) { return x <= 0 ? x | snell_Zero : x; }\n", "ivec"},
     {"snell_divisor", "uint snell_divisor(uint x) { return x == 0u ? uint(snell_Zero) : x; }\n", "uvec"},
     {"snell_dividend", "int snell_dividend(int x) { return x < 0 ? x | snell_Zero : x; }\n", "ivec"},

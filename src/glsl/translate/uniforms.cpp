@@ -236,10 +236,14 @@ void choose_settled(Program& program) {
 }
 
 void resolve_marks(Program& program) {
-    std::map<std::string_view, bool> settled;  // whether a component is 0
-    for (const Settled& one : program.settled) settled[one.name] = std::ranges::count(one.values, 0.) > 0;
+    using Kind = run::Fold::Kind;
+    std::map<std::string_view, run::Fold> settled;
+    for (const Settled& one : program.settled) {
+        run::Fold& fold = settled[one.name] = {Kind::settled, std::ranges::count(one.values, 0.) > 0};
+        if (one.values.size() == 1) fold.value = one.values[0];
+    }
     for (const DeclaredUniform& declared : program.declared)
-        if (!program.options.settle) settled[declared.name] = true;
+        if (!program.options.settle) settled[declared.name] = {Kind::settled, true};
     for (const RenamedUniform& renamed : program.renamed)
         if (const auto known = settled.find(renamed.name); known != settled.end())
             settled[renamed.shader_name] = known->second;
