@@ -1,5 +1,5 @@
 // What snell costs beside a program that was written for one scene alone:
-//     room_pairs [--rounds N] [--json FILE]   times, in rounds in which everybody takes part
+//     room_pairs [--rounds N] [--json FILE] [--shader-runner FILE]   times, in rounds in which everybody takes part
 //     room_pairs --count snell|by-hand                        for callgrind: one frame without OpenGL
 // Run in the repository's folder, whose build's programs it finds beside itself.
 #include <malloc.h>
@@ -59,7 +59,18 @@ private:
 struct Settings {
     int rounds = 25;
     std::string json, bin;
+    std::string shader_runner;  // piglit's; empty: not there
 };
+
+// Where Debian's package piglit has it.
+std::string find_shader_runner() {
+    std::error_code error;
+    for (const auto& folder : std::filesystem::directory_iterator("/usr/lib", error)) {
+        const std::filesystem::path path = folder.path() / "piglit/bin/shader_runner";
+        if (std::filesystem::exists(path, error)) return path.string();
+    }
+    return {};
+}
 
 int largest_difference(Rooms& rooms) {
     const std::vector<std::byte> a = rooms.picture(Who::snell), b = rooms.picture(Who::by_hand);
@@ -86,6 +97,37 @@ void compare_frames(Rooms& rooms, const Settings& settings, int width, int heigh
     rows.push_back(constants.row("frame " + size + ", constants by hand", 1.01));
 }
 
+Row compare_processes(const Settings& settings, const std::vector<std::string>& snell,
+                      const std::vector<std::string>& other, std::string what, double limit) {
+    measure_process(snell);
+    measure_process(other);
+    Pairs pairs;
+    for (int round = 0; round < settings.rounds; ++round) {
+        Times first = measure_process(round % 2 ? other : snell), second = measure_process(round % 2 ? snell : other);
+        if (round % 2) std::swap(first, second);
+        pairs.add(first, second);
+    }
+    return pairs.row(std::move(what), limit);
+}
+
+// A green picture of 250 x 250. snell writes it as PNG, piglit's program reads its pixels and compares them.
+Row compare_trivial(const Settings& settings) {
+    const Scratch scratch;
+    scratch.write("green.vert", "void main() { gl_Position = gl_Vertex; }\n");
+    scratch.write("green.frag", "void main() { gl_FragColor = vec4(0., 1., 0., 1.); }\n");
+    scratch.write("green.glib", "Vertex green.vert\nFragment green.frag\nProgram Green\nQuadXY\n");
+    scratch.write("green.shader_test",
+                  "[require]\nGLSL >= 1.10\n[vertex shader]\nvoid main() { gl_Position = gl_Vertex; }\n"
+                  "[fragment shader]\nvoid main() { gl_FragColor = vec4(0., 1., 0., 1.); }\n"
+                  "[test]\ndraw rect -1 -1 2 2\nprobe all rgba 0. 1. 0. 1.\n");
+    setenv("PIGLIT_PLATFORM", "surfaceless_egl", 1);
+    return compare_processes(settings,
+                             {settings.bin + "/snell", "render", scratch.path("green.glib"), "--size", "250x250", "-o",
+                              scratch.path("green.png")},
+                             {settings.shader_runner, scratch.path("green.shader_test"), "-auto", "-fbo"},
+                             "a trivial picture, piglit's shader_runner", 0);
+}
+
 // The whole process, from its start to a PNG.
 Row compare_first_pictures(const Settings& settings) {
     const Scratch scratch;
@@ -100,16 +142,7 @@ Row compare_first_pictures(const Settings& settings) {
                                          scratch.path("snell.png")};
     const std::vector<std::string> by_hand{settings.bin + "/room_by_hand", "scenes/environments/room", "512", "512",
                                            scratch.path("by-hand.png")};
-    measure_process(snell);
-    measure_process(by_hand);
-    Pairs pairs;
-    for (int round = 0; round < settings.rounds; ++round) {
-        Times first = measure_process(round % 2 ? by_hand : snell),
-              second = measure_process(round % 2 ? snell : by_hand);
-        if (round % 2) std::swap(first, second);
-        pairs.add(first, second);
-    }
-    return pairs.row("first picture 512x512, whole process", 1.107);
+    return compare_processes(settings, snell, by_hand, "first picture 512x512, whole process", 1.107);
 }
 
 // Each scene at 400 x 400: programs for its values beside programs for any.
@@ -199,6 +232,7 @@ int compare(const Settings& settings) {
     rooms.resize(1920, 1080);
     compare_frames(rooms, settings, 1920, 1080, 1, .98, rows);
     rows.push_back(compare_first_pictures(settings));
+    if (!settings.shader_runner.empty()) rows.push_back(compare_trivial(settings));
     const std::vector<Row> scenes = compare_scenes(settings);
     const std::array<Rooms::OwnCost, 2> own{rooms.own_cost(Who::snell, 20000), rooms.own_cost(Who::by_hand, 20000)};
     std::vector<double> quotients;
@@ -228,10 +262,12 @@ extern "C" [[gnu::noinline]] void snell_counted_frame(Rooms& rooms, Who who) { r
 int run(std::span<char*> arguments) {
     Settings settings;
     settings.bin = std::filesystem::path(arguments[0]).parent_path().string();
+    settings.shader_runner = find_shader_runner();
     for (std::size_t i = 1; i + 1 < arguments.size(); i += 2) {
         const std::string_view name = arguments[i], value = arguments[i + 1];
         if (name == "--rounds") settings.rounds = std::max(1, std::atoi(value.data()));
         if (name == "--json") settings.json = value;
+        if (name == "--shader-runner") settings.shader_runner = value;
         if (name == "--count") {
             Rooms rooms(".");
             rooms.resize(16, 16);

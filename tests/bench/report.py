@@ -114,7 +114,8 @@ def by_hand(folder):
         yield (f"| {row['what']} | {milliseconds(row['snell_cpu_ms'])} | {milliseconds(row['other_cpu_ms'])} "
                f"| {quotients[0]} | {limit} | {quotients[1]} |\n")
     yield ("\nThe scene has the ball's five numbers on sliders; snell compiles its programs for their values. By hand they are "
-           "uniforms, or constants of the shader's text.\n\n")
+           "uniforms, or constants of the shader's text. piglit's shader_runner, which runs shader tests, is the nearest program in "
+           "Debian; it writes no file.\n\n")
     own = data["own"]
     counted = {}
     with open(os.path.join(folder, "instructions.txt"), encoding="utf-8") as file:
