@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "src/runtime/impl.h"
+#include "src/runtime/resources/effect.h"
 
 namespace snell {
 
@@ -145,6 +146,30 @@ bool Runtime::Impl::link_alone() {
             return true;
         }
     return false;
+}
+
+std::vector<const Control*> Runtime::Impl::without_effect() const {
+    std::vector<const Control*> found;
+    const runtime::Stopwatch watch;
+    for (Index program = 0; program < plan.scene.programs.size(); ++program) {
+        std::vector<const Control*> sliders;
+        for (const Control& control : given.items)
+            if (control.program == program && control.active && control.listed && control.value.size() == 1 &&
+                (control.widget == Widget::slider || control.type == ValueType::bool_))
+                sliders.push_back(&control);
+        bool drawn = false;  // in each of its variants the slider must be without effect
+        for (const auto& [key, linked] : programs) {
+            const auto& [index, variant] = key;
+            if (index != program || !linked || variant.settled != 0) continue;
+            drawn = true;
+            Counters uncounted;
+            sliders = runtime::without_effect({plan.scene.programs[program], plan.programs[program].stages,
+                                               plan.scene.ladders, variant, caps, *files, *sources, nullptr, uncounted},
+                                              std::move(sliders), watch);
+        }
+        if (drawn) found.insert(found.end(), sliders.begin(), sliders.end());
+    }
+    return found;
 }
 
 void Runtime::Impl::find_stand() {
