@@ -140,6 +140,32 @@ Linked link(const std::vector<const Shader*>& shaders, const std::vector<Attribu
     return result;
 }
 
+bool gives_binaries() {
+    const bool known =
+        !epoxy_is_desktop_gl() || epoxy_gl_version() >= 41 || epoxy_has_gl_extension("GL_ARB_get_program_binary");
+    GLint formats = 0;
+    if (known) glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
+    return formats > 0;
+}
+
+std::string binary_of(const Program& program, const std::vector<const Shader*>& shaders) {
+    const GLuint id = program.get();
+    glProgramParameteri(id, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
+    for (const Shader* shader : shaders) glAttachShader(id, shader->get());
+    glLinkProgram(id);
+    for (const Shader* shader : shaders) glDetachShader(id, shader->get());
+    GLint ok = 0, size = 0;
+    glGetProgramiv(id, GL_LINK_STATUS, &ok);
+    if (ok) glGetProgramiv(id, GL_PROGRAM_BINARY_LENGTH, &size);
+    if (size <= 0) return {};
+    std::string code(static_cast<std::size_t>(size), '\0');
+    GLenum format = 0;
+    GLsizei written = 0;
+    glGetProgramBinary(id, size, &written, &format, code.data());
+    code.resize(static_cast<std::size_t>(written));
+    return code;
+}
+
 std::vector<Uniform> active_uniforms(GLuint program, bool interface_query) {
     GLint count = 0;
     glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);

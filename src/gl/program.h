@@ -27,6 +27,12 @@ struct Linked {
 // Links shaders with fixed locations of attributes.
 Linked link(const std::vector<const Shader*>& shaders, const std::vector<AttributeLocation>& attributes);
 
+// True if the driver gives the code that it makes of programs. Mesa does, unless its cache of shaders is off.
+bool gives_binaries();
+// Links the shaders into `program`, in place of what was linked into it, and returns the driver's code; empty if they
+// do not link. Needs gives_binaries().
+std::string binary_of(const Program& program, const std::vector<const Shader*>& shaders);
+
 struct Uniform {
     std::string name;  // array names are without "[0]"
     GLenum type = 0;   // GL_FLOAT_VEC3 …

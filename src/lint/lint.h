@@ -34,6 +34,7 @@ enum class Rule : std::uint8_t {
     far_from_origin,
     smoothstep_without_width,
     encoded_light,
+    slider_without_effect,  // found by the driver's code of the programs: Runtime::without_effect
 };
 
 struct RuleFacts {

@@ -69,6 +69,9 @@ constexpr std::array table{
         encoded_light, note, "encoded-light", "numbers-are-not-light",
         "`Irradiance` or `Prefilter` of a cube map whose files hold colours as displays show them",
         "write srgb at the end of the CubeMap statement and `Output srgb` into the scene; or raw, if it is meant"},
+    RuleFacts{slider_without_effect, warning, "slider-without-effect", "a-slider-without-effect",
+              "a slider or check box whose uniform the program reads, and yet no pixel depends on it",
+              "let an output depend on the uniform, or remove it from the Program line"},
 };
 
 constexpr bool in_order() {

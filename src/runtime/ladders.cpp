@@ -58,7 +58,9 @@ std::vector<Index> Runtime::Impl::controls_of(Index program, const runtime::Link
     std::vector<Index> places;
     for (const runtime::UserUniform& uniform : linked.user) {
         const Control* control = given.find(program, uniform.name);
-        const bool usable = control && control->active && control->value.size() == uniform.last.size();
+        // A program for values may need fewer elements of an array.
+        const bool usable = control && control->active && control->components == uniform.components &&
+                            control->value.size() >= uniform.last.size();
         places.push_back(usable ? static_cast<Index>(control - given.items.data()) : none);
     }
     return places;

@@ -153,6 +153,9 @@ public:
     // Links one more program for one of its values alone, which tells explain() what this value switches off. False:
     // there is none left.
     bool find_switched_off();
+    // Sliders and check boxes of controls() that are active and yet change nothing that any drawn program computes, as
+    // far as the driver's code tells (src/runtime/resources/effect.h). Links programs, for two seconds at most.
+    std::vector<const Control*> without_effect() const;
     // Another number whenever frames are drawn by programs for other values; 0: for any values.
     int form() const;
 

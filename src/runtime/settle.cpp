@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "src/runtime/impl.h"
+#include "src/runtime/resources/effect.h"
 
 namespace snell {
 
@@ -57,9 +58,10 @@ std::vector<ActiveUniform> Runtime::Impl::general_uniforms(Index program, const 
         return std::ranges::any_of(linked.active, [&](const ActiveUniform& uniform) { return of(uniform, declared); });
     };
     for (const glsl::DeclaredUniform& declared : linked.declared) {
-        if (declared.use == glsl::DeclaredUniform::Use::none || is_active(declared)) continue;
-        const bool sampler = declared.array_size == 0 && sampler_target(declared.glsl_type);
-        if (declared.use == glsl::DeclaredUniform::Use::sure && (declared.simple || sampler)) {
+        // Of an array or a structure, a program for values may need fewer elements or members.
+        const bool whole = declared.simple || (declared.array_size == 0 && sampler_target(declared.glsl_type));
+        if (declared.use == glsl::DeclaredUniform::Use::none || (whole && is_active(declared))) continue;
+        if (declared.use == glsl::DeclaredUniform::Use::sure && whole) {
             uniforms.push_back(runtime::described(plan.scene.programs[program], declared));
             continue;
         }
@@ -74,11 +76,12 @@ std::vector<ActiveUniform> Runtime::Impl::general_uniforms(Index program, const 
 
 void Runtime::Impl::find_dormant(Index program, const LinkedProgram& linked) {
     for (const ActiveUniform& uniform : active[program]) {
-        if (uniform.type != ValueType::sampler ||
-            std::ranges::count(linked.samplers, uniform.name, &SamplerUniform::name) > 0)
-            continue;
+        const auto live = std::ranges::find(linked.samplers, uniform.name, &SamplerUniform::name);
+        const int elements = live == linked.samplers.end() ? 0 : live->size;
+        if (uniform.type != ValueType::sampler || elements >= uniform.array_size) continue;
         SamplerUniform sampler{
             uniform.name, uniform.glsl_type, sampler_target(uniform.glsl_type), -1, 0, uniform.array_size, {}};
+        sampler.first_unit = elements;  // the first element that is dormant: it has no unit of OpenGL
         for (const double unit : uniform.initial) sampler.initial.push_back(static_cast<int>(unit));
         dormant[program].push_back(std::move(sampler));
     }
@@ -88,7 +91,8 @@ void Runtime::Impl::report_dormant(Index pass, const runtime::ReadyDraw& ready, 
     const Draw& draw = plan.scene.draws[ready.draw];
     if (draw.program == none) return;
     for (const runtime::Sampled& sampled : sampled_by(draw, dormant[draw.program]))
-        if (auto problem = unreadable(sampled, draw, pass, ready.draw)) diagnostics.add(std::move(*problem));
+        if (sampled.element >= sampled.sampler->first_unit)
+            if (auto problem = unreadable(sampled, draw, pass, ready.draw)) diagnostics.add(std::move(*problem));
     if (!spares_harmonics(draw, *ready.program)) return;
     if (auto problem = no_harmonics(pass, ready.draw)) diagnostics.add(std::move(*problem));
 }
@@ -145,6 +149,30 @@ bool Runtime::Impl::link_alone() {
             return true;
         }
     return false;
+}
+
+std::vector<const Control*> Runtime::Impl::without_effect() const {
+    std::vector<const Control*> found;
+    const runtime::Stopwatch watch;
+    for (Index program = 0; program < plan.scene.programs.size(); ++program) {
+        std::vector<const Control*> sliders;
+        for (const Control& control : given.items)
+            if (control.program == program && control.active && control.listed && control.value.size() == 1 &&
+                (control.widget == Widget::slider || control.type == ValueType::bool_))
+                sliders.push_back(&control);
+        bool drawn = false;  // in each of its variants the slider must be without effect
+        for (const auto& [key, linked] : programs) {
+            const auto& [index, variant] = key;
+            if (index != program || !linked || variant.settled != 0) continue;
+            drawn = true;
+            Counters uncounted;
+            sliders = runtime::without_effect({plan.scene.programs[program], plan.programs[program].stages,
+                                               plan.scene.ladders, variant, caps, *files, *sources, nullptr, uncounted},
+                                              std::move(sliders), watch);
+        }
+        if (drawn) found.insert(found.end(), sliders.begin(), sliders.end());
+    }
+    return found;
 }
 
 void Runtime::Impl::find_stand() {

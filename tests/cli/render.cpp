@@ -270,6 +270,32 @@ TEST_F(CommandLine, CheckSaysWhatIsProbablyNotMeant) {
     EXPECT_EQ(snell("render " + at("n.glib") + " -o " + at("o.png") + " --size 8x8").output, "");
 }
 
+TEST_F(CommandLine, CheckNamesSlidersWithoutEffect) {
+    folder.write("e.vert", plain_vertex);
+    folder.write("e.frag",
+                 "uniform float uX, uY;\nuniform bool uOn;\n"
+                 "void main() { gl_FragColor = vec4(max(uX, 50.) * uY * (uOn ? 1. : .5)); }\n");
+    const std::string cache = "MESA_SHADER_CACHE_DIR=" + at("cache");  // without one, Mesa gives no code
+    const auto check = [&](const std::string& before, const std::string& flags) {
+        folder.write("e.glib", before +
+                                   "Vertex e.vert\nFragment e.frag\n"
+                                   "Program E uY <0 .5 1> uOn <true> uX <0 .5 1>\nQuadXY\n");
+        return snell("check " + flags + at("e.glib"), cache);
+    };
+    for (int run = 0; run < 2; ++run) {  // the driver has kept some of the programs since the first
+        const Outcome found = check("", "");
+        EXPECT_EQ(found.status, 0);
+        EXPECT_TRUE(
+            found.says("e.glib:3:34: warning: 'uX' has no effect: program 'E' computes the same for all tried "
+                       "values from 0 to 1 [slider-without-effect]"))
+            << found.output;
+        EXPECT_TRUE(found.says("docs/teaching.md#a-slider-without-effect")) << found.output;
+        EXPECT_FALSE(found.says("'uY'") || found.says("'uOn'")) << found.output;
+    }
+    EXPECT_TRUE(check("Ladder KIND <a> b\n", "").says("'uX' has no effect: with these rungs, program 'E'"));
+    EXPECT_EQ(check("", "--no-lint ").output, "");
+}
+
 TEST_F(CommandLine, ATrivialSceneIsQuick) {
     const std::string picture = "render " + at("good.glib") + " --size 256x256 -o " + at("o.");
     EXPECT_LE(cost_of(picture + "png"), 5 * cost_of("info")) << "which makes a context, too, and draws nothing";

@@ -61,5 +61,31 @@ TEST_F(SettledPictures, AreThoseOfUniformsAtOtherValues) {
     }
 }
 
+// Where rounding shows: hashes, indices, and what numbers of the text and constants leave undefined together.
+TEST_F(SettledPictures, AreThoseOfUniformsWhereRoundingShows) {
+    const std::pair<const char*, const char*> cases[]{
+        {"fract(sin(dot(vST * uX, vec2(12.9898, 78.233))) * 43758.5453)", "3.3"},
+        {"fract(uX * vST.x * 4096. * vST.y)", "3.7"},
+        {"mod(vST.x * uX, 0.)", "7."},
+        {"vST.x * uX / 0.", "7."},
+        {"float(-7 % uN) * .1 + .5", "3."},
+        {"float(-7 % uN) * .1 + .5", "-3."},
+        {"float(7 % uN) * .1 + .5", "0."},
+        {"vec3(.1, .2, .3)[uN]", "5."},
+        {"float[3](.1, .2, .3)[uN]", "3."},
+    };
+    for (const auto& [expression, value] : cases) {
+        folder.write("one.frag",
+                     "#version 330 compatibility\nuniform float uX, uGain;\nuniform int uN;\nin vec2 vST;\n"
+                     "void main() { float v = uGain * (" +
+                         std::string(expression) +
+                         ") + 0. * uX + 0. * float(uN); gl_FragColor = vec4(v, v, v, 1.); }\n");
+        folder.write("scene.glib", "Ortho -1 1 -1 1\nVertex plain.vert\nFragment one.frag\nProgram P uX " +
+                                       std::string(value) + " uN " + std::string(value) + " uGain 1.\nQuadXY\n");
+        auto general = open_file(folder.path("scene.glib")), settled = open_settled(folder.path("scene.glib"));
+        EXPECT_LE(difference(draw(*settled), draw(*general)), 1) << expression;
+    }
+}
+
 }  // namespace
 }  // namespace snell::test

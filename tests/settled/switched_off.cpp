@@ -113,6 +113,26 @@ TEST_F(SwitchedOff, AnIndexThatIsTooLargeStillCompiles) {
     EXPECT_EQ(document->runtime->counters().specialised_draws, 1U);
 }
 
+// Drivers need fewer elements of an array where values leave some out: the others stay where they are, and so does what
+// is said of them.
+TEST_F(SwitchedOff, ElementsOfArraysThatAreLeftOut) {
+    const std::string scene =
+        quad("uniform vec3 uColors[3];\nuniform int uCount, uDetail;\nuniform sampler2D uPictures[2];",
+             "vec3 c = uColors[0];\nif (uDetail > 0) c += uColors[1];\n"
+             "for (int i = 0; i < uCount; ++i) c += uColors[i];\n"
+             "if (uDetail > 1) c += texture(uPictures[1], vST).rgb;\nelse c += texture(uPictures[0], vST).rgb;\n"
+             "gl_FragColor = vec4(c, 1.);",
+             "uColors [.1 .2 .3 .2 .1 .1 .1 .1 .2] uCount 1 uDetail <0 0 2> uPictures [5 6]");
+    auto general = open(scene), off = settle(scene);
+    EXPECT_EQ(render(off->diagnostics, off->sources), render(general->diagnostics, general->sources));
+    EXPECT_TRUE(same_uniforms(off->controls, general->controls));
+    const Picture first = draw(*general);
+    EXPECT_EQ(draw(*off), first);
+    EXPECT_EQ(off->runtime->counters().specialised_draws, 1U);
+    const Look brighter{.sets = {"uDetail=1", "uColors=.3,.2,.1,.1,.1,.1,.2,.2,.2"}};
+    EXPECT_EQ(draw(*off, brighter), draw(*general, brighter));
+}
+
 // Time, the mouse and the resolution change by themselves.
 TEST_F(SwitchedOff, WhatChangesByItselfStaysAUniform) {
     auto document =

@@ -54,6 +54,25 @@ Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     return json;
 }
 
+std::string tried_values(const snell::Control& slider) {
+    if (slider.type == ValueType::bool_) return "for false and true";
+    const bool all = slider.type == ValueType::int_ || slider.type == ValueType::uint_;
+    return fmt::format("for {} from {} to {}", all ? "every value" : "all tried values", slider.min, slider.max);
+}
+
+void add_idle_sliders(Document& document) {
+    if (!document.runtime || document.diagnostics.has_errors()) return;
+    const lint::RuleFacts& rule = lint::facts(lint::Rule::slider_without_effect);
+    for (const snell::Control* slider : document.runtime->without_effect()) {
+        const Program& program = document.scene().programs[slider->program];
+        const std::string_view where = program.ladders > 0 ? "with these rungs, " : "";
+        document.diagnostics.warning(rule.code, slider->span,
+                                     fmt::format("'{}' has no effect: {}program '{}' computes the same {}",
+                                                 slider->name, where, program.name, tried_values(*slider)),
+                                     fmt::format("{} ({})", rule.instead, lint::page(rule)));
+    }
+}
+
 // Programs are compiled only if there is a context.
 struct Checked {
     std::unique_ptr<Document> document;
@@ -71,7 +90,8 @@ Checked check_scene(const std::string& path, const CheckOptions& options, const 
         ProgressLine progress;
         checked.document = open_document(path, *caps, nullptr, options.lint ? PlanReader(lint) : nullptr,
                                          {.progress = progress.watcher()}, access);
-        check_unsampled(*checked.document);
+        if (options.lint) add_idle_sliders(*checked.document);
+        check_unsampled(*checked.document);  // sorts
         return checked;
     }
     checked.document = std::make_unique<Document>();

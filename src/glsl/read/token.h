@@ -186,6 +186,7 @@ struct Mark {
     std::string_view function;
     int step = 0, operand = 0;  // of Code::steps; of its operands
     int call = -1;              // the token of a call whose operands are both marked
+    bool both = false;          // it matters, too, where the other operand is constant
 };
 
 // One stage of a program.

@@ -17,33 +17,40 @@ bool marked_type(const Type& t) {
 // Whether the source text itself says what the value is: then it is folded in every form of the program.
 bool from_source(const Expression& e) { return e.constant || e.first < 0 || e.last < e.first; }
 
+bool zero(const Expression& e) {
+    return e.value.empty() || std::ranges::any_of(e.value, [](double v) { return v == 0; });
+}
+
 bool positive(const Expression& e) {
     return !e.value.empty() && std::ranges::all_of(e.value, [](double v) { return v > 0; });
 }
 
 }  // namespace
 
-void Parser::mark(const Expression& e, std::string_view function, int step, int operand) {
-    if (from_source(e) || !marked_type(e.type)) return;
+void Parser::mark(const Expression& e, std::string_view function, int step, int operand, bool both) {
+    if (e.first < 0 || e.last < e.first || !marked_type(e.type)) return;
     wrap(e, std::string(mark_name) + std::to_string(u_.marks.size()));
-    u_.marks.push_back({function, step, operand});
+    u_.marks.push_back({function, step, operand, -1, both});
 }
 
+// A number of the text is marked where a constant on the other side would make the result undefined.
 void Parser::mark_division(const Expression* a, const Expression& b, std::string_view op, int step) {
-    if (!at_run_time_ || (op != "/" && op != "%")) return;
-    mark(b, divisor_mark, step, 1);
-    if (op == "%" && a && a->type.base == Base::integer) mark(*a, "snell_dividend", step, 0);
+    if (!at_run_time_ || (op != "/" && op != "%") || (a && from_source(*a) && from_source(b))) return;
+    const bool number = from_source(b);
+    if (!number || zero(b)) mark(b, divisor_mark, step, 1, number);
+    if (op == "%" && a && a->type.base == Base::integer) mark(*a, "snell_dividend", step, 0, from_source(*a));
 }
 
 void Parser::mark_call(const Expression& call, std::string_view name, const std::vector<Expression>& given) {
     if (!at_run_time_ || given.size() != 2) return;
+    const bool first = from_source(given[0]), second = from_source(given[1]);
+    if (first && second) return;
     const int step = here();  // the call comes next
-    if (name == "mod") mark(given[1], divisor_mark, step, 1);
-    if (name == "atan" && from_source(given[0])) mark(given[1], divisor_mark, step, 1);
-    if (name == "atan") mark(given[0], divisor_mark, step, 0);
+    if (name == "mod" && (!second || zero(given[1]))) mark(given[1], divisor_mark, step, 1, second);
+    if (name == "atan") mark(given[first ? 1 : 0], divisor_mark, step, first ? 1 : 0, false);
     if (name != "pow" || positive(given[0]) || !marked_type(given[0].type)) return;
-    if (from_source(given[1])) return mark(given[0], "snell_base", step, 0);
-    u_.marks.push_back({"snell_pow", step, 0, call.first});
+    if (second) return mark(given[0], "snell_base", step, 0, false);
+    u_.marks.push_back({"snell_pow", step, 0, call.first, true});
 }
 
 }  // namespace snell::glsl

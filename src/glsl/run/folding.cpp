@@ -20,9 +20,16 @@ struct Item {
 bool is_live(const Fold& a) { return a.kind == Kind::live; }
 bool is_settled(const Fold& a) { return a.kind == Kind::settled; }
 
+// Uniforms and numbers take part in what is computed, whether it is constant or not.
+Fold with(Fold fold, const Fold& a, const Fold& b) {
+    fold.from = a.from | b.from;
+    fold.gain = std::max(a.gain, b.gain);
+    return fold;
+}
+
 Fold both(const Fold& a, const Fold& b, bool zero) {
-    if (is_live(a) || is_live(b)) return {};
-    return {std::max(a.kind, b.kind), zero};
+    if (is_live(a) || is_live(b)) return with({}, a, b);
+    return with({std::max(a.kind, b.kind), zero}, a, b);
 }
 
 // A difference of floats may be 0 where one of doubles is not.
@@ -32,7 +39,7 @@ bool vanishes(double value, double a, double b) {
 
 Fold of_operator(std::string_view op, const Fold& a, const Fold& b) {
     // Zero times anything is zero.
-    if (op == "*" && ((is_settled(a) && a.zero) || (is_settled(b) && b.zero))) return {Kind::settled, true};
+    if (op == "*" && ((is_settled(a) && a.zero) || (is_settled(b) && b.zero))) return with({Kind::settled, true}, a, b);
     Fold result = both(a, b, op == "*" ? a.zero || b.zero : op == "/" ? a.zero : true);
     if (is_live(result) || std::isnan(a.value) || std::isnan(b.value) || op.size() != 1) return result;
     result.value = op == "+"   ? a.value + b.value
@@ -46,12 +53,13 @@ Fold of_operator(std::string_view op, const Fold& a, const Fold& b) {
 
 // One of them, nobody knows which.
 Fold either(const Fold& a, const Fold& b) {
-    if (is_live(a)) return b;
-    if (is_live(b)) return a;
+    if (is_live(a) || is_live(b)) return with(is_live(a) ? b : a, a, b);
     Fold one{std::max(a.kind, b.kind), a.zero || b.zero};
     if (a.value == b.value) one.value = a.value;
-    return one;
+    return with(one, a, b);
 }
+
+constexpr double much = 1000;  // rounding errors become a thousand times as large
 
 class Follower {
 public:
@@ -69,6 +77,8 @@ public:
             for (std::size_t step = 0; step < u_.code.steps.size(); ++step) take(u_.code.steps[step], step);
         } while (changed_);
     }
+    // Uniforms in places where nearly the same number gives another result.
+    std::uint64_t touchy() const { return touchy_; }
     // Of an instruction with two operands.
     Fold operand(int step, int n) const {
         const auto found = operands_.find(at(step));
@@ -79,7 +89,8 @@ private:
     void know(Fold& known, const Fold& fold) {
         const Fold now = either(known, fold);
         const bool same = now.value == known.value || (std::isnan(now.value) && std::isnan(known.value));
-        changed_ = changed_ || now.kind != known.kind || now.zero != known.zero || !same;
+        changed_ = changed_ || now.kind != known.kind || now.zero != known.zero || !same || now.from != known.from ||
+                   now.gain != known.gain;
         known = now;
     }
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
@@ -103,7 +114,8 @@ private:
             case Op::length:
                 if (i.op == Op::length) pop();
                 return push({Kind::constant, i.op == Op::number && i.number == 0,
-                             i.op == Op::number ? i.number : std::numeric_limits<double>::quiet_NaN()});
+                             i.op == Op::number ? i.number : std::numeric_limits<double>::quiet_NaN(), 0,
+                             i.op == Op::number ? std::abs(i.number) : 0});
             case Op::load:
                 return push(of(i.a), i.a);
             case Op::unknown:
@@ -125,6 +137,7 @@ private:
             case Op::index: {
                 const Fold index = pop().fold;
                 const Item of_what = pop();
+                touchy_ |= index.from;
                 return push(both(of_what.fold, index, of_what.fold.zero), of_what.variable);
             }
             case Op::infix: {
@@ -136,7 +149,7 @@ private:
                 const Fold b = pop().fold, a = pop().fold, condition = pop().fold;
                 const Fold one = either(a, b);
                 const bool may = is_settled(one) || (is_settled(condition) && !is_live(one));
-                if (may) return push({Kind::settled, one.zero});
+                if (may) return push(with({Kind::settled, one.zero}, one, condition));
                 return push(both(both(a, b, one.zero), condition, one.zero));
             }
             case Op::assign: {
@@ -181,12 +194,16 @@ private:
 
     void built_in(const Instruction& i, std::size_t step) {
         const std::vector<Item> given = pop(i.a);
+        constexpr std::string_view jumps[] = {"fract", "floor", "ceil", "round", "trunc", "mod"};
+        if (!given.empty() && given[0].fold.gain >= much && std::ranges::count(jumps, i.text) > 0)
+            for (const Item& item : given) touchy_ |= item.fold.from;
         if (given.size() == 2) operands_[step] = {given[0].fold, given[1].fold};
         if (i.text == "dot" || i.text == "cross" || i.text == "matrixCompMult") return push(all_of(given, true));
         Fold result = all_of(given);
         if (i.text == "mix" && given.size() == 3 && is_settled(given[2].fold)) {  // it may be the first or the second
             result = either(given[0].fold, given[1].fold);
             if (!is_live(result)) result.kind = Kind::settled;
+            result = with(result, result, given[2].fold);
         }
         constexpr std::string_view keep_zero[] = {"abs", "sqrt", "min",     "max",    "clamp",
                                                   "mix", "sign", "radians", "degrees"};
@@ -222,10 +239,38 @@ private:
     std::vector<Item> stack_;
     std::map<std::size_t, std::array<Fold, 2>> operands_;  // by instruction, as of the last round
     std::map<std::size_t, Fold> results_;                  // by Unit::functions
+    std::uint64_t touchy_ = 0;
     bool changed_ = false;
 };
 
 }  // namespace
+
+namespace {
+
+// Of a stage whose code is whole.
+Follower followed(const Unit& unit, const std::map<std::string_view, Fold>& settled,
+                  std::map<std::string_view, Fold>& passed) {
+    Follower follower(unit);
+    for (const Global& g : unit.globals) {
+        const auto& known = g.qualifiers.storage == Storage::uniform ? settled : passed;
+        if (g.qualifiers.storage != Storage::uniform && g.qualifiers.storage != Storage::in) continue;
+        if (const auto found = known.find(g.name); found != known.end()) follower.know(g.variable, found->second);
+    }
+    follower.follow();
+    passed.clear();
+    for (const Global& g : unit.globals)
+        if (g.qualifiers.storage == Storage::out) passed[g.name] = follower.of(g.variable);
+    return follower;
+}
+
+}  // namespace
+
+std::uint64_t touchy(const Unit& unit, const std::map<std::string_view, Fold>& settled,
+                     std::map<std::string_view, Fold>& passed) {
+    if (unit.code.whole) return followed(unit, settled, passed).touchy();
+    passed.clear();
+    return 0;
+}
 
 std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, Fold>& settled,
                                   std::map<std::string_view, Fold>& passed) {
@@ -233,21 +278,11 @@ std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_v
         passed.clear();
         return std::vector<bool>(unit.marks.size(), true);
     }
-    Follower follower(unit);
-    for (const Global& g : unit.globals) {
-        if (g.qualifiers.storage == Storage::uniform)
-            if (const auto known = settled.find(g.name); known != settled.end())
-                follower.know(g.variable, known->second);
-        if (g.qualifiers.storage == Storage::in)
-            if (const auto known = passed.find(g.name); known != passed.end()) follower.know(g.variable, known->second);
-    }
-    follower.follow();
-    passed.clear();
-    for (const Global& g : unit.globals)
-        if (g.qualifiers.storage == Storage::out) passed[g.name] = follower.of(g.variable);
+    const Follower follower = followed(unit, settled, passed);
     const auto stays = [&](const Mark& mark) {
-        const Fold fold = follower.operand(mark.step, mark.operand);
-        if (mark.call >= 0 && is_settled(follower.operand(mark.step, 1))) return true;
+        const Fold fold = follower.operand(mark.step, mark.operand),
+                   other = follower.operand(mark.step, 1 - mark.operand);
+        if (mark.both && is_settled(other)) return true;
         return is_settled(fold) && (fold.zero || mark.function != divisor_mark);
     };
     std::vector<bool> stay;

@@ -214,6 +214,38 @@ const Global* declaration(const Program& program, std::string_view name) {
 
 }  // namespace
 
+namespace {
+
+// By the shader's names.
+std::map<std::string_view, run::Fold> folds(const Program& program) {
+    using Kind = run::Fold::Kind;
+    std::map<std::string_view, run::Fold> settled;
+    for (std::size_t n = 0; n < program.settled.size(); ++n) {
+        const Settled& one = program.settled[n];
+        run::Fold& fold = settled[one.name] = {Kind::settled, std::ranges::count(one.values, 0.) > 0};
+        if (one.values.size() == 1) fold.value = one.values[0];
+        fold.from = std::uint64_t{1} << std::min<std::size_t>(n, 63);
+    }
+    for (const DeclaredUniform& declared : program.declared)
+        if (!program.options.settle) settled[declared.name] = {Kind::settled, true};
+    for (const RenamedUniform& renamed : program.renamed)
+        if (const auto known = settled.find(renamed.name); known != settled.end())
+            settled[renamed.shader_name] = known->second;
+    return settled;
+}
+
+// Uniforms stay uniforms where nearly the same number gives another picture.
+void drop_touchy(Program& program) {
+    std::map<std::string_view, run::Fold> passed;
+    const std::map<std::string_view, run::Fold> settled = folds(program);
+    std::uint64_t touchy = 0;
+    for (const Unit& u : program.units) touchy |= run::touchy(u, settled, passed);
+    std::size_t n = 0;
+    std::erase_if(program.settled, [&](const Settled&) { return (touchy >> std::min<std::size_t>(n++, 63)) & 1; });
+}
+
+}  // namespace
+
 void choose_settled(Program& program) {
     if (!program.options.settle) return;
     std::set<std::string> unfit;  // types differ between stages, or the initial value is not known here
@@ -233,20 +265,11 @@ void choose_settled(Program& program) {
         const Global* g = declaration(program, settled.name);
         return !g || constant_text(g->type, settled.values).empty();
     });
+    drop_touchy(program);
 }
 
 void resolve_marks(Program& program) {
-    using Kind = run::Fold::Kind;
-    std::map<std::string_view, run::Fold> settled;
-    for (const Settled& one : program.settled) {
-        run::Fold& fold = settled[one.name] = {Kind::settled, std::ranges::count(one.values, 0.) > 0};
-        if (one.values.size() == 1) fold.value = one.values[0];
-    }
-    for (const DeclaredUniform& declared : program.declared)
-        if (!program.options.settle) settled[declared.name] = {Kind::settled, true};
-    for (const RenamedUniform& renamed : program.renamed)
-        if (const auto known = settled.find(renamed.name); known != settled.end())
-            settled[renamed.shader_name] = known->second;
+    const std::map<std::string_view, run::Fold> settled = folds(program);
     std::map<std::string_view, run::Fold> passed;
     for (Unit& u : program.units) {
         const std::vector<bool> stay = run::marks_that_stay(u, settled, passed);

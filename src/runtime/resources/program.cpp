@@ -11,13 +11,13 @@
 
 namespace snell::runtime {
 
-namespace {
-
 GLenum gl_stage(Stage stage) {
     constexpr std::array stages{GL_VERTEX_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER,
                                 GL_FRAGMENT_SHADER};  // as Stage
     return static_cast<GLenum>(stages[static_cast<std::size_t>(stage)]);
 }
+
+namespace {
 
 bool stages_supported(const LinkRequest& request, Diagnostics& diagnostics) {
     const gl::Caps& caps = request.caps;
@@ -118,8 +118,6 @@ std::vector<std::string> LinkedProgram::functions_naming(std::string_view unifor
     return found == declared.end() ? std::vector<std::string>() : found->functions;
 }
 
-namespace {
-
 glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics) {
     glsl::Options options;
     options.target = {request.caps.glsl, request.caps.es, request.caps.fp64};
@@ -136,6 +134,8 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.undefined_at_run_time = options.find_uses = request.settle != nullptr;
     return glsl::translate(request.stages, request.sources, options, diagnostics);
 }
+
+namespace {
 
 // Returns null if a stage does not compile, or if the stages do not link.
 std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Translation& translation,

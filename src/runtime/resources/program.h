@@ -104,6 +104,9 @@ struct LinkRequest {
     glsl::Settler settle = nullptr;
 };
 
+GLenum gl_stage(Stage stage);
+// The texts that link_program compiles.
+glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics);
 // Returns null if the program cannot be made; `diagnostics` says why, at the program's statement or in its shaders.
 std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnostics& diagnostics);
 

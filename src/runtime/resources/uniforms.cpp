@@ -266,7 +266,12 @@ int set_user(LinkedProgram& program, const std::vector<Index>& places, const Con
     for (std::size_t i = 0; i < places.size(); ++i) {
         UserUniform& uniform = program.user[i];
         // Another draw with the same program may have set what this one leaves alone.
-        const std::vector<double>& value = places[i] == none ? uniform.initial : controls.items[places[i]].value;
+        const std::vector<double>& whole = places[i] == none ? uniform.initial : controls.items[places[i]].value;
+        const bool fits = whole.size() == uniform.last.size();
+        const std::vector<double> first =
+            fits ? std::vector<double>()
+                 : std::vector<double>(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(uniform.last.size()));
+        const std::vector<double>& value = fits ? whole : first;
         if (value == uniform.last && !(all && places[i] != none)) continue;
         upload(uniform, value);
         uniform.last = value;
