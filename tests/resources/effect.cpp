@@ -45,6 +45,7 @@ TEST_F(Effect, NoneOnAnyPixel) {
              Case{x, "gl_FragColor = vec4(clamp(uX, 30., 40.) * uOther);", "uX <0 .5 1>"},
              Case{x, "gl_FragColor = vec4(float(int(uX * .01)) + uOther);", "uX <0 .5 1>"},
              Case{"uniform int uX;", "gl_FragColor = vec4(uX > 50 ? uOther : 1.);", "uX <0 1 3>"},
+             Case{"uniform bool uX;", "gl_FragColor = vec4(max(uX ? 2. : 1., 50.) * uOther);", "uX <false>"},
          }) {
         EXPECT_EQ(idle(c), "uX") << c.code;
         // A second path to the same answer.
