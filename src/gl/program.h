@@ -27,7 +27,7 @@ struct Linked {
 // Links shaders with fixed locations of attributes.
 Linked link(const std::vector<const Shader*>& shaders, const std::vector<AttributeLocation>& attributes);
 
-// True if the driver gives the code that it makes of programs. Mesa does, unless its cache of shaders is off.
+// True if the driver gives the code that it makes of programs. Mesa does if it caches shaders.
 bool gives_binaries();
 // Links the shaders into `program`, in place of what was linked into it, and returns the driver's code; empty if they
 // do not link. Needs gives_binaries().

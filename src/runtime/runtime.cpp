@@ -46,7 +46,7 @@ void Runtime::outline(const Frame& frame, const Surface& surface, Index draw, fl
 }
 Runtime::Drawn Runtime::drawn(const Frame& frame) const { return impl_->drawn(frame); }
 bool Runtime::find_switched_off() { return impl_->link_alone(); }
-std::vector<const Control*> Runtime::without_effect() const { return impl_->without_effect(); }
+std::vector<const Control*> Runtime::without_effect(double seconds) const { return impl_->without_effect(seconds); }
 int Runtime::form() const { return impl_->settled_values; }
 const Counters& Runtime::counters() const { return impl_->counters; }
 

@@ -151,9 +151,9 @@ bool Runtime::Impl::link_alone() {
     return false;
 }
 
-std::vector<const Control*> Runtime::Impl::without_effect() const {
+std::vector<const Control*> Runtime::Impl::without_effect(double seconds) const {
     std::vector<const Control*> found;
-    const runtime::Stopwatch watch;
+    const runtime::Patience patience{seconds};
     for (Index program = 0; program < plan.scene.programs.size(); ++program) {
         std::vector<const Control*> sliders;
         for (const Control& control : given.items)
@@ -165,10 +165,11 @@ std::vector<const Control*> Runtime::Impl::without_effect() const {
             const auto& [index, variant] = key;
             if (index != program || !linked || variant.settled != 0) continue;
             drawn = true;
+            if (8 * linked->load_ms > 1000 * seconds) sliders.clear();  // it would have to be linked many times
             Counters uncounted;
             sliders = runtime::without_effect({plan.scene.programs[program], plan.programs[program].stages,
                                                plan.scene.ladders, variant, caps, *files, *sources, nullptr, uncounted},
-                                              std::move(sliders), watch);
+                                              std::move(sliders), patience);
         }
         if (drawn) found.insert(found.end(), sliders.begin(), sliders.end());
     }

@@ -28,7 +28,7 @@ protected:
                         "Program P uOther <0 .5 1> " + std::string(c.values) + "\nQuadXY\n");
         expect_clean(*document);
         std::string names;
-        for (const Control* control : document->runtime->without_effect())
+        for (const Control* control : document->runtime->without_effect(600))
             names += (names.empty() ? "" : " ") + control->name;
         return names;
     }
@@ -45,6 +45,7 @@ TEST_F(Effect, NoneOnAnyPixel) {
              Case{x, "gl_FragColor = vec4(clamp(uX, 30., 40.) * uOther);", "uX <0 .5 1>"},
              Case{x, "gl_FragColor = vec4(float(int(uX * .01)) + uOther);", "uX <0 .5 1>"},
              Case{"uniform int uX;", "gl_FragColor = vec4(uX > 50 ? uOther : 1.);", "uX <0 1 3>"},
+             Case{"uniform bool uX;", "gl_FragColor = vec4(max(uX ? 2. : 1., 50.) * uOther);", "uX <false>"},
          }) {
         EXPECT_EQ(idle(c), "uX") << c.code;
         // A second path to the same answer.
@@ -97,7 +98,27 @@ TEST_F(Effect, IsLookedForInAllVariants) {
     document = open(
         "Ortho -1 1 -1 1\nVertex plain.vert\nFragment two.frag\nProgram P uX <0 .5 1>\nQuadXY\n"
         "Flat\nQuadXY\n");
-    EXPECT_EQ(document->runtime->without_effect().size(), 1U) << "each slider is named once";
+    EXPECT_EQ(document->runtime->without_effect(600).size(), 1U) << "each slider is named once";
+}
+
+TEST_F(Effect, TakesNoMoreTimeThanItIsGiven) {
+    idle({x, "gl_FragColor = vec4(max(uX, 50.) * uOther);", "uX <0 .5 1>"});
+    EXPECT_TRUE(document->runtime->without_effect(0).empty());
+}
+
+// OpenGL 3.3 gives the code by an extension, OpenGL ES always.
+class EffectInContexts : public Effect, public testing::WithParamInterface<int> {
+protected:
+    EffectInContexts() {
+        request.version = GetParam();
+        request.es = GetParam() < 33;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(All, EffectInContexts, testing::Values(30, 32, 33));
+
+TEST_P(EffectInContexts, IsFoundAsInTheLatest) {
+    EXPECT_EQ(idle({x, "gl_FragColor = vec4(max(uX, 50.) * uOther);", "uX <0 .5 1>"}), "uX");
+    EXPECT_EQ(idle({x, "gl_FragColor = vec4(max(uX, 50.) * uOther);", "uX <0 .5 60>"}), "");
 }
 
 TEST_F(Effect, ManySlidersAreNotTried) {

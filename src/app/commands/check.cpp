@@ -60,10 +60,10 @@ std::string tried_values(const snell::Control& slider) {
     return fmt::format("for {} from {} to {}", all ? "every value" : "all tried values", slider.min, slider.max);
 }
 
-void add_idle_sliders(Document& document) {
+void add_idle_sliders(Document& document, double seconds) {
     if (!document.runtime || document.diagnostics.has_errors()) return;
     const lint::RuleFacts& rule = lint::facts(lint::Rule::slider_without_effect);
-    for (const snell::Control* slider : document.runtime->without_effect()) {
+    for (const snell::Control* slider : document.runtime->without_effect(seconds)) {
         const Program& program = document.scene().programs[slider->program];
         const std::string_view where = program.ladders > 0 ? "with these rungs, " : "";
         document.diagnostics.warning(rule.code, slider->span,
@@ -90,7 +90,7 @@ Checked check_scene(const std::string& path, const CheckOptions& options, const 
         ProgressLine progress;
         checked.document = open_document(path, *caps, nullptr, options.lint ? PlanReader(lint) : nullptr,
                                          {.progress = progress.watcher()}, access);
-        if (options.lint) add_idle_sliders(*checked.document);
+        if (options.lint) add_idle_sliders(*checked.document, options.timeout > 0 ? options.timeout / 10 : 1e6);
         check_unsampled(*checked.document);  // sorts
         return checked;
     }

@@ -13,7 +13,6 @@ namespace snell::runtime {
 namespace {
 
 constexpr std::size_t most_values = 64, most_sliders = 16;
-constexpr double most_milliseconds = 2000;
 
 // Calls `number` for every number in the text, without its sign.
 template <class Function>
@@ -37,7 +36,7 @@ void each_number(std::string_view text, const Function& number) {
 class Code {
 public:
     explicit Code(const LinkRequest& request) : request_(request) {}
-    bool same(const Control& slider, const Stopwatch& watch);
+    bool same(const Control& slider, const Patience& patience);
 
 private:
     // Empty if there is none.
@@ -93,7 +92,7 @@ std::vector<bool> Code::remarks_in(const std::string& code, const glsl::Translat
     return remarks;
 }
 
-bool Code::same(const Control& slider, const Stopwatch& watch) {
+bool Code::same(const Control& slider, const Patience& patience) {
     const glsl::Translation first = translated(slider, slider.min);
     std::string text;
     for (const glsl::StageOutput& stage : first.stages) text += stage.text;
@@ -102,7 +101,7 @@ bool Code::same(const Control& slider, const Stopwatch& watch) {
     const std::string code = with(first);
     std::vector<bool> remarks;
     return std::all_of(values.begin() + 1, values.end(), [&](double value) {
-        if (watch.milliseconds() > most_milliseconds) return false;
+        if (patience.ended()) return false;
         const std::string other = with(translated(slider, value));
         if (!may_be_same(code, other)) return false;
         if (remarks.empty()) remarks = remarks_in(code, first);
@@ -137,8 +136,8 @@ std::vector<double> telling_values(const Control& slider, std::string_view text)
 }
 
 std::vector<const Control*> without_effect(const LinkRequest& request, std::vector<const Control*> sliders,
-                                           const Stopwatch& watch) {
-    if (sliders.empty() || !gl::gives_binaries()) return {};
+                                           const Patience& patience) {
+    if (sliders.empty() || patience.ended() || !gl::gives_binaries()) return {};
     Diagnostics unheard;
     LinkRequest general = request;
     general.settle = [](const auto&) { return std::vector<glsl::Settled>(); };
@@ -149,7 +148,7 @@ std::vector<const Control*> without_effect(const LinkRequest& request, std::vect
     });
     if (sliders.empty() || sliders.size() > most_sliders) return {};
     Code code(request);
-    std::erase_if(sliders, [&](const Control* slider) { return !code.same(*slider, watch); });
+    std::erase_if(sliders, [&](const Control* slider) { return !code.same(*slider, patience); });
     return sliders;
 }
 
