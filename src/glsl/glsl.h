@@ -50,8 +50,8 @@ struct DeclaredUniform {
     int array_size = 0;     // 0: no array
     // A number, vector or matrix: no array, structure, sampler or member of a block.
     bool simple = true;
-    std::vector<double> initial;  // of its initialiser; empty: none
-    Use use = Use::unsure;        // none, sure: only if Options::find_uses
+    std::vector<double> initial;              // of its initialiser; empty: none
+    Use use = Use::unsure;                    // none, sure: only if Options::find_uses
     std::vector<std::string> functions = {};  // that name it, such as "main (fragment)"
 };
 
