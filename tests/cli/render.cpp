@@ -286,14 +286,14 @@ TEST_F(CommandLine, CheckNamesSlidersWithoutEffect) {
     for (int run = 0; run < 2; ++run) {  // the driver has kept some of the programs since the first
         const Outcome found = check("", "");
         EXPECT_EQ(found.status, 0);
-        EXPECT_TRUE(
-            found.says("e.glib:3:34: warning: 'uX' has no effect: program 'E' computes the same for all tried "
-                       "values from 0 to 1 [slider-without-effect]"))
+        EXPECT_TRUE(found.says(
+            "e.glib:3:34: warning: 'uX' seems to have no effect: program 'E' computes the same for all tried "
+            "values from 0 to 1 [slider-without-effect]"))
             << found.output;
         EXPECT_TRUE(found.says("docs/teaching.md#a-slider-without-effect")) << found.output;
         EXPECT_FALSE(found.says("'uY'") || found.says("'uOn'")) << found.output;
     }
-    EXPECT_TRUE(check("Ladder KIND <a> b\n", "").says("'uX' has no effect: with these rungs, program 'E'"));
+    EXPECT_TRUE(check("Ladder KIND <a> b\n", "").says("'uX' seems to have no effect: with these rungs, program 'E'"));
     EXPECT_EQ(check("", "--no-lint ").output, "");
 }
 

@@ -54,10 +54,14 @@ Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     return json;
 }
 
+bool tries_every_value(const snell::Control& slider) {
+    return slider.type == ValueType::bool_ || slider.type == ValueType::int_ || slider.type == ValueType::uint_;
+}
+
 std::string tried_values(const snell::Control& slider) {
     if (slider.type == ValueType::bool_) return "for false and true";
-    const bool all = slider.type == ValueType::int_ || slider.type == ValueType::uint_;
-    return fmt::format("for {} from {} to {}", all ? "every value" : "all tried values", slider.min, slider.max);
+    return fmt::format("for {} from {} to {}", tries_every_value(slider) ? "every value" : "all tried values",
+                       slider.min, slider.max);
 }
 
 void add_idle_sliders(Document& document, double seconds) {
@@ -67,8 +71,9 @@ void add_idle_sliders(Document& document, double seconds) {
         const Program& program = document.scene().programs[slider->program];
         const std::string_view where = program.ladders > 0 ? "with these rungs, " : "";
         document.diagnostics.warning(rule.code, slider->span,
-                                     fmt::format("'{}' has no effect: {}program '{}' computes the same {}",
-                                                 slider->name, where, program.name, tried_values(*slider)),
+                                     fmt::format("'{}' {} no effect: {}program '{}' computes the same {}", slider->name,
+                                                 tries_every_value(*slider) ? "has" : "seems to have", where,
+                                                 program.name, tried_values(*slider)),
                                      fmt::format("{} ({})", rule.instead, lint::page(rule)));
     }
 }

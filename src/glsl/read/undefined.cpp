@@ -33,11 +33,14 @@ void Parser::mark(const Expression& e, std::string_view function, int step, int 
     u_.marks.push_back({function, step, operand, -1, both});
 }
 
-// A number of the text is marked where a constant on the other side would make the result undefined.
+// A number of the text is marked where a constant on the other side would make the result undefined. Zeros of the text
+// are folded in every form, so that the other side must not be.
 void Parser::mark_division(const Expression* a, const Expression& b, std::string_view op, int step) {
     if (!at_run_time_ || (op != "/" && op != "%") || (a && from_source(*a) && from_source(b))) return;
-    const bool number = from_source(b);
-    if (!number || zero(b)) mark(b, divisor_mark, step, 1, number);
+    if (!from_source(b))
+        mark(b, divisor_mark, step, 1, false);
+    else if (a && zero(b) && op == "/")
+        mark(*a, "snell_value", step, 0, false);
     if (op == "%" && a && a->type.base == Base::integer) mark(*a, "snell_dividend", step, 0, from_source(*a));
 }
 
@@ -46,7 +49,8 @@ void Parser::mark_call(const Expression& call, std::string_view name, const std:
     const bool first = from_source(given[0]), second = from_source(given[1]);
     if (first && second) return;
     const int step = here();  // the call comes next
-    if (name == "mod" && (!second || zero(given[1]))) mark(given[1], divisor_mark, step, 1, second);
+    if (name == "mod" && !second) mark(given[1], divisor_mark, step, 1, false);
+    if (name == "mod" && second && zero(given[1])) mark(given[0], "snell_value", step, 0, false);
     if (name == "atan") mark(given[first ? 1 : 0], divisor_mark, step, first ? 1 : 0, false);
     if (name != "pow" || positive(given[0]) || !marked_type(given[0].type)) return;
     if (second) return mark(given[0], "snell_base", step, 0, false);

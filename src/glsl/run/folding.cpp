@@ -143,6 +143,7 @@ private:
             case Op::infix: {
                 const Fold b = pop().fold, a = pop().fold;
                 operands_[step] = {a, b};
+                if (i.text == "==" || i.text == "!=") touch({{a}, {b}});
                 return push(of_operator(i.text, a, b));
             }
             case Op::choose: {
@@ -170,8 +171,11 @@ private:
             case Op::back:
                 if (i.a) know_result(step, pop().fold);
                 return;
-            case Op::construct:
-                return push(all_of(pop(i.a), true));
+            case Op::construct: {
+                const std::vector<Item> given = pop(i.a);
+                if (i.type >= 0 && u_.code.types[at(i.type)].integral()) touch(given);
+                return push(all_of(given, true));
+            }
             case Op::built_in:
                 return built_in(i, step);
             case Op::call:
@@ -180,6 +184,12 @@ private:
             case Op::discard:
                 return;
         }
+    }
+
+    // Constants alone are rounded once, by the compiler.
+    void touch(const std::vector<Item>& given) {
+        if (!std::ranges::any_of(given, [](const Item& item) { return is_live(item.fold); })) return;
+        for (const Item& item : given) touchy_ |= item.fold.from;
     }
 
     // `any`: one that is settled is enough.
@@ -194,9 +204,12 @@ private:
 
     void built_in(const Instruction& i, std::size_t step) {
         const std::vector<Item> given = pop(i.a);
-        constexpr std::string_view jumps[] = {"fract", "floor", "ceil", "round", "trunc", "mod"};
-        if (!given.empty() && given[0].fold.gain >= much && std::ranges::count(jumps, i.text) > 0)
-            for (const Item& item : given) touchy_ |= item.fold.from;
+        constexpr std::string_view jumps[] = {
+            "fract", "floor", "ceil", "round",          "roundEven",       "trunc",       "mod",
+            "modf",  "sign",  "step", "floatBitsToInt", "floatBitsToUint", "packHalf2x16"};
+        constexpr std::string_view waves[] = {"sin", "cos", "tan"};
+        const bool wave = std::ranges::count(waves, i.text) > 0 && !given.empty() && given[0].fold.gain >= much;
+        if (wave || std::ranges::count(jumps, i.text) > 0) touch(given);
         if (given.size() == 2) operands_[step] = {given[0].fold, given[1].fold};
         if (i.text == "dot" || i.text == "cross" || i.text == "matrixCompMult") return push(all_of(given, true));
         Fold result = all_of(given);

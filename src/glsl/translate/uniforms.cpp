@@ -224,6 +224,7 @@ std::map<std::string_view, run::Fold> folds(const Program& program) {
         const Settled& one = program.settled[n];
         run::Fold& fold = settled[one.name] = {Kind::settled, std::ranges::count(one.values, 0.) > 0};
         if (one.values.size() == 1) fold.value = one.values[0];
+        for (const double value : one.values) fold.gain = std::max(fold.gain, std::abs(value));
         fold.from = std::uint64_t{1} << std::min<std::size_t>(n, 63);
     }
     for (const DeclaredUniform& declared : program.declared)
