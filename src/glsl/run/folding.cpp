@@ -15,6 +15,7 @@ using Kind = Fold::Kind;
 struct Item {
     Fold fold;
     int variable = -1;
+    bool whole = true;  // not an element or a member of the variable
 };
 
 bool is_live(const Fold& a) { return a.kind == Kind::live; }
@@ -121,7 +122,9 @@ private:
             case Op::unknown:
                 return push({});
             case Op::select:
-                if (!stack_.empty()) stack_.back().fold.value = std::numeric_limits<double>::quiet_NaN();
+                if (stack_.empty()) return;
+                stack_.back().fold.value = std::numeric_limits<double>::quiet_NaN();
+                stack_.back().whole = false;
                 return;
             case Op::prefix: {
                 Fold fold = pop().fold;
@@ -137,8 +140,10 @@ private:
             case Op::index: {
                 const Fold index = pop().fold;
                 const Item of_what = pop();
-                touchy_ |= index.from;
-                return push(both(of_what.fold, index, of_what.fold.zero), of_what.variable);
+                if (!inside(index, of_what)) touchy_ |= index.from;
+                push(both(of_what.fold, index, of_what.fold.zero), of_what.variable);
+                stack_.back().whole = false;
+                return;
             }
             case Op::infix: {
                 const Fold b = pop().fold, a = pop().fold;
@@ -186,10 +191,18 @@ private:
         }
     }
 
-    // Constants alone are rounded once, by the compiler.
+    // Whether the index is known to be one of an element.
+    bool inside(const Fold& index, const Item& of_what) const {
+        if (of_what.variable < 0 || !of_what.whole || is_live(index)) return false;
+        const Type& type = u_.code.variables[at(of_what.variable)];
+        const int elements = type.dims > 0 ? type.size : type.cols > 1 ? type.cols : type.rows;
+        return index.value >= 0 && index.value < elements;
+    }
+
+    // Where constants meet what differs between pixels, compilers may multiply and add in another order.
     void touch(const std::vector<Item>& given) {
-        if (!std::ranges::any_of(given, [](const Item& item) { return is_live(item.fold); })) return;
-        for (const Item& item : given) touchy_ |= item.fold.from;
+        for (const Item& item : given)
+            if (is_live(item.fold)) touchy_ |= item.fold.from;
     }
 
     // `any`: one that is settled is enough.
