@@ -64,6 +64,7 @@ TEST_F(SettledPictures, AreThoseOfUniformsAtOtherValues) {
 // Where rounding shows: hashes, indices, and what numbers of the text and constants leave undefined together.
 TEST_F(SettledPictures, AreThoseOfUniformsWhereRoundingShows) {
     const std::pair<const char*, const char*> cases[]{
+        {"hash(vST * uX)", "331.3"},
         {"fract(sin(dot(vST * uX, vec2(12.9898, 78.233))) * 43758.5453)", "3.3"},
         {"fract(uX * vST.x * 4096. * vST.y)", "3.7"},
         {"fract(uX * vST.x * 100. * 437.585453)", "1.7"},
@@ -83,12 +84,13 @@ TEST_F(SettledPictures, AreThoseOfUniformsWhereRoundingShows) {
     };
     for (const auto& [expression, value] : cases) {
         folder.write("one.frag",
-                     "#version 330 compatibility\nuniform float uX, uGain;\nuniform int uN;\nin vec2 vST;\n"
-                     "void main() { float v = uGain * (" +
-                         std::string(expression) +
-                         ") + 0. * uX + 0. * float(uN); gl_FragColor = vec4(v, v, v, 1.); }\n");
+                     "#version 330 compatibility\nuniform float uX;\nuniform int uN;\nin vec2 vST;\n"
+                     "float hash(vec2 q) { vec3 p = fract(q.xyx * .1031); p += dot(p, p.yzx + 33.33);\n"
+                     "return fract((p.x + p.y) * p.z); }\n"
+                     "void main() { gl_FragColor = vec4(vec3(" +
+                         std::string(expression) + "), 1.); }\n");
         folder.write("scene.glib", "Ortho -1 1 -1 1\nVertex plain.vert\nFragment one.frag\nProgram P uX " +
-                                       std::string(value) + " uN " + std::string(value) + " uGain 1.\nQuadXY\n");
+                                       std::string(value) + " uN " + std::string(value) + "\nQuadXY\n");
         auto general = open_file(folder.path("scene.glib")), settled = open_settled(folder.path("scene.glib"));
         EXPECT_LE(difference(draw(*settled), draw(*general)), 1) << expression;
     }
