@@ -152,6 +152,17 @@ TEST_F(Explained, HarmonicsComeWithTheirCubeMap) {
     }
 }
 
+// The map itself is not sampled, but what is computed from it is.
+TEST_F(Explained, ASourceThatOtherValuesSampleIsNotUnused) {
+    auto document = settle("CubeMap 6 t0.bmp t1.bmp t2.bmp t3.bmp t4.bmp t5.bmp\nIrradiance 7 6\n" +
+                           quad("uniform samplerCube uSharp, uSoft;\nuniform float uMix;",
+                                "vec3 d = vec3(vST - .5, 1.);\n"
+                                "gl_FragColor = vec4(mix(texture(uSoft, d).rgb, texture(uSharp, d).rgb, uMix), 1.);",
+                                "uSharp 6 uSoft 7 uMix <0. 0. 1.>"));
+    expect_clean(*document);
+    EXPECT_FALSE(unused(explain(*document), "CubeMap 6"));
+}
+
 TEST_F(Explained, FormsOfOtherValuesSayNothing) {
     auto document =
         settle("Texture2D 5 t1.bmp\n" + quad("uniform sampler2D uA;\nuniform float uMix;",

@@ -111,6 +111,35 @@ private:
 
     void take(const Instruction& i, std::size_t step) {
         switch (i.op) {
+            case Op::assign: {
+                const Item given = pop(), target = pop();
+                operands_[step] = {target.fold, given.fold};
+                const Fold fold =
+                    i.text.size() == 1 ? given.fold : of_operator(i.text.substr(0, 1), target.fold, given.fold);
+                know(target.variable, fold);
+                return push(fold);
+            }
+            case Op::declare:
+                if (i.b == 1) know(i.a, pop().fold);
+                return;
+            case Op::drop:
+            case Op::unless:
+                pop();
+                return;
+            case Op::back:
+                if (i.a) know_result(step, pop().fold);
+                return;
+            case Op::jump:
+            case Op::discard:
+                return;
+            default:
+                return value(i, step);
+        }
+    }
+
+    // Pushes one.
+    void value(const Instruction& i, std::size_t step) {
+        switch (i.op) {
             case Op::number:
             case Op::length:
                 if (i.op == Op::length) pop();
@@ -158,24 +187,6 @@ private:
                 if (may) return push(with({Kind::settled, one.zero}, one, condition));
                 return push(both(both(a, b, one.zero), condition, one.zero));
             }
-            case Op::assign: {
-                const Item given = pop(), target = pop();
-                operands_[step] = {target.fold, given.fold};
-                const Fold fold =
-                    i.text.size() == 1 ? given.fold : of_operator(i.text.substr(0, 1), target.fold, given.fold);
-                know(target.variable, fold);
-                return push(fold);
-            }
-            case Op::declare:
-                if (i.b == 1) know(i.a, pop().fold);
-                return;
-            case Op::drop:
-            case Op::unless:
-                pop();
-                return;
-            case Op::back:
-                if (i.a) know_result(step, pop().fold);
-                return;
             case Op::construct: {
                 const std::vector<Item> given = pop(i.a);
                 if (i.type >= 0 && u_.code.types[at(i.type)].integral()) touch(given);
@@ -185,8 +196,7 @@ private:
                 return built_in(i, step);
             case Op::call:
                 return call(i);
-            case Op::jump:
-            case Op::discard:
+            default:
                 return;
         }
     }

@@ -19,6 +19,19 @@ void read_unit(Program& program, Unit& u, FileId file) {
     mend_words(program, u);
 }
 
+void read_units(Program& program, const std::vector<StageInput>& stages) {
+    program.units.reserve(stages.size() + 2);
+    for (const StageInput& input : stages) {
+        Unit u;
+        u.stage = input.stage;
+        u.reference = input.reference;
+        read_unit(program, u, input.file);
+        program.units.push_back(std::move(u));
+    }
+    std::stable_sort(program.units.begin(), program.units.end(),
+                     [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
+}
+
 void parse(Program& program) {
     for (Unit& u : program.units)
         Parser(u, program.target(), program.diagnostics, program.options.undefined_at_run_time).run();
@@ -102,16 +115,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
                       Diagnostics& diagnostics) {
     Program program{options, sources, diagnostics, {}, {}, {}, {}};
     const std::size_t errors = diagnostics.errors();
-    program.units.reserve(stages.size() + 2);
-    for (const StageInput& input : stages) {
-        Unit u;
-        u.stage = input.stage;
-        u.reference = input.reference;
-        read_unit(program, u, input.file);
-        program.units.push_back(std::move(u));
-    }
-    std::stable_sort(program.units.begin(), program.units.end(),
-                     [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
+    read_units(program, stages);
     refuse_late_features(program);
     add_missing_stages(program);
     rename_words(program);
