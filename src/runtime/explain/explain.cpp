@@ -191,9 +191,8 @@ private:
     // Its files may be read all the same, for what is computed from them.
     bool sampled_for_other_values(Index texture) const {
         return std::ranges::any_of(scene_.draws, [&](const Draw& draw) {
-            return draw.program != none &&
-                   std::ranges::count(impl_.sampled_by(draw, impl_.dormant[draw.program]), texture,
-                                      &runtime::Sampled::texture) > 0;
+            return draw.program != none && std::ranges::count(impl_.sampled_by(draw, impl_.dormant[draw.program]),
+                                                              texture, &runtime::Sampled::texture) > 0;
         });
     }
 
