@@ -182,7 +182,7 @@ void Runtime::Impl::find_stand() {
         const auto& [program, variant] = key;
         if (!linked || variant.settled != settled_values) continue;
         for (const glsl::Settled& settled : linked->settled)
-            if (const Control* control = given.find(program, settled.name))
+            if (const Control* control = given.find(program, settled.name); control && control->active)
                 stand.push_back({static_cast<Index>(control - given.items.data()), settled.values});
     }
 }

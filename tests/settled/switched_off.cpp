@@ -102,6 +102,14 @@ TEST_F(SwitchedOff, WhatIsSaidStaysTheSame) {
     EXPECT_EQ(draw(*off), draw(*general));
 }
 
+// A value of a uniform that nothing reads has no type: programs for values are drawn all the same.
+TEST_F(SwitchedOff, UniformsThatNothingReadsDoNotMatter) {
+    auto document = settle(
+        quad("uniform float uGain;\nuniform int uIdle;", "gl_FragColor = vec4(uGain);", "uGain <0. .5 1.> uIdle 3.3"));
+    draw(*document);
+    EXPECT_EQ(document->runtime->counters().specialised_draws, 1U);
+}
+
 // A constant index that is too large would be an error.
 TEST_F(SwitchedOff, AnIndexThatIsTooLargeStillCompiles) {
     auto document = settle(quad("uniform int uIndex;\nuniform float uSum;",
