@@ -22,7 +22,7 @@ std::span<const KeyRow> key_rows() {
         {"N", "mark pixels that are NaN, infinite or outside of 0 to 1"},
         {"space bar", "pause or resume time"},
         {"1 to 9; with Ctrl", "restore a snapshot; store one"},
-        {"Ctrl S; with Shift", "save the values to the scene; undo saving"},
+        {"Ctrl S; with Shift", "save the values to the scene; save as another scene"},
         {"Ctrl O", "open another scene"},
         {"F5", "reload the files"},
         {"H", "hide or show the panel"},

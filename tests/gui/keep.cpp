@@ -47,7 +47,7 @@ TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndCanBeUndone) {
     EXPECT_EQ(red(), slid);
     expect_red(slid);
     EXPECT_EQ(state()["errors"], 0);
-    click("undo save");
+    click("revert save");
     EXPECT_EQ(bytes("scene.glib"), scene);
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; }));
     settle();

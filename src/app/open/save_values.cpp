@@ -83,7 +83,7 @@ std::string write_saved(const std::vector<SavedFile>& files) {
     return exchange(files, &SavedFile::before, &SavedFile::after);
 }
 
-std::string undo_saved(const std::vector<SavedFile>& files) {
+std::string revert_saved(const std::vector<SavedFile>& files) {
     return exchange(files, &SavedFile::after, &SavedFile::before);
 }
 

@@ -32,6 +32,6 @@ Saved saved_values(const Document& document);
 // Writes all files or none; each must still have the text `before`. Returns "" or the error.
 std::string write_saved(const std::vector<SavedFile>& files);
 // Restores the previous texts if the files are still as saved. Returns "" or the error.
-std::string undo_saved(const std::vector<SavedFile>& files);
+std::string revert_saved(const std::vector<SavedFile>& files);
 
 }  // namespace snell

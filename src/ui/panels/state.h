@@ -68,7 +68,7 @@ struct Facts {
     int samples = 1;
     std::string_view renderer;
     bool changed = false;                              // whether any value or rung differs from the scene's
-    bool undoable = false;                             // whether values were saved to the scene, which can be undone
+    bool revertible = false;                           // whether a save of values can be reverted
     std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists
     const AccuracyFacts* accuracy = nullptr;           // set while its panel is open
     const Explanation* explanation = nullptr;          // set while Memory::costs
@@ -119,7 +119,8 @@ struct Memory {
 // What the user requested in this frame, other than changes of Controls or View.
 struct Requests {
     bool reload = false;
-    bool save = false, undo_save = false;
+    bool save = false, save_as = false, revert_save = false;
+    bool undo = false, redo = false;
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point
     int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none

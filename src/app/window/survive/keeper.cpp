@@ -26,7 +26,7 @@ std::string restore(int number, Document& document) {
 void Keeper::tell(ui::Facts& facts, const Document* document) {
     if (looked_ != facts.revision) snapshots_ = snapshots_there(scene_);
     looked_ = facts.revision;
-    facts.undoable = !saved_.empty();
+    facts.revertible = !saved_.empty();
     facts.changed = document && document->runtime && changed_values(*document) > 0;
     facts.snapshots = snapshots_;
 }
@@ -34,7 +34,7 @@ void Keeper::tell(ui::Facts& facts, const Document* document) {
 void Keeper::serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
                    std::string& notice) {
     if (requests.save) notice = save(document);
-    if (requests.undo_save) notice = undo();
+    if (requests.revert_save) notice = revert();
     if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
     if (requests.store_snapshot > 0) notice = store(requests.store_snapshot, document);
     if (requests.copy_command) {
@@ -55,10 +55,10 @@ std::string Keeper::save(const Document& document) {
     return notice;
 }
 
-std::string Keeper::undo() {
+std::string Keeper::revert() {
     if (saved_.empty()) return {};
-    const std::string error = undo_saved(saved_.back());
-    if (!error.empty()) return "not undone: " + error;
+    const std::string error = revert_saved(saved_.back());
+    if (!error.empty()) return "not reverted: " + error;
     const std::string name = short_name(saved_.back().front().path);
     saved_.pop_back();
     return name + " is as it was before";

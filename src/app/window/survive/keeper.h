@@ -20,7 +20,7 @@ class Keeper {
 public:
     explicit Keeper(std::string scene) : scene_(std::move(scene)) {}
 
-    // Fills in what the panels show: whether values changed, whether saving can be undone, and the snapshots.
+    // Fills in what the panels show: whether values changed, whether a save can be reverted, and the snapshots.
     void tell(ui::Facts& facts, const Document* document);
     // Executes the requests and sets `notice` to their outcome.
     void serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
@@ -28,7 +28,7 @@ public:
 
 private:
     std::string save(const Document& document);
-    std::string undo();
+    std::string revert();
     std::string store(int number, const Document& document);
 
     std::string scene_;
