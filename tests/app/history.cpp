@@ -109,6 +109,18 @@ TEST_F(Undo, AWheelGestureIsOneStepAndTwoPressesAreTwo) {
     EXPECT_EQ(value(0), .5);
 }
 
+TEST_F(Undo, TheWheelAfterADragIsAStepOfItsOwn) {
+    view_.scene.rotate_y = 10;
+    step(true);
+    same_gesture();
+    view_.scene.scale = 2;
+    same_gesture();
+    EXPECT_EQ(history_.size(), 2U);
+    view_.scene.scale = 3;
+    same_gesture();
+    EXPECT_EQ(history_.size(), 2U) << "its own goes on";
+}
+
 TEST_F(Undo, AGestureThatEndsWhereItBeganIsNoStep) {
     view_.scene.scale = 1.1;
     same_gesture();

@@ -38,7 +38,8 @@ std::string numbers(const std::vector<double>& value) {
 }
 
 std::string what_differs(const View& a, const View& b) {
-    if (a.axes != b.axes && view_text(a) == view_text(b)) return b.axes ? "axes hidden \u2192 shown" : "axes shown \u2192 hidden";
+    if (a.axes != b.axes && view_text(a) == view_text(b))
+        return b.axes ? "axes hidden \u2192 shown" : "axes shown \u2192 hidden";
     if (a.background != b.background) return "background";
     return a.projection != b.projection ? "projection" : "view";
 }
@@ -147,6 +148,7 @@ History::Step History::difference(const Scene& scene, const Controls& controls, 
 }
 
 bool History::follow(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture) {
+    held_ |= gesture.busy;
     if (gesture.busy) return false;
     Step step = difference(scene, controls, view);
     const bool moved = !step.empty(), same = same_uniforms(controls_, controls);
@@ -156,8 +158,8 @@ bool History::follow(const Scene& scene, const Controls& controls, const View& v
         name_objects(scene, view);
         push(std::move(step));
     }
+    const bool held = std::exchange(held_, false), open = open_ && !held;  // a drag ends with its button
     if (!moved && same) return false;
-    const bool open = open_;
     begin(scene, controls, view);
     open_ = open;
     return moved;

@@ -97,6 +97,7 @@ private:
     std::size_t done_ = 0;   // how many of them are not undone
     std::size_t bytes_ = 0;  // of all steps, about
     bool open_ = false;      // whether the last step may be extended
+    bool held_ = false;      // whether the gesture was busy
     // The state after the steps that are done, with the names of controls, ladders and rungs.
     Controls controls_;
     std::vector<std::string> names_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <unordered_map>
 
 #include "parser/text_of.h"
 #include "src/plan/values/fit.h"
@@ -368,10 +369,12 @@ bool same_uniforms(const Controls& a, const Controls& b) {
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
     carry_over(from.rungs, from_scene, to.rungs, to_scene);
     const std::vector<std::string> old_names = control_names(from_scene, from), names = control_names(to_scene, to);
+    std::unordered_map<std::string_view, std::size_t> places;
+    for (std::size_t i = 0; i < old_names.size(); ++i) places.emplace(old_names[i], i);
     for (std::size_t i = 0; i < to.items.size(); ++i) {
-        const auto found = std::ranges::find(old_names, names[i]);
-        if (found == old_names.end()) continue;
-        const Control& old = from.items[static_cast<std::size_t>(found - old_names.begin())];
+        const auto found = places.find(names[i]);
+        if (found == places.end()) continue;
+        const Control& old = from.items[found->second];
         Control& control = to.items[i];
         if (old.type != control.type || old.components != control.components || old.array_size != control.array_size)
             continue;
