@@ -183,7 +183,7 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout) {
     layout.clear();
     Requests requests;
-    if (!ImGui::GetIO().WantTextInput && !memory.browser.open && !memory.picture.open) {
+    if (!ImGui::GetIO().WantTextInput && !memory.browser.open && !memory.picture.open && !memory.save_as.open) {
         if (pressed(Key::h)) memory.panel = !memory.panel;
         requests.reload = pressed(Key::f5);
         keep_keys(facts, requests);
@@ -209,6 +209,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     browser_window(facts, memory, requests, layout);
     picture_window(facts, memory, requests, layout);
+    save_as_window(memory, requests, layout);
     if (memory.keys && help_panel(parts.scene, layout)) memory.keys = false;
     hold_scene(facts, parts.scene, view, memory.hold, requests);
     memory.scene = parts.scene;

@@ -149,9 +149,9 @@ TEST_F(Kept, SavedValuesAreReadAgain) {
     const std::string text = bytes_of(folder.path("s.glib"));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), std::count(scene.begin(), scene.end(), '\r'));
     EXPECT_NE(text.find("\\ # why\r\n"), std::string::npos);
-    ASSERT_EQ(undo_saved(saved.files), "");
+    ASSERT_EQ(revert_saved(saved.files), "");
     EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
-    EXPECT_NE(undo_saved(saved.files), "") << "it is not as it was saved";
+    EXPECT_NE(revert_saved(saved.files), "") << "it is not as it was saved";
 }
 
 TEST_F(Kept, AFileThatChangedMeanwhileIsNotOverwritten) {

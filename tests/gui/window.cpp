@@ -239,6 +239,8 @@ TEST_F(Window, DraggingInTheSceneTurnsItAndTheWheelScalesIt) {
 }
 
 TEST_F(Window, TheAxesAreACheckBoxAndOnAtFirst) {
+    std::string text = scene;
+    save("scene.glib", text.replace(text.find("QuadXY 0. 1."), 12, "QuadXY 0. 1. 2 2"));  // not a flat picture
     open("scene.glib");
     EXPECT_TRUE(state()["view"]["axes"]);
     const auto count_gray = [&] {

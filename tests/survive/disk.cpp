@@ -252,7 +252,7 @@ TEST_F(Disk, KilledWhileSavingValuesTheSceneIsOldOrNew) {
     ASSERT_EQ(saved.files.size(), 1U);
     const std::string after = saved.files.front().after;
     kill_at_moments(
-        25, [&](int round) { round % 2 == 0 ? write_saved(saved.files) : undo_saved(saved.files); },
+        25, [&](int round) { round % 2 == 0 ? write_saved(saved.files) : revert_saved(saved.files); },
         [&] {
             const std::string now = bytes_of(at("s.glib"));
             std::ofstream(at("s.glib")) << scene;  // for the next one

@@ -61,13 +61,14 @@ TEST_F(UiKeep, DigitsThatAreTypedAreNoSnapshots) {
 TEST_F(UiKeep, SavingAsksForItOnlyWhereThereIsSomething) {
     facts_.changed = false;
     EXPECT_FALSE(clicked("save").save);
-    facts_.changed = facts_.undoable = true;
+    facts_.changed = facts_.revertible = true;
     EXPECT_TRUE(clicked("save").save);
-    EXPECT_TRUE(clicked("undo save").undo_save);
+    EXPECT_TRUE(clicked("revert save").revert_save);
     EXPECT_TRUE(pressed(Key::s, {.ctrl = true}).save);
-    const Requests undo = pressed(Key::s, {.shift = true, .ctrl = true});
-    EXPECT_TRUE(undo.undo_save);
-    EXPECT_FALSE(undo.save);
+    const Requests as = pressed(Key::s, {.shift = true, .ctrl = true});
+    EXPECT_TRUE(as.save_as);
+    EXPECT_FALSE(as.save);
+    EXPECT_FALSE(as.revert_save);
 }
 
 TEST_F(UiKeep, TheMenuOfANameMakesASliderLogarithmic) {

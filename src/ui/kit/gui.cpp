@@ -99,6 +99,7 @@ std::uint64_t Gui::end() {
 }
 
 bool Gui::pressed() const { return ImGui::IsAnyMouseDown(); }
+bool Gui::busy() const { return ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown(); }
 
 Cursor Gui::cursor() const {
     switch (ImGui::GetMouseCursor()) {

@@ -42,6 +42,8 @@ public:
     Cursor cursor() const;
     // True while a mouse button is down.
     bool pressed() const;
+    // True while a mouse button is down or a widget is in use.
+    bool busy() const;
 
     struct Clipboard;
 

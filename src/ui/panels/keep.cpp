@@ -24,9 +24,10 @@ void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
     requests.save |=
         keep_button("Save values", facts.changed,
                     "Ctrl+S: saves the current values to the scene's file.\nOnly the numbers change.", layout, "save");
-    follow(button_width("Undo"));
-    requests.undo_save |= keep_button("Undo", facts.undoable, "Ctrl+Shift+S: restores the file as it was before saving",
-                                      layout, "undo save");
+    follow(button_width("Revert save"));
+    requests.revert_save |= keep_button(
+        "Revert save", facts.revertible,
+        "Restores the file as it was before saving.\nSliders and view stay as they are.", layout, "revert save");
     requests.copy_command |= next_button("Copy command", layout, "copy command");
     tip("Copies the command for this view");
     picture_button(requests, layout);
@@ -57,7 +58,9 @@ void keep_panel(const Facts& facts, Requests& requests, Layout& layout) {
 void keep_keys(const Facts& facts, Requests& requests) {
     if (!facts.scene) return;
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyCtrl && pressed(Key::s)) (io.KeyShift ? requests.undo_save : requests.save) = true;
+    if (io.KeyCtrl && pressed(Key::s)) (io.KeyShift ? requests.save_as : requests.save) = true;
+    if (io.KeyCtrl && pressed(Key::z, true)) (io.KeyShift ? requests.redo : requests.undo) = true;
+    if (io.KeyCtrl && pressed(Key::y, true)) requests.redo = true;
     for (int number = 1; number <= snapshot_count; ++number) {
         if (!pressed(static_cast<Key>(static_cast<int>(Key::one) + number - 1))) continue;
         (io.KeyCtrl ? requests.store_snapshot : requests.restore_snapshot) = number;

@@ -9,7 +9,7 @@ namespace snell::ui {
 
 // Draws the two rows of buttons that keep values: in the scene's text, in snapshots, or as a command in the clipboard.
 void keep_panel(const Facts& facts, Requests& requests, Layout& layout);
-// Ctrl+S saves the values to the scene, and Ctrl+Shift+S undoes that; 1 to 9 restore a snapshot, Ctrl with 1 to 9
+// Ctrl+S saves the values to the scene, Ctrl+Shift+S as another scene; 1 to 9 restore a snapshot, Ctrl with 1 to 9
 // stores it.
 void keep_keys(const Facts& facts, Requests& requests);
 

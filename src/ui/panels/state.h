@@ -25,6 +25,7 @@
 #include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
+#include "src/ui/panels/save_as.h"
 
 namespace snell::ui {
 
@@ -69,7 +70,7 @@ struct Facts {
     std::string_view grain;  // how much coarser the last picture is, because something is dragged; empty if sharp
     std::string_view renderer;
     bool changed = false;                              // whether any value or rung differs from the scene's
-    bool undoable = false;                             // whether values were saved to the scene, which can be undone
+    bool revertible = false;                           // whether a save of values can be reverted
     std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists
     const AccuracyFacts* accuracy = nullptr;           // set while its panel is open
     const Explanation* explanation = nullptr;          // set while Memory::costs
@@ -115,13 +116,16 @@ struct Memory {
     bool keys = false;  // whether the list of keys is open
     Browser browser;
     PictureMemory picture;
+    SaveAs save_as;
     Rect scene;  // the scene's area in this frame
 };
 
 // What the user requested in this frame, other than changes of Controls or View.
 struct Requests {
     bool reload = false;
-    bool save = false, undo_save = false;
+    bool save = false, revert_save = false;
+    bool save_as = false, save_as_now = false;  // opens the dialog; saves under the name in SaveAs
+    bool undo = false, redo = false;
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point
     int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none
