@@ -201,7 +201,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     problems_panel(facts, parts.scene, fonts, memory, requests, layout);
     notices(facts, parts.scene, memory, layout);
     if (facts.accuracy && facts.accuracy->note.empty() && memory.accuracy.show == AccuracyMemory::Show::split)
-        accuracy_divider(parts.scene, memory.accuracy, layout);
+        accuracy_divider(facts, controls, parts.scene, memory.accuracy, layout);
     if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     pixel_keys(parts.scene, memory.pixels);
     flags_legend(facts, parts.scene, memory.pixels, layout);

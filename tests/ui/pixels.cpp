@@ -127,7 +127,6 @@ TEST_F(UiPixels, TheFrameCostShowsItsRowsAndAsksForMore) {
         {"Sphere 1. 50 50", "scene.glib:3", 3, true},
         {"VertexList with a name that is longer than the whole panel is wide", "s.glib:9", 1, true}};
     FrameCostFacts cost;
-    cost.clock = "CPU time";
     cost.frames = frames;
     cost.median = 4.3F;
     cost.high = 4.6F;

@@ -312,10 +312,10 @@ bool App::draw_scene() {
                       document.runtime->animated() ? time : 0, interface_.view(), values_of(document.controls)};
     if (!display_.prepare({revision, stand, document.controls.rungs, memory.hold.object}, document)) return false;
     hang_.begin("drawing a frame");
-    display_.draw(document, measuring_.begin_picture(revision, memory.frame_cost), density);
+    display_.draw(document, measuring_.begin_picture(revision), density);
     hang_.rest();
     if (lost()) return false;
-    measuring_.end_picture();
+    measuring_.end_picture(display_.counters().frame_ms);
     session.drawn_well();
     return true;
 }

@@ -10,17 +10,13 @@ void Measuring::begin_scene(const std::string& scene) {
     explained_ = {};
 }
 
-const std::function<void(const Step&)>* Measuring::begin_picture(std::uint64_t revision, bool wanted) {
-    frame_costs_.open(wanted);
-    return frame_costs_.begin(revision);
-}
-
 bool Measuring::follow(Document& document, bool stale, const Display& display, const ui::Memory& memory) {
     const Stand& stand = display.drawn().stand;
     accuracy_.follow(document, stale, stand, memory.accuracy);
-    if (memory.scene.width <= 0) return false;
+    const bool opened = frame_costs_.open(memory.frame_cost, display.drawn().revision, display.counters().frame_ms);
+    if (memory.scene.width <= 0) return opened;
     const float density = static_cast<float>(stand.width) / memory.scene.width;
-    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density);
+    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density) || opened;
 }
 
 bool Measuring::step(Document* document, const Display& display) {
