@@ -21,6 +21,7 @@ protected:
         found_.depth = .98765;
         found_.distance = 3.25;
         pixels_.inspection = &found_;
+        pixels_.at = "pixel 12, 34";
         pixels_.statement = "Sphere 1. 50 50";
         pixels_.place = "scene.glib:12";
     }

@@ -187,6 +187,7 @@ public:
         found_.depth = .987654321;
         found_.distance = 1234.5678;
         pixels_.inspection = &found_;
+        pixels_.at = "pixel 1234, 1234";
         pixels_.statement = "Sphere 1.23456 50 50 # the ball in the middle, as large as it was before";
         pixels_.place = long_path + ":1234";
         facts_.pixels = &pixels_;

@@ -3,7 +3,7 @@
 namespace snell {
 
 Measuring::Measuring(const std::string& scene, const gl::Caps& caps)
-    : caps_(caps), accuracy_(scene, caps), frame_costs_(caps) {}
+    : caps_(caps), accuracy_(scene, caps), frame_costs_(caps), textures_(caps.es) {}
 
 void Measuring::begin_scene(const std::string& scene) {
     accuracy_ = AccuracyView(scene, caps_);
@@ -16,7 +16,9 @@ bool Measuring::follow(Document& document, bool stale, const Display& display, c
     const bool opened = frame_costs_.open(memory.frame_cost, display.drawn().revision, display.counters().frame_ms);
     if (memory.scene.width <= 0) return opened;
     const float density = static_cast<float>(stand.width) / memory.scene.width;
-    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density) || opened;
+    const bool texels =
+        textures_.follow(document, display.drawn().revision, display.counters().frames, memory, density);
+    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density) || opened || texels;
 }
 
 bool Measuring::step(Document* document, const Display& display) {
@@ -38,6 +40,7 @@ void Measuring::tell(ui::Facts& facts, const Document* document, const ui::Memor
     facts.accuracy = accuracy_.facts(memory.accuracy);
     facts.frame_cost = frame_costs_.facts(document);
     facts.pixels = pixels_.facts();
+    facts.textures = textures_.facts();
 }
 
 void Measuring::explain(ui::Facts& facts, const Document& document, const ui::Memory& memory) {

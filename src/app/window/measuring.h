@@ -11,6 +11,7 @@
 #include "src/app/window/measure/accuracy_view.h"
 #include "src/app/window/measure/frame_costs.h"
 #include "src/app/window/pixel_view.h"
+#include "src/app/window/texture_view.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
@@ -55,6 +56,7 @@ private:
     AccuracyView accuracy_;
     FrameCosts frame_costs_;
     PixelView pixels_;
+    TextureView textures_;
     Explanation explanation_;
     std::pair<std::uint64_t, int> explained_;  // the revision and Runtime::form() that explanation_ belongs to
     bool linking_ = false;                     // programs that tell what values switch off

@@ -85,6 +85,14 @@ json frame_cost_of(const ui::FrameCostFacts& facts) {
             {"apart", std::move(apart)},       {"measuring", facts.measuring.has_value()}};
 }
 
+json textures_of(const ui::TextureFacts& facts) {
+    json textures{{"rows", json::array()}, {"drawn", facts.drawn}, {"read", facts.read}};
+    for (const ui::TextureRow& row : facts.rows)
+        textures["rows"].push_back({{"name", row.name}, {"loaded", row.loaded}, {"why", row.why}});
+    textures["texel"] = pixels_of(facts.texel);
+    return textures;
+}
+
 }  // namespace
 
 void write_window_state(const std::string& file, const WindowCounters& counters, Session& session, const View& view,
@@ -114,6 +122,7 @@ void write_window_state(const std::string& file, const WindowCounters& counters,
     }
     if (measured.accuracy) state["accuracy"] = accuracy_of(memory.accuracy, *measured.accuracy);
     if (measured.pixels) state["pixels"] = pixels_of(*measured.pixels);
+    if (measured.textures) state["textures"] = textures_of(*measured.textures);
     if (measured.frame_cost) state["frame_cost"] = frame_cost_of(*measured.frame_cost);
     json widgets = json::object();
     for (const ui::Placed& placed : layout.items())
