@@ -44,6 +44,8 @@ struct Explanation {
         bool kept = false;               // a pass that is drawn again only when what it shows changed
         std::optional<FrameCost> frame;  // of a pass or a program; none: not measured
         Index pass = none;               // of a pass: Scene::passes
+        Index texture = none;            // of an image, a cube map, an empty or computed texture: Scene::textures
+        int noise = 0;                   // of noise: 2 or 3
     };
     struct Unpaid {
         std::string name, why;
@@ -51,6 +53,7 @@ struct Explanation {
     struct Unused {
         std::string name, why;
         Span span;
+        Index texture = none;  // Scene::textures, if it is one
     };
     // What the value of a uniform switches off in the programs that are compiled for it.
     struct SwitchedOff {

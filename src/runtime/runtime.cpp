@@ -1,8 +1,22 @@
 #include "src/runtime/runtime.h"
 
+#include <algorithm>
+#include <bit>
+
 #include "src/runtime/impl.h"
 
 namespace snell {
+
+namespace {
+
+std::optional<Runtime::Held> held_of(const runtime::GpuTexture* gpu) {
+    if (!gpu) return std::nullopt;
+    const int longest = *std::ranges::max_element(gpu->size);
+    const int levels = gpu->mipmapped ? std::bit_width(static_cast<unsigned>(longest)) : gpu->levels;
+    return Runtime::Held{{gpu->texture.get(), gpu->target, gpu->size}, levels, gpu->pixels};
+}
+
+}  // namespace
 
 Runtime::Runtime(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, Diagnostics& diagnostics,
                  const RuntimeOptions& options)
@@ -43,6 +57,18 @@ std::vector<Index> Runtime::pick(const Frame& frame, int width, int height, cons
 void Runtime::outline(const Frame& frame, const Surface& surface, Index draw, float line) {
     impl_->take(frame.controls);
     impl_->outline(frame, surface, draw, line);
+}
+std::optional<Runtime::Held> Runtime::texture(Index texture) const {
+    std::optional<Held> held = held_of(impl_->textures.find(texture));
+    if (!held) return held;
+    const Index source = impl_->plan.scene.textures[texture].source;
+    const Index drawn = source == none ? texture : source;
+    held->changes = std::ranges::any_of(impl_->plan.scene.passes,
+                                        [&](const Pass& pass) { return std::ranges::count(pass.textures, drawn) > 0; });
+    return held;
+}
+std::optional<Runtime::Held> Runtime::noise(int dimensions) const {
+    return held_of(impl_->textures.find_noise(dimensions));
 }
 Runtime::Drawn Runtime::drawn(const Frame& frame) const { return impl_->drawn(frame); }
 bool Runtime::find_switched_off() { return impl_->link_alone(); }

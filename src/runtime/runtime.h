@@ -10,6 +10,7 @@
 
 #include "parser/text/diagnostic.h"
 #include "src/gl/caps.h"
+#include "src/gl/texels.h"
 #include "src/gl/texture.h"
 #include "src/plan/files.h"
 #include "src/plan/plan.h"
@@ -148,6 +149,16 @@ public:
     };
     Drawn drawn(const Frame& frame) const;
     const Counters& counters() const;
+    // A texture (Scene::textures) as it is on the GPU; nullopt if it is not there.
+    struct Held {
+        gl::Plane plane;  // of level 0
+        int levels = 1;
+        gl::Pixels pixels = gl::Pixels::rgba8;
+        bool changes = false;  // frames draw into it, or into what it is computed from
+    };
+    std::optional<Held> texture(Index texture) const;
+    // Likewise, noise of 2 or 3 dimensions.
+    std::optional<Held> noise(int dimensions) const;
     // Without times of frames: these are for who has a clock.
     Explanation explain() const;
     // Links one more program for one of its values alone, which tells explain() what this value switches off. False:

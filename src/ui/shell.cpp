@@ -15,6 +15,7 @@
 #include "src/ui/panels/panels.h"
 #include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
+#include "src/ui/panels/textures.h"
 #include "src/ui/scene_mouse.h"
 
 namespace snell::ui {
@@ -94,6 +95,7 @@ void panel_window(const Facts& facts, const Rect& panel, Controls& controls, Vie
             programs_panel(facts, controls, memory, layout);
             view_section(facts, view, memory, layout);
             pixels_section(memory.open, memory.pixels, layout);
+            textures_section(facts, memory, layout);
             requests.measure_frame = frame_cost_section(facts, memory, layout);
             costs_section(facts, memory, layout);
         } else {
@@ -202,11 +204,12 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     problems_panel(facts, parts.scene, fonts, memory, requests, layout);
     notices(facts, parts.scene, memory, layout);
     if (facts.accuracy && facts.accuracy->note.empty() && memory.accuracy.show == AccuracyMemory::Show::split)
-        accuracy_divider(parts.scene, memory.accuracy, layout);
+        accuracy_divider(facts, controls, parts.scene, memory.accuracy, layout);
     if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     pixel_keys(parts.scene, memory.pixels);
     flags_legend(facts, parts.scene, memory.pixels, layout);
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
+    texel_inspector(facts, memory.textures, fonts, layout);
     browser_window(facts, memory, requests, layout);
     picture_window(facts, memory, requests, layout);
     save_as_window(memory, requests, layout);

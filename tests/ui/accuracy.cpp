@@ -99,6 +99,58 @@ TEST_F(AccuracyPanel, TheDividerIsDraggedAndTheSceneIsNot) {
     EXPECT_FALSE(has("accuracy.divider"));
 }
 
+TEST_F(AccuracyPanel, PlotsTheLadderThatWasChangedLast) {
+    scene_.ladders.push_back(scene_.ladders[0]);
+    scene_.ladders[1].name = "BEND";
+    scene_.ladders[1].rungs = {"single", "bounces"};
+    controls_.rungs = {1, 0};
+    open();
+    frame();
+    EXPECT_EQ(memory_.accuracy.ladder, 0U);
+    controls_.rungs[1] = 1;
+    frame();
+    EXPECT_EQ(memory_.accuracy.ladder, 1U);
+    click(place("accuracy.ladder"));
+    click(place("accuracy.ladder.FRESNEL"));
+    frame();
+    EXPECT_EQ(memory_.accuracy.ladder, 0U) << "as the user says";
+    memory_.accuracy.open = false;
+    controls_.rungs[1] = 0;
+    frame();
+    memory_.accuracy.open = true;
+    frame();
+    EXPECT_EQ(memory_.accuracy.ladder, 1U) << "changed while the panel was closed";
+}
+
+TEST_F(AccuracyPanel, TheSplitNamesTheRungsThatDiffer) {
+    std::vector<Ladder> ladders = scene_.ladders;
+    EXPECT_EQ(split_text(ladders, {1}), (std::pair<std::string, std::string>("FRESNEL: schlick", "exact")));
+    EXPECT_EQ(split_text(ladders, {2}), (std::pair<std::string, std::string>("reference", "reference")));
+    ladders.push_back(ladders[0]);
+    ladders[1].name = "BEND";
+    ladders[1].rungs = {"single", "bounces"};
+    EXPECT_EQ(split_text(ladders, {2, 0}), (std::pair<std::string, std::string>("BEND: single", "bounces")));
+    EXPECT_EQ(split_text(ladders, {0, 0}),
+              (std::pair<std::string, std::string>("FRESNEL: f0, BEND: single", "exact, bounces")));
+    // On the picture, on their side of the divider, whole or shortened.
+    open();
+    memory_.accuracy.show = AccuracyMemory::Show::split;
+    for (const float at : {.2F, .5F, .8F}) {
+        memory_.accuracy.divider = at;
+        const Rect left = place("accuracy.left"), right = place("accuracy.right");
+        EXPECT_GE(left.x, 0);
+        EXPECT_LT(left.x + left.width, memory_.scene.width * at);
+        EXPECT_GT(right.x, memory_.scene.width * at);
+        EXPECT_LE(right.x + right.width, memory_.scene.width);
+    }
+}
+
+TEST_F(AccuracyPanel, ColumnsAreHeaded) {
+    open();
+    for (const char* heading : {"rung", "ms/sample", "error"})
+        EXPECT_TRUE(has(std::string("accuracy.heading.") + heading));
+}
+
 // Luminance tells them apart in print and for every eye.
 TEST(Heat, GetsLighterAllTheWay) {
     double last = -1;

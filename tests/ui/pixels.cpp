@@ -21,6 +21,7 @@ protected:
         found_.depth = .98765;
         found_.distance = 3.25;
         pixels_.inspection = &found_;
+        pixels_.at = "pixel 12, 34";
         pixels_.statement = "Sphere 1. 50 50";
         pixels_.place = "scene.glib:12";
     }
@@ -127,7 +128,6 @@ TEST_F(UiPixels, TheFrameCostShowsItsRowsAndAsksForMore) {
         {"Sphere 1. 50 50", "scene.glib:3", 3, true},
         {"VertexList with a name that is longer than the whole panel is wide", "s.glib:9", 1, true}};
     FrameCostFacts cost;
-    cost.clock = "CPU time";
     cost.frames = frames;
     cost.median = 4.3F;
     cost.high = 4.6F;

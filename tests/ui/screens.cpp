@@ -72,13 +72,12 @@ public:
         ladder("FRESNEL", {"f0", "schlick", "exact"});
         accuracy_.samples = 7;
         accuracy_.wanted = 16;
-        accuracy_.milliseconds = 123.4;
         accuracy_.clock = "CPU time of the process";
         accuracy_.error = .0123;
         accuracy_.nonfinite = 12345;
         accuracy_.points = {{.name = "f0", .rung = 0, .milliseconds = 1.9, .low = 1.8, .high = 2, .error = .05},
                             {.name = "schlick", .rung = 1, .milliseconds = 2, .error = .01, .chosen = true},
-                            {.name = "exact", .rung = 2, .milliseconds = 3, .error = 0}};
+                            {.name = "exact", .rung = 2, .milliseconds = 3, .error = 0, .reference = true}};
         accuracy_.remark = "the machine was too busy: the same rung took 2.0 and 3.1 ms";
         facts_.accuracy = &accuracy_;
         memory_.accuracy.open = true;
@@ -188,6 +187,7 @@ public:
         found_.depth = .987654321;
         found_.distance = 1234.5678;
         pixels_.inspection = &found_;
+        pixels_.at = "pixel 1234, 1234";
         pixels_.statement = "Sphere 1.23456 50 50 # the ball in the middle, as large as it was before";
         pixels_.place = long_path + ":1234";
         facts_.pixels = &pixels_;
@@ -198,7 +198,8 @@ public:
         rows_ = {{"the window", "", 12.34, false},
                  {"Sphere 1.23456 50 50 # the ball in the middle", "scene.glib:12", 1.23, true},
                  {long_name, long_path + ":1234", 123.4, true}};
-        frame_cost_ = {"CPU time of the process", frames_, 16, 19, rows_, rows_, "the wall's clock", .3};
+        frame_cost_ = {frames_, 16, 19, rows_, rows_, "with a wait after every draw, which makes draws take longer",
+                       .3};
         facts_.frame_cost = &frame_cost_;
         memory_.open.emplace("Frame cost");
     }
@@ -303,7 +304,7 @@ TEST_P(Screens, AreLegible) {
          {Variant{"100", 1280, 800, 1, Theme::light, true}, Variant{"200", 1280, 900, 2, Theme::dark, true},
           Variant{"1024x768", 1024, 768, 1, Theme::dark, false},
           Variant{"1024x768-200", 1024, 768, 2, Theme::light, false},
-          Variant{"150", 1024, 768, 1.5F, Theme::light, false}}) {
+          Variant{"150", 1024, 768, 1.5F, Theme::light, false}, Variant{"640x480", 640, 480, 1, Theme::light, true}}) {
         screen_ = {variant.width, variant.height, 1, variant.scale, variant.theme};
         SCOPED_TRACE(variant.name);
         settle();

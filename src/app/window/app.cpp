@@ -324,10 +324,10 @@ bool App::draw_scene() {
     const Drawn next{revision, stand, document.controls.rungs, memory.hold.object};
     if (!display_.prepare(next, document, interface_.pressed(), memory.always_sharp)) return false;
     hang_.begin("drawing a frame");
-    display_.draw(document, measuring_.begin_picture(revision, memory.frame_cost), density);
+    display_.draw(document, measuring_.begin_picture(revision), density);
     hang_.rest();
     if (lost()) return false;
-    measuring_.end_picture();
+    measuring_.end_picture(display_.counters().frame_ms);
     session.drawn_well();
     return true;
 }

@@ -3,24 +3,22 @@
 namespace snell {
 
 Measuring::Measuring(const std::string& scene, const gl::Caps& caps)
-    : caps_(caps), accuracy_(scene, caps), frame_costs_(caps) {}
+    : caps_(caps), accuracy_(scene, caps), frame_costs_(caps), textures_(caps.es) {}
 
 void Measuring::begin_scene(const std::string& scene) {
     accuracy_ = AccuracyView(scene, caps_);
     explained_ = {};
 }
 
-const std::function<void(const Step&)>* Measuring::begin_picture(std::uint64_t revision, bool wanted) {
-    frame_costs_.open(wanted);
-    return frame_costs_.begin(revision);
-}
-
 bool Measuring::follow(Document& document, bool stale, const Display& display, const ui::Memory& memory) {
     const Stand& stand = display.drawn().stand;
     accuracy_.follow(document, stale, stand, memory.accuracy);
-    if (memory.scene.width <= 0) return false;
+    const bool opened = frame_costs_.open(memory.frame_cost, display.drawn().revision, display.counters().frame_ms);
+    if (memory.scene.width <= 0) return opened;
     const float density = static_cast<float>(stand.width) / memory.scene.width;
-    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density);
+    const bool texels =
+        textures_.follow(document, display.drawn().revision, display.counters().frames, memory, density);
+    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density) || opened || texels;
 }
 
 bool Measuring::step(Document* document, const Display& display) {
@@ -42,6 +40,7 @@ void Measuring::tell(ui::Facts& facts, const Document* document, const ui::Memor
     facts.accuracy = accuracy_.facts(memory.accuracy);
     facts.frame_cost = frame_costs_.facts(document);
     facts.pixels = pixels_.facts();
+    facts.textures = textures_.facts();
 }
 
 void Measuring::explain(ui::Facts& facts, const Document& document, const ui::Memory& memory) {

@@ -11,6 +11,7 @@
 #include "src/app/window/measure/accuracy_view.h"
 #include "src/app/window/measure/frame_costs.h"
 #include "src/app/window/pixel_view.h"
+#include "src/app/window/texture_view.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
@@ -22,10 +23,12 @@ public:
     // Forgets what was measured of the scene before.
     void begin_scene(const std::string& scene);
 
-    // Times a picture that is drawn between these calls, if the panel of frame costs is open. begin_picture() returns
-    // the function for Frame::after.
-    const std::function<void(const Step&)>* begin_picture(std::uint64_t revision, bool wanted);
-    void end_picture() { frame_costs_.end(); }
+    // Call these before and after a picture is drawn, with the time that it took. begin_picture() returns the function
+    // for Frame::after.
+    const std::function<void(const Step&)>* begin_picture(std::uint64_t revision) {
+        return frame_costs_.begin(revision);
+    }
+    void end_picture(double milliseconds) { frame_costs_.end(milliseconds); }
 
     // Call it after each frame, whether the picture was drawn or is unchanged. Returns true if the panels must be shown
     // again.
@@ -53,6 +56,7 @@ private:
     AccuracyView accuracy_;
     FrameCosts frame_costs_;
     PixelView pixels_;
+    TextureView textures_;
     Explanation explanation_;
     std::pair<std::uint64_t, int> explained_;  // the revision and Runtime::form() that explanation_ belongs to
     bool linking_ = false;                     // programs that tell what values switch off

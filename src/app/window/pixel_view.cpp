@@ -1,5 +1,7 @@
 #include "src/app/window/pixel_view.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,6 +61,7 @@ bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t pictur
 void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
     pixels_->inspect(*shown.runtime, frame(shown, stand), x, y, radius, found_);
     facts_.inspection = &found_;
+    facts_.at = fmt::format("pixel {}, {}", found_.x, found_.y);
     facts_.statement.clear();
     facts_.place.clear();
     if (found_.draw >= shown.scene().draws.size()) return;

@@ -50,10 +50,13 @@ json accuracy_of(const ui::AccuracyMemory& memory, const ui::AccuracyFacts& fact
                           {"error", point.error},
                           {"standing", ui::standing_text(point)},
                           {"chosen", point.chosen}});
-    return {{"note", facts.note},         {"samples", facts.samples},
-            {"wanted", facts.wanted},     {"milliseconds", facts.milliseconds},
-            {"error", facts.error},       {"measuring", facts.measured.has_value()},
-            {"remark", facts.remark},     {"divider", memory.divider},
+    return {{"note", facts.note},
+            {"samples", facts.samples},
+            {"wanted", facts.wanted},
+            {"error", facts.error},
+            {"measuring", facts.measured.has_value()},
+            {"remark", facts.remark},
+            {"divider", memory.divider},
             {"points", std::move(points)}};
 }
 
@@ -77,11 +80,17 @@ json frame_cost_of(const ui::FrameCostFacts& facts) {
     json apart = json::array();
     for (const ui::CostRow& cost : facts.apart)
         apart.push_back({{"name", cost.name}, {"milliseconds", cost.milliseconds}, {"draw", cost.draw}});
-    return {{"pictures", facts.frames.size()},
-            {"median", facts.median},
-            {"high", facts.high},
-            {"apart", std::move(apart)},
-            {"measuring", facts.measuring.has_value()}};
+    return {{"pictures", facts.frames.size()}, {"last", facts.frames.empty() ? 0 : facts.frames.back()},
+            {"median", facts.median},          {"high", facts.high},
+            {"apart", std::move(apart)},       {"measuring", facts.measuring.has_value()}};
+}
+
+json textures_of(const ui::TextureFacts& facts) {
+    json textures{{"rows", json::array()}, {"drawn", facts.drawn}, {"read", facts.read}};
+    for (const ui::TextureRow& row : facts.rows)
+        textures["rows"].push_back({{"name", row.name}, {"loaded", row.loaded}, {"why", row.why}});
+    textures["texel"] = pixels_of(facts.texel);
+    return textures;
 }
 
 }  // namespace
@@ -114,6 +123,7 @@ void write_window_state(const std::string& file, const WindowCounters& counters,
     }
     if (measured.accuracy) state["accuracy"] = accuracy_of(memory.accuracy, *measured.accuracy);
     if (measured.pixels) state["pixels"] = pixels_of(*measured.pixels);
+    if (measured.textures) state["textures"] = textures_of(*measured.textures);
     if (measured.frame_cost) state["frame_cost"] = frame_cost_of(*measured.frame_cost);
     json widgets = json::object();
     for (const ui::Placed& placed : layout.items())

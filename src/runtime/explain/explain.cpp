@@ -91,6 +91,7 @@ private:
                 twins += impl_.textures.first(other) == i;
             if (twins) paid.why += fmt::format("; once for {} statements", twins + 1);
             paid.span = declared.span;
+            paid.texture = i;
             paid.bytes = gpu->bytes;
             paid.load_ms = gpu->load_ms;
             result_.paid.push_back(std::move(paid));
@@ -101,6 +102,7 @@ private:
         for (const auto& [dimensions, readers] : noise_readers_) {
             Paid paid{Kind::noise, fmt::format("Noise{}", dimensions),
                       fmt::format("read by {}", fmt::join(readers, ", ")), std::nullopt};
+            paid.noise = dimensions;
             if (const auto* gpu = impl_.textures.find_noise(dimensions)) {
                 paid.name += " " + size_text(gpu->size);
                 paid.bytes = gpu->bytes;
@@ -201,7 +203,7 @@ private:
             if (!impl_.textures.find(i) && !impl_.dormant_textures.contains(impl_.textures.first(i)) &&
                 !sampled_for_other_values(i))
                 result_.unused.push_back(
-                    {statement_of(scene_.textures[i]), "no draw samples it", scene_.textures[i].span});
+                    {statement_of(scene_.textures[i]), "no draw samples it", scene_.textures[i].span, i});
         for (Index i = 0; i < scene_.programs.size(); ++i) {
             const Program& program = scene_.programs[i];
             if (!program_draws_.contains(i))

@@ -236,6 +236,7 @@ GpuTexture Textures::make_from_image(const Texture& declared, Index texture) {
     gpu.size = {image.width, image.height, image.depth};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = gl_target(declared.target, *caps_);
+    gpu.pixels = pixels(image);
     gpu.mipmapped = mipmapped(declared.filter) || !savings_;
     gpu.texture = gl::make_texture(gpu.target, texels(image), storage(declared, gpu));
     gpu.bytes = with_levels(image.bytes(), gpu.mipmapped);
@@ -252,6 +253,7 @@ GpuTexture Textures::make_cube(const Texture& declared, Index texture) {
     gpu.size = {all[0].width, all[0].height, 1};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = GL_TEXTURE_CUBE_MAP;
+    gpu.pixels = pixels(all[0]);
     gpu.mipmapped = mipmapped(declared.filter) || !savings_;
     gpu.texture = gl::make_texture(GL_TEXTURE_CUBE_MAP, uploads, storage(declared, gpu));
     gpu.bytes = with_levels(bytes, gpu.mipmapped);
@@ -270,11 +272,12 @@ GpuTexture Textures::make_empty(const Texture& declared) {
     gpu.target = gl_target(declared.target, *caps_);
     gpu.mipmapped = mipmapped(declared.filter) || !savings_;
     // The texels are set to zero, because texels that were never written would show old memory.
-    const gl::Pixels pixels = declared.bits == 16 ? gl::Pixels::rgba16f : gl::Pixels::rgba8;
-    const std::size_t bytes = gl::texel_bytes(pixels) * static_cast<std::size_t>(gpu.size[0]) *
+    gpu.pixels = declared.bits == 16 ? gl::Pixels::rgba16f : gl::Pixels::rgba8;
+    const std::size_t bytes = gl::texel_bytes(gpu.pixels) * static_cast<std::size_t>(gpu.size[0]) *
                               static_cast<std::size_t>(gpu.size[1]) * static_cast<std::size_t>(gpu.size[2]);
     const std::vector<std::byte> zeros(bytes);
-    const std::vector<gl::Texels> images(cube ? 6 : 1, {pixels, gpu.size[0], gpu.size[1], gpu.size[2], zeros.data()});
+    const std::vector<gl::Texels> images(cube ? 6 : 1,
+                                         {gpu.pixels, gpu.size[0], gpu.size[1], gpu.size[2], zeros.data()});
     gpu.texture = gl::make_texture(gpu.target, images, storage(declared, gpu));
     gpu.bytes = with_levels(bytes * (cube ? 6 : 1), gpu.mipmapped);
     count(gpu, false);
@@ -295,6 +298,8 @@ GpuTexture Textures::make_computed(const Texture& declared) {
     gpu.size = {levels.size(), levels.size(), 1};
     if (!fits(declared, gpu.size)) return gpu;
     gpu.target = GL_TEXTURE_CUBE_MAP;
+    gpu.pixels = levels.texels[0][0].type;
+    gpu.levels = static_cast<int>(levels.texels.size());
     gpu.texture = gl::make_cube_levels(levels.texels);
     gpu.bytes = levels.bytes;
     count(gpu, true);
@@ -317,6 +322,7 @@ GpuTexture Textures::make_noise(int dimensions) {
     const content::Image image = reader_.take({none, dimensions}, *diagnostics_).image;
     gpu.target = dimensions == 3 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
     gpu.size = {image.width, image.height, image.depth};
+    gpu.pixels = pixels(image);
     gpu.texture = gl::make_texture(gpu.target, texels(image), {});
     gpu.bytes = image.bytes();
     counters_->noise_bytes += gpu.bytes;

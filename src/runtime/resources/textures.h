@@ -27,7 +27,9 @@ struct GpuTexture {
     gl::Texture texture;
     GLenum target = GL_TEXTURE_2D;
     std::array<int, 3> size{0, 1, 1};
+    gl::Pixels pixels = gl::Pixels::rgba8;
     bool mipmapped = false;
+    int levels = 1;  // where they are not those of mipmaps
     std::size_t bytes = 0;
     double load_ms = 0;
 };

@@ -180,6 +180,8 @@ bool section(const char* title, Titles& open, Layout& layout, const char* name) 
     return opened;
 }
 
+void keep_wheel() { ImGui::SetItemUsingMouseWheel(); }
+
 bool slider(const char* label, double& value, SliderRange& range, double initial, SliderMemory& memory) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     if (window->SkipItems) return false;

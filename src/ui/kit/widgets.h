@@ -22,6 +22,8 @@ void tip(std::string_view text);
 bool button(const char* text, Layout& layout, std::string_view name);
 // Likewise, placed by follow().
 bool next_button(const char* text, Layout& layout, std::string_view name);
+// The wheel over the last item scrolls nothing.
+void keep_wheel();
 // Draws text in front of the next item, which is placed on the same line.
 void label(const char* text);
 // Draws text that is wrapped at the right edge.

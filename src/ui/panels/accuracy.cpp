@@ -9,11 +9,16 @@
 #include <cmath>
 
 #include "src/ui/kit/style.h"
+#include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/state.h"
 
 namespace snell::ui {
 
 namespace {
+
+constexpr const char* error_meaning =
+    "The error is the root mean square difference of light from the reference (the last rung of every ladder) over the "
+    "whole picture, where white is 1";
 
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
@@ -26,25 +31,29 @@ void remark(const std::string& text) {
     ImGui::TextDisabled("%s", text.c_str());
 }
 
-void figures(const AccuracyFacts& facts) {
-    ImGui::TextUnformatted(facts.milliseconds > 0 ? (milliseconds_text(facts.milliseconds) + " per picture").c_str()
-                                                  : "\u2026");
-    remark(std::string(facts.clock));
+// One sentence, with what else is known of the error.
+std::string error_tip(const AccuracyFacts& facts) {
+    return fmt::format(
+        "{}; the largest is {}, {}, and the root mean square of display values {}.", error_meaning,
+        error_text(facts.largest),
+        std::isfinite(facts.psnr) ? fmt::format("the signal-to-noise ratio {:.1f} dB", facts.psnr) : "nothing differs",
+        error_text(facts.of_display));
+}
+
+void figures(const Facts& all, Layout& layout) {
+    const AccuracyFacts& facts = *all.accuracy;
+    last_picture(all, layout);
     if (!facts.note.empty()) {
         ImGui::PushTextWrapPos(0);
         ImGui::TextDisabled("%s", facts.note.c_str());
         ImGui::PopTextWrapPos();
         return;
     }
-    ImGui::TextUnformatted(facts.samples > 0 ? ("error " + error_text(facts.error)).c_str() : "\u2026");
-    if (ImGui::IsItemHovered() && facts.samples > 0)
-        ImGui::SetTooltip(
-            "RMS error of light relative to the last rung of every ladder,\nover the whole picture; maximum %s, "
-            "%s\nof display values: %s",
-            error_text(facts.largest).c_str(),
-            std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr).c_str() : "no difference",
-            error_text(facts.of_display).c_str());
-    remark(fmt::format("{} of {} samples per pixel", facts.samples, facts.wanted));
+    ImGui::TextUnformatted(facts.samples > 0 ? fmt::format("error {} of white", error_text(facts.error)).c_str()
+                                             : "\u2026");
+    if (facts.samples > 0) tip(error_tip(facts));
+    layout.note("accuracy.error");
+    remark(fmt::format("{} of {} samples", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
         fitted(fmt::format("{} pixels are NaN or infinite", facts.nonfinite), ImGui::GetContentRegionAvail().x);
@@ -86,26 +95,56 @@ void show_buttons(AccuracyMemory& memory, Layout& layout) {
     }
 }
 
+// Marks the rung that the reference has.
+Text rung_text(const std::string& rung, bool reference) {
+    return shortened(Text("{}{}", rung, reference ? " = reference" : "").view(), ImGui::GetContentRegionAvail().x);
+}
+
+void heading(const char* name, const std::string& what, Layout& layout) {
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", shortened(name, ImGui::GetContentRegionAvail().x).c_str());
+    tip(what);
+    layout.note("accuracy.heading", name);
+}
+
 // Lists the rungs with their measured values; a click chooses one.
 void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& chosen, Layout& layout) {
     if (!ImGui::BeginTable("##rungs", 3, ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableSetupColumn("", 0, 2);
     ImGui::TableSetupColumn("", 0, 1.2F);
     ImGui::TableSetupColumn("", 0, 1);
+    heading("rung", "A click chooses the rung.", layout);
+    heading("ms/sample", fmt::format("Median {} of drawing one sample per pixel, to compare rungs.", facts.clock),
+            layout);
+    heading("error", fmt::format("{}.", error_meaning), layout);
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
         const auto point = std::ranges::find(facts.points, std::optional(i), &AccuracyPoint::rung);
         const bool known = point != facts.points.end();
+        const bool reference = i + 1 == ladder.rungs.size();
         ImGui::TableNextColumn();
-        if (ImGui::Selectable(ladder.rungs[i].c_str(), i == chosen, ImGuiSelectableFlags_SpanAllColumns)) chosen = i;
+        if (ImGui::Selectable(rung_text(ladder.rungs[i], reference).c_str(), i == chosen,
+                              ImGuiSelectableFlags_SpanAllColumns))
+            chosen = i;
         layout.note("accuracy.rung", ladder.rungs[i]);
         if (known && ImGui::IsItemHovered() && point->standing != AccuracyPoint::Standing::visited)
             ImGui::SetTooltip("%s", standing_text(*point).c_str());
         ImGui::TableNextColumn();
-        if (known && point->milliseconds > 0) ImGui::TextUnformatted(milliseconds_text(point->milliseconds).c_str());
+        if (known && point->milliseconds > 0) {
+            const std::string text = milliseconds_text(point->milliseconds);
+            ImGui::TextUnformatted(text.c_str(), text.c_str() + text.rfind(' '));
+        }
         ImGui::TableNextColumn();
         if (known) ImGui::TextUnformatted(error_text(point->error).c_str());
     }
     ImGui::EndTable();
+}
+
+// Plots the ladder that was changed since the last frame.
+void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
+    if (memory.rungs == rungs) return;
+    if (memory.rungs.size() == rungs.size())
+        memory.ladder = static_cast<std::size_t>(std::ranges::mismatch(rungs, memory.rungs).in1 - rungs.begin());
+    memory.rungs = rungs;
 }
 
 // Draws the choice of the plotted ladder and the button that measures it. Returns true if the button was clicked.
@@ -131,6 +170,21 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
     if (facts.measured)
         ImGui::ProgressBar(static_cast<float>(*facts.measured), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     return pressed;
+}
+
+// Names what is on one side of the divider at `x`, as far as there is room.
+void sign(const std::string& name, float x, const Rect& scene, bool left, Layout& layout) {
+    const float em = ImGui::GetFontSize(), pad = em * .3F;
+    const float room = (left ? x - scene.x : scene.x + scene.width - x) - em - 2 * pad;
+    if (room < 2 * em) return;
+    const Text text = shortened(name, room);
+    const float width = width_of(text.view()), begin = left ? x - em - width : x + em;
+    const float top = scene.y + scene.height - em - 3 * pad;
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const Rect box{begin - pad, top - pad * .5F, width + 2 * pad, em + pad};
+    list.AddRectFilled({box.x, box.y}, {box.x + box.width, box.y + box.height}, IM_COL32(0, 0, 0, 170), pad);
+    list.AddText({begin, top}, IM_COL32_WHITE, text.begin(), text.end());
+    layout.place(left ? "accuracy.left" : "accuracy.right", box);
 }
 
 }  // namespace
@@ -176,6 +230,7 @@ Heat heat(double fraction) {
 bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Layout& layout) {
     const std::vector<Ladder>& ladders = facts.scene->ladders;
     if (ladders.empty() || controls.rungs.size() != ladders.size()) return false;
+    follow_ladder(controls.rungs, memory);
     ImGui::SetNextItemOpen(memory.open);
     memory.open = ImGui::CollapsingHeader("Accuracy");
     layout.note("accuracy");
@@ -183,7 +238,7 @@ bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
     const float indent = ImGui::GetStyle().FramePadding.x * .5F;
     ImGui::Indent(indent);
     memory.ladder = std::min(memory.ladder, ladders.size() - 1);
-    figures(*facts.accuracy);
+    figures(facts, layout);
     show_buttons(memory, layout);
     if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty()) legend();
     if (facts.animated) {
@@ -204,7 +259,21 @@ bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
     return measure;
 }
 
-void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout) {
+std::pair<std::string, std::string> split_text(const std::vector<Ladder>& ladders, const Rungs& chosen) {
+    std::string left, right;
+    for (std::size_t i = 0; i < ladders.size() && i < chosen.size(); ++i) {
+        const std::vector<std::string>& rungs = ladders[i].rungs;
+        if (chosen[i] + 1 >= rungs.size()) continue;
+        const char* comma = left.empty() ? "" : ", ";
+        left += fmt::format("{}{}: {}", comma, ladders[i].name, rungs[chosen[i]]);
+        right += comma + rungs.back();
+    }
+    if (left.empty()) left = right = "reference";
+    return {left, right};
+}
+
+void accuracy_divider(const Facts& facts, const Controls& controls, const Rect& scene, AccuracyMemory& memory,
+                      Layout& layout) {
     const float grip = std::round(ImGui::GetFontSize() * .9F);
     const float x = scene.x + std::round(scene.width * memory.divider);
     ImGui::SetNextWindowPos({x - std::round(grip / 2), scene.y});
@@ -231,20 +300,9 @@ void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout)
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
-    // Names what is on either side of the divider.
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
-    const auto sign = [&](const char* text, float left, float most_left, float most_right) {
-        const ImVec2 size = ImGui::CalcTextSize(text);
-        const float pad = ImGui::GetFontSize() * .3F;
-        if (left - pad < most_left || left + size.x + pad > most_right) return;
-        const float top = scene.y + scene.height - size.y - 3 * pad;
-        list.AddRectFilled({left - pad, top - pad * .5F}, {left + size.x + pad, top + size.y + pad * .5F},
-                           IM_COL32(0, 0, 0, 140), pad);
-        list.AddText({left, top}, IM_COL32_WHITE, text);
-    };
-    const float gap = ImGui::GetFontSize();
-    sign("chosen", x - gap - ImGui::CalcTextSize("chosen").x, scene.x, x);
-    sign("reference", x + gap, x, scene.x + scene.width);
+    const auto [left, right] = split_text(facts.scene->ladders, controls.rungs);
+    sign(left, x, scene, true, layout);
+    sign(right, x, scene, false, layout);
 }
 
 }  // namespace snell::ui

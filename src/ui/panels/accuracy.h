@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "parser/scene.h"
 #include "src/plan/values/controls.h"
 #include "src/ui/kit/layout.h"
 
@@ -27,13 +29,13 @@ struct AccuracyPoint {
     Standing standing = Standing::visited;
     std::string by;  // the point that dominates this one, or that costs no more
     bool chosen = false;
+    bool reference = false;  // the last rung of every ladder
 };
 
 struct AccuracyFacts {
     std::string note;  // why there is nothing to compare with; empty if there is
     int samples = 0, wanted = 1;
-    double milliseconds = 0;                  // per picture; 0 if not measured yet
-    std::string_view clock;                   // the clock that measured them
+    std::string_view clock;                   // the clock that measured the points, by one sample per pixel
     double error = 0, psnr = 0, largest = 0;  // of the light, in the mean of `samples` pictures, if `samples` is not 0
     double of_display = 0;                    // the error of the display values
     std::size_t nonfinite = 0;                // number of pixels with NaN or infinite values
@@ -48,7 +50,8 @@ struct AccuracyMemory {
     Show show = Show::picture;
     // Position as a fraction of the picture's width: the chosen rungs are on its left, the reference on its right.
     float divider = .5F;
-    std::size_t ladder = 0;  // index of the ladder that is plotted
+    std::size_t ladder = 0;  // index of the ladder that is plotted: the one changed last
+    Rungs rungs;             // of the last frame
     bool hold_time = true;   // whether an animated scene is paused while the panel is open
 };
 
@@ -72,7 +75,11 @@ std::string standing_text(const AccuracyPoint& point);  // such as "worth its ti
 // Draws error over cost, as wide as the panel.
 void accuracy_plot(const std::vector<AccuracyPoint>& points, Layout& layout);
 
+// What is on either side of the divider: the rungs of the ladders whose chosen rung is not the reference's, such as
+// "BEND: single" and "bounces".
+std::pair<std::string, std::string> split_text(const std::vector<Ladder>& ladders, const Rungs& chosen);
 // Draws the divider over the picture and lets the user drag it. `scene` is in window coordinates.
-void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout);
+void accuracy_divider(const Facts& facts, const Controls& controls, const Rect& scene, AccuracyMemory& memory,
+                      Layout& layout);
 
 }  // namespace snell::ui

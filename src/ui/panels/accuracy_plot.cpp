@@ -72,12 +72,12 @@ void axes(ImDrawList& list, const Plot& plot) {
             const float x = plot.min.x + (plot.max.x - plot.min.x) * part;
             const std::string text = fmt::format("{:g}", value);
             const float width = ImGui::CalcTextSize(text.c_str()).x;
-            if (x - width / 2 < last || x + width / 2 > plot.max.x - 2 * em) continue;
+            if (x - width / 2 < last || x + width / 2 > plot.max.x - 5.5F * em) continue;
             list.AddLine({x, plot.max.y}, {x, plot.max.y + em * .2F}, pack(colors.rule));
             text_at(list, {x - width / 2, plot.max.y + em * .15F}, colors.dim, text);
             last = x + width / 2 + em * .5F;
         }
-    text_at(list, {plot.max.x - ImGui::CalcTextSize("ms").x, plot.max.y + em * .15F}, colors.dim, "ms");
+    text_at(list, {plot.max.x - ImGui::CalcTextSize("ms/sample").x, plot.max.y + em * .15F}, colors.dim, "ms/sample");
     const bool narrow = plot.error.high - plot.error.low < 2;
     for (int power = static_cast<int>(std::floor(plot.error.low)); power <= plot.error.high; ++power)
         for (int digit : {1, 2, 5}) {
@@ -117,8 +117,14 @@ void mark(ImDrawList& list, const Plot& plot, const AccuracyPoint& point) {
     } else {
         list.AddCircleFilled(at, radius, color);
     }
+    if (point.reference) {  // a square around it, that stands on a corner
+        const float far = radius * 2.2F;
+        list.AddQuad({at.x - far, at.y}, {at.x, at.y - far}, {at.x + far, at.y}, {at.x, at.y + far}, color, 1.5F);
+    }
     if (point.chosen) list.AddCircle(at, radius * 1.8F, pack(colors.text), 0, 1.5F);
 }
+
+std::string label_of(const AccuracyPoint& point) { return point.name + (point.reference ? " = reference" : ""); }
 
 // Draws names next to their points, if the place is free.
 void names(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPoint>& points) {
@@ -133,7 +139,8 @@ void names(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPoint>&
     };
     for (const AccuracyPoint& point : points) {
         if (!point.rung || point.milliseconds <= 0) continue;
-        const ImVec2 at = plot.place(point), size = ImGui::CalcTextSize(point.name.c_str());
+        const std::string name = label_of(point);
+        const ImVec2 at = plot.place(point), size = ImGui::CalcTextSize(name.c_str());
         const float off = em * .65F;
         for (const ImVec2 corner :
              {ImVec2(at.x + off, at.y - size.y / 2), ImVec2(at.x - off - size.x, at.y - size.y / 2),
@@ -141,7 +148,7 @@ void names(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPoint>&
             const Rect box{corner.x, corner.y, size.x, size.y};
             if (box.x < plot.min.x || box.x + box.width > plot.max.x || box.y < plot.min.y - em * .5F) continue;
             if (std::ranges::any_of(taken, [&](const Rect& other) { return overlap(box, other); })) continue;
-            text_at(list, corner, point.chosen ? palette().text : palette().dim, point.name);
+            text_at(list, corner, point.chosen ? palette().text : palette().dim, name);
             taken.push_back(box);
             break;
         }
@@ -161,9 +168,9 @@ void explain_nearest(const Plot& plot, const std::vector<AccuracyPoint>& points)
         nearest = &point;
     }
     if (!nearest) return;
-    ImGui::SetTooltip("%s: %s, error %s%s%s", nearest->name.c_str(), milliseconds_text(nearest->milliseconds).c_str(),
-                      error_text(nearest->error).c_str(), nearest->standing == Standing::visited ? "" : "\n",
-                      standing_text(*nearest).c_str());
+    ImGui::SetTooltip("%s: %s, error %s of white%s%s", label_of(*nearest).c_str(),
+                      milliseconds_text(nearest->milliseconds).c_str(), error_text(nearest->error).c_str(),
+                      nearest->standing == Standing::visited ? "" : "\n", standing_text(*nearest).c_str());
 }
 
 }  // namespace
@@ -182,7 +189,7 @@ void accuracy_plot(const std::vector<AccuracyPoint>& points, Layout& layout) {
     });
     plot.error = range_of(points, 1, {-3, 0}, [](const AccuracyPoint& p) { return std::array{p.error}; });
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    text_at(list, {at.x, at.y - em * .1F}, palette().dim, "error");
+    text_at(list, {at.x, at.y - em * .1F}, palette().dim, "error (1 is white)");
     axes(list, plot);
     front_line(list, plot, points);
     for (const AccuracyPoint& point : points)

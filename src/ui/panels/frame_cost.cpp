@@ -79,7 +79,8 @@ void row(const CostRow& cost, double all, Layout& layout) {
     ImGui::TextUnformatted(text.begin(), text.end());
 }
 
-void rows(std::span<const CostRow> costs, Layout& layout) {
+// Returns the sum of the passes.
+double rows(std::span<const CostRow> costs, Layout& layout) {
     double all = 0;
     for (const CostRow& cost : costs) all += cost.draw ? 0 : cost.milliseconds;
     for (std::size_t i = 0; i < costs.size(); ++i) {
@@ -87,26 +88,30 @@ void rows(std::span<const CostRow> costs, Layout& layout) {
         row(costs[i], all, layout);
         ImGui::PopID();
     }
+    return all;
 }
 
 }  // namespace
+
+void last_picture(const Facts& facts, Layout& layout) {
+    ImGui::TextUnformatted(Text("last picture {:.1f} ms", facts.frame_ms).c_str());
+    tip("Time from the start of drawing the window's picture to its end, also in the status line");
+    layout.note("last picture");
+}
 
 bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
     memory.frame_cost = section("Frame cost", memory.open, layout, "frame cost");
     if (!memory.frame_cost || !facts.frame_cost) return false;
     const FrameCostFacts& cost = *facts.frame_cost;
-    Text text;
-    if (cost.frames.empty())
-        text.add("no picture yet");
-    else
-        text.add("median {:.2f} ms, 95 %: {:.2f} ms", cost.median, cost.high);
-    ImGui::TextUnformatted(text.begin(), text.end());
-    layout.note("frame cost.median");
-    wrapped(cost.clock, true);
+    last_picture(facts, layout);
+    if (cost.frames.size() > 1) wrapped(Text("median {:.1f} ms, 95 %: {:.1f} ms", cost.median, cost.high).view(), true);
     plot(cost, layout);
-    ImGui::PushID("live");
-    rows(cost.passes, layout);
-    ImGui::PopID();
+    if (!cost.passes.empty()) {
+        wrapped("GPU time of each pass, by timer queries", true);
+        ImGui::PushID("live");
+        rows(cost.passes, layout);
+        ImGui::PopID();
+    }
     const bool chosen = button(cost.measuring ? "Stop" : "Measure passes and draws", layout, "frame cost.measure");
     tip("Draws 11 additional frames that are not shown,\nand times every draw.");
     if (cost.measuring)
@@ -114,8 +119,10 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
     if (!cost.apart.empty()) {
         wrapped(cost.apart_clock, true);
         ImGui::PushID("apart");
-        rows(cost.apart, layout);
+        const double all = rows(cost.apart, layout);
         ImGui::PopID();
+        wrapped(Text("sum {:.1f} ms; last picture {:.1f} ms", all, facts.frame_ms).view());
+        layout.note("frame cost.sum");
     }
     return chosen;
 }

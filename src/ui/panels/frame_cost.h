@@ -22,14 +22,16 @@ struct CostRow {
 };
 
 struct FrameCostFacts {
-    std::string_view clock;           // the clock that measured the frames and `passes`
-    std::span<const float> frames;    // in milliseconds, oldest first
+    std::span<const float> frames;    // of the last pictures, in milliseconds as Facts::frame_ms, oldest first
     float median = 0, high = 0;       // `high` is the 95th percentile
-    std::span<const CostRow> passes;  // of the frames that were drawn; empty if no clock measures passes
+    std::span<const CostRow> passes;  // of the frames that were drawn, by the GPU's clock; empty if it has none
     std::span<const CostRow> apart;   // measured on request, in additional frames
     std::string_view apart_clock;
     std::optional<double> measuring;  // progress 0..1 while the additional frames are drawn
 };
+
+// Draws Facts::frame_ms. Every panel with the time of the window's picture says it so.
+void last_picture(const Facts& facts, Layout& layout);
 
 // Draws the section; Memory::frame_cost says whether it is open. Returns true if the user starts measuring passes and
 // draws, or stops it while it runs.

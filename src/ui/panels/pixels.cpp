@@ -119,6 +119,17 @@ void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
     wrapped("Hold I over the picture to see a pixel's values.", true);
 }
 
+void flag_counts(const FlagCounts& counts, float room) {
+    const float em = ImGui::GetFontSize();
+    const bool narrow = room < 34 * em;
+    for (const Flag flag : flags) {
+        if (flag != flags.front() && !narrow) ImGui::SameLine(0, em);
+        swatch(flag);
+        ImGui::SameLine(0, em * .3F);
+        ImGui::Text("%s %zu", name(flag).data(), counts[flag]);
+    }
+}
+
 void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout) {
     if (!memory.flags || !facts.pixels) return;
     const float em = ImGui::GetFontSize();
@@ -129,13 +140,7 @@ void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memo
         if (!facts.pixels->flags) {
             ImGui::TextUnformatted(facts.pixels->note.c_str());
         } else {
-            const bool narrow = scene.width < 36 * em;  // stacks the entries
-            for (const Flag flag : flags) {
-                if (flag != flags.front() && !narrow) ImGui::SameLine(0, em);
-                swatch(flag);
-                ImGui::SameLine(0, em * .3F);
-                ImGui::Text("%s %zu", name(flag).data(), (*facts.pixels->flags)[flag]);
-            }
+            flag_counts(*facts.pixels->flags, scene.width - 2 * em);
         }
     }
     layout.place_window("flag counts");
@@ -144,8 +149,12 @@ void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memo
 }
 
 void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory, const Fonts& fonts, Layout& layout) {
-    if (!memory.inspecting || !facts.pixels || !facts.pixels->inspection) return;
-    const Inspection& found = *facts.pixels->inspection;
+    if (memory.inspecting && facts.pixels) inspector(*facts.pixels, scene, fonts, layout);
+}
+
+void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, Layout& layout) {
+    if (!pixels.inspection) return;
+    const Inspection& found = *pixels.inspection;
     const float em = ImGui::GetFontSize(), cell = std::round(em * .9F);
     const float width = cell * static_cast<float>(2 * found.radius + 1) + 14 * em;
     const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -166,16 +175,15 @@ void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory,
         ImGui::EndGroup();
         ImGui::SameLine();
         ImGui::BeginGroup();
-        ImGui::TextDisabled("pixel %d, %d", found.x, found.y);
+        ImGui::TextDisabled("%s", pixels.at.c_str());
         channels(found, fonts);
         if (found.depth) {
             ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());
             if (found.distance) ImGui::TextUnformatted(Text("distance from the eye: {:.6g}", *found.distance).c_str());
         }
         ImGui::EndGroup();
-        const bool drawn = !facts.pixels->statement.empty();
-        fitted(drawn ? facts.pixels->statement : "no object", width);
-        fitted(facts.pixels->place, width, true);
+        fitted(pixels.statement.empty() ? "no object" : pixels.statement, width);
+        fitted(pixels.place, width, true);
     }
     layout.place_window("inspector");
     ImGui::End();

@@ -22,7 +22,8 @@ struct Facts;
 
 struct PixelFacts {
     const Inspection* inspection = nullptr;  // set while PixelMemory::inspecting
-    std::string statement, place;            // the draw that the pixel shows; empty if none covers it
+    std::string at;                          // "pixel 12, 34"
+    std::string statement, place;            // what the pixel shows, and more of it; both empty if nothing covers it
     std::optional<FlagCounts> flags;         // set while PixelMemory::flags
     std::string note;                        // why there are no flags; empty if there are
 };
@@ -39,9 +40,12 @@ Text value_text(float value);
 // Handles I and N.
 void pixel_keys(const Rect& scene, PixelMemory& memory);
 void pixels_section(Titles& open, PixelMemory& memory, Layout& layout);
+// Draws the counts of flagged pixels in a line, or below each other if they are wider than `room`.
+void flag_counts(const FlagCounts& counts, float room);
 // Draws a legend with the counts of flagged pixels over the picture.
 void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout);
-// Draws the pixel's values next to the pointer.
+// Draws the values of a pixel next to the pointer, within `area` if there is room, and otherwise over all.
+void inspector(const PixelFacts& pixels, const Rect& area, const Fonts& fonts, Layout& layout);
 void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory, const Fonts& fonts, Layout& layout);
 
 }  // namespace snell::ui

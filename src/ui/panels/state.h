@@ -26,6 +26,7 @@
 #include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
 #include "src/ui/panels/save_as.h"
+#include "src/ui/panels/textures.h"
 
 namespace snell::ui {
 
@@ -77,6 +78,7 @@ struct Facts {
     const Sources* sources = nullptr;                  // the sources that the explanation's spans refer to
     const FrameCostFacts* frame_cost = nullptr;        // set while Memory::frame_cost
     const PixelFacts* pixels = nullptr;                // set while PixelMemory needs them
+    const TextureFacts* textures = nullptr;            // set while its panel is open
     std::string_view object;                           // name of the picked object
     std::span<const FileRow> files;                    // the files in use, in the order of reading
     std::string_view editor;                           // name of the editor that opens them
@@ -112,6 +114,7 @@ struct Memory {
     bool costs = false;       // whether the costs panel is open
     bool frame_cost = false;  // whether the frame cost panel is open
     PixelMemory pixels;
+    TextureMemory textures;
     HoldMemory hold;
     bool keys = false;  // whether the list of keys is open
     Browser browser;

@@ -57,18 +57,13 @@ FrameCosts& FrameCosts::operator=(FrameCosts&&) noexcept = default;
 
 bool FrameCosts::by_gpu() { return !caps_.software && !distrusted_ && marks_.available(); }
 
-std::string_view FrameCosts::clock() {
-    if (by_gpu()) return "GPU time of a picture, by its timer queries";
-    if (caps_.software)
-        return "CPU time of the process for a picture: it is drawn by the CPU, where timer queries are wrong";
-    return distrusted_ ? "wall time of a picture: the GPU's timer queries tell of more time than there was"
-                       : "wall time of a picture: the GPU has no timer queries";
-}
-
-void FrameCosts::open(bool wanted) {
-    if (wanted == open_) return;
+bool FrameCosts::open(bool wanted, std::uint64_t revision, double milliseconds) {
+    if (wanted == open_) return false;
     *this = FrameCosts(caps_);
     open_ = wanted;
+    revision_ = revision;
+    if (open_ && milliseconds > 0) push(frames_, static_cast<float>(milliseconds), most_frames);
+    return open_;
 }
 
 const std::function<void(const Step&)>* FrameCosts::begin(std::uint64_t revision) {
@@ -82,8 +77,6 @@ const std::function<void(const Step&)>* FrameCosts::begin(std::uint64_t revision
         revision_ = revision;
     }
     running_ = true;
-    cpu_ = accuracy::cpu_milliseconds();
-    wall_ = accuracy::wall_milliseconds();
     if (!by_gpu()) return nullptr;
     marked_.clear();
     marks_.mark();
@@ -95,7 +88,7 @@ const std::function<void(const Step&)>* FrameCosts::begin(std::uint64_t revision
     return &listener_;
 }
 
-void FrameCosts::read_marks(double wall) {
+void FrameCosts::read_marks(double picture) {
     marks_.mark();  // the axes, and many samples made one
     const auto times = marks_.take();
     double all = 0;
@@ -103,23 +96,18 @@ void FrameCosts::read_marks(double wall) {
         all += times[i];
         if (i < marked_.size()) push(live_[{marked_[i], none}], times[i], most_times);
     }
-    push(frames_, static_cast<float>(all), most_frames);
     // A clock that is wrong is so again and again; one late reading is none.
-    odd_ = all > 1.2 * wall + .2 ? odd_ + 1 : 0;
+    odd_ = all > 1.2 * picture + .2 ? odd_ + 1 : 0;
     if (odd_ < 5) return;
     distrusted_ = true;
-    frames_.clear();
     live_.clear();
 }
 
-void FrameCosts::end() {
+void FrameCosts::end(double milliseconds) {
     if (!running_) return;
     running_ = false;
-    const double wall = accuracy::wall_milliseconds() - wall_;
-    if (by_gpu())
-        read_marks(wall);
-    else
-        push(frames_, static_cast<float>(caps_.software ? accuracy::cpu_milliseconds() - cpu_ : wall), most_frames);
+    push(frames_, static_cast<float>(milliseconds), most_frames);
+    if (by_gpu()) read_marks(milliseconds);
 }
 
 void FrameCosts::measure() {
@@ -140,7 +128,6 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
         return true;
     }
     const bool queries = by_gpu();
-    const auto now = [this] { return caps_.software ? accuracy::cpu_milliseconds() : accuracy::wall_milliseconds(); };
     // Without queries the time of a draw ends when the GPU is done with it, so it is waited for.
     const std::function<void(const Step&)> listen = [&](const Step& step) {
         if (queries) {
@@ -149,19 +136,19 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
             return;
         }
         gl::finish();
-        const double at = now();
+        const double at = accuracy::wall_milliseconds();
         apart.sums[{step.pass, none}] += at - apart.before;
         if (step.draw != none) {
             apart.sums[{step.pass, step.draw}] += at - apart.before;
             together_[{step.pass, step.draw}] = step.count;
         }
-        apart.before = now();
+        apart.before = accuracy::wall_milliseconds();
     };
     apart.sums.clear();
     apart.marked.clear();
     gl::finish();
     if (queries) marks_.mark();
-    apart.before = now();
+    apart.before = accuracy::wall_milliseconds();
     Frame frame{.time = stand.time, .view = stand.view, .controls = document.controls};
     frame.after = &listen;
     document.runtime->draw(frame, {apart.target.framebuffer.get(), stand.width, stand.height});
@@ -186,7 +173,7 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
 void FrameCosts::fill(Explanation& explanation) const {
     const auto cost = [this](double milliseconds) {
         FrameCost result;
-        (caps_.software ? result.cpu : result.wall) = milliseconds;
+        result.wall = milliseconds;
         if (!caps_.software && !distrusted_) result.gpu = milliseconds;
         return result;
     };
@@ -231,7 +218,6 @@ std::vector<ui::CostRow> FrameCosts::rows_of(const Times& times, const Document&
 const ui::FrameCostFacts* FrameCosts::facts(const Document* document) {
     if (!open_) return nullptr;
     sorted_.assign(frames_.begin(), frames_.end());
-    facts_.clock = clock();
     facts_.frames = frames_;
     facts_.high = quantile(sorted_, .95);
     facts_.median = quantile(sorted_, .5);
@@ -243,10 +229,8 @@ const ui::FrameCostFacts* FrameCosts::facts(const Document* document) {
         apart_rows_ = rows_of(known_, *document);
     facts_.passes = live_rows_;
     facts_.apart = apart_rows_;
-    facts_.apart_clock = by_gpu() ? "measured apart, with a timer query at every draw"
-                         : caps_.software
-                             ? "measured apart, CPU time with a wait after every draw: together more than a picture"
-                             : "measured apart, wall time with a wait after every draw: together more than a picture";
+    facts_.apart_clock = by_gpu() ? "GPU time, with a timer query at every draw"
+                                  : "with a wait after every draw, which makes draws take longer";
     facts_.measuring.reset();
     if (apart_) facts_.measuring = static_cast<double>(apart_->round) / rounds;
     return &facts_;

@@ -23,12 +23,14 @@ public:
     FrameCosts(FrameCosts&&) noexcept;
     FrameCosts& operator=(FrameCosts&&) noexcept;
 
-    // Starts or stops timing. Stopping discards all results; no work is done until it starts again.
-    void open(bool wanted);
+    // Starts or stops timing. Stopping discards all results; no work is done until it starts again. The first time is
+    // that of the picture that is shown, which took `milliseconds` and is of the document with this revision. Returns
+    // true if timing started.
+    bool open(bool wanted, std::uint64_t revision, double milliseconds);
     // Call it before drawing a picture of the document with this revision. Returns the function for Frame::after.
     const std::function<void(const Step&)>* begin(std::uint64_t revision);
-    // Call it after the picture was drawn and the GPU has finished.
-    void end();
+    // Call it after the picture was drawn and the GPU has finished, which took so long.
+    void end(double milliseconds);
 
     // Starts or stops measuring passes and draws, in additional frames.
     void measure();
@@ -50,13 +52,11 @@ private:
     struct Apart;
 
     bool by_gpu();
-    std::string_view clock();
-    void read_marks(double wall);
+    void read_marks(double picture);
     std::vector<ui::CostRow> rows_of(const Times& times, const Document& document) const;
 
     gl::Caps caps_;
     bool open_ = false, running_ = false;
-    double cpu_ = 0, wall_ = 0;           // at the beginning of the picture
     std::vector<float> frames_, sorted_;  // in milliseconds; frames_ is in order of time
     gl::Marks marks_;
     std::vector<Index> marked_;  // the passes in the order of the marks; `none` for the time before them

@@ -164,7 +164,6 @@ ui::AccuracyFacts Refinement::facts(std::size_t ladder) const {
     facts.note = note_;
     facts.samples = samples_;
     facts.wanted = levels.back();
-    if (!times_.empty()) facts.milliseconds = accuracy::median(times_);
     facts.clock = accuracy::name(caps_.software ? accuracy::ClockKind::cpu : accuracy::ClockKind::wall);
     facts.error = error_.light.rmse;
     facts.psnr = error_.light.psnr;

@@ -163,6 +163,9 @@ std::vector<ui::AccuracyPoint> RungCosts::points(const Scene& scene, std::size_t
         others[ladder] = chosen[ladder];
         if (others == chosen) point.rung = rungs[ladder];
         point.chosen = rungs == chosen;
+        point.reference = std::ranges::equal(
+            rungs, scene.ladders, {}, [](std::size_t rung) { return rung + 1; },
+            [](const Ladder& each) { return each.rungs.size(); });
         point.error = known.error;
         if (!known.times.empty()) {
             const accuracy::Interval interval = accuracy::bootstrap_median(known.times);

@@ -1,0 +1,208 @@
+#include "src/app/window/texture_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "src/runtime/explain/words.h"
+
+namespace snell {
+
+namespace {
+
+constexpr int radius = 4;       // of the magnified area, in texels
+constexpr int strip = 1 << 20;  // texels that are read at once to count them
+constexpr std::array<const char*, 6> face_names{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+
+bool is_cube(const gl::Plane& plane) { return plane.target == GL_TEXTURE_CUBE_MAP; }
+
+std::string size_text(const gl::Plane& plane) {
+    const std::string size = fmt::format("{} x {}", plane.size[0], plane.size[1]);
+    if (is_cube(plane)) return "6 x " + size;
+    return plane.target == GL_TEXTURE_1D   ? fmt::format("{}", plane.size[0])
+           : plane.target == GL_TEXTURE_3D ? fmt::format("{} x {}", size, plane.size[2])
+                                           : size;
+}
+
+std::string_view format_name(gl::Pixels pixels) {
+    constexpr std::array<std::string_view, 4> names{"RGBA8", "sRGB8", "RGBA16F", "RGBA32F"};  // as gl::Pixels
+    return names[static_cast<std::size_t>(pixels)];
+}
+
+bool are_floats(gl::Pixels pixels) { return pixels == gl::Pixels::rgba16f || pixels == gl::Pixels::rgba32f; }
+
+std::array<std::array<float, 3>, 4> marks() {
+    std::array<std::array<float, 3>, 4> colors{};
+    for (std::size_t flag = 0; flag < colors.size(); ++flag)
+        std::ranges::transform(color_of(static_cast<Flag>(flag + 1)), colors[flag].begin(),
+                               [](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
+    return colors;
+}
+
+std::string texel_text(const gl::Plane& plane, const std::array<int, 3>& texel) {
+    if (is_cube(plane))
+        return fmt::format("{} texel {}, {}", face_names[static_cast<std::size_t>(texel[2])], texel[0], texel[1]);
+    if (plane.target == GL_TEXTURE_1D) return fmt::format("texel {}", texel[0]);
+    if (plane.target == GL_TEXTURE_3D) return fmt::format("texel {}, {}, {}", texel[0], texel[1], texel[2]);
+    return fmt::format("texel {}, {}", texel[0], texel[1]);
+}
+
+std::string coordinates_text(const gl::Plane& plane, const std::array<int, 3>& texel) {
+    const auto [s, t, p] = plane.coordinates(texel);
+    if (is_cube(plane)) return fmt::format("direction {:.5g}, {:.5g}, {:.5g}", s, t, p);
+    if (plane.target == GL_TEXTURE_1D) return fmt::format("s = {:.6g}", s);
+    if (plane.target == GL_TEXTURE_3D) return fmt::format("s, t, p = {:.5g}, {:.5g}, {:.5g}", s, t, p);
+    return fmt::format("s, t = {:.6g}, {:.6g}", s, t);
+}
+
+}  // namespace
+
+// The panels of the last frame may still show the picture, so that it is deleted one frame later.
+bool TextureView::close() {
+    if (!viewer_) return false;
+    if (!std::exchange(open_, false)) *this = TextureView(es_);
+    return viewer_ != nullptr;
+}
+
+bool TextureView::follow(const Document& shown, std::uint64_t revision, std::uint64_t picture, const ui::Memory& memory,
+                         float density) {
+    const ui::TextureMemory& wanted = memory.textures;
+    if (!wanted.open) return close();
+    bool fresh = !std::exchange(open_, true);
+    if (!viewer_) viewer_ = std::make_unique<gl::TexelViewer>(es_);
+    if (const std::pair now{revision, shown.runtime->form()}; listed_ != now) {
+        list(shown);
+        listed_ = now;
+        fresh = true;
+    }
+    const std::size_t row = ui::chosen_row(rows_, wanted);
+    if (row == rows_.size() || !rows_[row].loaded) return fresh;
+    const Source& source = sources_[row];
+    std::optional<Runtime::Held> held =
+        source.noise ? shown.runtime->noise(source.noise) : shown.runtime->texture(source.texture);
+    if (!held) return fresh;
+    facts_.levels = held->levels;
+    facts_.slices = held->plane.target == GL_TEXTURE_3D ? held->plane.size[2] : 1;
+    facts_.floats = are_floats(held->pixels);
+    gl::Plane& plane = held->plane;
+    plane.level = std::clamp(wanted.level, 0, facts_.levels - 1);
+    if (plane.target == GL_TEXTURE_3D) facts_.slices = plane.along(2);
+    plane.slice = std::clamp(wanted.slice, 0, facts_.slices - 1);
+    fresh |= std::exchange(facts_.width, plane.width()) != plane.width();
+    fresh |= std::exchange(facts_.height, plane.height()) != plane.height();
+    light_ = shown.runtime->display_pixels() == gl::Pixels::srgb8;
+    const Shown now{row, plane.level, plane.slice, listed_, held->changes ? picture : 0};
+    fresh |= draw(plane, now, memory, density);
+    fresh |= look(plane, now, wanted);
+    fresh |= count(plane, now, memory.pixels.flags);
+    return fresh;
+}
+
+void TextureView::add(Source source, std::string name, std::string why, const std::optional<Runtime::Held>& held) {
+    ui::TextureRow row;
+    row.name = name;
+    for (int same = 2; std::ranges::count(rows_, row.name, &ui::TextureRow::name) > 0; ++same)
+        row.name = fmt::format("{} ({})", name, same);
+    row.why = std::move(why);
+    row.loaded = held.has_value();
+    if (held) {
+        row.size = size_text(held->plane);
+        row.format = format_name(held->pixels);
+        if (held->levels > 1) row.format += fmt::format(", {} levels", held->levels);
+    }
+    rows_.push_back(std::move(row));
+    sources_.push_back(source);
+}
+
+void TextureView::list(const Document& shown) {
+    rows_.clear();
+    sources_.clear();
+    const Runtime& runtime = *shown.runtime;
+    const std::vector<Texture>& textures = shown.scene().textures;
+    const Explanation explanation = runtime.explain();
+    for (const Explanation::Paid& paid : explanation.paid)
+        if (paid.noise)
+            add({none, paid.noise}, fmt::format("Noise{}", paid.noise), paid.why, runtime.noise(paid.noise));
+        else if (paid.texture != none)
+            add({paid.texture, 0}, runtime::title_of(textures[paid.texture]), paid.why, runtime.texture(paid.texture));
+    for (Index i = 0; i < textures.size(); ++i) {
+        if (runtime.texture(i)) continue;
+        const auto unused = std::ranges::find(explanation.unused, i, &Explanation::Unused::texture);
+        add({i, 0}, runtime::title_of(textures[i]),
+            unused != explanation.unused.end() ? unused->why : "no program for these values reads it", std::nullopt);
+    }
+    facts_.rows = rows_;
+}
+
+bool TextureView::draw(const gl::Plane& plane, const Shown& shown, const ui::Memory& memory, float density) {
+    const ui::TextureMemory& wanted = memory.textures;
+    const int width = static_cast<int>(std::lround(wanted.width * density));
+    const int height = static_cast<int>(std::lround(wanted.height * density));
+    if (width <= 0 || height <= 0) return false;
+    const ui::TexturePart part = ui::texture_part(wanted, plane.width(), plane.height());
+    gl::TexelLook look{.left = part.left, .top = part.top, .zoom = part.zoom * density, .channel = wanted.channel};
+    if (facts_.floats && wanted.low != wanted.high) {
+        look.low = static_cast<float>(wanted.low);
+        look.high = static_cast<float>(wanted.high);
+    }
+    look.light = light_ && wanted.channel < 3;
+    look.flags = memory.pixels.flags;
+    look.marks = marks();
+    Drawn now{shown, look, width, height};
+    if (facts_.picture && now == drawn_) return false;
+    drawn_ = now;
+    facts_.picture = viewer_->draw(plane, look, width, height) ? viewer_->picture() : 0;
+    ++facts_.drawn;
+    return true;
+}
+
+bool TextureView::look(const gl::Plane& plane, const Shown& shown, const ui::TextureMemory& memory) {
+    const int x = memory.texel_x, y = memory.texel_y;
+    const auto texel = plane.texel(x, y);
+    if (!memory.inspecting || !texel) {
+        looked_.reset();
+        return std::exchange(facts_.texel.inspection, nullptr) != nullptr;
+    }
+    if (looked_ == shown && found_.x == x && found_.y == y) return false;
+    looked_ = shown;
+    found_.x = x;
+    found_.y = y;
+    found_.radius = radius;
+    found_.light = light_;
+    constexpr int side = 2 * radius + 1;
+    ++facts_.read;
+    if (!viewer_->read(plane, x - radius, y - radius, side, side, found_.rgba)) return false;
+    found_.inside.assign(std::size_t{side} * side, 0);
+    for (int down = -radius; down <= radius; ++down)
+        for (int right = -radius; right <= radius; ++right)
+            found_.inside[found_.at(right, down)] = plane.texel(x + right, y + down).has_value();
+    facts_.texel.inspection = &found_;
+    facts_.texel.at = texel_text(plane, *texel);
+    facts_.texel.statement = coordinates_text(plane, *texel);
+    facts_.texel.place = fmt::format("level {}, {}", plane.level, rows_[shown.row].format);
+    return true;
+}
+
+bool TextureView::count(const gl::Plane& plane, const Shown& shown, bool wanted) {
+    if (!wanted) {
+        counted_.reset();
+        return std::exchange(facts_.texel.flags, std::nullopt).has_value();
+    }
+    if (counted_ == shown) return false;
+    counted_ = shown;
+    FlagCounts counts;
+    const int rows = std::clamp(strip / plane.width(), 1, plane.height());
+    for (int top = 0; facts_.floats && top < plane.height(); top += rows) {
+        ++facts_.read;
+        if (!viewer_->read(plane, 0, top, plane.width(), std::min(rows, plane.height() - top), rgba_)) break;
+        const FlagCounts more = count_flags(rgba_);
+        for (std::size_t i = 0; i < flag_count; ++i) counts.pixels[i] += more.pixels[i];
+    }
+    rgba_ = {};
+    facts_.texel.flags = counts;
+    return true;
+}
+
+}  // namespace snell

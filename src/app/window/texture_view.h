@@ -1,0 +1,72 @@
+// Textures of the shown scene as texels in the window. It does nothing until the user opens their panel.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/app/open/document.h"
+#include "src/gl/texels.h"
+#include "src/runtime/inspect.h"
+#include "src/ui/panels/state.h"
+
+namespace snell {
+
+class TextureView {
+public:
+    explicit TextureView(bool es) : es_(es) {}
+
+    // Call it after each frame, whether the picture was drawn or is unchanged. `picture` counts pictures, and
+    // `revision` readings of the files; `density` is pixels per window coordinate. Returns true if something must be
+    // shown again.
+    bool follow(const Document& shown, std::uint64_t revision, std::uint64_t picture, const ui::Memory& memory,
+                float density);
+    // Null while the panel is closed. Valid until the next call of follow().
+    const ui::TextureFacts* facts() const { return open_ ? &facts_ : nullptr; }
+
+private:
+    // A texture of the scene, or noise.
+    struct Source {
+        Index texture = none;
+        int noise = 0;
+    };
+    // What the picture depends on.
+    struct Shown {
+        std::size_t row = 0;
+        int level = 0, slice = 0;
+        std::pair<std::uint64_t, int> listed;
+        std::uint64_t picture = 0;  // 0 if no frame changes the texture
+        bool operator==(const Shown&) const = default;
+    };
+    struct Drawn {
+        Shown shown;
+        gl::TexelLook look;
+        int width = 0, height = 0;
+        bool operator==(const Drawn&) const = default;
+    };
+
+    bool close();
+    void list(const Document& shown);
+    void add(Source source, std::string name, std::string why, const std::optional<Runtime::Held>& held);
+    bool draw(const gl::Plane& plane, const Shown& shown, const ui::Memory& memory, float density);
+    bool look(const gl::Plane& plane, const Shown& shown, const ui::TextureMemory& memory);
+    bool count(const gl::Plane& plane, const Shown& shown, bool wanted);
+
+    bool es_;
+    bool open_ = false;
+    std::unique_ptr<gl::TexelViewer> viewer_;
+    std::pair<std::uint64_t, int> listed_{0, 0};  // the revision and Runtime::form() of the rows
+    std::vector<ui::TextureRow> rows_;
+    std::vector<Source> sources_;  // of the rows
+    bool light_ = false;
+    Drawn drawn_;
+    std::optional<Shown> looked_, counted_;
+    Inspection found_;
+    std::vector<float> rgba_;
+    ui::TextureFacts facts_;
+};
+
+}  // namespace snell
