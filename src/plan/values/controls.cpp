@@ -70,6 +70,10 @@ public:
             add_listed(program, uniforms);
             add_unlisted(program, uniforms);
         }
+        for (Control& control : controls_.items) {
+            control.initial_min = control.min;
+            control.initial_max = control.max;
+        }
         return std::move(controls_);
     }
 
@@ -352,6 +356,20 @@ Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveU
     Controls controls = Maker(scene, diagnostics).make(active);
     controls.rungs = marked_rungs(scene);
     return controls;
+}
+
+void reset(Control& control) {
+    control.value = control.initial;
+    control.min = control.initial_min;
+    control.max = control.initial_max;
+}
+
+// The components share one range, so it keeps its room for those that are not reset.
+void reset(Control& control, std::size_t component) {
+    control.value[component] = control.initial[component];
+    const auto [least, most] = std::ranges::minmax(control.value);
+    control.min = std::min(control.initial_min, least);
+    control.max = std::max(control.initial_max, most);
 }
 
 bool same_uniforms(const Controls& a, const Controls& b) {

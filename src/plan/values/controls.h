@@ -33,13 +33,14 @@ struct Control {
     ValueType type = ValueType::float_;
     int components = 1, array_size = 1;
     Widget widget = Widget::none;
-    double min = 0, max = 1;      // bounds of the slider: finite, min <= max
-    std::vector<double> value;    // components · array_size numbers
-    std::vector<double> initial;  // the scene's values, which a reset restores
-    bool active = true;           // false if the linked program does not use the uniform
-    bool varies = false;          // frames change it, so programs are not made for its value
-    bool listed = true;           // false if the uniform is not on the Program line but was found active
-    Index uniform = none;         // index into Program::uniforms if listed
+    double min = 0, max = 1;                  // bounds of the slider: finite, min <= max
+    double initial_min = 0, initial_max = 1;  // the scene's bounds, which a reset restores
+    std::vector<double> value;                // components · array_size numbers
+    std::vector<double> initial;              // the scene's values, which a reset restores
+    bool active = true;                       // false if the linked program does not use the uniform
+    bool varies = false;                      // frames change it, so programs are not made for its value
+    bool listed = true;                       // false if the uniform is not on the Program line but was found active
+    Index uniform = none;                     // index into Program::uniforms if listed
     Span span;
 };
 
@@ -57,6 +58,10 @@ struct Controls {
 // to be corrected.
 Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
                        Diagnostics& diagnostics);
+
+// Restores the scene's value and range, of all components or of one.
+void reset(Control& control);
+void reset(Control& control, std::size_t component);
 
 // True if both hold the same uniforms at the same places: an index into the one means the same in the other.
 bool same_uniforms(const Controls& a, const Controls& b);
