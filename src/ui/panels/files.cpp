@@ -31,7 +31,7 @@ bool edit_link(const Facts& facts, const Place& place) {
     if (place.file.empty() || !ImGui::IsItemHovered()) return false;
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     const std::string editor = utf8::printable(facts.editor);
-    ImGui::SetTooltip("%s:%d\nClick to open in %s", utf8::printable(place.file).c_str(), place.line, editor.c_str());
+    tip(Text("{}:{}\nClick to open in {}", utf8::printable(place.file), place.line, editor).view());
     return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
