@@ -31,6 +31,8 @@ public:
     void loading(const LoadProgress& progress);
     // Draws the panels of the last frame over the contents of the window.
     void paint() { painter_.paint(); }
+    // When the panels would be another picture even without input, by the clock of the window; infinite if never.
+    double due() const { return framed_ + gui_.due(); }
     // A hash of the last frame: equal hashes mean equal panels.
     std::uint64_t picture() const { return picture_; }
 

@@ -53,7 +53,7 @@ void figures(const Facts& all, Layout& layout) {
                                              : "\u2026");
     if (facts.samples > 0) tip(error_tip(facts));
     layout.note("accuracy.error");
-    remark(fmt::format("{} of {} samples", facts.samples, facts.wanted));
+    remark(fmt::format("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
         fitted(fmt::format("{} pixels are NaN or infinite", facts.nonfinite), ImGui::GetContentRegionAvail().x);
@@ -126,8 +126,7 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
                               ImGuiSelectableFlags_SpanAllColumns))
             chosen = i;
         layout.note("accuracy.rung", ladder.rungs[i]);
-        if (known && ImGui::IsItemHovered() && point->standing != AccuracyPoint::Standing::visited)
-            ImGui::SetTooltip("%s", standing_text(*point).c_str());
+        if (known && point->standing != AccuracyPoint::Standing::visited) tip(standing_text(*point));
         ImGui::TableNextColumn();
         if (known && point->milliseconds > 0) {
             const std::string text = milliseconds_text(point->milliseconds);
@@ -153,7 +152,7 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
     const char* label = facts.measured ? "Stop" : "Measure rungs";
     const float button = ImGui::CalcTextSize("Measure rungs").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
-    const bool list = ImGui::BeginCombo("##ladder", ladders[memory.ladder].name.c_str());
+    const bool list = begin_combo("##ladder", ladders[memory.ladder].name.c_str());
     layout.note("accuracy.ladder");
     if (list) {
         for (std::size_t i = 0; i < ladders.size(); ++i) {

@@ -136,7 +136,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     ImGui::InputText("##file", picture.file.data(), picture.file.size());
     layout.note("picture file");
     size_row(picture, memory.scene, layout);
-    if (facts.animated)
+    if (facts.animated || memory.animating())
         sequence_rows(picture, layout);
     else
         picture.sequence = false;

@@ -1,0 +1,50 @@
+#include "src/plan/values/animate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/plan/values/fit.h"
+
+namespace snell {
+
+namespace {
+
+constexpr double shortest = 1e-3;  // seconds
+
+bool by_ratio(const Animated& motion, const Control& control) { return motion.logarithmic && control.min > 0; }
+
+double value_at(double fraction, const Animated& motion, const Control& control) {
+    if (by_ratio(motion, control)) return control.min * std::pow(control.max / control.min, fraction);
+    return control.min * (1 - fraction) + control.max * fraction;
+}
+
+}  // namespace
+
+Animated animated_from(const Control& control, std::size_t component, double period, double time) {
+    Animated motion{control.program, control.name, component, std::max(period, shortest), time, false};
+    const double range = control.max - control.min;
+    const double fraction = range > 0 ? std::clamp((control.value[component] - control.min) / range, 0., 1.) : 0;
+    motion.start = time - fraction * motion.period / 2;
+    return motion;
+}
+
+void animate(Controls& controls, std::span<const Animated> animated, double time) {
+    for (const Animated& motion : animated) {
+        Control* control = controls.find(motion.program, motion.name);
+        if (!control || motion.component >= control->value.size()) continue;
+        const double cycles = (time - motion.start) / std::max(motion.period, shortest);
+        const double fraction = 1 - std::abs(2 * (cycles - std::floor(cycles)) - 1);
+        control->value[motion.component] =
+            std::clamp(fit_to_type(value_at(fraction, motion, *control), control->type), control->min, control->max);
+    }
+}
+
+void stop(std::vector<Animated>& animated, const Control& control, std::size_t component) {
+    std::erase_if(animated, [&](const Animated& motion) { return motion.moves(control, component); });
+}
+
+void stop_all(std::vector<Animated>& animated, Index program) {
+    std::erase_if(animated, [&](const Animated& motion) { return motion.program == program; });
+}
+
+}  // namespace snell
