@@ -304,7 +304,8 @@ TEST_P(Screens, AreLegible) {
          {Variant{"100", 1280, 800, 1, Theme::light, true}, Variant{"200", 1280, 900, 2, Theme::dark, true},
           Variant{"1024x768", 1024, 768, 1, Theme::dark, false},
           Variant{"1024x768-200", 1024, 768, 2, Theme::light, false},
-          Variant{"150", 1024, 768, 1.5F, Theme::contrast, true}, Variant{"640x480", 640, 480, 1, Theme::light, true}}) {
+          Variant{"150", 1024, 768, 1.5F, Theme::contrast, true},
+          Variant{"640x480", 640, 480, 1, Theme::light, true}}) {
         screen_ = {variant.width, variant.height, 1, variant.scale, variant.theme};
         SCOPED_TRACE(variant.name);
         settle();

@@ -138,4 +138,6 @@ void tip(std::string_view text) {
     tip.hovered = true;
 }
 
+void keep_wheel() { ImGui::SetItemUsingMouseWheel(); }
+
 }  // namespace snell::ui

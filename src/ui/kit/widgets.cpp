@@ -107,8 +107,6 @@ bool section(const char* title, Titles& open, Layout& layout, const char* name) 
     return opened;
 }
 
-void keep_wheel() { ImGui::SetItemUsingMouseWheel(); }
-
 bool begin_combo(const char* id, const char* chosen) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
