@@ -29,7 +29,7 @@ void pick(double* value, std::size_t count, const double* initial) {
                                 ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_AlphaBar |
                                 ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_AlphaPreviewHalf;
     if (count < 4) flags |= ImGuiColorEditFlags_NoAlpha;
-    ImGui::SetNextItemWidth(12 * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(16 * ImGui::GetFontSize());
     if (!ImGui::ColorPicker4("##color", edited.data(), flags, original.data())) return;
     for (std::size_t i = 0; i < count; ++i) {
         if (!std::isfinite(edited[i]) || edited[i] == before[i]) continue;

@@ -69,7 +69,7 @@ void move_focus(Focus& focus) {
 
 // Draws the text below its item, or beside the item's window, where it covers no neighbour.
 void draw(const Tip& tip, bool below, ImVec4 color) {
-    const ImVec2 all = ImGui::GetIO().DisplaySize, padding = ImGui::GetStyle().WindowPadding;
+    const ImVec2 all = ImGui::GetIO().DisplaySize, padding(ImGui::GetFontSize() * .5F, ImGui::GetFontSize() * .25F);
     const float em = ImGui::GetFontSize(), gap = em * .3F, wrap = std::min(32 * em, all.x - 2 * padding.x - em);
     const char *begin = tip.text.data(), *end = begin + tip.text.size();
     const ImVec2 size = ImGui::CalcTextSize(begin, end, false, wrap);
@@ -79,6 +79,8 @@ void draw(const Tip& tip, bool below, ImVec4 color) {
     if (at.y + height > all.y) at.y = at.x < tip.window.x ? all.y - height : tip.item.y - height - gap;
     at = {std::clamp(at.x, 0.F, std::max(0.F, all.x - width)), std::clamp(at.y, 0.F, std::max(0.F, all.y - height))};
     ImGui::SetNextWindowPos({std::floor(at.x), std::floor(at.y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(wrap + padding.x + 1);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -86,6 +88,22 @@ void draw(const Tip& tip, bool below, ImVec4 color) {
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar(2);
+}
+
+// `next` is the last tooltip that a widget of this frame set.
+void follow_tip(Tip& tip, Tip& next) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+    const bool same = tip.item == next.item;
+    tip.item = next.item;
+    tip.window = next.window;
+    std::swap(tip.text, next.text);
+    next.item = {};
+    if (!same || (moved && !tip.shown)) tip.since = ImGui::GetTime();
+    if (!same) tip.shown = tip.quiet = false;
+    tip.quiet |= std::ranges::any_of(io.MouseDown, [](bool down) { return down; });
+    tip.shown = !(tip.item == Rect{}) && !tip.quiet && (tip.shown || tip_due() <= 0);
 }
 
 }  // namespace
@@ -105,37 +123,27 @@ void end_kit() {
     move_focus(kit.focus);
     if (!kit.typing.drawn) kit.typing.id = 0;
     kit.typing.drawn = false;
-    Tip& tip = kit.tip;
-    if (!tip.hovered) tip = {.text = std::move(tip.text)};
-    tip.shown = tip.hovered && (tip.shown || tip_due() <= 0);
-    tip.hovered = false;
+    follow_tip(kit.tip, kit.next_tip);
     if (kit.remark.shown)
         draw(kit.remark, true, palette().error_text);
-    else if (tip.shown)
-        draw(tip, false, palette().text);
+    else if (kit.tip.shown)
+        draw(kit.tip, false, palette().text);
 }
 
 double tip_due() {
     const Tip& tip = kit().tip;
-    if (tip.item == Rect{} || tip.shown) return std::numeric_limits<double>::infinity();
+    if (tip.item == Rect{} || tip.shown || tip.quiet) return std::numeric_limits<double>::infinity();
     return tip.since + tip_delay - ImGui::GetTime();
 }
 
 void tip(std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 min = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
     const ImGuiWindow* window = ImGui::GetCurrentWindow()->RootWindow;
-    const Rect item{min.x, min.y, size.x, size.y};
-    Tip& tip = kit().tip;
-    const bool pressing = std::ranges::any_of(io.MouseDown, [](bool down) { return down; });
-    if (!(tip.item == item) || pressing) tip.shown = false;
-    if (!(tip.item == item) || pressing || (!tip.shown && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)))
-        tip.since = ImGui::GetTime();
-    tip.item = item;
-    tip.window = {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
-    tip.text.assign(text);
-    tip.hovered = true;
+    Tip& next = kit().next_tip;
+    next.item = {min.x, min.y, size.x, size.y};
+    next.window = {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
+    next.text.assign(text);
 }
 
 void keep_wheel() { ImGui::SetItemUsingMouseWheel(); }

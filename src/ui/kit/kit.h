@@ -34,9 +34,9 @@ struct Typing {
 struct Tip {
     Rect item, window;  // the item, and the window that it lies in
     std::string text;
-    double since = 0;      // when the pointer came to rest on the item, by ImGui::GetTime()
-    bool hovered = false;  // in this frame
+    double since = 0;  // when the pointer came to rest on the item, by ImGui::GetTime()
     bool shown = false;
+    bool quiet = false;  // the item was pressed, so nothing needs to be said until the pointer leaves it
 };
 
 struct Kit {
@@ -44,6 +44,7 @@ struct Kit {
     Focus focus;
     Typing typing;
     Tip tip;             // what the pointer rests on
+    Tip next_tip;        // the same in this frame
     Tip remark;          // why a typed text was not applied; shown until the next press
     Rect opener;         // the button that opened the drop-down
     double dragged = 0;  // the number that is being dragged, before rounding

@@ -55,7 +55,7 @@ bool header(Controls& controls, Index index, const Section& section, bool open_a
     ImGui::SetNextItemOpen(open_at_first || filtered, ImGuiCond_Once);
     const std::string& name = section.program.name;
     const float button = width_of("Reset all") + 2 * ImGui::GetStyle().FramePadding.x;
-    const float right = ImGui::GetContentRegionMax().x - button;
+    const float right = ImGui::GetContentRegionMax().x - button - ImGui::GetStyle().FramePadding.x * .5F;
     Text title = shortened(name.empty() ? "Program" : name,
                            ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight() - button);
     const bool whole = name.empty() || title == name;
