@@ -122,6 +122,28 @@ TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     EXPECT_EQ(red(), slid);
 }
 
+TEST_F(Past, WhatWasSetWhileAShaderIsBrokenOutlivesALossAndIsSaved) {
+    open("one.glib", {"--lose-file", file("lose")});
+    save("paint.frag", "void main() { broken }\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    settle();
+    slide(.75);
+    const double slid = red();
+    ASSERT_NE(slid, .2);
+    save("lose", "");
+    turn();
+    ASSERT_TRUE(
+        wait([](const json& s) { return s["problems"].get<std::string>().find("context") != std::string::npos; }));
+    settle();
+    EXPECT_EQ(red(), slid);
+    save("paint.frag", fragment("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }, 20));
+    settle();
+    EXPECT_EQ(red(), slid);
+    press("ctrl+s");
+    EXPECT_NE(bytes("one.glib"), scene("uRed")) << notice();
+}
+
 TEST_F(Past, AnotherSceneAndBackIsAsItWas) {
     open("one.glib");
     slide(.75);

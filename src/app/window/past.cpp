@@ -139,11 +139,8 @@ void Past::write(Session& session, const View& view) {
     kept_ = std::move(kept);
 }
 
-void Past::hand_on(const std::string& scene, const View& view) {
-    KeptScene kept;
-    kept.view = view_text(view);
-    kept.objects = kept_.objects;
-    kept.axes = view.axes;
+void Past::hand_on(const Document& document, const std::string& scene, const View& view) {
+    const KeptScene kept{{}, view_text(view), moved_objects(document.scene(), view), view.axes};
     write_kept(folder_, scene, kept);
 }
 

@@ -110,7 +110,7 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         if (served.reverted) session_.hold_values();
         if (served.snapshot > 0) past_.add(served.snapshot, std::move(served.file));
         if (!served.saved_as.empty()) {
-            past_.hand_on(served.saved_as, view);
+            past_.hand_on(*document(), served.saved_as, view);
             return served.saved_as;
         }
         saver_.serve(requests, *document(), shown, window, memory);
