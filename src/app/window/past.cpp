@@ -60,6 +60,7 @@ const Remembered& Past::read(const std::string& scene) {
 
 std::string Past::begin(Session& session, View& view) {
     name_.clear();
+    continued_ = false;
     if (!session.document()) return {};
     const Document& document = *session.document();
     name_ = kept_name(session.path());
@@ -82,6 +83,7 @@ std::string Past::begin(Session& session, View& view) {
 }
 
 void Past::continue_with(Session& session, const View& view) {
+    name_.clear();
     continued_ = !session.document();
     if (continued_) return;
     name_ = kept_name(session.path());

@@ -25,8 +25,9 @@ std::string title_of(const std::string& scene, bool unsaved) {
     return std::string(unsaved ? "\u2022 " : "") + "snell \u2014 " + utf8::printable(scene);
 }
 
-Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery)
-    : past_(kept_folder(settings_file())),
+Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery,
+                     Past& past)
+    : past_(past),
       session_(options.scene, caps, options.access, first_rungs(options), std::move(progress), recovery,
                recovery ? Remembered{} : past_.read(options.scene)),
       keeper_(options.scene),
