@@ -142,6 +142,13 @@ TEST_F(Undo, TimeAndMouseAreNoSteps) {
     EXPECT_EQ(view_.mouse_x, .75) << "the mouse is where it is";
 }
 
+TEST_F(Undo, ACheckBoxIsOnOrOff) {
+    controls_.items[1].widget = Widget::check_box;
+    value(1) = 0;
+    step();
+    EXPECT_EQ(undo(), "undo: Glass.uMix off \u2192 on");
+}
+
 TEST_F(Undo, ANewChangeDropsWhatCouldBeRedone) {
     value(0) = 1;
     step();

@@ -120,6 +120,18 @@ TEST(Remembered, NoNumberMakesAValueThatItsTypeCannotHold) {
     EXPECT_FALSE(recall(memory, scene, controls)) << "another count";
 }
 
+TEST(Remembered, NamesThatAreGoneAreBounded) {
+    Remembered memory;
+    for (int i = 0; i < 3000; ++i) {
+        const Scene scene = slider("u" + std::to_string(i), {0, .5, 1});
+        Controls controls = controls_of(scene);
+        controls.items[0].value = {.75};
+        remember(scene, controls, memory);
+        ASSERT_LE(memory.values.size(), 1001U);
+        ASSERT_TRUE(memory.values.contains("Glass.u" + std::to_string(i)));
+    }
+}
+
 TEST(Remembered, ProgramsOfOneNameAreToldApart) {
     const UniformValue line = value_of("u", Kind::range, {0, 1, 5});
     const Scene scene = scene_with({{"P", {line}}, {"Q", {line}}, {"P", {line}}});

@@ -166,6 +166,44 @@ TEST_F(Kept, AFileThatChangedMeanwhileIsNotOverwritten) {
     EXPECT_EQ(bytes_of(folder.path("s.glib")), other);
 }
 
+TEST_F(Kept, AnotherNameIsTheSameSceneWithItsValues) {
+    auto document = read();
+    named(*document, "uA").value = {.9};
+    const SavedAs as = saved_as(*document, "other");
+    ASSERT_EQ(as.error, "");
+    EXPECT_EQ(as.file.path, folder.path("other.glib"));
+    EXPECT_FALSE(as.exists);
+    folder.write("other.glib", as.file.after);
+    EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
+    auto other = open_file(folder.path("other.glib"));
+    expect_clean(*other);
+    EXPECT_EQ(named(*other, "uA").value, std::vector<double>{.9});
+    EXPECT_TRUE(saved_as(*document, "other.glib").exists);
+    EXPECT_EQ(saved_as(*document, folder.path("whole.glib")).file.path, folder.path("whole.glib"));
+    EXPECT_EQ(saved_as(*other, "x").file.after, as.file.after) << "nothing changed: the text as it is";
+}
+
+TEST_F(Kept, NamesThatMakeNoSceneAreRefused) {
+    auto document = read();
+    for (const char* name : {"", "sub/", "s.glib", "s", "./s.glib", "nowhere/x.glib"})
+        EXPECT_NE(saved_as(*document, name).error, "") << name;
+    folder.write("sub/other.txt", "");
+    const std::string error = saved_as(*document, "sub/x").error;
+    EXPECT_NE(error.find("many.frag"), std::string::npos) << error;
+    folder.write("sub/many.frag", bytes_of(folder.path("many.frag")));
+    EXPECT_EQ(saved_as(*document, "sub/x").error, "") << "it would find its files there";
+}
+
+TEST_F(Kept, ValuesOfIncludedFilesAreNotSavedUnderAnotherName) {
+    folder.write("part.glib", "Program P uA <0. .5 1.>\nQuadXY\n");
+    folder.write("whole.glib", "Ortho -1 1 -1 1\nFragment many.frag\nInclude part.glib\n");
+    auto document = open_file(folder.path("whole.glib"));
+    EXPECT_EQ(saved_as(*document, "x").error, "");
+    named(*document, "uA").value = {.9};
+    const std::string error = saved_as(*document, "x").error;
+    EXPECT_NE(error.find("part.glib"), std::string::npos) << error;
+}
+
 TEST_F(Kept, NothingChangedNothingIsWritten) {
     const Saved saved = saved_values(*read());
     EXPECT_EQ(saved.error, "");

@@ -101,6 +101,22 @@ TEST_F(Past, EveryChangeIsUndoneAndTheFirstPictureIsBackToTheBit) {
     EXPECT_NE(state()["controls"]["Paint.uGreen"][0], .4);
 }
 
+TEST_F(Past, ARangeThatATypedValueWidenedIsUndoneWithIt) {
+    open("one.glib");
+    const std::string text = bytes("one.glib");
+    type("Paint.uRed", "500", Field::number);
+    ASSERT_EQ(red(), 500);
+    press("ctrl+z");
+    if (red() != .2) press("ctrl+z");  // the click that opened the field had moved the slider
+    EXPECT_EQ(red(), .2);
+    slide(.75);
+    EXPECT_LT(red(), 1) << "the range is the scene's again";
+    press("ctrl+s");
+    EXPECT_NE(bytes("one.glib").find(" 1.> uGreen <0. .4 1.>"), std::string::npos) << bytes("one.glib");
+    press("ctrl+y");
+    EXPECT_EQ(notice(), "nothing to redo");
+}
+
 TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     open("one.glib");
     slide(.75);
@@ -120,6 +136,32 @@ TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     press("ctrl+y");
     press("F5");
     EXPECT_EQ(red(), slid);
+}
+
+TEST_F(Past, WhatWasSetWhileAShaderIsBrokenOutlivesALossAndIsSaved) {
+    open("one.glib", {"--lose-file", file("lose")});
+    save("paint.frag", "void main() { broken }\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    settle();
+    slide(.75);
+    const double slid = red();
+    ASSERT_NE(slid, .2);
+    save("lose", "");
+    turn();
+    ASSERT_TRUE(
+        wait([](const json& s) { return s["problems"].get<std::string>().find("context") != std::string::npos; }));
+    settle();
+    EXPECT_EQ(red(), slid);
+    save("paint.frag", fragment("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }, 20));
+    settle();
+    EXPECT_EQ(red(), slid);
+    press("ctrl+z");
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << "and so do the steps";
+    press("ctrl+y");
+    press("ctrl+s");
+    EXPECT_NE(bytes("one.glib"), scene("uRed")) << notice();
 }
 
 TEST_F(Past, AnotherSceneAndBackIsAsItWas) {

@@ -71,6 +71,30 @@ TEST_F(UiKeep, SavingAsksForItOnlyWhereThereIsSomething) {
     EXPECT_FALSE(as.revert_save);
 }
 
+TEST_F(UiKeep, UndoAndRedoHaveTheirKeysAndFieldsHaveTheirOwn) {
+    EXPECT_TRUE(pressed(Key::z, {.ctrl = true}).undo);
+    EXPECT_TRUE(pressed(Key::z, {.shift = true, .ctrl = true}).redo);
+    EXPECT_TRUE(pressed(Key::y, {.ctrl = true}).redo);
+    EXPECT_FALSE(pressed(Key::z).undo);
+    EXPECT_FALSE(pressed(Key::z, {.shift = true, .ctrl = true}).undo);
+    add_slider("uEta", .1, 1.1, 5);
+    click(place("Glass.uEta"), MouseButton::left, .5, {.ctrl = true});
+    EXPECT_FALSE(pressed(Key::z, {.ctrl = true}).undo) << "a number is being typed";
+}
+
+TEST_F(UiKeep, TheNameOfAnotherSceneIsAskedFor) {
+    open_save_as(memory_.save_as, "room.glib");
+    frame();
+    EXPECT_TRUE(clicked("save as save").save_as_now);
+    EXPECT_FALSE(pressed(Key::z, {.ctrl = true}).undo) << "keys are the dialog's";
+    EXPECT_FALSE(has("save as error"));
+    memory_.save_as.error = "the scene would not find glass.vert from there";
+    frame();
+    EXPECT_TRUE(has("save as error"));
+    clicked("save as cancel");
+    EXPECT_FALSE(memory_.save_as.open);
+}
+
 TEST_F(UiKeep, TheMenuOfANameMakesASliderLogarithmic) {
     add_slider("uEta", .01, 1, 100);
     const auto at_half = [&] {

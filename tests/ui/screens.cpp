@@ -211,6 +211,12 @@ public:
         memory_.picture.sequence = memory_.picture.transparent = true;
         memory_.picture.error = long_path + ": there is no such folder, so nothing was written into it";
     }
+    void save_as() {
+        open_save_as(memory_.save_as, "room.glib");
+        memory_.save_as.there = "room.glib";
+        memory_.save_as.existing = long_path;
+        memory_.save_as.error = "the scene would not find " + long_path + ", " + long_path + " from there";
+    }
     void keys() {
         ladder("FRESNEL", {"f0", "exact"});
         memory_.keys = true;
@@ -267,7 +273,7 @@ protected:
     }
     void expect_legible(const std::string& where) {
         for (const std::string& flaw : flaws(*ImGui::GetDrawData())) ADD_FAILURE() << where << ": " << flaw;
-        if (memory_.browser.open || memory_.picture.open) return;
+        if (memory_.browser.open || memory_.picture.open || memory_.save_as.open) return;
         for (const std::string& widget : beyond_the_panel()) ADD_FAILURE() << where << ": " << widget;
     }
 
@@ -341,6 +347,7 @@ const Panel panels[] = {
     {"inspector", "inspector", &Screens::inspected},
     {"frame-cost", "frame cost.plot", &Screens::frame_cost},
     {"picture", "picture save", &Screens::picture},
+    {"save-as", "save as save", &Screens::save_as},
     {"keys", "close keys", &Screens::keys},
     {"no-scene", "open", &Screens::nothing},
 };

@@ -26,7 +26,8 @@ PixelSize scaled(PixelSize size, double scale) {
 
 }  // namespace
 
-App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried)
+App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried,
+         Past& past)
     : options_(options),
       window_(std::move(window)),
       restart_(restart),
@@ -35,7 +36,7 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
       caps_(gl::query_caps()),
       workspace_(
           options, caps_, [this](const LoadProgress& progress) { loading(progress); },
-          carried ? &carried->recovery : nullptr),
+          carried ? &carried->recovery : nullptr, past),
       measuring_(options.scene, caps_),
       hang_(restart.hang_watch(options.timeout)) {
     restore(workspace_.settings(), interface_.memory());

@@ -22,7 +22,8 @@ namespace snell {
 
 class App {
 public:
-    App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried);
+    App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried,
+        Past& past);
     // Returns when the window is closed or the context is lost. `edited`: a file was saved before the window was open.
     void run(bool edited);
     bool readable() { return workspace_.document() != nullptr; }

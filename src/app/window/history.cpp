@@ -30,7 +30,8 @@ View without_mouse(View view) {
     return view;
 }
 
-std::string numbers(const std::vector<double>& value) {
+std::string numbers(const Control& control, const std::vector<double>& value) {
+    if (control.widget == Widget::check_box) return value[0] == 0 ? "off" : "on";
     if (value.size() > 4) return fmt::format("{} numbers", value.size());
     std::string text;
     for (const double number : value) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", number);
@@ -248,7 +249,8 @@ std::string History::apply_values(const Step& step, const UserState& state, bool
         Control& control = state.controls.items[static_cast<std::size_t>(found - names.begin())];
         const State& wanted = change.at(forward);
         if (control.value.size() != wanted.value.size()) continue;
-        said = fmt::format("{} {} \u2192 {}", change.name, numbers(control.value), numbers(wanted.value));
+        said = fmt::format("{} {} \u2192 {}", change.name, numbers(control, control.value),
+                           numbers(control, wanted.value));
         control.value = wanted.value;
         if (control.widget == Widget::slider) {
             control.min = std::min(wanted.min, control.initial_min);

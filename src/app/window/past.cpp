@@ -60,6 +60,7 @@ const Remembered& Past::read(const std::string& scene) {
 
 std::string Past::begin(Session& session, View& view) {
     name_.clear();
+    continued_ = false;
     if (!session.document()) return {};
     const Document& document = *session.document();
     name_ = kept_name(session.path());
@@ -82,6 +83,7 @@ std::string Past::begin(Session& session, View& view) {
 }
 
 void Past::continue_with(Session& session, const View& view) {
+    name_.clear();
     continued_ = !session.document();
     if (continued_) return;
     name_ = kept_name(session.path());
@@ -139,11 +141,8 @@ void Past::write(Session& session, const View& view) {
     kept_ = std::move(kept);
 }
 
-void Past::hand_on(const std::string& scene, const View& view) {
-    KeptScene kept;
-    kept.view = view_text(view);
-    kept.objects = kept_.objects;
-    kept.axes = view.axes;
+void Past::hand_on(const Document& document, const std::string& scene, const View& view) {
+    const KeptScene kept{{}, view_text(view), moved_objects(document.scene(), view), view.axes};
     write_kept(folder_, scene, kept);
 }
 

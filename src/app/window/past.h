@@ -44,8 +44,8 @@ public:
 
     // Writes what is kept of the scene, if it changed.
     void write(Session& session, const View& view);
-    // Makes another scene of the same draws begin with this view.
-    void hand_on(const std::string& scene, const View& view);
+    // Makes the scene that the document was saved as begin with this view.
+    void hand_on(const Document& document, const std::string& scene, const View& view);
 
 private:
     static constexpr std::size_t most_histories = 12;

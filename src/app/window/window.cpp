@@ -39,6 +39,7 @@ int run_window(const WindowOptions& options) {
         fmt::print(stderr, "snell: error: cannot read '{}'\n", utf8::printable(options.scene));
         return app::exit_input;
     }
+    Past past(kept_folder(settings_file()));
     while (true) {
         std::string error;
         std::unique_ptr<Window> window = Window::make({.title = title_of(now.scene)}, error);
@@ -46,7 +47,7 @@ int run_window(const WindowOptions& options) {
             fmt::print(stderr, "snell: error: no window: {}\n  help: 'snell render' draws without a display\n", error);
             return app::exit_graphics;
         }
-        App app(now, std::move(window), restart, carried ? &*carried : nullptr);
+        App app(now, std::move(window), restart, carried ? &*carried : nullptr, past);
         app.run(carried && carried->recovery.edited);
         if (!app.lost()) return app.readable() ? app::exit_fine : app::exit_input;
         const bool again = carried.has_value();

@@ -25,8 +25,9 @@ std::string title_of(const std::string& scene, bool unsaved) {
     return std::string(unsaved ? "\u2022 " : "") + "snell \u2014 " + utf8::printable(scene);
 }
 
-Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery)
-    : past_(kept_folder(settings_file())),
+Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery,
+                     Past& past)
+    : past_(past),
       session_(options.scene, caps, options.access, first_rungs(options), std::move(progress), recovery,
                recovery ? Remembered{} : past_.read(options.scene)),
       keeper_(options.scene),
@@ -110,7 +111,7 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         if (served.reverted) session_.hold_values();
         if (served.snapshot > 0) past_.add(served.snapshot, std::move(served.file));
         if (!served.saved_as.empty()) {
-            past_.hand_on(served.saved_as, view);
+            past_.hand_on(*document(), served.saved_as, view);
             return served.saved_as;
         }
         saver_.serve(requests, *document(), shown, window, memory);

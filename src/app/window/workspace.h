@@ -20,8 +20,9 @@ std::string title_of(const std::string& scene, bool unsaved = false);
 class Workspace {
 public:
     // The GL context of `caps` must be current during the object's whole life. `progress` and `recovery` are those of
-    // Session.
-    Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery);
+    // Session; `past` outlives the object, and the context.
+    Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery,
+              Past& past);
 
     Session& session() { return session_; }
     Document* document() { return session_.document(); }
@@ -68,7 +69,7 @@ public:
     void step(ui::Memory& memory) { saver_.step(document(), session_.revision(), memory); }
 
 private:
-    Past past_;
+    Past& past_;
     Session session_;
     Keeper keeper_;
     Opener opener_;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "src/plan/values/fit.h"
@@ -10,6 +12,8 @@
 namespace snell {
 
 namespace {
+
+constexpr std::size_t most_gone = 1000;  // values of uniforms that the scene does not have
 
 // A value that was set while its program was broken may have one number for all components.
 bool spread(std::vector<double>& numbers, std::size_t count) {
@@ -57,6 +61,10 @@ void remember(const Scene& scene, const Controls& controls, Remembered& memory, 
             memory.values[names[i]] = remembered(control);
         else
             memory.values.erase(names[i]);
+    }
+    if (memory.values.size() > names.size() + most_gone) {
+        const std::set<std::string_view> here(names.begin(), names.end());
+        std::erase_if(memory.values, [&](const auto& value) { return !here.contains(value.first); });
     }
     for (std::size_t i = 0; i < scene.ladders.size() && i < controls.rungs.size(); ++i) {
         const Ladder& ladder = scene.ladders[i];
