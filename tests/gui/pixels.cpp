@@ -171,7 +171,7 @@ TEST_F(Pixels, TexturesAreLookedAtTexelByTexel) {
     ASSERT_TRUE(wait([](const json& s) { return s["textures"]["texel"].contains("rgba"); }));
     EXPECT_EQ(state()["textures"]["texel"]["rgba"], (json{"0", "1", "0", "1"}));
     EXPECT_EQ(state()["textures"]["texel"]["statement"], "s, t = 0.75, 0.75");
-    keep("guide-textures");
+    keep("textures-inspector");
     user("keyup i");
     settle();
     EXPECT_EQ(state()["frames"], pictures) << "the scene's picture is not drawn for it";
