@@ -1,5 +1,8 @@
 // Pixels as numbers in a real window: I held, N pressed, and what frames cost.
+#include <array>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "tests/gui/desk.h"
 
@@ -120,6 +123,80 @@ TEST_F(Pixels, FramesHaveTheirCost) {
     EXPECT_EQ(cost["apart"][1]["name"], "QuadXY 0. 1.");
     EXPECT_TRUE(cost["apart"][1]["draw"].get<bool>());
     EXPECT_LE(cost["apart"][1]["milliseconds"].get<double>(), cost["apart"][0]["milliseconds"].get<double>());
+    EXPECT_EQ(state()["gl_errors"].size(), 0U);
+}
+
+// A raw texture of 2 x 2 texels, the row of t = 0 first.
+std::string four(const std::vector<std::array<int, 3>>& texels) {
+    std::string bytes{2, 0, 0, 0, 2, 0, 0, 0};
+    for (const auto& [red, green, blue] : texels)
+        for (const int value : {red, green, blue, 255}) bytes += static_cast<char>(value);
+    return bytes;
+}
+
+// A file of known texels, a render target that follows a slider, and a file that nothing reads.
+TEST_F(Pixels, TexturesAreLookedAtTexelByTexel) {
+    save("four.tex", four({{0, 0, 255}, {51, 102, 153}, {255, 0, 0}, {0, 255, 0}}));
+    save("blue.frag",
+         "#version 330 compatibility\nuniform float uBlue;\nvoid main() { gl_FragColor = vec4(0., 1., uBlue, 1.); }\n");
+    save("both.frag",
+         "#version 330 compatibility\nuniform sampler2D uFile, uDrawn;\nin vec2 vST;\n"
+         "void main() { gl_FragColor = texture(uFile, vST) + texture(uDrawn, vST); }\n");
+    save("textures.glib",
+         "##OpenGL GLIB\nTexture2D 5 four.tex\nTexture2D 6 8 8\nTexture2D 7 missing.bmp\nOrtho -1 1 -1 1\n"
+         "Vertex plain.vert\nFragment blue.frag\nProgram Blue uBlue <0. .2 1.>\nRenderToTexture 6\nQuadXY 0. 1.\n"
+         "RenderToTexture\nFragment both.frag\nProgram Both uFile 5 uDrawn 6\nQuadXY 0. 1.\n");
+    save("missing.bmp", "this is not a picture, and nothing may find out");
+    open("textures.glib", {"--size", "900x1000"});
+    settle();
+    EXPECT_FALSE(state().contains("textures"));
+    const int pictures = state()["frames"];
+    click("textures");
+    ASSERT_TRUE(wait([](const json& s) { return s.contains("textures") && s["textures"]["drawn"] >= 1; }));
+    settle();
+    json textures = state()["textures"];
+    ASSERT_EQ(textures["rows"].size(), 3U);
+    EXPECT_EQ(textures["rows"][0]["name"], "Texture2D 5 four.tex");
+    EXPECT_EQ(textures["rows"][1]["why"], "read by uDrawn of Both");
+    EXPECT_FALSE(textures["rows"][2]["loaded"].get<bool>());
+    EXPECT_EQ(textures["read"], 0) << "nothing is read back to be shown";
+    // The upper left texel fills the upper left of the picture, and so on.
+    const auto [x, y] = on("textures.picture");
+    const Picture screen = look();
+    EXPECT_EQ(screen.at(x - 40, y - 40), (Pixel{255, 0, 0}));
+    EXPECT_EQ(screen.at(x + 40, y - 40), (Pixel{0, 255, 0}));
+    EXPECT_EQ(screen.at(x - 40, y + 40), (Pixel{0, 0, 255}));
+    EXPECT_EQ(screen.at(x + 40, y + 40), (Pixel{51, 102, 153}));
+    user("mousemove " + std::to_string(x + 40) + " " + std::to_string(y - 40) + " keydown i");
+    ASSERT_TRUE(wait([](const json& s) { return s["textures"]["texel"].contains("rgba"); }));
+    EXPECT_EQ(state()["textures"]["texel"]["rgba"], (json{"0", "1", "0", "1"}));
+    EXPECT_EQ(state()["textures"]["texel"]["statement"], "s, t = 0.75, 0.75");
+    keep("textures-inspector");
+    user("keyup i");
+    settle();
+    EXPECT_EQ(state()["frames"], pictures) << "the scene's picture is not drawn for it";
+    // Idle, it draws nothing.
+    const json before = state();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    EXPECT_EQ(state(), before);
+    // What a pass draws follows the slider.
+    click("textures.row.Texture2D 6", .2);
+    settle();
+    EXPECT_EQ(look().at(x, y), (Pixel{0, 255, 51}));
+    click("Blue.uBlue", .999);
+    settle();
+    const double blue = state()["controls"]["Blue.uBlue"][0];
+    EXPECT_NE(blue, .2);
+    EXPECT_EQ(look().at(x, y).blue, std::lround(255 * blue));
+    // A saved file is another texture.
+    click("textures.row.Texture2D 5 four.tex", .2);
+    save("four.tex", four({{7, 8, 9}, {10, 11, 12}, {1, 2, 3}, {4, 5, 6}}));
+    ASSERT_TRUE(wait([&](const json& s) { return s["revision"] > before["revision"]; }));
+    settle();
+    EXPECT_EQ(look().at(x - 40, y - 40), (Pixel{1, 2, 3}));
+    click("textures");
+    settle();
+    EXPECT_FALSE(state().contains("textures"));
     EXPECT_EQ(state()["gl_errors"].size(), 0U);
 }
 

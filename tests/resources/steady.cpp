@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "src/app/window/texture_view.h"
 #include "src/gl/present.h"
 #include "src/ui/kit/gui.h"
 #include "src/ui/shell.h"
@@ -59,6 +60,7 @@ protected:
         folder.write("texture.frag", texture_fragment);
     }
     void TearDown() override {
+        textures_.reset();
         gui_.reset();
         ImGui::SetAllocatorFunctions([](std::size_t size, void*) { return std::malloc(size); },
                                      [](void* memory, void*) { std::free(memory); });
@@ -78,11 +80,13 @@ protected:
         facts.renderer = caps.renderer;
         facts.animated = document.runtime->animated();
         facts.changed = true;
+        if (textures_) facts.textures = textures_->facts();
         ui::Layout& layout = listening_ ? listener_ : deaf_;
         ui::shell(facts, document.controls, view_, memory_, gui_->fonts(), layout);
         gui_->end();
         Frame drawn{.time = 0, .view = view_, .controls = document.controls, .paced = true};
         document.runtime->draw(drawn, {target_.framebuffer.get(), width, height});
+        if (textures_) textures_->follow(document, 1, ++pictures_, memory_, 1);
     }
     void frame(Document& document, const Event& event) { frame(document, std::span(&event, 1)); }
 
@@ -120,6 +124,8 @@ protected:
     ui::Layout listener_{true}, deaf_{false};
     bool listening_ = false;
     Counters before_, after_;
+    std::optional<TextureView> textures_;
+    std::uint64_t pictures_ = 0;
 };
 
 constexpr std::string_view program =
@@ -155,6 +161,23 @@ TEST_F(Steady, ValuesOverThePictureAllocateNothingEither) {
     expect_clean(*document);
     memory_.labels = true;
     EXPECT_EQ(drag(*document, "Paint.uBrightnessOfTheLight"), 0U);
+}
+
+TEST_F(Steady, NorDoesATextureThatIsLookedAt) {
+    auto document = open("Texture2D 5 32 32\nOrtho -1 1 -1 1\n" + std::string(program) +
+                         "RenderToTexture 5\nQuadXY 0. 1.\nRenderToTexture\nFragment texture.frag\n"
+                         "Program Shown uUnit 5\nQuadXY 0. 1.\n");
+    expect_clean(*document);
+    textures_.emplace(caps.es);
+    memory_.open.emplace("Textures");
+    EXPECT_EQ(drag(*document, "Paint.uBrightnessOfTheLight"), 0U);
+    ASSERT_NE(textures_->facts(), nullptr);
+    EXPECT_GE(textures_->facts()->drawn, 80U) << "it changes with the slider";
+    EXPECT_EQ(textures_->facts()->read, 0U);
+    // Closed, it draws and holds nothing.
+    memory_.open.clear();
+    for (int i = 0; i < 3; ++i) frame(*document, std::span<const Event>{});
+    EXPECT_EQ(textures_->facts(), nullptr);
 }
 
 }  // namespace

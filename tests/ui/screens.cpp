@@ -193,6 +193,22 @@ public:
         facts_.pixels = &pixels_;
         pointed_ = true;
     }
+    void textures() {
+        textures_rows_ = {{"Texture2D 6 " + long_name + ".bmp", "16384 x 16384", "RGBA16F, 15 levels",
+                           "read by uPicture of " + long_name, true},
+                          {"Noise3", "64 x 64 x 64", "RGBA8", "read by Noise3 of Glass", true},
+                          {"CubeMap 7 " + long_path, "", "", "no program for these values reads it", false}};
+        textures_.rows = textures_rows_;
+        textures_.width = textures_.height = 16384;
+        textures_.levels = 15;
+        textures_.slices = 64;
+        textures_.floats = true;
+        flags_.pixels = {0, 1234567, 1234567, 1234567, 1234567};
+        textures_.texel.flags = flags_;
+        facts_.textures = &textures_;
+        memory_.pixels.flags = true;
+        memory_.open.emplace("Textures");
+    }
     void frame_cost() {
         for (int i = 0; i < 100; ++i) frames_.push_back(16 + 3 * std::sin(static_cast<float>(i)));
         rows_ = {{"the window", "", 12.34, false},
@@ -290,6 +306,8 @@ protected:
     std::vector<float> frames_;
     std::vector<CostRow> rows_;
     FrameCostFacts frame_cost_;
+    std::vector<TextureRow> textures_rows_;
+    TextureFacts textures_;
 };
 
 TEST_P(Screens, AreLegible) {
@@ -345,6 +363,7 @@ const Panel panels[] = {
     {"view", "perspective", &Screens::view},
     {"pixels", "flags", &Screens::pixels},
     {"inspector", "inspector", &Screens::inspected},
+    {"textures", "textures.picture", &Screens::textures},
     {"frame-cost", "frame cost.plot", &Screens::frame_cost},
     {"picture", "picture save", &Screens::picture},
     {"save-as", "save as save", &Screens::save_as},

@@ -22,9 +22,10 @@ double fitting(const TextureMemory& memory, int width, int height) {
 }
 
 void list(std::span<const TextureRow> rows, std::size_t shown, TextureMemory& memory, Layout& layout) {
+    const ImGuiStyle& style = ImGui::GetStyle();
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float lines = static_cast<float>(std::min<std::size_t>(rows.size(), 6));
-    ImGui::BeginChild("##textures", {0, line * lines});
+    ImGui::BeginChild("##textures", {0, line * lines + style.ItemSpacing.y});
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const TextureRow& row = rows[i];
         const std::string_view remark = row.loaded ? std::string_view(row.size) : "not loaded";
@@ -61,7 +62,7 @@ void navigate(const TextureFacts& facts, ImVec2 corner, TextureMemory& memory) {
     const double x = part.left + right, y = part.top + down;
     memory.texel_x = static_cast<int>(std::floor(x));
     memory.texel_y = static_cast<int>(std::floor(y));
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    if (memory.aimed && io.MouseWheel != 0) {
         const double power = std::log2(part.zoom) + (io.MouseWheel > 0 ? .51 : -.51);
         const double zoom = std::clamp(std::exp2(std::round(power)), fit, std::max(fit, most_zoom));
         memory.scale = zoom / fit;
@@ -78,12 +79,14 @@ void navigate(const TextureFacts& facts, ImVec2 corner, TextureMemory& memory) {
 }
 
 void picture(const TextureFacts& facts, TextureMemory& memory, Layout& layout) {
+    const ImGuiIO& io = ImGui::GetIO();
     const float em = ImGui::GetFontSize();
     memory.width = std::max(1.F, std::floor(ImGui::GetContentRegionAvail().x));
     memory.height = std::floor(std::clamp(memory.width * .75F, 4 * em, 20 * em));
     const ImVec2 at = ImGui::GetCursorScreenPos(), end(at.x + memory.width, at.y + memory.height);
     ImGui::InvisibleButton("##texels", {memory.width, memory.height});
-    keep_wheel();
+    memory.aimed = ImGui::IsItemHovered() && (memory.aimed || io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+    if (memory.aimed) keep_wheel();
     layout.note("textures.picture");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, end, ImGui::GetColorU32(palette().track));
@@ -93,7 +96,6 @@ void picture(const TextureFacts& facts, TextureMemory& memory, Layout& layout) {
         list.AddImage(reinterpret_cast<ImTextureID>(facts.picture), at, end);  // NOLINT(performance-no-int-to-ptr)
     }
     navigate(facts, at, memory);
-    const ImGuiIO& io = ImGui::GetIO();
     memory.inspecting =
         ImGui::IsItemHovered() && !io.WantTextInput && !io.KeyCtrl && ImGui::IsKeyDown(static_cast<int>(Key::i));
 }
@@ -138,7 +140,8 @@ void zoom_row(const TextureFacts& facts, TextureMemory& memory, Layout& layout) 
     if (button("Fit", layout, "textures.fit")) memory.scale = 1;
     ImGui::EndDisabled();
     ImGui::SameLine();
-    fitted(Text("{:.3g} % \u00b7 wheel, drag, hold I", 100 * part.zoom).view(), ImGui::GetContentRegionAvail().x, true);
+    fitted(Text("{:.{}f} % \u00b7 wheel, drag, hold I", 100 * part.zoom, part.zoom < .1 ? 1 : 0).view(),
+           ImGui::GetContentRegionAvail().x, true);
 }
 
 }  // namespace

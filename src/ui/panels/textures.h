@@ -42,6 +42,7 @@ struct TextureMemory {
     double scale = 1;              // 1: all texels fit
     double x = .5, y = .5;         // what is in the middle of the picture, as fractions of the texture
     float width = 0, height = 0;   // of the picture, in window coordinates
+    bool aimed = false;            // the pointer was moved over the picture, so that the wheel does not scroll
     bool inspecting = false;       // I is held while the pointer is over the picture
     int texel_x = 0, texel_y = 0;  // under the pointer, from the left and from the top
 };
