@@ -38,6 +38,12 @@ void Canvas::resolve() {
     copy(drawn_.framebuffer.get(), resolved_.framebuffer.get(), drawn_.width, drawn_.height, 0, 0);
 }
 
+std::vector<std::byte> Canvas::read() const {
+    const Target& shown = resolved_.framebuffer ? resolved_ : drawn_;
+    if (!shown.framebuffer) return {};
+    return read_rgba8(shown.framebuffer.get(), shown.width, shown.height, 1, pixels_);
+}
+
 void Canvas::show(int x, int y) const {
     const Target& shown = resolved_.framebuffer ? resolved_ : drawn_;
     if (shown.framebuffer) copy(shown.framebuffer.get(), 0, shown.width, shown.height, x, y);

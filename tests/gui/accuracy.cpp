@@ -84,7 +84,8 @@ protected:
         return state()["accuracy"];
     }
     void open_panel() {
-        click("accuracy");
+        user("key a");
+        settle();
         refined();
     }
 };

@@ -27,6 +27,7 @@ protected:
 
 TEST_F(CostsInTheWindow, SayWhatValuesSwitchOffWhileNothingIsTouched) {
     open("scene.glib");
+    click("tools");
     click("costs");
     const auto tells = [](const json& s) { return s["widgets"].contains("costs.Switched off by values"); };
     EXPECT_TRUE(wait(tells, 20));

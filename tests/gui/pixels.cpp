@@ -100,9 +100,12 @@ TEST_F(Pixels, NPaintsWhatIsNoColor) {
 TEST_F(Pixels, FramesHaveTheirCost) {
     open("scene.glib");
     EXPECT_FALSE(state().contains("frame_cost"));
+    click("tools");
     click("frame cost");
+    click("controls");
     drag(on("Odd.uMost", .3), on("Odd.uMost", .9));
     settle();
+    click("tools");
     json cost = state()["frame_cost"];
     EXPECT_GE(cost["pictures"].get<int>(), 2);
     EXPECT_GT(cost["median"].get<double>(), 0);

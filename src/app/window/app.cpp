@@ -26,7 +26,9 @@ PixelSize scaled(PixelSize size, double scale) {
 
 }  // namespace
 
-std::string title_of(const std::string& scene) { return "snell \u2014 " + utf8::printable(scene); }
+std::string title_of(const std::string& scene) {
+    return scene.empty() ? "snell" : "snell \u2014 " + utf8::printable(scene);
+}
 
 App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried)
     : options_(options),
@@ -51,6 +53,7 @@ void App::run(bool edited) {
     workspace_.remember_scene();
     window_->show(first_size());
     shown_ = true;
+    if (workspace_.session().path().empty() && !edited) workspace_.browse(options_.scene, interface_.memory());
     if (edited) reload();
     interface_.start();
     began_ = window_->now();
@@ -59,6 +62,7 @@ void App::run(bool edited) {
         if (options_.exit_after > 0 && window_->now() - began_ > options_.exit_after) break;
         step();
     }
+    keep_picture();
     workspace_.look(interface_.memory());
 }
 
@@ -98,7 +102,7 @@ bool App::own_size() {
 }
 
 void App::remember_size() {
-    if (options_.size || own_size()) return;
+    if (options_.size || own_size() || window_->full_screen()) return;
     const PixelSize size = window_->size();
     const double scale = window_->content_scale();
     workspace_.resized(static_cast<int>(std::lround(size.width / scale)),
@@ -116,9 +120,11 @@ Carried App::carried() {
 
 Carried App::carry(Recovery recovery) {
     const PixelSize size = window_->size();
+    View view = display_.counters().frames > 0 ? display_.drawn().stand.view : interface_.view();
+    view.axes = interface_.view().axes;  // they are not drawn while everything is hidden
     return {workspace_.session().path(),
             std::move(recovery),
-            display_.counters().frames > 0 ? display_.drawn().stand.view : interface_.view(),
+            std::move(view),
             {size.width, size.height},
             interface_.memory().clock.time};
 }
@@ -147,6 +153,7 @@ double App::pause() {
     if (unsettled_ > 0 || workspace_.saving() || (measuring_.busy() && visible())) return 0;
     double until = next_look_;
     if (!specialised_ && options_.specialise) until = std::min(until, touched_ + until_still);
+    if (interface_.fading() && visible()) until = std::min(until, window_->now() + frame_time);
     if (moving() && visible()) until = std::min(until, display_.last_picture() + frame_time);
     if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
     return std::max(0.0, until - window_->now());
@@ -163,7 +170,8 @@ void App::step() {
         repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
     if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
         show_scene(workspace_.serve_dropped(dropped, interface_.memory()));
-    woken |= !events_.empty() || unsettled_ > 0 || (moving() && now >= display_.last_picture() + frame_time);
+    woken |= !events_.empty() || unsettled_ > 0 || interface_.fading() ||
+             (moving() && now >= display_.last_picture() + frame_time);
     if (!visible()) {
         unsettled_ = 0;  // everything is drawn again when the window comes back, which is an event
         return;
@@ -199,6 +207,9 @@ bool App::look() {
     if (now < next_look_ || workspace_.saving()) return false;
     next_look_ = now + look_at_files;
     keep_by_hand();
+    if (pictured_ != workspace_.session().path() && display_.counters().frames > 0 && !moving() &&
+        now > touched_ + until_still)
+        keep_picture();
     const bool saved = workspace_.session().saved();
     if (saved) reload();
     return workspace_.look(interface_.memory()) || saved;
@@ -223,6 +234,12 @@ bool App::measure() {
     return measured;
 }
 
+void App::keep_picture() {
+    if (!workspace_.document()) return;
+    pictured_ = workspace_.session().path();
+    workspace_.keep_picture(display_.thumbnail());
+}
+
 void App::reload() {
     restart_.trying();
     workspace_.reload();
@@ -231,6 +248,7 @@ void App::reload() {
 
 void App::show_scene(const std::optional<std::string>& path) {
     if (!path) return;
+    keep_picture();
     if (const std::string problem = workspace_.open(*path); !problem.empty()) {
         interface_.memory().notice = utf8::printable(problem);
         return;
@@ -257,7 +275,8 @@ ui::Facts App::facts() {
     facts.frame_ms = display_.counters().frame_ms;
     facts.samples = display_.samples();
     facts.renderer = caps_.renderer;
-    workspace_.tell(facts);
+    workspace_.tell(facts, memory);
+    facts.full_screen = window_->full_screen();
     picking_.tell(facts, document, memory.hold);
     if (document) measuring_.explain(facts, *document, memory);
     measuring_.tell(facts, document, memory);
@@ -274,6 +293,7 @@ void App::serve(const ui::Requests& requests) {
     if (workspace_.follow_rungs()) settle(until_equal);
     measuring_.serve(requests, memory);
     if (requests.reload) reload();
+    if (requests.full_screen) window_->set_full_screen(!window_->full_screen());
 }
 
 void App::show(bool repaint) {
@@ -308,8 +328,10 @@ bool App::draw_scene() {
     const auto in_pixels = [&](float length) { return std::max(1, static_cast<int>(std::lround(length * density))); };
     const double time = interface_.time(workspace_.saving());
     const std::uint64_t revision = session.stale() ? display_.drawn().revision : session.revision();
+    View view = interface_.view();
+    view.axes = view.axes && memory.panel;
     const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
-                      document.runtime->animated() ? time : 0, interface_.view(), values_of(document.controls)};
+                      document.runtime->animated() ? time : 0, std::move(view), values_of(document.controls)};
     if (!display_.prepare({revision, stand, document.controls.rungs, memory.hold.object}, document)) return false;
     hang_.begin("drawing a frame");
     display_.draw(document, measuring_.begin_picture(revision, memory.frame_cost), density);

@@ -27,7 +27,8 @@ public:
     App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried);
     // Returns when the window is closed or the context is lost. `edited`: a file was saved before the window was open.
     void run(bool edited);
-    bool readable() { return workspace_.document() != nullptr; }
+    // False if the scene could not be read; a window without a scene is fine.
+    bool readable() { return workspace_.document() != nullptr || workspace_.session().path().empty(); }
     // True if the driver reset the context. Once run() has returned, carried() has the state for a new window.
     bool lost() const { return display_.lost(); }
     Carried carried();
@@ -64,6 +65,8 @@ private:
     bool specialise();
     // Draws a picture to measure it, if nothing else is to be done. Returns true if there is something new to show.
     bool measure();
+    // Keeps a picture of the open scene for the file browser.
+    void keep_picture();
     void reload();
     // Shows another scene, as if the window had been opened with it; the appearance of the window stays.
     void show_scene(const std::optional<std::string>& path);
@@ -93,6 +96,7 @@ private:
     int unsettled_ = 3;                         // number of frames to draw even without input
     double began_ = 0, next_look_ = 0;          // by the clock of the window
     double touched_ = 0;                        // when there was input last
+    std::string pictured_;                      // the scene of which a picture was kept
     bool specialised_ = false;                  // nothing more can be compiled for the values as they are
 };
 

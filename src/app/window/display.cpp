@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/app/picture/sheet.h"
 #include "src/ui/kit/style.h"
 
 namespace snell {
@@ -53,6 +54,13 @@ void Display::draw(Document& document, const std::function<void(const Step&)>* a
     counters_.time = stand.time;
     ++counters_.frames;
     drawn_ = std::move(next_);
+}
+
+content::Image Display::thumbnail() const {
+    if (counters_.frames == 0 || lost_) return {};
+    content::Image picture{.width = drawn_.stand.width, .height = drawn_.stand.height};
+    picture.pixels = canvas_.read();
+    return picture.pixels.size() == picture.bytes() ? app::thumbnail(picture) : content::Image{};
 }
 
 bool Display::specialise(Document& document) {

@@ -31,6 +31,8 @@ public:
     void loading(const LoadProgress& progress);
     // Draws the panels of the last frame over the contents of the window.
     void paint() { painter_.paint(); }
+    // True while the panels change by themselves.
+    bool fading() const { return memory_.hint > 0; }
     // A hash of the last frame: equal hashes mean equal panels.
     std::uint64_t picture() const { return picture_; }
 

@@ -20,7 +20,8 @@ using FirstRungs = std::function<void(const Scene& scene, Rungs& rungs, Diagnost
 
 class Session {
 public:
-    // The GL context of `caps` must be current during the object's whole life. `progress` is called while the scene
+    // Without a path there is no scene until open(). The GL context of `caps` must be current during the object's whole
+    // life. `progress` is called while the scene
     // loads. With `recovery` the session begins with that state instead of the file.
     Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr, Watcher progress = nullptr,
             const Recovery* recovery = nullptr);
@@ -61,6 +62,7 @@ public:
 private:
     std::unique_ptr<Document> read(const std::string& path, const Document* previous, const FirstRungs& first);
     void take(std::unique_ptr<Document> read);
+    void tell(const Diagnostic& diagnostic, const Sources& sources);
     void recover(const Recovery& recovery);
     void keep_shown();
     void watch(const Document& read);
@@ -76,6 +78,7 @@ private:
     std::string by_hand_;
     std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems
     std::vector<ui::Problem> problems_;  // those of the files, then those of rungs that were chosen since
+    std::vector<std::string> printed_;   // the same problems, with the names of files as the user gave them
     std::size_t file_problems_ = 0, file_errors_ = 0;
     std::size_t errors_ = 0;
     bool stale_ = false;

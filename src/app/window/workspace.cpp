@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "parser/text/utf8.h"
+#include "src/app/desktop/folder.h"
 #include "src/app/open/quality.h"
 
 namespace snell {
@@ -22,7 +23,8 @@ FirstRungs first_rungs(const WindowOptions& options) {
 }  // namespace
 
 Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery)
-    : session_(options.scene, caps, options.access, first_rungs(options), std::move(progress), recovery),
+    : session_(is_folder(options.scene) ? "" : options.scene, caps, options.access, first_rungs(options),
+               std::move(progress), recovery),
       keeper_(options.scene),
       opener_(settings_file()),
       saver_(caps, options.access.limits) {}
@@ -56,7 +58,7 @@ std::string Workspace::open(const std::string& path) {
     return {};
 }
 
-void Workspace::tell(ui::Facts& facts) {
+void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
     name_ = utf8::printable(std::filesystem::path(session_.path()).filename().string());
     facts.file = name_;
     facts.problems = session_.problems();
@@ -73,7 +75,7 @@ void Workspace::tell(ui::Facts& facts) {
         facts.linked = linked_;
     }
     keeper_.tell(facts, document());
-    opener_.tell(facts, session_.path(), session_.files());
+    opener_.tell(facts, session_.path(), session_.files(), memory.browser.open);
 }
 
 std::optional<std::string> Workspace::serve(const ui::Requests& requests, const Picture& shown, Window& window,

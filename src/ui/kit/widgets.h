@@ -40,6 +40,14 @@ using Titles = std::set<std::string, std::less<>>;
 // Draws a header that opens and closes its section, and returns whether it is open. `open` is saved from run to run.
 bool section(const char* title, Titles& open, Layout& layout, const char* name);
 
+// Call after the header of a section: once the user opens it, show_opened() scrolls until its contents are visible.
+void keep_in_view(bool open);
+// Call where the contents of a section end: section() does, and the end of the scrolling area must.
+void show_opened();
+
+// Draws the title of a tab. Returns true if the user chose it.
+bool tab(const char* title, bool chosen, Layout& layout, const char* name);
+
 struct SliderRange {
     double min = 0, max = 1;
     bool integral = false;

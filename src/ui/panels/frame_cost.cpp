@@ -100,7 +100,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         text.add("no picture yet");
     else
         text.add("median {:.2f} ms, 95 %: {:.2f} ms", cost.median, cost.high);
-    ImGui::TextUnformatted(text.begin(), text.end());
+    fitted(text.view(), ImGui::GetContentRegionAvail().x);
     layout.note("frame cost.median");
     wrapped(cost.clock, true);
     plot(cost, layout);

@@ -202,6 +202,7 @@ bool any(const Controls& controls, Index program, Chosen chosen) {
 void section_of(Controls& controls, Index index, const Section& section, bool open_at_first) {
     const auto constant = [](const Control& c) { return c.listed && c.widget == Widget::none; };
     const auto unlisted = [](const Control& c) { return !c.listed; };
+    show_opened();
     ImGui::PushID(static_cast<int>(index));
     ImGui::SetNextItemOpen(open_at_first, ImGuiCond_Once);
     const std::string& name = section.program.name;
@@ -211,6 +212,7 @@ void section_of(Controls& controls, Index index, const Section& section, bool op
     const bool open = ImGui::CollapsingHeader(title.append("###program").c_str());
     if (!whole) tip(name);
     section.layout.note(name);
+    keep_in_view(open);
     if (open) {
         ImGui::Indent(ImGui::GetStyle().FramePadding.x * .5F);
         if (!section.linked) ImGui::TextColored(palette().error_text, "did not compile or link");

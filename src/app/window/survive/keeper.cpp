@@ -67,7 +67,9 @@ std::string Keeper::revert() {
 std::string Keeper::store(int number, const Document& document) {
     const std::string error = store_snapshot(number, document);
     snapshots_ = snapshots_there(scene_);
-    return error.empty() ? fmt::format("snapshot {} is in {}", number, short_name(snapshots_file(scene_))) : error;
+    const std::string file = short_name(snapshots_file(scene_));
+    return error.empty() ? fmt::format("snapshot {} is in {}", number, file)
+                         : fmt::format("snapshot {} is not in {}: {}", number, file, error);
 }
 
 }  // namespace snell
