@@ -35,7 +35,9 @@ TEST_F(CostsInTheWindow, SayWhatValuesSwitchOffWhileNothingIsTouched) {
     const json still = state();
     EXPECT_FALSE(wait([&](const json& s) { return s["presents"] != still["presents"]; }, .8))
         << "nothing is left to show";
+    click("controls");
     click("Slow.uMix", .7);
+    click("tools");
     EXPECT_TRUE(wait([&](const json& s) { return !tells(s); })) << "programs for any values draw now";
     EXPECT_EQ(state()["gl_errors"].size(), 0U);
 }

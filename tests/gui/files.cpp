@@ -262,9 +262,9 @@ TEST_F(FilesWindow, TheGuidesPicture) {
     user("key ctrl+plus");
     settle();
     click("tools");
-    click("files");
     click("window");
     click("dark", .1);
+    click("files");
     user("mousemove 300 716");
     settle();
     keep("guide-dark");

@@ -113,6 +113,8 @@ TEST_F(PickWindow, TheCopiedCommandDrawsMovedObjectsAxesProjectionAndBackground)
     settle();
     drag(at(-1.9, -1.9), at(-1.4, -1.7));
     choose("view", "perspective");
+    click("tools");
+    click("view");
     click("background", .7);
     choose("save", "copy command");
     const std::string copied = state()["notice"];
