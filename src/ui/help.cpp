@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "src/ui/kit/widgets.h"
 
@@ -48,103 +49,84 @@ std::string shown(const char* what) {
     return text;
 }
 
-// How the table is laid out: columns of rows side by side, and in each the keys, beside or above what they do.
+// How the table is laid out: columns of rows side by side, and in each the keys beside what they do.
 struct Table {
-    int columns = 1;
     float keys = 0, what = 0;  // widths; the texts are wrapped in them
-    bool beside = true;
+    std::vector<float> rows;   // heights, with that of the heading above
+    std::size_t second = 0;    // the row that the second column begins with; the number of rows if there is one column
     float height = 0;
 };
 
-float row_height(const KeyRow& row, const Table& table) {
-    const float keys = ImGui::CalcTextSize(row.keys, nullptr, false, table.keys).y;
-    const float what = ImGui::CalcTextSize(shown(row.what).c_str(), nullptr, false, table.what).y;
-    return (table.beside ? std::max(keys, what) : keys + what) + ImGui::GetStyle().ItemSpacing.y;
-}
+float gap_between_rows() { return std::round(ImGui::GetFontSize() * .2F); }
 
-// Height of the rows from `first` up to `last`; a heading is a row too.
-float height_of(std::size_t first, std::size_t last, const Table& table) {
-    float height = 0;
-    for (std::size_t i = first; i < last; ++i)
-        height += row_height(key_rows()[i], table) + (key_rows()[i].group ? ImGui::GetTextLineHeightWithSpacing() : 0);
-    return height;
-}
+float heading(const KeyRow& row) { return row.group ? ImGui::GetTextLineHeight() + gap_between_rows() : 0; }
 
-// The rows from which the second column begins, so that both are about as high.
-std::size_t half(const Table& table) {
-    const std::size_t all = key_rows().size();
-    if (table.columns == 1) return all;
-    std::size_t best = all;
-    for (std::size_t i = 1; i < all; ++i) {
-        const auto higher = [&](std::size_t at) {
-            return std::max(height_of(0, at, table), height_of(at, all, table));
-        };
-        if (higher(i) < higher(best)) best = i;
+Table table_of(std::size_t columns, float keys, float what) {
+    Table table{.keys = keys, .what = what};
+    float all = 0;
+    for (const KeyRow& row : key_rows()) {
+        const float height = std::max(ImGui::CalcTextSize(row.keys, nullptr, false, keys).y,
+                                      ImGui::CalcTextSize(shown(row.what).c_str(), nullptr, false, what).y);
+        all += table.rows.emplace_back(heading(row) + height + gap_between_rows());
     }
-    return best;
+    table.second = table.rows.size();
+    table.height = all;
+    float first = 0;
+    for (std::size_t i = 0; columns == 2 && i < table.rows.size(); ++i) {
+        if (std::max(first, all - first) < table.height) {
+            table.height = std::max(first, all - first);
+            table.second = i;
+        }
+        first += table.rows[i];
+    }
+    return table;
 }
 
-Table table_of(int columns, bool beside, const ImVec2& room) {
+// The first layout that needs no scroll bar, otherwise the lowest. Texts are wrapped where they must be.
+Table fitting(const ImVec2& room) {
     const float em = ImGui::GetFontSize();
     float keys = 0, what = 0;
     for (const KeyRow& row : key_rows()) {
         keys = std::max(keys, ImGui::CalcTextSize(row.keys).x);
         what = std::max(what, ImGui::CalcTextSize(shown(row.what).c_str()).x);
     }
-    const float column = (room.x - static_cast<float>(columns - 1) * 2 * em) / static_cast<float>(columns);
-    Table table{
-        .columns = columns, .keys = std::min(keys, column), .what = std::min(what, column - em), .beside = beside};
-    if (beside && keys + em + what > column) {
-        table.keys = std::min(keys, column * .38F);
-        table.what = column - em - table.keys;
-    }
-    const std::size_t split = half(table), all = key_rows().size();
-    table.height = std::max(height_of(0, split, table), height_of(split, all, table));
-    return table;
-}
-
-// The first layout that needs no scroll bar; otherwise the lowest.
-Table fitting(const ImVec2& room) {
     Table best;
-    for (const auto& [columns, beside] : {std::pair(1, true), {2, true}, {2, false}, {1, false}}) {
-        const Table table = table_of(columns, beside, room);
-        if (table.height <= room.y) return table;
-        if (best.height == 0 || table.height < best.height) best = table;
+    for (const std::size_t columns : {1, 2}) {
+        const float column = columns == 1 ? room.x : (room.x - 2 * em) / 2;
+        const bool whole = keys + em + what <= column;
+        for (const float share : {.44F, .38F, .32F, .26F}) {
+            Table table = whole ? table_of(columns, keys, what)
+                                : table_of(columns, std::min(keys, column * share), column * (1 - share) - em);
+            if (best.rows.empty() || table.height < best.height) best = std::move(table);
+            if (whole) break;
+        }
+        if (best.height <= room.y) break;
     }
     return best;
 }
 
+void put(const char* text, const ImVec2& at, float width, const ImVec4& color) {
+    ImGui::SetCursorPos(at);
+    ImGui::PushTextWrapPos(at.x + width + 1);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
 void draw(const Table& table) {
-    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.y;
+    const float em = ImGui::GetFontSize();
     const ImVec2 begin = ImGui::GetCursorPos();
-    const std::size_t split = half(table);
-    float x = begin.x, y = begin.y;
-    for (std::size_t i = 0; i < key_rows().size(); ++i) {
+    const ImVec4 &text = palette().text, &dim = palette().dim;
+    ImVec2 at = begin;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const KeyRow& row = key_rows()[i];
-        if (i == split) {
-            x += table.keys * (table.beside ? 1.0F : 0.0F) + table.what + 3 * em;
-            y = begin.y;
-        }
-        if (row.group) {
-            ImGui::SetCursorPos({x, y});
-            ImGui::TextColored(palette().accent, "%s", row.group);
-            y += ImGui::GetTextLineHeight() + gap;
-        }
-        const auto put = [&](const std::string& text, float left, float top, float width, bool dim) {
-            ImGui::SetCursorPos({left, top});
-            ImGui::PushTextWrapPos(left + width + 1);
-            ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(dim ? ImGuiCol_TextDisabled : ImGuiCol_Text));
-            ImGui::TextUnformatted(text.c_str());
-            ImGui::PopStyleColor();
-            ImGui::PopTextWrapPos();
-        };
-        const float keys = ImGui::CalcTextSize(row.keys, nullptr, false, table.keys).y;
-        put(row.keys, x, y, table.keys, true);
-        if (table.beside)
-            put(shown(row.what), x + table.keys + em, y, table.what, false);
-        else
-            put(shown(row.what), x + em, y + keys, table.what, false);
-        y += row_height(row, table);
+        if (i == table.second) at = {begin.x + table.keys + table.what + 3 * em, begin.y};
+        if (row.group) put(row.group, at, table.keys + table.what, palette().accent);
+        const float y = at.y + heading(row);
+        put(row.keys, {at.x, y}, table.keys, dim);
+        put(shown(row.what).c_str(), {at.x + table.keys + em, y}, table.what, text);
+        at.y += table.rows[i];
     }
 }
 
@@ -158,7 +140,6 @@ bool help_panel(Layout& layout) {
     ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(em, all.x - em), std::max(em, all.y - em)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, margin);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, std::round(em * .2F)});
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav;
@@ -174,7 +155,7 @@ bool help_panel(Layout& layout) {
         if (ImGui::GetScrollMaxY() > 0) layout.place("keys.scrolls", {});
     }
     ImGui::End();
-    ImGui::PopStyleVar(3);
+    ImGui::PopStyleVar(2);
     return closed;
 }
 

@@ -153,7 +153,7 @@ void hint(const Rect& scene, Memory& memory, Layout& layout) {
     const ImVec2 size(width_of(text) + 2 * em, 2 * em);
     const ImVec2 at(std::round(scene.x + (scene.width - size.x) / 2), scene.y + scene.height - 2 * size.y);
     const auto faded = [&](ImVec4 color) { return ImGui::GetColorU32({color.x, color.y, color.z, color.w * alpha}); };
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();  // the list of keys lies over it
     list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, faded(palette().problem_background), em * .4F);
     list.AddText({at.x + em, at.y + em * .5F}, faded(palette().problem_text), text);
     layout.place("hint", {at.x, at.y, size.x, size.y});

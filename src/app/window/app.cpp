@@ -164,10 +164,10 @@ void App::settle(int frames) { unsettled_ = std::max(unsettled_, frames); }
 void App::step() {
     const double now = window_->now();
     save();
-    bool woken = look(), repaint = false;
+    bool woken = look();
     window_->take_events(events_);
     for (const Event& event : events_)
-        repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
+        if (event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize) repaints_ = until_equal;
     if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
         show_scene(workspace_.serve_dropped(dropped, interface_.memory()));
     woken |= !events_.empty() || unsettled_ > 0 || interface_.fading() ||
@@ -190,7 +190,7 @@ void App::step() {
         rest = rest.subspan(count);
     } while (!rest.empty());
     unsettled_ = std::max(0, unsettled_ - 1);
-    show(repaint);
+    show(std::exchange(repaints_, std::max(0, repaints_ - 1)) > 0);
 }
 
 void App::save() {
@@ -207,8 +207,7 @@ bool App::look() {
     if (now < next_look_ || workspace_.saving()) return false;
     next_look_ = now + look_at_files;
     keep_by_hand();
-    if (pictured_ != workspace_.session().path() && display_.counters().frames > 0 && !moving() &&
-        now > touched_ + until_still)
+    if (pictured_ != workspace_.session().path() && display_.counters().frames > 0 && now > touched_ + until_still)
         keep_picture();
     const bool saved = workspace_.session().saved();
     if (saved) reload();

@@ -94,10 +94,12 @@ private:
     std::uint64_t kept_frame_ = 0;              // the frame whose state Restart has
     std::array<std::uint64_t, 2> presented_{};  // the panels, and what lies over the picture, as last presented
     int unsettled_ = 3;                         // number of frames to draw even without input
-    double began_ = 0, next_look_ = 0;          // by the clock of the window
-    double touched_ = 0;                        // when there was input last
-    std::string pictured_;                      // the scene of which a picture was kept
-    bool specialised_ = false;                  // nothing more can be compiled for the values as they are
+    // Number of frames to present even if nothing changed: some drivers learn a new size with the next picture.
+    int repaints_ = 3;
+    double began_ = 0, next_look_ = 0;  // by the clock of the window
+    double touched_ = 0;                // when there was input last
+    std::string pictured_;              // the scene of which a picture was kept
+    bool specialised_ = false;          // nothing more can be compiled for the values as they are
 };
 
 }  // namespace snell
