@@ -29,6 +29,26 @@ std::vector<std::string> object_names(const Scene& scene) {
     return names;
 }
 
+bool flat_picture(const Scene& scene) {
+    const Draw* first = nullptr;
+    const auto matrix = [&](const Draw& draw) { return draw.matrix == none ? Mat4{} : scene.matrices[draw.matrix]; };
+    for (const Pass& pass : scene.passes) {
+        if (pass.kind != Pass::Kind::window) continue;
+        for (const Item& item : pass.items) {
+            if (item.kind != Item::Kind::draw) continue;
+            const Draw& draw = scene.draws[item.index];
+            const Quad* quad = std::get_if<Quad>(&draw.shape);
+            if (!quad || quad->n1 != 1 || quad->n2 != 1) return false;
+            if (!first) first = &draw;
+            const Quad& other = std::get<Quad>(first->shape);
+            if (quad->plane != other.plane || quad->offset != other.offset || draw.camera != first->camera)
+                return false;
+            if (draw.matrix != first->matrix && matrix(draw) != matrix(*first)) return false;
+        }
+    }
+    return first != nullptr;
+}
+
 Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object) {
     if (object >= from.size()) return none;
     if (from.size() == to.size()) return object;

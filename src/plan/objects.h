@@ -18,6 +18,10 @@ glm::dmat4 placed(const Transformation& object, const glm::dmat4& view, const gl
 // One name for each of Scene::draws: what it draws, and how many draws before it draw the same.
 std::vector<std::string> object_names(const Scene& scene);
 
+// True if all that the window shows is one plane of undivided quads, such as a picture that fills it: axes through its
+// middle would only hide it.
+bool flat_picture(const Scene& scene);
+
 // Finds an object again after the scene was read again: by its index if there are as many draws as before (a parameter
 // was edited), otherwise by its name. Returns none if the object is gone.
 Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object);

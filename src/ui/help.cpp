@@ -26,6 +26,7 @@ std::span<const KeyRow> key_rows() {
         {"space bar", "pause or resume time"},
         {"1 to 9; with Ctrl", "restore a snapshot; store one", "Scene and window"},
         {"Ctrl S; with Shift", "save the values to the scene; save as another scene"},
+        {"Ctrl Z; Ctrl Y or Ctrl Shift Z", "undo; redo"},
         {"Ctrl O", "open another scene"},
         {"F5", "reload the files"},
         {"H", "hide or show everything but the picture"},

@@ -177,7 +177,8 @@ void hide(Memory& memory) {
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout) {
     layout.clear();
     Requests requests;
-    const bool dialog = memory.browser.open || memory.picture.open || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool dialog = memory.browser.open || memory.picture.open || memory.save_as.open ||
+                        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     if (!ImGui::GetIO().WantTextInput && !dialog) keys(facts, view, memory, requests);
     const Areas parts = areas(memory);
     if (!memory.panel || memory.tab != Tab::tools) memory.costs = false;  // out of sight they are not explained
@@ -195,6 +196,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     browser_window(facts, memory, requests, layout);
     picture_window(facts, memory, requests, layout);
+    save_as_window(memory, requests, layout);
     if (memory.keys && help_panel(layout)) memory.keys = false;
     hint(parts.scene, memory, layout);
     const ImVec2 mouse = ImGui::GetIO().MousePos;

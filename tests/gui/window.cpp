@@ -239,6 +239,8 @@ TEST_F(Window, DraggingInTheSceneTurnsItAndTheWheelScalesIt) {
 }
 
 TEST_F(Window, TheAxesAreACheckBoxAndOnAtFirst) {
+    std::string text = scene;
+    save("scene.glib", text.replace(text.find("QuadXY 0. 1."), 12, "QuadXY 0. 1. 2 2"));  // not a flat picture
     open("scene.glib");
     EXPECT_TRUE(state()["view"]["axes"]);
     const auto count_gray = [&] {
@@ -283,6 +285,8 @@ TEST_F(Window, APictureFollowsTheWindowsSize) {
 
 TEST_F(Window, HHidesAllAndTheHintFadesUntilNothingIsDrawnAnyMore) {
     open("scene.glib");
+    choose("view", "axes");
+    ASSERT_EQ(state()["view"]["axes"], true);
     user("mousemove 300 300 key h");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("hint"); }));
     EXPECT_EQ(state()["scene"], json::array({0, 0, 800, 600}));

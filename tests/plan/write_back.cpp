@@ -90,6 +90,23 @@ TEST(WriteBack, OnlyTheNumberOfTheChangedUniformIsOther) {
         << "a number keeps its style";
 }
 
+TEST(WriteBack, OnlyTheBoundThatTheValueExceedsIsWidenedToIt) {
+    const std::string line = "Program Glass uKa <0. .5 1.> uDown <1. .5 0.>\n";
+    Desk desk(line, {{"uKa", active("float")}, {"uDown", active("float")}});
+    for (const char* name : {"uKa", "uDown"}) {  // as after typing 500 and going back
+        desk.control(name).max = 500;
+        desk.control(name).min = -500;
+    }
+    EXPECT_EQ(desk.text(), line) << "the range is the panel's";
+    desk.set("uKa", {.25});
+    desk.set("uDown", {.25});
+    EXPECT_EQ(desk.text(), "Program Glass uKa <0. .25 1.> uDown <1. .25 0.>\n");
+    desk.set("uKa", {401.61});
+    desk.set("uDown", {-2});
+    EXPECT_EQ(desk.text(), "Program Glass uKa <0. 401.61 401.61> uDown <1. -2. -2.>\n")
+        << "without it the value would not read back";
+}
+
 TEST(WriteBack, LineEndsCommentsBlanksAndOddBytesStay) {
     const Types types{{"uA", active("float")}, {"uB", active("float")}};
     const std::vector<std::pair<std::string, std::string>> pairs{

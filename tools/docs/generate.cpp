@@ -218,7 +218,12 @@ std::string limits() {
            "picture that does not\nfit even in tiles of 64x64 pixels is an error.\n"
            "\nOpenGL has its own limits, which `snell info` prints; a texture or picture that exceeds them is an error "
            "too.\nMesa's llvmpipe ends the loops of a shader after 65,535 rounds together, without a message "
-           "([reliability.md](reliability.md)).\n";
+           "([reliability.md](reliability.md)).\n"
+           "\nThe window undoes at most 1000 steps of a scene, of 16 MiB together, for the last 12 scenes that it "
+           "showed. "
+           "It keeps values, rungs\nand view of at most 200 scenes, the oldest are removed first; more than 256 KiB of "
+           "a "
+           "scene are not kept.\n";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "src/app/open/save_values.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -10,6 +11,8 @@
 namespace snell {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 // Returns the scene as it would be read after saving.
 Scene read_again(const Document& document, const std::vector<SavedFile>& files) {
@@ -41,6 +44,20 @@ std::string exchange(const std::vector<SavedFile>& files, std::string SavedFile:
         return error;
     }
     return {};
+}
+
+// Returns the files of the scene that it would not find from another folder.
+std::string not_found_from(const fs::path& folder, const Document& document) {
+    const fs::path old = fs::path(document.path).parent_path().lexically_normal();
+    std::string lost;
+    std::error_code error;
+    for (const std::string& path : document.files->read_paths()) {
+        const fs::path relative = fs::path(path).lexically_normal().lexically_relative(old);
+        const bool whole = document.sources.text(0).find(path) != std::string_view::npos;  // it is named by its path
+        if (path == document.path || whole || (!relative.empty() && fs::exists(folder / relative, error))) continue;
+        lost += (lost.empty() ? "" : ", ") + fs::path(path).filename().string();
+    }
+    return lost;
 }
 
 }  // namespace
@@ -78,6 +95,30 @@ Saved saved_values(const Document& document) {
         saved.error = "the new text would not say these values: nothing is written";
     if (!saved.error.empty()) saved.files.clear();
     return saved;
+}
+
+SavedAs saved_as(const Document& document, const std::string& name) {
+    const Saved saved = saved_values(document);
+    SavedAs as{{{}, {}, std::string(document.sources.text(0))}, false, saved.error};
+    if (as.error.empty() && fs::path(name).filename().empty()) as.error = "the scene needs a name";
+    if (!as.error.empty()) return as;
+    fs::path path = fs::path(document.path).parent_path() / name;
+    if (path.extension() != ".glib") path += ".glib";
+    as.file.path = path.lexically_normal().string();
+    std::error_code error;
+    as.exists = fs::exists(path, error);
+    if (fs::equivalent(path, document.path, error)) as.error = "this is the scene itself: Ctrl+S saves to it";
+    for (const SavedFile& file : saved.files) {
+        if (file.path == document.path)
+            as.file.after = file.after;
+        else
+            as.error = fs::path(file.path).filename().string() + " has some of these values: Ctrl+S saves to it first";
+    }
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (as.error.empty() && !fs::is_directory(folder, error)) as.error = "there is no folder " + folder.string();
+    const std::string lost = as.error.empty() ? not_found_from(folder, document) : "";
+    if (!lost.empty()) as.error = "the scene would not find " + lost + " from there";
+    return as;
 }
 
 std::string write_saved(const std::vector<SavedFile>& files) {

@@ -29,6 +29,17 @@ std::size_t changed_values(const Document& document);
 // since the document was read, or if the new texts would not read back correctly.
 Saved saved_values(const Document& document);
 
+// The scene with its current values, under another name.
+struct SavedAs {
+    SavedFile file;       // `before` is empty
+    bool exists = false;  // a file of that name would be replaced
+    std::string error;    // why the scene can't have that name
+};
+// Computes it; writes nothing. `name` is relative to the scene's folder; ".glib" is added where it lacks. Refuses
+// folders from which the scene's files would not be found, and values that belong to another file, which the scene
+// includes.
+SavedAs saved_as(const Document& document, const std::string& name);
+
 // Writes all files or none; each must still have the text `before`. Returns "" or the error.
 std::string write_saved(const std::vector<SavedFile>& files);
 // Restores the previous texts if the files are still as saved. Returns "" or the error.

@@ -26,10 +26,6 @@ PixelSize scaled(PixelSize size, double scale) {
 
 }  // namespace
 
-std::string title_of(const std::string& scene) {
-    return scene.empty() ? "snell" : "snell \u2014 " + utf8::printable(scene);
-}
-
 App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried)
     : options_(options),
       window_(std::move(window)),
@@ -43,8 +39,12 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
       measuring_(options.scene, caps_),
       hang_(restart.hang_watch(options.timeout)) {
     restore(workspace_.settings(), interface_.memory());
-    if (!carried) return;
+    if (!carried) {
+        workspace_.begin(interface_.view(), interface_.memory().notice);
+        return;
+    }
     interface_.view() = carried->view;
+    workspace_.continue_with(carried->view);
     interface_.memory().clock.time = carried->time;
 }
 
@@ -63,7 +63,7 @@ void App::run(bool edited) {
         step();
     }
     keep_picture();
-    workspace_.look(interface_.memory());
+    workspace_.look(interface_.view(), interface_.memory());
 }
 
 // Events wait for the frame after loading, because there is nothing yet that they could change.
@@ -211,7 +211,7 @@ bool App::look() {
         keep_picture();
     const bool saved = workspace_.session().saved();
     if (saved) reload();
-    return workspace_.look(interface_.memory()) || saved;
+    return workspace_.look(interface_.view(), interface_.memory()) || saved;
 }
 
 bool App::specialise() {
@@ -241,20 +241,21 @@ void App::keep_picture() {
 
 void App::reload() {
     restart_.trying();
-    workspace_.reload();
+    workspace_.reload(interface_.view(), interface_.memory().notice);
     settle(until_equal);
 }
 
 void App::show_scene(const std::optional<std::string>& path) {
     if (!path) return;
     keep_picture();
-    if (const std::string problem = workspace_.open(*path); !problem.empty()) {
+    if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
         interface_.memory().notice = utf8::printable(problem);
         return;
     }
     interface_.begin_scene();
+    workspace_.begin(interface_.view(), interface_.memory().notice);
+    picking_ = {};
     measuring_.begin_scene(*path);
-    window_->set_title(title_of(*path));
     settle(until_equal);
 }
 
@@ -263,7 +264,12 @@ void App::interface_frame(std::span<const Event> events) {
     Document* document = workspace_.document();
     if (document)
         picking_.follow(*document, workspace_.session().revision(), interface_.view(), interface_.memory().hold);
-    serve(interface_.frame(events, facts(), document ? document->controls : no_controls));
+    Past& past = workspace_.past();
+    past.hear(events);
+    const ui::Requests requests = interface_.frame(events, facts(), document ? document->controls : no_controls);
+    past.follow(workspace_.session(), interface_.view(), interface_.busy(), window_->now());
+    serve(requests);
+    if (const auto title = workspace_.new_title()) window_->set_title(*title);
 }
 
 ui::Facts App::facts() {
@@ -288,7 +294,7 @@ void App::serve(const ui::Requests& requests) {
     const Picture shown{stand.width, stand.height, display_.samples(), stand.time, interface_.view()};
     if (Document* document = workspace_.document())
         picking_.serve(requests, *document, stand, interface_.density(), memory.hold);
-    show_scene(workspace_.serve(requests, shown, *window_, memory));
+    show_scene(workspace_.serve(requests, shown, *window_, interface_.view(), memory));
     if (workspace_.follow_rungs()) settle(until_equal);
     measuring_.serve(requests, memory);
     if (requests.reload) reload();

@@ -20,8 +20,6 @@
 
 namespace snell {
 
-std::string title_of(const std::string& scene);
-
 class App {
 public:
     App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& restart, const Carried* carried);

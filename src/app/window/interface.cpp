@@ -41,7 +41,7 @@ ui::Requests Interface::frame(std::span<const Event> events, const ui::Facts& fa
     picture_ = gui_.end();
     window_.set_cursor(gui_.cursor());
     for (const Event& event : events)
-        if (event.down) memory_.notice.clear();
+        if (event.down && event.kind != Event::Kind::focus) memory_.notice.clear();
     return requests;
 }
 

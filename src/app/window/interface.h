@@ -36,6 +36,8 @@ public:
     // A hash of the last frame: equal hashes mean equal panels.
     std::uint64_t picture() const { return picture_; }
 
+    // True while the user is at something that the next frames continue: a drag, a text.
+    bool busy() const { return gui_.busy(); }
     // Pixels per window coordinate.
     float density() const;
     // True while measuring holds the scene's time.

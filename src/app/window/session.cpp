@@ -42,60 +42,80 @@ std::string folder_of(const std::string& file) {
 }  // namespace
 
 Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs first, Watcher progress,
-                 const Recovery* recovery)
+                 const Recovery* recovery, Remembered memory)
     : path_(std::move(path)),
       caps_(std::move(caps)),
       access_(std::move(access)),
       first_(std::move(first)),
-      progress_(std::move(progress)) {
+      progress_(std::move(progress)),
+      memory_(std::move(memory)) {
     if (recovery)
         recover(*recovery);
     else
         reload();
 }
 
-std::unique_ptr<Document> Session::read(const std::string& path, const Document* previous, const FirstRungs& first) {
+std::unique_ptr<Document> Session::read(const std::string& path, const FirstRungs& choose) {
     Diagnostics refused;
-    const auto choose = [&](const Scene& scene, Rungs& rungs) {
-        if (previous && path == path_)
-            carry_over(previous->controls.rungs, previous->scene(), rungs, scene);
-        else if (!by_hand_.empty() && path == path_)
-            restore_rungs(by_hand_, scene, rungs);
-        else if (first)
-            first(scene, rungs, refused);
-    };
     RuntimeOptions options;
-    options.previous = previous ? &*previous->runtime : nullptr;
+    options.previous = shown_ ? &*shown_->runtime : nullptr;
     options.progress = progress_;
     const auto planned = [this](const Plan& plan, Document& document) {
         read_plan_ = plan;
         if (may_go_round(plan, document, caps_)) document.diagnostics.append(too_many_rounds(plan, document));
     };
-    std::unique_ptr<Document> read = open_document(path, caps_, choose, planned, options, access_);
+    const auto chosen = [&](const Scene& scene, Rungs& rungs) { choose(scene, rungs, refused); };
+    std::unique_ptr<Document> read = open_document(path, caps_, chosen, planned, options, access_);
     broken_ = read->diagnostics.has_errors();
     read->diagnostics.append(refused);
     return read;
 }
 
+void Session::choose(const Scene& scene, Rungs& rungs, Diagnostics& refused) {
+    if (shown_ && hold_values_)
+        recall(remembered(true), scene, rungs, Follow::memory);
+    else if (shown_)
+        carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
+    else if (!by_hand_.empty())
+        restore_rungs(by_hand_, scene, rungs);
+    else
+        choose_first(scene, rungs, refused);
+}
+
+// The command line comes last, because it was given for this time.
+void Session::choose_first(const Scene& scene, Rungs& rungs, Diagnostics& refused) {
+    first_rungs_ = rungs;
+    if (first_) first_(scene, first_rungs_, refused);
+    recall(memory_, scene, rungs);
+    Diagnostics heard;
+    if (first_) first_(scene, rungs, heard);
+}
+
 void Session::reload() {
     if (path_.empty()) return;
     ++revision_;
-    take(read(path_, shown_.get(), first_));
+    take(
+        read(path_, [this](const Scene& scene, Rungs& rungs, Diagnostics& refused) { choose(scene, rungs, refused); }));
 }
 
-std::string Session::open(std::string path) {
-    std::unique_ptr<Document> fresh = read(path, shown_.get(), nullptr);
+std::string Session::open(std::string path, Remembered memory) {
+    std::swap(memory_, memory);
+    const FirstRungs first = std::exchange(first_, nullptr);
+    std::unique_ptr<Document> fresh = read(
+        path, [this](const Scene& scene, Rungs& rungs, Diagnostics& refused) { choose_first(scene, rungs, refused); });
     if (!fresh->runtime) {
+        memory_ = std::move(memory);
+        first_ = first;
         const auto& problems = fresh->diagnostics.items();
         return problems.empty() ? "cannot read " + path : problems.front().message;
     }
     ++revision_;
     path_ = std::move(path);
-    first_ = nullptr;
     // Resources that both scenes have were taken over by read(); values must not be.
     shown_.reset();
     kept_ = nullptr;
     by_hand_.clear();
+    hold_values_ = false;
     take(std::move(fresh));
     return {};
 }
@@ -122,15 +142,30 @@ void Session::take(std::unique_ptr<Document> read) {
     const bool shows = shown_ != nullptr;
     stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
     if (stale_ || !read->runtime) return;
-    // A broken program has no controls for its values, so they are restored again until nothing is broken.
-    if (!by_hand_.empty()) restore_changed(by_hand_, *read);
-    if (!read->diagnostics.has_errors()) by_hand_.clear();
-    if (shows) carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
+    carry_values(*read);
     keep_shown();
     shown_ = std::move(read);
     plan_ = std::move(read_plan_);
     drawn_well_ = false;
     if (shown_->scene().verbose) std::fputs(verbose_report(*shown_).c_str(), stderr);
+}
+
+void Session::carry_values(Document& read) {
+    const Remembered all = hold_values_ ? remembered(true) : Remembered{};
+    memory_ = remembered();
+    recall(memory_, read.scene(), read.controls);
+    // A broken program has no controls for its values, so they are restored again until nothing is broken.
+    if (!by_hand_.empty()) restore_changed(by_hand_, read);
+    if (!read.diagnostics.has_errors()) by_hand_.clear();
+    if (shown_) carry_over(shown_->controls, shown_->scene(), read.controls, read.scene());
+    recall(all, read.scene(), read.controls, Follow::memory);
+    hold_values_ = false;
+}
+
+Remembered Session::remembered(bool all) const {
+    Remembered memory = memory_;
+    if (shown_) remember(shown_->scene(), shown_->controls, memory, all);
+    return memory;
 }
 
 void Session::keep_shown() {
@@ -173,7 +208,10 @@ void Session::recover(const Recovery& recovery) {
 }
 
 bool Session::follow_rungs() {
-    if (!shown_ || !snell::follow_rungs(*shown_)) return false;
+    if (!shown_ || shown_->controls.rungs == shown_->runtime->rungs()) return false;
+    memory_ = remembered();
+    if (!snell::follow_rungs(*shown_)) return false;
+    recall(memory_, shown_->scene(), shown_->controls);  // values that only these rungs have
     ++revision_;
     const Diagnostics& found = shown_->runtime->ladder_problems();
     problems_.resize(file_problems_);

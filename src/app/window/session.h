@@ -11,6 +11,7 @@
 #include "src/app/desktop/watch.h"
 #include "src/app/open/document.h"
 #include "src/app/window/survive/recovery.h"
+#include "src/plan/values/remembered.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
@@ -21,10 +22,10 @@ using FirstRungs = std::function<void(const Scene& scene, Rungs& rungs, Diagnost
 class Session {
 public:
     // Without a path there is no scene until open(). The GL context of `caps` must be current during the object's whole
-    // life. `progress` is called while the scene
-    // loads. With `recovery` the session begins with that state instead of the file.
+    // life. `progress` is called while the scene loads. With `recovery` the session begins with that state instead of
+    // the file, and with `memory` it has values of an earlier one.
     Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr, Watcher progress = nullptr,
-            const Recovery* recovery = nullptr);
+            const Recovery* recovery = nullptr, Remembered memory = {});
 
     // Tells that the shown document was drawn without problems, with its current values.
     void drawn_well() { drawn_well_ = true; }
@@ -37,14 +38,22 @@ public:
     // Reads the files again. If the new version has errors that the shown one does not have, its problems are shown
     // over the last good picture. Values of controls carry over.
     void reload();
-    // Shows another scene as it is in its file. Returns "", or why the current scene stays.
-    std::string open(std::string path);
+    // The next reload keeps values and rungs although the text changes them.
+    void hold_values() { hold_values_ = true; }
+    // Shows another scene as it is in its file, with the values of `memory`. Returns "", or why the current scene
+    // stays.
+    std::string open(std::string path, Remembered memory = {});
     // True if a file in use was saved, so that the scene must be reloaded.
     bool saved() { return watch_.changed(); }
 
     // Compiles the programs for other rungs if the controls ask for them. Returns true if the problems may have
     // changed.
     bool follow_rungs();
+
+    // What differs from the scene, and what did when it was last in the scene.
+    Remembered remembered(bool all = false) const;
+    // The rungs of the text and the command line, without those that were remembered.
+    const Rungs& first_rungs() const { return first_rungs_; }
 
     // The shown document; null until the scene's file could be read.
     Document* document() { return shown_.get(); }
@@ -60,10 +69,13 @@ public:
     const std::string& path() const { return path_; }
 
 private:
-    std::unique_ptr<Document> read(const std::string& path, const Document* previous, const FirstRungs& first);
+    std::unique_ptr<Document> read(const std::string& path, const FirstRungs& choose);
     void take(std::unique_ptr<Document> read);
     void tell(const Diagnostic& diagnostic, const Sources& sources);
     void recover(const Recovery& recovery);
+    void choose(const Scene& scene, Rungs& rungs, Diagnostics& refused);
+    void choose_first(const Scene& scene, Rungs& rungs, Diagnostics& refused);
+    void carry_values(Document& read);
     void keep_shown();
     void watch(const Document& read);
 
@@ -76,6 +88,9 @@ private:
     Plan plan_, read_plan_;  // of shown_; of the last reading
     bool drawn_well_ = false;
     std::string by_hand_;
+    Remembered memory_;  // values that shown_ does not have, and those with which it began
+    bool hold_values_ = false;
+    Rungs first_rungs_;
     std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems
     std::vector<ui::Problem> problems_;  // those of the files, then those of rungs that were chosen since
     std::vector<std::string> printed_;   // the same problems, with the names of files as the user gave them

@@ -22,9 +22,15 @@ FirstRungs first_rungs(const WindowOptions& options) {
 
 }  // namespace
 
+std::string title_of(const std::string& scene, bool unsaved) {
+    if (scene.empty()) return "snell";
+    return std::string(unsaved ? "\u2022 " : "") + "snell \u2014 " + utf8::printable(scene);
+}
+
 Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery)
-    : session_(is_folder(options.scene) ? "" : options.scene, caps, options.access, first_rungs(options),
-               std::move(progress), recovery),
+    : past_(kept_folder(settings_file())),
+      session_(is_folder(options.scene) ? "" : options.scene, caps, options.access, first_rungs(options),
+               std::move(progress), recovery, recovery ? Remembered{} : past_.read(options.scene)),
       keeper_(options.scene),
       opener_(settings_file()),
       saver_(caps, options.access.limits) {}
@@ -35,9 +41,24 @@ void Workspace::report() {
     reported_ = std::move(text);
 }
 
-void Workspace::reload() {
+void Workspace::reload(View& view, std::string& notice) {
     session_.reload();
+    if (std::string said = past_.reread(session_, view); !said.empty()) notice = std::move(said);
     report();
+}
+
+void Workspace::begin(View& view, std::string& notice) { notice = past_.begin(session_, view); }
+
+bool Workspace::look(const View& view, ui::Memory& memory) {
+    past_.write(session_, view);
+    return opener_.look(memory);
+}
+
+std::optional<std::string> Workspace::new_title() {
+    const Document* shown = document();
+    std::string title = title_of(session_.path(), shown && changed_values(*shown) > 0);
+    if (title == title_) return std::nullopt;
+    return title_ = std::move(title);
 }
 
 bool Workspace::follow_rungs() {
@@ -50,8 +71,12 @@ void Workspace::remember_scene() {
     if (document()) opener_.opened(session_.path());
 }
 
-std::string Workspace::open(const std::string& path) {
-    if (std::string problem = session_.open(path); !problem.empty()) return problem;
+std::string Workspace::open(const std::string& path, const View& view) {
+    past_.write(session_, view);
+    if (std::string problem = session_.open(path, past_.read(path)); !problem.empty()) {
+        past_.read(session_.path());
+        return problem;
+    }
     keeper_ = Keeper(path);
     remember_scene();
     report();
@@ -79,9 +104,17 @@ void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
 }
 
 std::optional<std::string> Workspace::serve(const ui::Requests& requests, const Picture& shown, Window& window,
-                                            ui::Memory& memory) {
+                                            View& view, ui::Memory& memory) {
     if (document()) {
-        keeper_.serve(requests, *document(), shown, window, memory.notice);
+        const std::string undone = past_.serve(requests, session_, view, [this] { follow_rungs(); });
+        if (!undone.empty()) memory.notice = undone;
+        Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
+        if (served.reverted) session_.hold_values();
+        if (served.snapshot > 0) past_.add(served.snapshot, std::move(served.file));
+        if (!served.saved_as.empty()) {
+            past_.hand_on(served.saved_as, view);
+            return served.saved_as;
+        }
         saver_.serve(requests, *document(), shown, window, memory);
     }
     return opener_.serve(requests, session_.path(), memory);

@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "src/app/window/opener.h"
+#include "src/app/window/past.h"
 #include "src/app/window/picture_saver.h"
 #include "src/app/window/session.h"
 #include "src/app/window/survive/keeper.h"
 #include "src/app/window/window.h"
 
 namespace snell {
+
+std::string title_of(const std::string& scene, bool unsaved = false);
 
 class Workspace {
 public:
@@ -26,17 +29,25 @@ public:
 
     // Prints the problems of the scene, if they are others than before.
     void report();
-    void reload();
+    void reload(View& view, std::string& notice);
     // Compiles the programs for other rungs if the controls ask for them. Returns true if the problems may have
     // changed.
     bool follow_rungs();
     // Records the scene as the most recent one, if it could be read.
     void remember_scene();
-    // Shows another scene, as if the window had been opened with it. Returns "", or why the current scene stays.
-    std::string open(const std::string& path);
-    // Call it regularly: it checks for ended editors and writes settings that changed. Returns true if it changed
-    // `memory.notice`.
-    bool look(ui::Memory& memory) { return opener_.look(memory); }
+    // Shows another scene, as if the window had been opened with it. Returns "", or why the current scene stays. `view`
+    // is that of the current scene.
+    std::string open(const std::string& path, const View& view);
+    // Begins with the view of the scene that was just opened, as it was last. Sets `notice` if anything is not as the
+    // scene says.
+    void begin(View& view, std::string& notice);
+    // The same for a window that continues another one, as it was.
+    void continue_with(const View& view) { past_.continue_with(session_, view); }
+    // Call it regularly: it checks for ended editors and writes settings and the state of the scene where they changed.
+    // Returns true if it changed `memory.notice`.
+    bool look(const View& view, ui::Memory& memory);
+    // Returns the window's title if it changed.
+    std::optional<std::string> new_title();
     // Remembers the size of the window; see Opener.
     void resized(int width, int height) { opener_.resized(width, height); }
 
@@ -44,12 +55,13 @@ public:
     void browse(const std::string& folder, ui::Memory& memory) { opener_.browse(folder, memory); }
     // Keeps a small picture of the open scene for the file browser.
     void keep_picture(const content::Image& picture) { opener_.keep_picture(session_.path(), picture); }
+    Past& past() { return past_; }
 
     // Fills in the facts about the scene and its files.
     void tell(ui::Facts& facts, const ui::Memory& memory);
     // Executes the requests about files, values and pictures; `shown` is what the window shows. Returns the path of a
     // scene to open, if there is one.
-    std::optional<std::string> serve(const ui::Requests& requests, const Picture& shown, Window& window,
+    std::optional<std::string> serve(const ui::Requests& requests, const Picture& shown, Window& window, View& view,
                                      ui::Memory& memory);
     // The same for files that were dropped on the window.
     std::optional<std::string> serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory) {
@@ -60,11 +72,13 @@ public:
     void step(ui::Memory& memory) { saver_.step(document(), session_.revision(), memory); }
 
 private:
+    Past past_;
     Session session_;
     Keeper keeper_;
     Opener opener_;
     PictureSaver saver_;
-    std::string name_;      // of the scene's file
+    std::string name_;  // of the scene's file
+    std::string title_;
     std::string reported_;  // the problems that were printed last
     std::vector<char> linked_;
 };

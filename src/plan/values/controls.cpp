@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <unordered_map>
 
 #include "parser/text_of.h"
 #include "src/plan/values/fit.h"
+#include "src/plan/values/remembered.h"
 
 namespace snell {
 namespace {
@@ -69,6 +71,10 @@ public:
             const auto& uniforms = program < active.size() ? active[program] : nothing;
             add_listed(program, uniforms);
             add_unlisted(program, uniforms);
+        }
+        for (Control& control : controls_.items) {
+            control.initial_min = control.min;
+            control.initial_max = control.max;
         }
         return std::move(controls_);
     }
@@ -361,35 +367,18 @@ bool same_uniforms(const Controls& a, const Controls& b) {
 }
 
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
-    // Programs are matched by name; several programs with one name are matched by their order.
-    const auto occurrence = [](const Scene& scene, Index program) {
-        const auto end = scene.programs.begin() + program;
-        return std::count_if(scene.programs.begin(), end,
-                             [&](const Program& p) { return p.name == scene.programs[program].name; });
-    };
-    const auto same_program = [&](Index a, Index b) {
-        return from_scene.programs[a].name == to_scene.programs[b].name &&
-               occurrence(from_scene, a) == occurrence(to_scene, b);
-    };
-    const auto written = [](const Scene& scene, const Control& control) {
-        const std::vector<UniformValue>& uniforms = scene.programs[control.program].uniforms;
-        return control.uniform < uniforms.size() ? uniforms[control.uniform].values : std::vector<double>{};
-    };
     carry_over(from.rungs, from_scene, to.rungs, to_scene);
-    for (Control& control : to.items) {
-        const auto match = std::find_if(from.items.begin(), from.items.end(), [&](const Control& old) {
-            return old.name == control.name && old.type == control.type && old.components == control.components &&
-                   old.array_size == control.array_size && same_program(old.program, control.program);
-        });
-        if (match == from.items.end() || match->initial != control.initial) continue;
-        control.value = match->value;
-        if (control.widget != Widget::slider) continue;
-        if (written(from_scene, *match) == written(to_scene, control)) {  // the range may have been widened since
-            control.min = match->min;
-            control.max = match->max;
-        } else {
-            for (double& value : control.value) value = std::clamp(value, control.min, control.max);
-        }
+    const std::vector<std::string> old_names = control_names(from_scene, from), names = control_names(to_scene, to);
+    std::unordered_map<std::string_view, std::size_t> places;
+    for (std::size_t i = 0; i < old_names.size(); ++i) places.emplace(old_names[i], i);
+    for (std::size_t i = 0; i < to.items.size(); ++i) {
+        const auto found = places.find(names[i]);
+        if (found == places.end()) continue;
+        const Control& old = from.items[found->second];
+        Control& control = to.items[i];
+        if (old.type != control.type || old.components != control.components || old.array_size != control.array_size)
+            continue;
+        if (old.initial == control.initial) take_value(remembered(old), control);
     }
 }
 

@@ -33,13 +33,14 @@ struct Control {
     ValueType type = ValueType::float_;
     int components = 1, array_size = 1;
     Widget widget = Widget::none;
-    double min = 0, max = 1;      // bounds of the slider: finite, min <= max
-    std::vector<double> value;    // components · array_size numbers
-    std::vector<double> initial;  // the scene's values, which a reset restores
-    bool active = true;           // false if the linked program does not use the uniform
-    bool varies = false;          // frames change it, so programs are not made for its value
-    bool listed = true;           // false if the uniform is not on the Program line but was found active
-    Index uniform = none;         // index into Program::uniforms if listed
+    double min = 0, max = 1;                  // bounds of the slider: finite, min <= max
+    double initial_min = 0, initial_max = 1;  // the scene's bounds, which a reset restores
+    std::vector<double> value;                // components · array_size numbers
+    std::vector<double> initial;              // the scene's values, which a reset restores
+    bool active = true;                       // false if the linked program does not use the uniform
+    bool varies = false;                      // frames change it, so programs are not made for its value
+    bool listed = true;                       // false if the uniform is not on the Program line but was found active
+    Index uniform = none;                     // index into Program::uniforms if listed
     Span span;
 };
 
@@ -67,7 +68,7 @@ bool same_uniforms(const Controls& a, const Controls& b);
 bool set_control(Controls& controls, const Scene& scene, std::string_view assignment, Diagnostics& diagnostics);
 
 // Copies the values of `from` to every control that both have (same program name, name and type). `to` keeps its own
-// value if the scene's text changed it.
+// value if the scene's text changed it, and its own range unless a value outside of it needs the wider one of `from`.
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene);
 
 }  // namespace snell

@@ -99,6 +99,8 @@ std::uint64_t Gui::end() {
     return hash_of(*ImGui::GetDrawData());
 }
 
+bool Gui::busy() const { return ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown(); }
+
 Cursor Gui::cursor() const {
     switch (ImGui::GetMouseCursor()) {
         case ImGuiMouseCursor_TextInput:

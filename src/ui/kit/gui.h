@@ -40,6 +40,8 @@ public:
 
     const Fonts& fonts() const { return fonts_; }
     Cursor cursor() const;
+    // True while a mouse button is down or a widget is in use.
+    bool busy() const;
 
     struct Clipboard;
 

@@ -25,6 +25,7 @@
 #include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
+#include "src/ui/panels/save_as.h"
 
 namespace snell::ui {
 
@@ -121,13 +122,15 @@ struct Memory {
     bool keys = false;  // whether the list of keys is open
     Browser browser;
     PictureMemory picture;
+    SaveAs save_as;
     Rect scene;  // the scene's area in this frame
 };
 
 // What the user requested in this frame, other than changes of Controls or View.
 struct Requests {
     bool reload = false;
-    bool save = false, save_as = false, revert_save = false;
+    bool save = false, revert_save = false;
+    bool save_as = false, save_as_now = false;  // opens the dialog; saves under the name in SaveAs
     bool undo = false, redo = false;
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point

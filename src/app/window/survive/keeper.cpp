@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "src/content/replace.h"
 #include "src/ui/kit/numbers.h"
 
 namespace snell {
@@ -21,6 +22,23 @@ std::string restore(int number, Document& document) {
     return fmt::format("snapshot {}{}", number, lost);
 }
 
+std::string save_as(const Document& document, ui::SaveAs& dialog, Keeper::Served& served) {
+    const bool replace = dialog.there == dialog.file.data() && !dialog.there.empty();
+    SavedAs saved = saved_as(document, dialog.file.data());
+    dialog.there.clear();
+    if (saved.error.empty() && saved.exists && !replace) {
+        dialog.there = dialog.file.data();
+        dialog.existing = short_name(saved.file.path);
+        return {};
+    }
+    if (saved.error.empty()) saved.error = content::replace_file(saved.file.path, saved.file.after);
+    dialog.error = std::move(saved.error);
+    if (!dialog.error.empty()) return {};
+    dialog.open = false;
+    served.saved_as = saved.file.path;
+    return {};
+}
+
 }  // namespace
 
 void Keeper::tell(ui::Facts& facts, const Document* document) {
@@ -31,17 +49,22 @@ void Keeper::tell(ui::Facts& facts, const Document* document) {
     facts.snapshots = snapshots_;
 }
 
-void Keeper::serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
-                   std::string& notice) {
+Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
+                             ui::Memory& memory) {
+    Served served;
+    std::string& notice = memory.notice;
     if (requests.save) notice = save(document);
-    if (requests.revert_save) notice = revert();
+    if (requests.revert_save) notice = revert(served);
+    if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
+    if (requests.save_as_now) notice = save_as(document, memory.save_as, served);
     if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
-    if (requests.store_snapshot > 0) notice = store(requests.store_snapshot, document);
+    if (requests.store_snapshot > 0) notice = store(requests.store_snapshot, document, served);
     if (requests.copy_command) {
         const std::string command = render_command(document, picture);
         window.set_clipboard(command);
         notice = "copied: " + command;
     }
+    return served;
 }
 
 std::string Keeper::save(const Document& document) {
@@ -55,21 +78,24 @@ std::string Keeper::save(const Document& document) {
     return notice;
 }
 
-std::string Keeper::revert() {
+std::string Keeper::revert(Served& served) {
     if (saved_.empty()) return {};
     const std::string error = revert_saved(saved_.back());
     if (!error.empty()) return "not reverted: " + error;
     const std::string name = short_name(saved_.back().front().path);
     saved_.pop_back();
+    served.reverted = true;
     return name + " is as it was before";
 }
 
-std::string Keeper::store(int number, const Document& document) {
-    const std::string error = store_snapshot(number, document);
+std::string Keeper::store(int number, const Document& document, Served& served) {
+    const std::string file = snapshots_file(scene_);
+    const std::string before = content::whole_file(file), error = store_snapshot(number, document);
     snapshots_ = snapshots_there(scene_);
-    const std::string file = short_name(snapshots_file(scene_));
-    return error.empty() ? fmt::format("snapshot {} is in {}", number, file)
-                         : fmt::format("snapshot {} is not in {}: {}", number, file, error);
+    if (!error.empty()) return fmt::format("snapshot {} is not in {}: {}", number, short_name(file), error);
+    served.snapshot = number;
+    served.file = {file, before, content::whole_file(file)};
+    return fmt::format("snapshot {} is in {}", number, short_name(file));
 }
 
 }  // namespace snell

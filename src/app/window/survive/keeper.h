@@ -22,14 +22,21 @@ public:
 
     // Fills in what the panels show: whether values changed, whether a save can be reverted, and the snapshots.
     void tell(ui::Facts& facts, const Document* document);
-    // Executes the requests and sets `notice` to their outcome.
-    void serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
-               std::string& notice);
+    // What others must know of requests that were executed.
+    struct Served {
+        bool reverted = false;  // the file is as it was before a save
+        int snapshot = 0;       // number of the one that was stored, in this file; 0 for none
+        SavedFile file;
+        std::string saved_as;  // path of the scene that was saved under another name
+    };
+    // Executes the requests and sets `memory.notice` to their outcome.
+    Served serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
+                 ui::Memory& memory);
 
 private:
     std::string save(const Document& document);
-    std::string revert();
-    std::string store(int number, const Document& document);
+    std::string revert(Served& served);
+    std::string store(int number, const Document& document, Served& served);
 
     std::string scene_;
     std::vector<std::vector<SavedFile>> saved_;  // the latest is last

@@ -1,0 +1,109 @@
+// Undo and redo of what the user changes in a scene: values with their ranges, rungs, the view, and snapshots that were
+// replaced. Steps name what they change, so they survive reloads and edits of the text.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/app/open/save_values.h"
+#include "src/plan/values/remembered.h"
+#include "src/plan/view.h"
+
+namespace snell {
+
+// What the user changes. `follow_rungs` makes the controls of the rungs that were chosen.
+struct UserState {
+    const Scene& scene;
+    Controls& controls;
+    View& view;
+    std::function<void()> follow_rungs;
+};
+
+// The input that the state results from.
+struct Gesture {
+    bool busy = false;          // a button is down, or a text is being typed: what follows is the same step
+    std::uint64_t presses = 0;  // number of buttons and keys that were pressed so far
+    double now = 0;             // in seconds
+};
+
+class History {
+public:
+    static constexpr std::size_t most_steps = 1000, most_bytes = std::size_t{16} << 20;
+
+    // Steps are counted from this state.
+    void begin(const Scene& scene, const Controls& controls, const View& view);
+    // Call it after the scene was read again: what its text changed is not a step.
+    void reread(const Scene& scene, const Controls& controls, const View& view);
+    // Makes a step of what was changed since the last call, or extends the last step if it changed the same in the same
+    // gesture, such as turns of the wheel or repeats of a key. Returns true if there was a change.
+    bool follow(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
+    // Makes a step of a snapshot that was stored, by the file that was replaced.
+    void add(int snapshot, SavedFile file);
+
+    // Go one step back, or forward again, and return what was changed, such as "undo: Glass.uEta 1.5 → 1.1". What the
+    // scene no longer has is skipped.
+    std::string undo(const UserState& state) { return go(state, false); }
+    std::string redo(const UserState& state) { return go(state, true); }
+
+    bool empty() const { return steps_.empty(); }
+    std::size_t size() const { return steps_.size(); }
+    std::size_t bytes() const { return bytes_; }
+
+private:
+    struct State {
+        std::vector<double> value;
+        double min = 0, max = 1;
+        bool operator==(const State&) const = default;
+    };
+    template <class T>
+    struct Change {
+        std::string name;
+        T before, after;
+        bool operator==(const Change&) const = default;
+        const T& at(bool forward) const { return forward ? after : before; }
+    };
+    struct Step {
+        std::vector<Change<State>> values;
+        std::vector<Change<std::string>> rungs;
+        std::optional<Change<View>> view;
+        int snapshot = 0;  // number of the one that was stored; 0 for none
+        SavedFile file;    // of the snapshots
+        std::uint64_t presses = 0;
+        double time = 0;
+
+        bool empty() const { return values.empty() && rungs.empty() && !view && snapshot == 0; }
+        std::size_t bytes() const;
+        bool extends(const Step& last) const;
+        // Returns false if both together change nothing.
+        bool merge(Step&& later);
+    };
+
+    static State state_of(const Control& control) { return {control.value, control.min, control.max}; }
+    Step difference(const Scene& scene, const Controls& controls, const View& view) const;
+    void push(Step step);
+    void forget_redo();
+    void name_objects(const Scene& scene, const View& view);
+    std::string go(const UserState& state, bool forward);
+    std::string apply(const Step& step, const UserState& state, bool forward);
+    std::string apply_values(const Step& step, const UserState& state, bool forward, std::size_t& count);
+
+    std::deque<Step> steps_;
+    std::size_t done_ = 0;   // how many of them are not undone
+    std::size_t bytes_ = 0;  // of all steps, about
+    bool open_ = false;      // whether the last step may be extended
+    bool held_ = false;      // whether the gesture was busy
+    // The state after the steps that are done, with the names of controls, ladders and rungs.
+    Controls controls_;
+    std::vector<std::string> names_;
+    std::vector<std::pair<std::string, std::string>> rungs_;
+    View view_;
+    std::vector<std::string> objects_;  // names of the scene's objects; empty until one was moved
+};
+
+}  // namespace snell

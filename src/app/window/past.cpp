@@ -1,0 +1,150 @@
+#include "src/app/window/past.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "src/app/open/view_text.h"
+#include "src/plan/objects.h"
+
+namespace snell {
+
+namespace {
+
+// The scene's controls as its text says.
+Controls as_written(const Controls& controls, const Rungs& rungs) {
+    Controls plain = controls;
+    for (Control& control : plain.items) {
+        control.value = control.initial;
+        control.min = control.initial_min;
+        control.max = control.initial_max;
+    }
+    if (rungs.size() == plain.rungs.size()) plain.rungs = rungs;
+    return plain;
+}
+
+bool same_values(const Controls& a, const Controls& b) {
+    return a.rungs == b.rungs && std::ranges::equal(a.items, b.items, {}, &Control::value, &Control::value);
+}
+
+// Sets the view that was kept. Objects are found again by their names.
+void set_view(const KeptScene& kept, const Scene& scene, View& view) {
+    View found;
+    if (!parse_view(kept.view, found).empty()) return;
+    found.axes = view.axes;
+    const std::map<unsigned, Transformation> objects = std::exchange(found.objects, {});
+    const std::vector<std::string> names = objects.empty() ? std::vector<std::string>{} : object_names(scene);
+    for (const auto& [index, transformation] : objects) {
+        const auto name = kept.objects.find(index);
+        if (name == kept.objects.end()) continue;
+        const auto there = std::ranges::find(names, name->second);
+        if (there != names.end()) found.objects[static_cast<unsigned>(there - names.begin())] = transformation;
+    }
+    view = std::move(found);
+}
+
+std::map<unsigned, std::string> moved_objects(const Scene& scene, const View& view) {
+    std::map<unsigned, std::string> moved;
+    if (view.objects.empty()) return moved;
+    const std::vector<std::string> names = object_names(scene);
+    for (const auto& [index, transformation] : view.objects)
+        if (index < names.size()) moved[index] = names[index];
+    return moved;
+}
+
+}  // namespace
+
+const Remembered& Past::read(const std::string& scene) {
+    kept_ = read_kept(folder_, scene);
+    return kept_.set;
+}
+
+std::string Past::begin(Session& session, View& view) {
+    name_.clear();
+    if (!session.document()) return {};
+    const Document& document = *session.document();
+    name_ = kept_name(session.path());
+    flat_ = flat_picture(document.scene());
+    first_axes_ = !flat_ && axes_;
+    view.axes = kept_.axes.value_or(first_axes_);
+    const View plain = view;
+    set_view(kept_, document.scene(), view);
+    const Controls written = as_written(document.controls, session.first_rungs());
+    const bool values = !same_values(written, document.controls), looks = view != plain, first = history().empty();
+    if (first)
+        history().begin(document.scene(), written, plain);
+    else
+        history().reread(document.scene(), document.controls, view);
+    while (histories_.size() > most_histories)
+        histories_.erase(histories_.begin()->first == name_ ? std::next(histories_.begin()) : histories_.begin());
+    if (!values && !looks) return {};
+    const std::string what = !values ? "view" : looks ? "values and view" : "values";
+    return what + " of last time" + (first ? "; Ctrl+Z goes back to the scene as written" : "");
+}
+
+void Past::continue_with(Session& session, const View& view) {
+    continued_ = !session.document();
+    if (continued_) return;
+    name_ = kept_name(session.path());
+    first_axes_ = view.axes;
+    history().begin(session.document()->scene(), session.document()->controls, view);
+    changed_ = true;
+}
+
+void Past::hear(std::span<const Event> events) {
+    for (const Event& event : events) {
+        if (event.kind == Event::Kind::button && event.down) ++presses_;
+        if (event.kind != Event::Kind::key || event.key == Key::other) continue;
+        const auto key = static_cast<std::size_t>(event.key);
+        if (event.down && !down_[key]) ++presses_;  // otherwise it repeats
+        down_[key] = event.down;
+    }
+}
+
+void Past::follow(Session& session, const View& view, bool busy, double now) {
+    const Document* document = session.document();
+    if (name_.empty() || !document) return;
+    changed_ |= history().follow(document->scene(), document->controls, view, {busy, presses_, now});
+}
+
+std::string Past::reread(Session& session, View& view) {
+    if (name_.empty() && !continued_) return begin(session, view);
+    if (name_.empty()) {
+        continue_with(session, view);
+        return {};
+    }
+    changed_ = true;
+    if (const Document* document = session.document()) history().reread(document->scene(), document->controls, view);
+    return {};
+}
+
+std::string Past::serve(const ui::Requests& requests, Session& session, View& view,
+                        const std::function<void()>& follow_rungs) {
+    Document* document = session.document();
+    if (name_.empty() || !document || requests.undo == requests.redo) return {};
+    const UserState state{document->scene(), document->controls, view, follow_rungs};
+    changed_ = true;
+    return requests.undo ? history().undo(state) : history().redo(state);
+}
+
+void Past::write(Session& session, const View& view) {
+    const Document* document = session.document();
+    if (name_.empty() || !document) return;
+    if (!flat_) axes_ = view.axes;
+    if (!std::exchange(changed_, false)) return;
+    KeptScene kept{session.remembered(), view_text(view), moved_objects(document->scene(), view), kept_.axes};
+    if (kept.axes || view.axes != first_axes_) kept.axes = view.axes;
+    if (kept == kept_) return;
+    // An error is ignored, because only comfort is lost.
+    write_kept(folder_, name_, kept);
+    kept_ = std::move(kept);
+}
+
+void Past::hand_on(const std::string& scene, const View& view) {
+    KeptScene kept;
+    kept.view = view_text(view);
+    kept.objects = kept_.objects;
+    kept.axes = view.axes;
+    write_kept(folder_, scene, kept);
+}
+
+}  // namespace snell

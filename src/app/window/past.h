@@ -1,0 +1,66 @@
+// What the open scene was like before: undo and redo for each scene of this window, and the state that is kept of each
+// scene from window to window.
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+
+#include "src/app/desktop/kept_scenes.h"
+#include "src/app/window/history.h"
+#include "src/app/window/session.h"
+#include "src/platform/window.h"
+#include "src/ui/panels/state.h"
+
+namespace snell {
+
+class Past {
+public:
+    // Without a folder nothing is kept.
+    explicit Past(std::string folder) : folder_(std::move(folder)) {}
+
+    // Reads what is kept of a scene, with which a session can begin.
+    const Remembered& read(const std::string& scene);
+    // Begins with a scene that was just opened: its view and axes are as they were last. Returns what the user should
+    // know, or "".
+    std::string begin(Session& session, View& view);
+    // The same for a window that continues another one, as it was.
+    void continue_with(Session& session, const View& view);
+
+    // Call it before every frame of the panels.
+    void hear(std::span<const Event> events);
+    // Call it after every frame of the panels: makes steps of what was changed. `busy`: the user is still at it.
+    void follow(Session& session, const View& view, bool busy, double now);
+    // Call it when the scene was read again. Returns what begin() does if the scene could not be read until now.
+    std::string reread(Session& session, View& view);
+    void add(int snapshot, SavedFile file) { history().add(snapshot, std::move(file)); }
+    // Executes requests for undo and redo, and returns what they changed. `follow_rungs` makes the controls of the
+    // rungs that were chosen.
+    std::string serve(const ui::Requests& requests, Session& session, View& view,
+                      const std::function<void()>& follow_rungs);
+
+    // Writes what is kept of the scene, if it changed.
+    void write(Session& session, const View& view);
+    // Makes another scene of the same draws begin with this view.
+    void hand_on(const std::string& scene, const View& view);
+
+private:
+    static constexpr std::size_t most_histories = 12;
+
+    History& history() { return histories_[name_]; }
+
+    std::string folder_;
+    std::string name_;  // of the open scene; empty until it could be read
+    KeptScene kept_;    // as read, then as written last
+    std::map<std::string, History> histories_;
+    bool flat_ = false, axes_ = true, first_axes_ = true;  // axes_: as in the last scene that was not flat
+    bool continued_ = false;                               // the scene, once it can be read, begins as the view is
+    bool changed_ = false;                                 // since it was written
+    std::uint64_t presses_ = 0;                            // number of buttons and keys that were pressed
+    std::bitset<static_cast<std::size_t>(Key::count_)> down_;
+};
+
+}  // namespace snell

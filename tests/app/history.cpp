@@ -1,0 +1,297 @@
+// Undo and redo, without a window.
+#include "src/app/window/history.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "src/plan/objects.h"
+#include "tests/plan/uniforms.h"
+#include "tests/scratch.h"
+
+namespace snell {
+namespace {
+
+using Kind = UniformValue::Kind;
+using Values = std::vector<double>;
+
+class Undo : public testing::Test {
+protected:
+    Undo() {
+        scene_ = scene({"uEta", "uMix"});
+        controls_ = fresh(scene_);
+        history_.begin(scene_, controls_, view_);
+    }
+
+    static Scene scene(const std::vector<std::string>& names) {
+        std::vector<UniformValue> line;
+        for (const std::string& name : names) line.push_back(value_of(name, Kind::range, {0, .5, 2}));
+        Scene scene = scene_with({{"Glass", line}});
+        scene.ladders.push_back({"F", {"cheap", "exact"}, 0, {}, {}, {}});
+        return scene;
+    }
+    static Controls fresh(const Scene& scene) {
+        Diagnostics ignored;
+        std::vector<ActiveUniform> uniforms;
+        for (const UniformValue& value : scene.programs[0].uniforms) {
+            uniforms.push_back(active("float"));
+            uniforms.back().name = value.name;
+        }
+        return make_controls(scene, {uniforms}, ignored);
+    }
+    double& value(std::size_t index) { return controls_.items[index].value[0]; }
+    // A new press: another gesture.
+    bool step(bool busy = false) { return history_.follow(scene_, controls_, view_, {busy, ++presses_, now_ += 1}); }
+    bool same_gesture(double later = .1) {
+        return history_.follow(scene_, controls_, view_, {false, presses_, now_ += later});
+    }
+    UserState state() {
+        return {scene_, controls_, view_, [this] { ++followed_; }};
+    }
+    std::string undo() { return history_.undo(state()); }
+    std::string redo() { return history_.redo(state()); }
+    // The text was edited: the values carry over as in a session.
+    void edit(Scene scene) {
+        Controls next = fresh(scene);
+        carry_over(controls_, scene_, next, scene);
+        scene_ = std::move(scene);
+        controls_ = std::move(next);
+        history_.reread(scene_, controls_, view_);
+    }
+
+    Scene scene_;
+    Controls controls_;
+    View view_;
+    History history_;
+    std::uint64_t presses_ = 0;
+    double now_ = 0;
+    int followed_ = 0;
+};
+
+TEST_F(Undo, OneDragIsOneStepAndGoesBothWays) {
+    for (const double at : {.6, .7, .8}) {
+        value(0) = at;
+        EXPECT_FALSE(step(true)) << "the button is down";
+    }
+    value(0) = 1.1;
+    EXPECT_TRUE(step());
+    EXPECT_EQ(history_.size(), 1U);
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1.1 \u2192 0.5");
+    EXPECT_EQ(value(0), .5);
+    EXPECT_FALSE(step()) << "going back is not a change";
+    EXPECT_EQ(undo(), "nothing to undo");
+    EXPECT_EQ(redo(), "redo: Glass.uEta 0.5 \u2192 1.1");
+    EXPECT_EQ(value(0), 1.1);
+    EXPECT_EQ(redo(), "nothing to redo");
+}
+
+TEST_F(Undo, AWheelGestureIsOneStepAndTwoPressesAreTwo) {
+    for (const double scale : {1.1, 1.2, 1.3}) {
+        view_.scene.scale = scale;
+        same_gesture();
+    }
+    EXPECT_EQ(history_.size(), 1U);
+    view_.scene.scale = 1.4;
+    same_gesture(2);
+    EXPECT_EQ(history_.size(), 2U) << "after a pause";
+    value(0) = 1;
+    same_gesture();
+    EXPECT_EQ(history_.size(), 3U) << "something else";
+    value(0) = 1.2;
+    step();
+    value(0) = 1.4;
+    step();
+    EXPECT_EQ(history_.size(), 5U);
+    undo();
+    EXPECT_EQ(value(0), 1.2);
+    for (int i = 0; i < 4; ++i) undo();
+    EXPECT_EQ(view_, View{});
+    EXPECT_EQ(value(0), .5);
+}
+
+TEST_F(Undo, TheWheelAfterADragIsAStepOfItsOwn) {
+    view_.scene.rotate_y = 10;
+    step(true);
+    same_gesture();
+    view_.scene.scale = 2;
+    same_gesture();
+    EXPECT_EQ(history_.size(), 2U);
+    view_.scene.scale = 3;
+    same_gesture();
+    EXPECT_EQ(history_.size(), 2U) << "its own goes on";
+}
+
+TEST_F(Undo, AGestureThatEndsWhereItBeganIsNoStep) {
+    view_.scene.scale = 1.1;
+    same_gesture();
+    view_.scene.scale = 1;
+    same_gesture();
+    EXPECT_EQ(history_.size(), 0U);
+    EXPECT_EQ(history_.bytes(), 0U);
+}
+
+TEST_F(Undo, TimeAndMouseAreNoSteps) {
+    view_.mouse_x = .25;
+    EXPECT_FALSE(step());
+    value(0) = 1;
+    step();
+    view_.mouse_x = .75;
+    view_.axes = true;
+    step();
+    EXPECT_EQ(undo(), "undo: axes shown \u2192 hidden");
+    EXPECT_EQ(view_.mouse_x, .75) << "the mouse is where it is";
+}
+
+TEST_F(Undo, ANewChangeDropsWhatCouldBeRedone) {
+    value(0) = 1;
+    step();
+    value(0) = 1.5;
+    step();
+    undo();
+    value(1) = 2;
+    step();
+    EXPECT_EQ(redo(), "nothing to redo");
+    EXPECT_EQ(value(0), 1);
+    undo();
+    undo();
+    EXPECT_EQ(value(0), .5);
+    EXPECT_EQ(value(1), .5);
+}
+
+TEST_F(Undo, SeveralValuesRungsAndRanges) {
+    value(0) = 1;
+    value(1) = 401.61;
+    controls_.items[1].max = 500;
+    step();
+    EXPECT_EQ(undo(), "undo: 2 values");
+    EXPECT_EQ(controls_.items[1].max, 2);
+    redo();
+    EXPECT_EQ(controls_.items[1].max, 500);
+    EXPECT_EQ(value(1), 401.61);
+    controls_.rungs = {1};
+    step();
+    EXPECT_EQ(undo(), "undo: F exact \u2192 cheap");
+    EXPECT_EQ(controls_.rungs, Rungs{0});
+    EXPECT_EQ(followed_, 1);
+}
+
+TEST_F(Undo, StepsOutliveEditsOfTheText) {
+    value(0) = 1;
+    step();
+    value(1) = 1.5;
+    step();
+    edit(scene({"uNew", "uMix", "uEta"}));
+    EXPECT_FALSE(step()) << "an edit is not a step";
+    EXPECT_EQ(undo(), "undo: Glass.uMix 1.5 \u2192 0.5");
+    edit(scene({"uMix"}));
+    EXPECT_EQ(undo(), "nothing to undo") << "uEta is gone: its step is skipped";
+    edit(scene({"uEta", "uMix"}));
+    EXPECT_EQ(redo(), "redo: Glass.uEta 0.5 \u2192 1");
+}
+
+TEST_F(Undo, AChangeDuringWhichTheTextIsReadIsStillAStep) {
+    value(0) = 1;
+    step(true);
+    edit(scene({"uEta"}));
+    value(0) = 1.2;
+    EXPECT_TRUE(step());
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1.2 \u2192 0.5");
+}
+
+TEST_F(Undo, ObjectsAreFoundAgain) {
+    scene_.draws = {Draw{.shape = Sphere{}}, Draw{.shape = Torus{}}};
+    history_.begin(scene_, controls_, view_);
+    view_.objects[1].x = 2;
+    step();
+    Scene longer = scene_;
+    longer.draws.insert(longer.draws.begin(), Draw{.shape = Box{}});
+    carry_objects(object_names(scene_), object_names(longer), view_);
+    scene_ = longer;
+    history_.reread(scene_, controls_, view_);
+    EXPECT_FALSE(step());
+    undo();
+    EXPECT_TRUE(view_.objects.empty());
+    redo();
+    ASSERT_EQ(view_.objects.size(), 1U);
+    EXPECT_EQ(view_.objects.begin()->first, 2U) << "the torus";
+}
+
+TEST_F(Undo, ThousandStepsAreKeptAndNoMore) {
+    for (int i = 1; i <= 1500; ++i) {
+        value(0) = i / 1000.;
+        step();
+    }
+    EXPECT_EQ(history_.size(), History::most_steps);
+    std::size_t undone = 0;
+    while (undo() != "nothing to undo") ++undone;
+    EXPECT_EQ(undone, History::most_steps);
+    EXPECT_EQ(value(0), .5) << "the 500th step";
+}
+
+TEST_F(Undo, MemoryIsBounded) {
+    scene_ = scene_with({{"Glass", {value_of("uMany", Kind::array, Values(100000, 1.))}}});
+    ActiveUniform many = active("float", 100000);
+    many.name = "uMany";
+    Diagnostics ignored;
+    controls_ = make_controls(scene_, {{many}}, ignored);
+    history_.begin(scene_, controls_, view_);
+    for (int i = 0; i < 30; ++i) {
+        controls_.items[0].value[0] = i + 2;
+        step();
+        EXPECT_LE(history_.bytes(), History::most_bytes);
+    }
+    EXPECT_GE(history_.size(), 5U);
+}
+
+// Random changes and ways through the history, against a list of whole states.
+TEST_F(Undo, AnyWayBackGivesTheSameBits) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(-1e3, 1e3);
+    struct Whole {
+        double a, b;
+        View view;
+        bool operator==(const Whole&) const = default;
+    };
+    const auto now = [&] { return Whole{value(0), value(1), view_}; };
+    std::vector<Whole> states{now()};
+    std::size_t at = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const auto what = random() % 5;
+        if (what == 0 && at > 0) {
+            undo();
+            --at;
+        } else if (what == 1 && at + 1 < states.size()) {
+            redo();
+            ++at;
+        } else {
+            if (what < 4) value(random() % 2) = any(random);
+            if (what > 2) view_.scene.rotate_x = any(random);
+            if (!step()) continue;
+            states.resize(++at);
+            states.push_back(now());
+        }
+        ASSERT_TRUE(now() == states[at]) << i;
+    }
+    while (at > 0 && undo() != "nothing to undo") --at;
+    EXPECT_TRUE(now() == states[at]);
+}
+
+TEST_F(Undo, AReplacedSnapshotComesBackUnlessItsFileChanged) {
+    const Scratch folder;
+    const std::string file = folder.write("a.snapshots.json", "new");
+    history_.add(3, {file, "old", "new"});
+    EXPECT_EQ(undo(), "undo: snapshot 3");
+    EXPECT_EQ(bytes_of(file), "old");
+    EXPECT_EQ(redo(), "redo: snapshot 3");
+    EXPECT_EQ(bytes_of(file), "new");
+    folder.write("a.snapshots.json", "of someone else");
+    EXPECT_EQ(undo().substr(0, 12), "not undone: ");
+    EXPECT_EQ(bytes_of(file), "of someone else");
+    const std::string first = folder.write("b.snapshots.json", "first");
+    history_.add(1, {first, "", "first"});
+    undo();
+    EXPECT_FALSE(std::filesystem::exists(first)) << "there was no file before";
+}
+
+}  // namespace
+}  // namespace snell

@@ -1,0 +1,130 @@
+// What is kept of each scene: it comes back to the same bits, and nothing on the disk does harm.
+#include "src/app/desktop/kept_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "tests/scratch.h"
+
+namespace snell {
+namespace {
+
+namespace fs = std::filesystem;
+
+class KeptScenes : public testing::Test {
+protected:
+    std::string scene(const std::string& name) const { return disk_.write(name, "Sphere\n"); }
+    std::string file() const {
+        for (const auto& entry : fs::directory_iterator(folder_)) return entry.path().string();
+        return {};
+    }
+    std::size_t files() const {
+        const fs::directory_iterator all(folder_);
+        return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+    }
+    static KeptScene some(double value = .1) {
+        KeptScene kept;
+        kept.set.values["Glass.uEta"] = {{value, 1. / 3, 1e-300}, {.5, .5, .5}, -3, 500, 0, 1};
+        kept.set.rungs["F"] = {"exact", "cheap"};
+        kept.view = "rotate_x=30,object2.y=.5";
+        kept.objects[2] = "Torus#0";
+        kept.axes = false;
+        return kept;
+    }
+
+    Scratch disk_;
+    std::string folder_ = disk_.path("state/scenes");
+};
+
+TEST_F(KeptScenes, ComeBackToTheSameBits) {
+    const std::string one = scene("one.glib"), two = scene("two.glib");
+    EXPECT_EQ(read_kept(folder_, one), KeptScene{});
+    ASSERT_EQ(write_kept(folder_, one, some()), "");
+    EXPECT_EQ(read_kept(folder_, one), some());
+    EXPECT_EQ(read_kept(folder_, two), KeptScene{});
+    write_kept(folder_, one, {});
+    EXPECT_EQ(files(), 0U) << "nothing is kept: there is no file";
+    EXPECT_EQ(write_kept("", one, some()), "") << "without a home folder";
+    EXPECT_EQ(read_kept("", one), KeptScene{});
+}
+
+TEST_F(KeptScenes, AreNamedByTheirPathWithoutLinks) {
+    const std::string one = scene("folder/one.glib");
+    fs::create_directory_symlink(disk_.path("folder"), disk_.path("link"));
+    fs::create_symlink(one, disk_.path("other.glib"));
+    write_kept(folder_, one, some());
+    EXPECT_EQ(read_kept(folder_, disk_.path("link/one.glib")), some());
+    EXPECT_EQ(read_kept(folder_, disk_.path("other.glib")), some());
+    EXPECT_EQ(read_kept(folder_, disk_.path("folder/../folder/one.glib")), some());
+}
+
+TEST_F(KeptScenes, DamagedOrHugeFilesAreAsNone) {
+    const std::string one = scene("one.glib");
+    write_kept(folder_, one, some());
+    const std::string path = file(), fine = bytes_of(path);
+    const auto put = [&](const std::string& text) { std::ofstream(path, std::ios::binary) << text; };
+    for (const std::string& text :
+         {std::string(), std::string("null"), std::string("[]"), std::string("{"), std::string(200000, '['),
+          std::string(R"({"scene": 7})"), std::string("\xFF\xFE\0", 3), std::string(R"({"scene": "/another"})"),
+          fine + std::string(300000, ' ')}) {
+        put(text);
+        EXPECT_EQ(read_kept(folder_, one), KeptScene{}) << text.substr(0, 20);
+    }
+    std::mt19937 random(3);
+    for (int i = 0; i < 500; ++i) {  // any damage: no crash, and what is read is of the right shape
+        std::string text = fine;
+        for (int k = 0; k < 3; ++k) text[random() % text.size()] = "\"{}[],:0-e9x\xFF"[random() % 13];
+        put(text);
+        for (const auto& [name, value] : read_kept(folder_, one).set.values) {
+            EXPECT_EQ(value.value.size(), value.initial.size());
+            EXPECT_LE(value.min, value.max);
+        }
+    }
+    fs::remove(path);
+    fs::create_directory(path);
+    EXPECT_EQ(read_kept(folder_, one), KeptScene{});
+    EXPECT_NE(write_kept(folder_, one, some()), "") << "a folder is in the way";
+}
+
+TEST_F(KeptScenes, TheOldestOfTooManyGo) {
+    std::vector<std::string> scenes;
+    for (std::size_t i = 0; i < most_kept_scenes; ++i) {
+        scenes.push_back(scene("s" + std::to_string(i) + ".glib"));
+        ASSERT_EQ(write_kept(folder_, scenes.back(), some()), "");
+    }
+    const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+    for (const auto& entry : fs::directory_iterator(folder_)) fs::last_write_time(entry.path(), old);
+    write_kept(folder_, scenes[7], some(.2));  // it was open since
+    for (std::size_t i = 0; i + 1 < most_kept_scenes; ++i)
+        write_kept(folder_, scene("t" + std::to_string(i) + ".glib"), some());
+    EXPECT_EQ(files(), most_kept_scenes);
+    EXPECT_EQ(read_kept(folder_, scenes[7]), some(.2));
+    EXPECT_EQ(read_kept(folder_, scenes[8]), KeptScene{});
+}
+
+TEST_F(KeptScenes, TooMuchOfOneSceneIsNotKept) {
+    const std::string one = scene("one.glib");
+    write_kept(folder_, one, some());
+    KeptScene much;
+    for (int i = 0; i < 5000; ++i)
+        much.set.values["P.u" + std::to_string(i)] = {{1. / 3, 1, 2}, {.1, .2, .3}, 0, 1, 0, 1};
+    EXPECT_EQ(write_kept(folder_, one, much), "");
+    EXPECT_EQ(read_kept(folder_, one), KeptScene{}) << "and not the values of before either";
+}
+
+TEST_F(KeptScenes, WindowsThatWriteAtOnceLeaveWholeFiles) {
+    const std::string one = scene("one.glib");
+    write_kept(folder_, one, some());
+    std::thread writer([&] {
+        for (int i = 0; i < 300; ++i) write_kept(folder_, one, some(i + 1));
+    });
+    for (int i = 0; i < 300; ++i) EXPECT_EQ(read_kept(folder_, one).set.rungs, some().set.rungs);
+    writer.join();
+}
+
+}  // namespace
+}  // namespace snell

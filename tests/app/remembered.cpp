@@ -1,0 +1,167 @@
+// Values by name: what comes back after its uniform was gone, and where the text wins.
+#include "src/plan/values/remembered.h"
+
+#include <gtest/gtest.h>
+
+#include "parser/read/parse.h"
+#include "src/plan/objects.h"
+#include "tests/plan/uniforms.h"
+
+namespace snell {
+namespace {
+
+using Kind = UniformValue::Kind;
+using Values = std::vector<double>;
+
+Scene slider(const std::string& name, Values range, const std::string& program = "Glass") {
+    return scene_with({{program, {value_of(name, Kind::range, std::move(range))}}});
+}
+
+Controls controls_of(const Scene& scene, std::string_view type = "float") {
+    Diagnostics ignored;
+    std::vector<std::vector<ActiveUniform>> linked;
+    for (const Program& program : scene.programs) {
+        std::vector<ActiveUniform> uniforms;
+        for (const UniformValue& value : program.uniforms) {
+            if (type.empty()) continue;  // the program is broken
+            uniforms.push_back(active(type));
+            uniforms.back().name = value.name;
+        }
+        linked.push_back(std::move(uniforms));
+    }
+    return make_controls(scene, linked, ignored);
+}
+
+TEST(Remembered, ARenamedUniformHasItsValueWhenItIsRenamedBack) {
+    const Scene before = slider("uKa", {0, .5, 1}), between = slider("uKb", {0, .5, 1});
+    Controls controls = controls_of(before);
+    controls.items[0].value = {.75};
+    Remembered memory;
+    remember(before, controls, memory);
+    Controls other = controls_of(between);
+    EXPECT_FALSE(recall(memory, between, other));
+    EXPECT_EQ(other.items[0].value, Values{.5});
+    remember(between, other, memory);
+    Controls back = controls_of(before);
+    EXPECT_TRUE(recall(memory, before, back));
+    EXPECT_EQ(back.items[0].value, Values{.75});
+}
+
+TEST(Remembered, WhatIsTheScenesOwnAgainIsForgotten) {
+    const Scene scene = slider("uKa", {0, .5, 1});
+    Controls controls = controls_of(scene);
+    controls.items[0].value = {.75};
+    Remembered memory;
+    remember(scene, controls, memory);
+    controls.items[0].value = {.5};
+    remember(scene, controls, memory);
+    EXPECT_EQ(memory, Remembered{});
+}
+
+TEST(Remembered, TheTextsNewValueWinsUnlessItIsHeld) {
+    const Scene before = slider("uKa", {0, .5, 1}), after = slider("uKa", {0, .6, 1});
+    Controls controls = controls_of(before);
+    controls.items[0].value = {.75};
+    Remembered memory;
+    remember(before, controls, memory);
+    Controls text = controls_of(after), held = controls_of(after);
+    EXPECT_FALSE(recall(memory, after, text));
+    EXPECT_EQ(text.items[0].value, Values{.6});
+    EXPECT_TRUE(recall(memory, after, held, Follow::memory));
+    EXPECT_EQ(held.items[0].value, Values{.75});
+}
+
+TEST(Remembered, ARangeIsWiderOnlyWhileItsValueNeedsIt) {
+    const Scene scene = slider("uKa", {0, .5, 1});
+    Controls controls = controls_of(scene);
+    controls.items[0].max = 500;
+    controls.items[0].value = {401.61};
+    Controls fresh = controls_of(scene);
+    carry_over(controls, scene, fresh, scene);
+    EXPECT_EQ(fresh.items[0].value, Values{401.61});
+    EXPECT_EQ(fresh.items[0].max, 500);
+    EXPECT_EQ(fresh.items[0].initial_max, 1);
+    Remembered memory;
+    remember(scene, controls, memory);
+    fresh = controls_of(scene);
+    recall(memory, scene, fresh);
+    EXPECT_EQ(fresh.items[0].max, 500);
+    controls.items[0].value = {.25};
+    fresh = controls_of(scene);
+    carry_over(controls, scene, fresh, scene);
+    EXPECT_EQ(fresh.items[0].value, Values{.25});
+    EXPECT_EQ(fresh.items[0].max, 1) << "nothing needs more";
+}
+
+TEST(Remembered, AValueThatWasSetWhileItsProgramWasBrokenIsKept) {
+    const Scene scene = slider("uColor", {0, .5, 1});
+    Controls broken = controls_of(scene, "");
+    ASSERT_EQ(broken.items[0].value, Values{.5});
+    broken.items[0].value = {.75};
+    Remembered memory;
+    remember(scene, broken, memory);
+    Controls vector = controls_of(scene, "vec3"), whole = controls_of(slider("uColor", {0, .5, 1}), "int");
+    recall(memory, scene, vector);
+    EXPECT_EQ(vector.items[0].value, (Values{.75, .75, .75}));
+    recall(memory, scene, whole);
+    for (const double value : whole.items[0].value) EXPECT_EQ(value, std::round(value)) << "as its type can hold";
+}
+
+TEST(Remembered, NoNumberMakesAValueThatItsTypeCannotHold) {
+    const Scene scene = slider("uKa", {0, .5, 1});
+    Remembered memory;
+    memory.values["Glass.uKa"] = {{1e300}, {.5}, -1e308, 1e308, 0, 1};
+    Controls controls = controls_of(scene);
+    recall(memory, scene, controls);
+    const Control& control = controls.items[0];
+    EXPECT_LE(control.value[0], 3.5e38);
+    EXPECT_TRUE(std::isfinite(control.max - control.min));
+    memory.values["Glass.uKa"] = {{1, 2}, {.5, .5}, 0, 1, 0, 1};
+    EXPECT_FALSE(recall(memory, scene, controls)) << "another count";
+}
+
+TEST(Remembered, ProgramsOfOneNameAreToldApart) {
+    const UniformValue line = value_of("u", Kind::range, {0, 1, 5});
+    const Scene scene = scene_with({{"P", {line}}, {"Q", {line}}, {"P", {line}}});
+    EXPECT_EQ(control_names(scene, controls_of(scene)), (std::vector<std::string>{"P.u", "Q.u", "P#2.u"}));
+}
+
+TEST(Remembered, RungsGoByNameAndFollowTheText) {
+    Scene scene;
+    scene.ladders.push_back({"F", {"a", "b", "c"}, 0, {}, {}, {}});
+    Controls controls;
+    controls.rungs = {2};
+    Remembered memory;
+    remember(scene, controls, memory);
+    Rungs rungs{0};
+    EXPECT_TRUE(recall(memory, scene, rungs));
+    EXPECT_EQ(rungs, Rungs{2});
+    scene.ladders[0].rungs = {"c", "a", "b"};
+    scene.ladders[0].current = 1;
+    rungs = {1};
+    recall(memory, scene, rungs);
+    EXPECT_EQ(rungs, Rungs{0}) << "c is the first now";
+    scene.ladders[0].current = 2;
+    rungs = {2};
+    EXPECT_FALSE(recall(memory, scene, rungs)) << "the text marks another";
+}
+
+bool flat(const std::string& text) {
+    Sources sources;
+    return flat_picture(parse(sources.add("a.glib", text), sources).scene);
+}
+
+TEST(FlatPicture, IsOnePlaneOfUndividedQuads) {
+    EXPECT_TRUE(flat("QuadXY 0. 1.\n"));
+    EXPECT_TRUE(flat("QuadXY\nQuadXY\n"));
+    EXPECT_TRUE(flat("Texture2D 5 64 64\nRenderToTexture 5\nSphere\nRenderToTexture\nQuadXY 0. 1.\n"));
+    EXPECT_FALSE(flat("")) << "there is nothing";
+    EXPECT_FALSE(flat("QuadXY 0. 1.\nSphere\n"));
+    EXPECT_FALSE(flat("QuadXY 0. 1.\nQuadXZ 0. 1.\n")) << "a corner of a room";
+    EXPECT_FALSE(flat("QuadXY 0. 1.\nQuadXY 1. 1.\n")) << "two walls";
+    EXPECT_FALSE(flat("QuadXY 0. 1.\nTranslate 0 0 1\nQuadXY 0. 1.\n")) << "two walls";
+    EXPECT_FALSE(flat("QuadXY 0. 1. 50 50\n")) << "it was divided because a shader bends it";
+}
+
+}  // namespace
+}  // namespace snell
