@@ -40,6 +40,12 @@ void Canvas::resolve() {
     copy(drawn_, resolved_.framebuffer.get(), 0, 0, drawn_.width, drawn_.height);
 }
 
+std::vector<std::byte> Canvas::read() const {
+    const Target& shown = resolved_.framebuffer ? resolved_ : drawn_;
+    if (!shown.framebuffer) return {};
+    return read_rgba8(shown.framebuffer.get(), shown.width, shown.height, 1, pixels_);
+}
+
 void Canvas::show(int x, int y, int width, int height) const {
     const Target& shown = resolved_.framebuffer ? resolved_ : drawn_;
     if (shown.framebuffer) copy(shown, 0, x, y, width, height);

@@ -13,7 +13,7 @@ namespace snell {
 namespace {
 
 Key key_of(int code) {
-    static constexpr std::array<std::pair<int, Key>, 31> table{{
+    static constexpr std::array<std::pair<int, Key>, 32> table{{
         {GLFW_KEY_TAB, Key::tab},
         {GLFW_KEY_LEFT, Key::left},
         {GLFW_KEY_RIGHT, Key::right},
@@ -45,6 +45,7 @@ Key key_of(int code) {
         {GLFW_KEY_Z, Key::z},
         {GLFW_KEY_F1, Key::f1},
         {GLFW_KEY_F5, Key::f5},
+        {GLFW_KEY_F11, Key::f11},
     }};
     if (code >= GLFW_KEY_1 && code <= GLFW_KEY_9)
         return static_cast<Key>(static_cast<int>(Key::one) + code - GLFW_KEY_1);
@@ -75,6 +76,19 @@ std::string last_error(std::string_view otherwise) {
     return text ? text : std::string(otherwise);
 }
 
+// The monitor that has the point, otherwise the primary one; null if there is none.
+GLFWmonitor* monitor_at(int x, int y) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode && x >= left && y >= top && x < left + mode->width && y < top + mode->height) return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
 GLFWwindow* make_window(const WindowRequest& request) {
     constexpr std::array<std::pair<int, int>, 3> versions{{{4, 5}, {4, 1}, {3, 3}}};
     for (const auto& [major, minor] : versions) {
@@ -91,6 +105,7 @@ GLFWwindow* make_window(const WindowRequest& request) {
 #endif
         glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a click on another screen leaves the projector's picture
         if (GLFWwindow* handle = glfwCreateWindow(1280, 800, request.title.c_str(), nullptr, nullptr)) return handle;
     }
     return nullptr;
@@ -189,6 +204,18 @@ void Window::show(PixelSize size) {
     glfwSetWindowSize(handle_, size.width, size.height);
     glfwShowWindow(handle_);
 }
+
+void Window::set_full_screen(bool full) {
+    if (full == full_screen()) return;
+    if (!full) return glfwSetWindowMonitor(handle_, nullptr, x_, y_, before_.width, before_.height, GLFW_DONT_CARE);
+    before_ = size();
+    glfwGetWindowPos(handle_, &x_, &y_);
+    GLFWmonitor* monitor = monitor_at(x_ + before_.width / 2, y_ + before_.height / 2);
+    if (const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr)
+        glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+bool Window::full_screen() const { return glfwGetWindowMonitor(handle_) != nullptr; }
 
 void Window::wait(double seconds) {
     if (seconds > 0)

@@ -45,6 +45,7 @@ enum class Key : std::uint8_t {
     z,
     f1,
     f5,
+    f11,
     one,  // the keys 1 to 9, consecutive
     nine = one + 8,
     plus,  // these three by the character printed on them, wherever the layout has them
@@ -93,6 +94,9 @@ public:
 
     // Shows the window at this size, reduced to what fits the screen.
     void show(PixelSize size);
+    // Fills the screen that the window's middle is on, or gives the window its size and place back.
+    void set_full_screen(bool full);
+    bool full_screen() const;
     // Sleeps until an event arrives, at most `seconds`. With 0 it polls and returns at once.
     void wait(double seconds);
     // Replaces the contents of `into` by the events since the last call, in order. Pass the same vector each time to
@@ -124,6 +128,8 @@ private:
     GLFWwindow* handle_;
     GLFWcursor* cursors_[static_cast<std::size_t>(Cursor::count_)] = {};
     Cursor cursor_ = Cursor::arrow;
+    int x_ = 0, y_ = 0;  // where the window was before it filled the screen
+    PixelSize before_;
     std::vector<Event> events_;
     std::vector<std::string> dropped_;
 };

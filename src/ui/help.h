@@ -10,10 +10,11 @@ namespace snell::ui {
 
 struct KeyRow {
     const char *keys, *what;
+    const char* group = nullptr;  // the heading above this row; null: as for the row before
 };
 std::span<const KeyRow> key_rows();
 
-// Draws the table over the scene. Returns true if the user closed it.
-bool help_panel(const Rect& scene, Layout& layout);
+// Draws the table over the window. Returns true if the user closed it.
+bool help_panel(Layout& layout);
 
 }  // namespace snell::ui

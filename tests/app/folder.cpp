@@ -7,6 +7,7 @@
 
 #include "src/app/desktop/folder.h"
 #include "src/app/desktop/settings.h"
+#include "src/app/desktop/thumbnails.h"
 #include "src/app/window/opener.h"
 #include "tests/scratch.h"
 
@@ -85,6 +86,60 @@ TEST(Folder, TheTildeIsHome) {
     setenv("HOME", kept.c_str(), 1);
 }
 
+TEST(Folder, NamesInMessagesAreThoseOfTheScenesFolderAndOfHome) {
+    const char* before = std::getenv("HOME");
+    const std::string kept = before ? before : "";
+    setenv("HOME", "/home/ann", 1);
+    const std::string here = "/home/ann/scenes/room";
+    EXPECT_EQ(near_names(here + "/a.frag:3:4", here), "a.frag:3:4");
+    EXPECT_EQ(near_names("cannot read '" + here + "/a b.bmp' (" + here + "/c)", here), "cannot read 'a b.bmp' (c)");
+    EXPECT_EQ(near_names("/home/ann/other/x.glib", here), "~/other/x.glib");
+    EXPECT_EQ(near_names("/home/anna/x /x/home/ann/y " + here + "s/z", here),
+              "/home/anna/x /x/home/ann/y ~/scenes/rooms/z");
+    EXPECT_EQ(near_names("scenes/a/b.frag /scenes/a/b", "scenes/a"), "b.frag /scenes/a/b");
+    EXPECT_EQ(near_names("a/b", ""), "a/b");
+    EXPECT_EQ(near_names("/a /b", "/"), "/a /b");
+    EXPECT_EQ(with_tilde("/home/ann"), "~");
+    EXPECT_EQ(with_tilde("/home/ann/x"), "~/x");
+    EXPECT_EQ(with_tilde("/home/anna"), "/home/anna");
+    setenv("HOME", kept.c_str(), 1);
+}
+
+TEST(Thumbnails, AreThoseOfRecentScenesAndDamageIsNone) {
+    const Scratch scratch;
+    const std::string folder = scratch.path("cache/thumbnails");
+    content::Image picture{.width = 160, .height = 90, .channels = 3};
+    picture.pixels.assign(picture.bytes(), std::byte{200});
+    EXPECT_FALSE(read_thumbnail(folder, "/a.glib"));
+    keep_thumbnail(folder, "/a.glib", picture, {"/a.glib"});
+    keep_thumbnail(folder, "/b.glib", picture, {"/b.glib", "/a.glib"});
+    const std::optional<content::Image> read = read_thumbnail(folder, "/a.glib");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->width, 160);
+    EXPECT_EQ(read->height, 90);
+    EXPECT_EQ(read->channels, 4);
+    EXPECT_EQ(read->pixels[0], std::byte{200});
+    // Only recent scenes have one, and other files are not ours.
+    scratch.write("cache/thumbnails/notes.txt", "mine");
+    keep_thumbnail(folder, "/c.glib", picture, {"/c.glib", "/b.glib"});
+    EXPECT_FALSE(read_thumbnail(folder, "/a.glib"));
+    EXPECT_TRUE(read_thumbnail(folder, "/b.glib"));
+    EXPECT_TRUE(std::filesystem::exists(folder + "/notes.txt"));
+    const std::string file = thumbnail_file(folder, "/b.glib"), whole = bytes_of(file);
+    picture.width = picture.height = 400;
+    picture.pixels.assign(picture.bytes(), std::byte{200});
+    for (const std::string& text : {std::string(), std::string("no picture"), whole.substr(0, whole.size() / 2),
+                                    whole.substr(8), std::string(1 << 21, 'x'), content::encode_png(picture)}) {
+        std::ofstream(file, std::ios::binary) << text;
+        EXPECT_FALSE(read_thumbnail(folder, "/b.glib")) << text.size();
+    }
+    std::filesystem::remove(file);
+    mkfifo(file.c_str(), 0600);
+    EXPECT_FALSE(read_thumbnail(folder, "/b.glib")) << "nor is a pipe waited for";
+    keep_thumbnail("", "/a.glib", picture, {});  // without a home
+    keep_thumbnail("/proc/none", "/a.glib", picture, {});
+}
+
 TEST(WindowSettings, ComeBack) {
     const Scratch folder;
     const std::string file = folder.path("new/folder/window.json");
@@ -93,6 +148,7 @@ TEST(WindowSettings, ComeBack) {
     settings.theme = ui::Theme::contrast;
     settings.zoom = 1.5;
     settings.panel_width = 30;
+    settings.tools = true;
     settings.open = {"Costs", "Files"};
     settings.width = 1024;
     settings.height = 768;
@@ -105,6 +161,7 @@ TEST(WindowSettings, ComeBack) {
     Settings again;
     gather(memory, again);
     EXPECT_EQ(again.theme, ui::Theme::contrast);
+    EXPECT_TRUE(again.tools);
     EXPECT_EQ(again.zoom, 1.5);
     EXPECT_EQ(again.open, settings.open);
 }
@@ -155,7 +212,7 @@ TEST(DroppedFiles, TheFirstSceneAmongThemIsOpened) {
     EXPECT_EQ(opener.serve_dropped({folder.path()}, memory), std::nullopt);
     EXPECT_TRUE(memory.browser.open) << "a folder is looked into";
     ui::Facts facts;
-    opener.tell(facts, scene, {scene, text, folder.path() + "/x/../../shared/b.bmp", "/usr/share/c.bmp"});
+    opener.tell(facts, scene, {scene, text, folder.path() + "/x/../../shared/b.bmp", "/usr/share/c.bmp"}, false);
     EXPECT_EQ(names(*facts.listing), Names{"a.glib"});
     ASSERT_EQ(facts.files.size(), 4u);
     EXPECT_EQ(facts.files[1].name, "a.txt") << "from the scene's folder";

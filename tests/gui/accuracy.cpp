@@ -84,7 +84,8 @@ protected:
         return state()["accuracy"];
     }
     void open_panel() {
-        click("accuracy");
+        user("key a");
+        settle();
         refined();
     }
 };
@@ -143,6 +144,7 @@ TEST_F(LadderWindow, ErrorsAreThoseOfTheRungs) {
     EXPECT_EQ(state(), before);
     // Another value is another reference.
     const double green = state()["controls"]["Paint.uGreen"][0];
+    click("controls");
     drag(on("Paint.uGreen", .4), on("Paint.uGreen", .7));
     EXPECT_NE(state()["controls"]["Paint.uGreen"][0], green);
     EXPECT_NEAR(refined()["error"].get<double>(), errors[1], 1e-4) << "and the same error";

@@ -27,6 +27,7 @@ protected:
 
 TEST_F(CostsInTheWindow, SayWhatValuesSwitchOffWhileNothingIsTouched) {
     open("scene.glib");
+    click("tools");
     click("costs");
     const auto tells = [](const json& s) { return s["widgets"].contains("costs.Switched off by values"); };
     EXPECT_TRUE(wait(tells, 20));
@@ -34,7 +35,9 @@ TEST_F(CostsInTheWindow, SayWhatValuesSwitchOffWhileNothingIsTouched) {
     const json still = state();
     EXPECT_FALSE(wait([&](const json& s) { return s["presents"] != still["presents"]; }, .8))
         << "nothing is left to show";
+    click("controls");
     click("Slow.uMix", .7);
+    click("tools");
     EXPECT_TRUE(wait([&](const json& s) { return !tells(s); })) << "programs for any values draw now";
     EXPECT_EQ(state()["gl_errors"].size(), 0U);
 }

@@ -166,6 +166,10 @@ void Desk::SetUp() {
     ASSERT_EQ(pipe(ends), 0);
     // What windows remember from run to run is the test's own.
     setenv("XDG_STATE_HOME", file("state").c_str(), 1);
+    // The driver's cache stays where it is: it takes time to fill.
+    const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+    if (cache || home) setenv("MESA_SHADER_CACHE_DIR", cache ? cache : (std::string(home) + "/.cache").c_str(), 0);
+    setenv("XDG_CACHE_HOME", file("cache").c_str(), 1);
     // Without -noreset it goes away for a moment while a window is replaced by another one and nobody else is there.
     server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24", "-noreset", "-nolisten", "tcp"}, "",
                     {ends[1]});
@@ -209,7 +213,8 @@ void Desk::save(const std::string& name, const std::string& text, bool in_place)
 }
 
 void Desk::open(const std::string& scene, std::vector<std::string> more) {
-    std::vector<std::string> words{SNELL_BIN "/snell", file(scene), "--state", file("out/state.json")};
+    std::vector<std::string> words{SNELL_BIN "/snell", "--state", file("out/state.json")};
+    if (!scene.empty()) words.push_back(file(scene));
     const auto otherwise = [&](const char* option, const std::string& value) {
         if (std::find(more.begin(), more.end(), option) == more.end()) words.insert(words.end(), {option, value});
     };
@@ -219,7 +224,9 @@ void Desk::open(const std::string& scene, std::vector<std::string> more) {
     const int errors = ::open(file("out/errors").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
     window_ = start(words, display_, {-1, errors});
     ::close(errors);
-    ASSERT_TRUE(wait([](const auto& s) { return s["frames"] >= 1; }, 20)) << "no first picture";
+    const bool pictured = !scene.empty() && !std::filesystem::is_directory(file(scene));
+    const char* drawn = pictured ? "frames" : "presents";
+    ASSERT_TRUE(wait([&](const auto& s) { return s[drawn] >= 1; }, 20)) << "no first picture";
     settle();
 }
 
@@ -307,6 +314,13 @@ void Desk::click(std::array<int, 2> at, int button) const {
 }
 
 void Desk::click(const std::string& widget, double fraction, int button) const { click(on(widget, fraction), button); }
+
+void Desk::choose(const std::string& menu, const std::string& item) const {
+    click("menu." + menu);
+    EXPECT_TRUE(wait([&](const auto& s) { return s["widgets"].contains(item); })) << item;
+    settle();
+    click(item, .2);
+}
 
 void Desk::type(const std::string& widget, const std::string& text, Field field) const {
     const auto [x, y] = on(widget);

@@ -41,7 +41,7 @@ protected:
     // In the test's folder, with the program in the path; the exit status.
     int shell(const std::string& command) const;
 
-    // Opens a window on `scene` and waits for its first picture.
+    // Opens a window on `scene` and waits for its first picture; on a folder or "", for its panels.
     void open(const std::string& scene, std::vector<std::string> more = {});
     // Ends the window, once what it remembers is written, so that another can be opened.
     void end_window();
@@ -63,6 +63,8 @@ protected:
     std::array<int, 2> on(const std::string& widget, double fraction = .5) const;
     void click(std::array<int, 2> at, int button = 1) const;
     void click(const std::string& widget, double fraction = .5, int button = 1) const;
+    // An entry of one of the toolbar's menus: "open", "save" or "view".
+    void choose(const std::string& menu, const std::string& item) const;
     // Instead of the whole text that stands there. A number's field opens with two clicks.
     enum class Field { text, number };
     void type(const std::string& widget, const std::string& text, Field field) const;

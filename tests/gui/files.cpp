@@ -1,9 +1,11 @@
 // Scenes that are opened, files that lead to an editor, and looks that are kept.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "tests/gui/desk.h"
 #include "tests/gui/x11.h"
@@ -116,6 +118,64 @@ TEST_F(FilesWindow, TheBrowserOpensAnotherSceneAndTheLastOneIsRecent) {
     expect_pixel(.2, .4);
 }
 
+TEST_F(FilesWindow, WithoutASceneTheBrowserIsOpenAndTheWindowWorks) {
+    open("", {"--size", "900x700"});
+    EXPECT_TRUE(state()["widgets"].contains("browser.cancel"));
+    EXPECT_EQ(state()["file"], "");
+    user("key Escape");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("open scene"); }));
+    user("mousemove 30 30");
+    user("key a key p key r key 1 key ctrl+s key F5 key n");
+    user("search --sync --name snell windowsize 700 500");
+    ASSERT_TRUE(wait([](const json& s) { return s["size"] == json::array({700, 500}); }));
+    settle();
+    const json before = state();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    EXPECT_EQ(state(), before) << "idle";
+    ASSERT_TRUE(alive());
+    user("key ctrl+o");
+    EXPECT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.cancel"); }));
+    user("key Escape");
+    settle();
+    ASSERT_TRUE(drop_files(display_, {file("one.glib")}));
+    ASSERT_TRUE(shows("one.glib"));
+    expect_pixel(.2, .4);
+    EXPECT_FALSE(state()["widgets"].contains("open scene"));
+    EXPECT_EQ(state()["gl_errors"], json::array());
+    EXPECT_EQ(run({"--exit-after", ".5"}, display_), 0);
+    EXPECT_EQ(run({}, ""), 2) << "without a display";
+    EXPECT_EQ(run({file("other")}, ""), 3);
+    EXPECT_EQ(run({file("none")}, display_), 1);
+}
+
+TEST_F(FilesWindow, AFolderIsLookedIntoAndRecentScenesAreThereAsTheyWereLeft) {
+    open("one.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .99));
+    ASSERT_TRUE(close_windows(display_));
+    EXPECT_TRUE(wait([&](const json&) { return !alive(); }));
+    end_window();
+    open("other");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.entry.two.glib"); }));
+    settle();
+    EXPECT_TRUE(state()["widgets"].contains("browser.recent.one.glib"));
+    const std::array<double, 4> row = state()["widgets"]["browser.recent.one.glib"];
+    // It covers .27 of the shorter side from the middle of its picture.
+    const Pixel middle = look().at(row[0] + 32 + 4, row[1] + row[3] / 2);
+    EXPECT_GT(middle.red, 240);
+    EXPECT_NEAR(middle.green, 102, 4);
+    keep("browser-of-a-folder");
+    // The folder above has the one from which one comes.
+    user("key BackSpace");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.entry.one.glib"); }));
+    settle();
+    user("key Return");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.entry.two.glib"); }));
+    settle();
+    click("browser.recent.one.glib");
+    ASSERT_TRUE(shows("one.glib"));
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
 TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {
     setenv("VISUAL", (editor("code") + " --wait").c_str(), 1);
     open("one.glib");
@@ -136,8 +196,7 @@ TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {
     EXPECT_FALSE(state()["widgets"].contains("problem.0"));
 
     std::filesystem::remove(file("told"));
-    user("mousemove 700 550 click --repeat 30 --delay 4 5");
-    settle();
+    click("tools");
     click("files");
     click("file.paint.vert", .2);
     ASSERT_TRUE(told());
@@ -154,11 +213,8 @@ TEST_F(FilesWindow, LooksAreKeptFromRunToRun) {
     user("key ctrl+plus");
     user("key ctrl+plus");
     ASSERT_TRUE(wait([](const json& s) { return s["zoom"] == 1.25; }));
-    user("mousemove 950 600 click --repeat 30 --delay 4 5");
-    settle();
+    click("tools");
     click("window");
-    user("mousemove 950 600 click --repeat 30 --delay 4 5");
-    settle();
     click("dark", .1);
     ASSERT_TRUE(wait([](const json& s) { return s["theme"] == "dark"; }));
     settle();
@@ -167,6 +223,7 @@ TEST_F(FilesWindow, LooksAreKeptFromRunToRun) {
     open("one.glib", {"--size", "1000x700"});
     EXPECT_EQ(state()["zoom"], 1.25);
     EXPECT_EQ(state()["theme"], "dark");
+    EXPECT_TRUE(state()["widgets"].contains("dark")) << "the tab and its section";
     EXPECT_LT(panel().red, 60);
     const std::array<double, 4> after = state()["widgets"]["reload"];
     EXPECT_NEAR(after[3] / before[3], 1.25, .1);
@@ -197,11 +254,6 @@ TEST_F(FilesWindow, TheGuidesPicture) {
     open("refraction-room/refraction-room.glib", {"--size", "1024x720"});
     EXPECT_EQ(state()["errors"], 0) << state()["problems"];
     drag({300, 300}, {360, 320});
-    user("mousemove 900 650 click --repeat 30 --delay 4 5");
-    settle();
-    click("files");
-    user("mousemove 900 650 click --repeat 30 --delay 4 4");
-    settle();
     user("mousemove 600 716");
     settle();
     keep("guide-window");
@@ -209,12 +261,10 @@ TEST_F(FilesWindow, TheGuidesPicture) {
     user("key ctrl+plus");
     user("key ctrl+plus");
     settle();
-    user("mousemove 900 600 click --repeat 30 --delay 4 5");
-    settle();
+    click("tools");
     click("window");
-    user("mousemove 900 600 click --repeat 30 --delay 4 5");
-    settle();
     click("dark", .1);
+    click("files");
     user("mousemove 300 716");
     settle();
     keep("guide-dark");

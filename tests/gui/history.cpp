@@ -69,7 +69,7 @@ TEST_F(Past, EveryChangeIsUndoneAndTheFirstPictureIsBackToTheBit) {
     ASSERT_NE(turned, "");
     user("mousemove 200 300 click --repeat 5 --delay 30 4");
     settle();
-    click("axes", .1);
+    choose("view", "axes");
     press("r");
     EXPECT_EQ(view(), "");
     press("ctrl+z");
@@ -168,7 +168,7 @@ TEST_F(Past, AnotherSceneAndBackIsAsItWas) {
     open("one.glib");
     slide(.75);
     turn();
-    click("axes", .1);
+    choose("view", "axes");
     const json before = state();
     show("two.glib");
     EXPECT_EQ(red(), .2);
@@ -188,7 +188,7 @@ TEST_F(Past, AClosedSceneIsAsItWasWhenItIsOpenedAgain) {
     open("one.glib");
     slide(.75);
     turn();
-    click("axes", .1);
+    choose("view", "axes");
     const json before = state();
     ASSERT_TRUE(kept());
     end_window();
@@ -299,10 +299,10 @@ TEST_F(Past, AxesAreOffForAFlatPictureAndAsTheyWereLeft) {
     EXPECT_EQ(state()["view"]["axes"], true);
     show("two.glib");
     EXPECT_EQ(state()["view"]["axes"], false);
-    click("axes", .1);
+    choose("view", "axes");
     show("one.glib");
     EXPECT_EQ(state()["view"]["axes"], true);
-    click("axes", .1);
+    choose("view", "axes");
     show("two.glib");
     EXPECT_EQ(state()["view"]["axes"], true);
     show("one.glib");

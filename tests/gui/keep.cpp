@@ -33,7 +33,7 @@ TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndAreRevertedAlone) {
     drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
     const double slid = red();
     ASSERT_NE(slid, .2);
-    click("save");
+    choose("save", "save");
     const std::string after = bytes("scene.glib");
     const std::size_t at = scene.find(".2 1.>");
     ASSERT_GT(after.size(), scene.size() - 6);
@@ -47,13 +47,13 @@ TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndAreRevertedAlone) {
     EXPECT_EQ(red(), slid);
     expect_red(slid);
     EXPECT_EQ(state()["errors"], 0);
-    click("revert save");
+    choose("save", "revert save");
     EXPECT_EQ(bytes("scene.glib"), scene);
     ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 3; })) << "the file of before is read";
     settle();
     EXPECT_EQ(red(), slid) << "the slider stays";
     expect_red(slid);
-    click("save");
+    choose("save", "save");
     EXPECT_EQ(bytes("scene.glib"), after) << "and can be saved again";
 }
 
@@ -86,7 +86,7 @@ TEST_F(Keep, TheCopiedCommandDrawsThePictureOfTheWindow) {
     const std::array<double, 4> area = state()["scene"];
     const std::array<int, 2> middle{static_cast<int>(area[2] / 2), static_cast<int>(area[3] / 2)};
     drag(middle, {middle[0] + 60, middle[1] + 30});
-    click("copy command");
+    choose("save", "copy command");
     const std::string copied = state()["notice"];
     ASSERT_EQ(copied.rfind("copied: ", 0), 0u) << copied;
     const std::string command = copied.substr(8);
@@ -122,7 +122,7 @@ TEST_F(Keep, ValuesOverThePicture) {
         return count;
     };
     EXPECT_EQ(white(), 0);
-    click("labels");
+    choose("view", "labels");
     EXPECT_GT(white(), 100);
 }
 

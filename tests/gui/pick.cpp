@@ -112,10 +112,11 @@ TEST_F(PickWindow, TheCopiedCommandDrawsMovedObjectsAxesProjectionAndBackground)
     user("key Escape");
     settle();
     drag(at(-1.9, -1.9), at(-1.4, -1.7));
+    choose("view", "perspective");
+    click("tools");
     click("view");
-    click("perspective", .1);
     click("background", .7);
-    click("copy command");
+    choose("save", "copy command");
     const std::string copied = state()["notice"];
     ASSERT_EQ(copied.rfind("copied: ", 0), 0u) << copied;
     EXPECT_NE(copied.find("--axes"), std::string::npos);

@@ -36,7 +36,7 @@ TEST_F(SavedPicture, LargerThanTheWindowItIsWhatTheCommandDraws) {
     open("scene.glib", {"--size", "640x480"});
     drag(on("Paint.uRed", .2), on("Paint.uRed", .7));
     drag({150, 200}, {220, 230});
-    click("picture");
+    choose("save", "picture");
     type("picture file", file("big.png"), Field::text);
     type("picture width", "2200", Field::number);
     type("picture height", "900", Field::number);
@@ -66,14 +66,14 @@ TEST_F(SavedPicture, LargerThanTheWindowItIsWhatTheCommandDraws) {
 TEST_F(SavedPicture, WhatIsThereIsReplacedOnlyWhenAsked) {
     open("scene.glib", {"--size", "640x480"});
     save("there.png", "old");
-    click("picture");
+    choose("save", "picture");
     type("picture file", file("there.png"), Field::text);
     click("picture save");
     EXPECT_EQ(bytes("there.png"), "old");
     click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved there.png", 0) == 0; }));
     EXPECT_NE(bytes("there.png"), "old");
-    click("picture");
+    choose("save", "picture");
     type("picture file", file("nowhere/x.png"), Field::text);
     click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture error"); }));
@@ -87,7 +87,7 @@ TEST_F(SavedPicture, WhatTheSceneReadsIsNotReplaced) {
     scene.replace(scene.find("paint.frag"), 10, "paint.png");
     save("scene.glib", scene);
     open("scene.glib", {"--size", "640x480"});
-    click("picture");
+    choose("save", "picture");
     type("picture file", file("paint.png"), Field::text);
     for (int again = 0; again < 2; ++again) click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture error"); }));
@@ -99,7 +99,7 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
          "uniform float uRed, Timer;\nvoid main() { gl_FragColor = vec4(Timer, uRed, gl_FragCoord.x / 400., 1.); }\n");
     open("scene.glib", {"--size", "640x480"});
     user("key space");  // the scene's own time stands
-    click("picture");
+    choose("save", "picture");
     type("picture file", file("f.png"), Field::text);
     click("picture sequence");
     type("picture from", ".125", Field::number);

@@ -104,13 +104,16 @@ TEST_F(Pixels, FramesHaveTheirCost) {
     open("scene.glib");
     EXPECT_FALSE(state().contains("frame_cost"));
     const int pictures = state()["frames"];
+    click("tools");
     click("frame cost");
     settle();
     EXPECT_EQ(state()["frame_cost"]["pictures"], 1) << "a still scene: the picture that is shown";
     EXPECT_GT(state()["frame_cost"]["last"].get<double>(), 0);
     EXPECT_EQ(state()["frames"], pictures);
+    click("controls");
     drag(on("Odd.uMost", .3), on("Odd.uMost", .9));
     settle();
+    click("tools");
     json cost = state()["frame_cost"];
     EXPECT_GE(cost["pictures"].get<int>(), 2);
     EXPECT_GT(cost["median"].get<double>(), 0);

@@ -221,7 +221,7 @@ TEST_F(Window, DraggingInTheSceneTurnsItAndTheWheelScalesIt) {
     EXPECT_NEAR(state()["view"]["rotate_y"].get<double>(), 75, 1);
     EXPECT_FALSE(paint(scene_pixel(inside, 20))) << "turned by 75 degrees the quad is narrow";
     EXPECT_TRUE(paint(scene_pixel(3, 20)));
-    click("reset view");
+    choose("view", "reset view");
     EXPECT_TRUE(paint(scene_pixel(inside, 20)));
 
     user("mousemove " + std::to_string(middle[0]) + " " + std::to_string(middle[1]) + " click --repeat 6 --delay 20 4");
@@ -255,7 +255,7 @@ TEST_F(Window, TheAxesAreACheckBoxAndOnAtFirst) {
         return count;
     };
     EXPECT_GT(count_gray(), 200);
-    click("axes", .1);
+    choose("view", "axes");
     ASSERT_TRUE(wait([](const json& s) { return s["view"]["axes"] == false; }));
     settle();
     EXPECT_EQ(count_gray(), 0);
@@ -281,6 +281,58 @@ TEST_F(Window, APictureFollowsTheWindowsSize) {
     EXPECT_LT(now["scene"][3], 500);
     expect_pixel(.2, .4);
     EXPECT_EQ(now["gl_errors"], json::array());
+}
+
+TEST_F(Window, HHidesAllAndTheHintFadesUntilNothingIsDrawnAnyMore) {
+    open("scene.glib");
+    choose("view", "axes");
+    ASSERT_EQ(state()["view"]["axes"], true);
+    user("mousemove 300 300 key h");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("hint"); }));
+    EXPECT_EQ(state()["scene"], json::array({0, 0, 800, 600}));
+    ASSERT_TRUE(wait([](const json& s) { return !s["widgets"].contains("hint"); }, 8));
+    settle();
+    const json before = state();
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    EXPECT_EQ(state(), before) << "no frame, nothing presented";
+    const Picture bare = look();
+    EXPECT_EQ(bare.at(795, 300), (Pixel{0, 0, 0})) << "where the panel was";
+    EXPECT_EQ(bare.at(400, 598), (Pixel{0, 0, 0})) << "and the line below";
+    user("key h");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("reload"); }));
+    EXPECT_TRUE(state()["view"]["axes"]) << "hidden with the rest, they are back";
+}
+
+TEST_F(Window, F11FillsTheScreenAndGivesTheWindowItsPlaceBack) {
+    open("scene.glib");
+    user("mousemove 100 100 key F11");
+    ASSERT_TRUE(wait([](const json& s) { return s["size"] == json::array({1024, 768}); }));
+    settle();
+    expect_pixel(.2, .4);
+    user("key F11");
+    ASSERT_TRUE(wait([](const json& s) { return s["size"] == json::array({800, 600}); }));
+    user("key F11");
+    ASSERT_TRUE(wait([](const json& s) { return s["size"] == json::array({1024, 768}); }));
+    // Escape ends what is above the picture first.
+    user("key F1");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("close keys"); }));
+    user("key Escape");
+    ASSERT_TRUE(wait([](const json& s) { return !s["widgets"].contains("close keys"); }));
+    EXPECT_EQ(state()["size"], json::array({1024, 768}));
+    user("key Escape");
+    ASSERT_TRUE(wait([](const json& s) { return s["size"] == json::array({800, 600}); }));
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+TEST_F(Window, MessagesNameFilesFromTheScenesFolderAndPrintThemWhole) {
+    save("paint.frag", fragment("nonsense"));
+    open("scene.glib");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("problem.0.place"); }));
+    settle();
+    const std::array<double, 4> place = state()["widgets"]["problem.0.place"];
+    EXPECT_LT(place[2], 20 * 9) << "no more than paint.frag:3:45";
+    EXPECT_NE(std::string(state()["problems"]).find(file("paint.frag") + ":3:"), std::string::npos);
+    EXPECT_NE(bytes("out/errors").find(file("paint.frag") + ":3:"), std::string::npos);
 }
 
 TEST_F(Window, WhatCanNotBeOpenedHasAnExitStatus) {

@@ -17,6 +17,7 @@ protected:
         scene_.ladders.push_back(ladder);
         controls_.rungs = {1};
         values_.samples = values_.wanted = 16;
+        memory_.tab = Tab::tools;
         values_.points = {{.name = "schlick", .rung = 1, .milliseconds = 2, .error = .01, .chosen = true},
                           {.name = "exact", .rung = 2, .milliseconds = 3, .error = 0}};
     }
@@ -186,6 +187,7 @@ TEST_F(CostsPanel, FoldsWhatIsPaidForByKind) {
     explanation_.paid.push_back({.kind = Explanation::Kind::image, .name = "wall.bmp", .why = "read", .bytes = 4096});
     explanation_.paid.push_back({.kind = Explanation::Kind::mesh, .name = "Sphere", .why = "drawn", .bytes = 100});
     explanation_.unpaid.push_back({"Noise3", "inactive"});
+    memory_.tab = Tab::tools;
     click(place("costs"));
     ASSERT_TRUE(memory_.costs);
     facts_.explanation = &explanation_;

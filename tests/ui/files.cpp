@@ -20,6 +20,7 @@ protected:
                             {"Room.glib", "/home/ann/scenes/Room.glib", false, "1 kB", ""}};
         facts_.listing = &listing_;
         facts_.recent = recent_;
+        facts_.file = "ball.glib";
         facts_.editor = "vi";
     }
     void press(Key which, Modifiers modifiers = {}) {
@@ -36,7 +37,7 @@ protected:
         frame();
     }
     void open() {
-        click(place("open"));
+        choose("open", "open");
         place("browser.name");
     }
     // What was asked for by the last click, which spans several frames.
@@ -61,7 +62,7 @@ protected:
     }
 
     Listing listing_;
-    std::vector<std::string> recent_{"/x/old.glib"};
+    std::vector<RecentScene> recent_{{"old.glib", "/x", "/x/old.glib"}};
 };
 
 TEST_F(FilePanels, TheBrowserOpensWhatIsTyped) {
@@ -96,6 +97,38 @@ TEST_F(FilePanels, TheBrowserIsUsedWithArrowsToo) {
     EXPECT_FALSE(memory_.browser.open);
     EXPECT_FALSE(has("browser.name"));
     EXPECT_EQ(requests_.open, "");
+}
+
+TEST_F(FilePanels, AFolderAboveBeginsWhereOneComesFrom) {
+    open();
+    listing_.folder = "/home/ann";
+    listing_.entries = {{"music", "/home/ann/music", true, "", ""},
+                        {"scene", "/home/ann/scene", true, "", ""},
+                        {"scenes", "/home/ann/scenes", true, "", ""},
+                        {"x.glib", "/home/ann/x.glib", false, "", ""}};
+    frame();
+    EXPECT_EQ(memory_.browser.chosen, 2u) << "the whole name counts";
+    press(Key::up);
+    EXPECT_EQ(memory_.browser.chosen, 1u) << "only at first";
+    // From further below, too.
+    listing_.folder = "/home/ann/music/a/b";
+    listing_.entries.clear();
+    frame();
+    EXPECT_EQ(memory_.browser.chosen, 0u);
+    listing_.folder = "/home/ann";
+    for (int i = 0; i < 60; ++i) listing_.entries.push_back({"f" + std::to_string(i), "/home/ann/f", true, "", ""});
+    listing_.entries.push_back({"music", "/home/ann/music", true, "", ""});
+    for (int i = 0; i < 4; ++i) frame();
+    EXPECT_EQ(memory_.browser.chosen, 60u);
+    for (const Placed& placed : layout_.items())
+        if (placed.name == "browser.entry.music") {
+            EXPECT_TRUE(placed.visible) << "scrolled to";
+        }
+    // What is no folder above chooses nothing.
+    listing_.folder = "/tmp";
+    memory_.browser.chosen = 0;
+    frame();
+    EXPECT_EQ(memory_.browser.chosen, 0u);
 }
 
 TEST_F(FilePanels, TheBrowserTakesPaths) {
@@ -169,6 +202,7 @@ TEST_F(FilePanels, AnErrorLeadsToItsPlaceWhateverItSays) {
 TEST_F(FilePanels, FilesInUseAreLinksToo) {
     const std::vector<FileRow> files{{"room.glib", "/s/room.glib"}, {"glass.frag", "/s/glass.frag"}};
     facts_.files = files;
+    memory_.tab = Tab::tools;
     EXPECT_FALSE(has("file.glass.frag"));
     click(place("files"));
     EXPECT_EQ(click_asks("file.glass.frag").edit.file, "/s/glass.frag");

@@ -10,7 +10,9 @@ namespace {
 class UiKeep : public UiTest {
 protected:
     // The requests of the frame in which the button went up.
-    Requests clicked(const std::string& widget, Modifiers modifiers = {}) {
+    // `menu`: what the widget is an entry of.
+    Requests clicked(const std::string& widget, Modifiers modifiers = {}, const char* menu = nullptr) {
+        if (menu) click(place(std::string("menu.") + menu));
         const Rect at = place(widget);
         frame({move(at.x + at.width / 2, at.y + at.height / 2)});
         if (modifiers.ctrl)
@@ -60,10 +62,12 @@ TEST_F(UiKeep, DigitsThatAreTypedAreNoSnapshots) {
 
 TEST_F(UiKeep, SavingAsksForItOnlyWhereThereIsSomething) {
     facts_.changed = false;
-    EXPECT_FALSE(clicked("save").save);
+    EXPECT_FALSE(clicked("save", {}, "save").save);
+    frame({key(Key::escape, true)});
+    frame({key(Key::escape, false)});
     facts_.changed = facts_.revertible = true;
-    EXPECT_TRUE(clicked("save").save);
-    EXPECT_TRUE(clicked("revert save").revert_save);
+    EXPECT_TRUE(clicked("save", {}, "save").save);
+    EXPECT_TRUE(clicked("revert save", {}, "save").revert_save);
     EXPECT_TRUE(pressed(Key::s, {.ctrl = true}).save);
     const Requests as = pressed(Key::s, {.shift = true, .ctrl = true});
     EXPECT_TRUE(as.save_as);
@@ -140,7 +144,7 @@ TEST_F(UiKeep, TheMenuAndTheSectionResetToTheScenesValues) {
 }
 
 TEST_F(UiKeep, ThePictureWindowAsksAndIsAsked) {
-    EXPECT_EQ(clicked("picture").picture, PictureRequest::open);
+    EXPECT_EQ(clicked("picture", {}, "save").picture, PictureRequest::open);
     memory_.picture.open = true;
     memory_.picture.width = 640;
     memory_.picture.height = 480;

@@ -53,7 +53,8 @@ public:
             }
     }
 
-    void triangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c, const ImVec4& clip) {
+    // `image`: with a texture that is not the atlas, of which only the place is known.
+    void triangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c, const ImVec4& clip, bool image) {
         const auto place = [&](const ImDrawVert& v) { return ImVec2(v.pos.x * density_.x, v.pos.y * density_.y); };
         const ImVec2 p = place(a), q = place(b), r = place(c);
         const float area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
@@ -75,12 +76,12 @@ public:
                 const float wa = 1 - wb - wc;
                 if (wa < 0 || wb < 0 || wc < 0) continue;
                 const auto mix = [&](float x0, float x1, float x2) { return x0 * wa + x1 * wb + x2 * wc; };
-                const float cover =
-                    mix(ca.a, cb.a, cc.a) * texture_.sample(mix(a.uv.x, b.uv.x, c.uv.x), mix(a.uv.y, b.uv.y, c.uv.y));
+                const float u = mix(a.uv.x, b.uv.x, c.uv.x), v = mix(a.uv.y, b.uv.y, c.uv.y);
+                const float cover = mix(ca.a, cb.a, cc.a) * (image ? 1 : texture_.sample(u, v));
                 Color& to = at(x, y);
-                to.r += (mix(ca.r, cb.r, cc.r) - to.r) * cover;
-                to.g += (mix(ca.g, cb.g, cc.g) - to.g) * cover;
-                to.b += (mix(ca.b, cb.b, cc.b) - to.b) * cover;
+                to.r += ((image ? u : mix(ca.r, cb.r, cc.r)) - to.r) * cover;
+                to.g += ((image ? v : mix(ca.g, cb.g, cc.g)) - to.g) * cover;
+                to.b += ((image ? .5F : mix(ca.b, cb.b, cc.b)) - to.b) * cover;
             }
     }
 
@@ -191,7 +192,8 @@ content::Image paint(const ImDrawData& data) {
                     return list.VtxBuffer[static_cast<int>(command.VtxOffset) +
                                           list.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)]];
                 };
-                painting.triangle(corner(0), corner(1), corner(2), command.ClipRect);
+                painting.triangle(corner(0), corner(1), corner(2), command.ClipRect,
+                                  command.TextureId != ImGui::GetIO().Fonts->TexID);
             }
     }
     return painting.image();

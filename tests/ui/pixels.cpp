@@ -78,6 +78,7 @@ TEST_F(UiPixels, NShowsWhatIsNoColorAndHowMuchOfIt) {
     pixels_.flags = FlagCounts{{100, 2, 30, 4, 5}};
     facts_.pixels = &pixels_;
     EXPECT_TRUE(inside(place("flag counts"), memory_.scene));
+    memory_.tab = Tab::tools;
     click(place("pixels"));
     click(place("flags"));
     EXPECT_FALSE(memory_.pixels.flags);
@@ -135,6 +136,7 @@ TEST_F(UiPixels, TheFrameCostShowsItsRowsAndAsksForMore) {
     cost.apart_clock = "apart";
     facts_.frame_cost = &cost;
     EXPECT_FALSE(memory_.frame_cost);
+    memory_.tab = Tab::tools;
     click(place("frame cost"));
     EXPECT_TRUE(memory_.frame_cost);
     const Rect plot = place("frame cost.plot");

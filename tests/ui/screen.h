@@ -83,6 +83,12 @@ protected:
         frame({}, 1);  // the next click is no double click
     }
 
+    // An entry of one of the toolbar's menus: "open", "save" or "view".
+    void choose(const std::string& menu, const std::string& item) {
+        click(place("menu." + menu));
+        click(place(item));
+    }
+
     void type(const std::string& text) {
         std::vector<Event> events;
         for (char c : text) events.push_back({.kind = Event::Kind::text, .text = static_cast<char32_t>(c)});

@@ -69,6 +69,7 @@ public:
         programs();
     }
     void accuracy() {
+        memory_.tab = Tab::tools;
         ladder("FRESNEL", {"f0", "schlick", "exact"});
         accuracy_.samples = 7;
         accuracy_.wanted = 16;
@@ -124,6 +125,7 @@ public:
              {}});
     }
     void costs() {
+        memory_.tab = Tab::tools;
         using Kind = Explanation::Kind;
         explanation_.redraw = "in every frame: its programs read the time";
         explanation_.paid = {{Kind::image, "Texture2D 6 " + long_path, "sampled by uWall", {}, 4 << 20, 12.5, {}},
@@ -138,11 +140,15 @@ public:
                      "costs.Not loaded", "costs.Declared but unused"};
     }
     void files() {
+        memory_.tab = Tab::tools;
         facts_.files = files_;
         facts_.editor = "/usr/local/bin/an-editor-with-a-long-name --and --many arguments that go on and on";
         memory_.open.emplace("Files");
     }
-    void window() { memory_.open.emplace("Window"); }
+    void window() {
+        memory_.tab = Tab::tools;
+        memory_.open.emplace("Window");
+    }
     void browser() {
         listing_.folder = "/home/students/2026/spring/computer-graphics/assignment-07-refraction/submissions";
         for (const char* folder : {"a folder", "another"})
@@ -152,7 +158,9 @@ public:
                 {"scene" + std::to_string(i) + ".glib", "/s", false, "12.5 kB", "2026-01-01 12:00"});
         listing_.entries.insert(listing_.entries.begin() + 2,
                                 {long_name + long_name + ".glib", "/l", false, "999.9 MB", "2026-01-01 12:00"});
-        recent_ = {"/scenes/room.glib", long_path};
+        recent_ = {{"room.glib", "~/scenes", "/home/ann/scenes/room.glib", 7, 1.5F},
+                   {long_name + ".glib", long_path, long_path, 7, .5F},
+                   {"new.glib", "/", "/new.glib"}};
         facts_.recent = recent_;
         facts_.listing = &listing_;
         memory_.browser.open = true;
@@ -163,6 +171,7 @@ public:
         listing_.error = listing_.folder + ": Permission denied";
     }
     void view() {
+        memory_.tab = Tab::tools;
         add_slider("uEta", .1, 1.1, 5);
         memory_.open.emplace("View");
         facts_.object = long_name;
@@ -171,6 +180,7 @@ public:
         view_.objects[0] = {-123.4567, 59.5, .001, -12.345678, 123.456, -.0123, 179.5};
     }
     void pixels() {
+        memory_.tab = Tab::tools;
         flags_.pixels = {0, 1234567, 1234567, 1234567, 1234567};
         pixels_.flags = flags_;
         facts_.pixels = &pixels_;
@@ -210,6 +220,7 @@ public:
         memory_.open.emplace("Textures");
     }
     void frame_cost() {
+        memory_.tab = Tab::tools;
         for (int i = 0; i < 100; ++i) frames_.push_back(16 + 3 * std::sin(static_cast<float>(i)));
         rows_ = {{"the window", "", 12.34, false},
                  {"Sphere 1.23456 50 50 # the ball in the middle", "scene.glib:12", 1.23, true},
@@ -232,6 +243,43 @@ public:
         memory_.save_as.there = "room.glib";
         memory_.save_as.existing = long_path;
         memory_.save_as.error = "the scene would not find " + long_path + ", " + long_path + " from there";
+    }
+    // With what is below it in sight, each of the toolbar's menus.
+    void open_menu() {
+        programs();
+        for (int i = 1; i <= 12; ++i) recent_.push_back({"scene" + std::to_string(i) + ".glib", "~/scenes", "/s"});
+        recent_[3].name = long_name + ".glib";
+        facts_.recent = recent_;
+        menu_ = "menu.open";
+    }
+    void save_menu() {
+        programs();
+        facts_.animated = true;
+        menu_ = "menu.save";
+    }
+    void view_menu() {
+        programs();
+        menu_ = "menu.view";
+    }
+    void empty() {
+        no_scene_ = true;
+        facts_.file = "";
+    }
+    void empty_browser() {
+        empty();
+        browser();
+    }
+    void picking() {
+        programs();
+        facts_.animated = true;
+        facts_.object = long_name;
+        memory_.hold.picking = true;
+        hold_object(memory_.hold, 0);
+    }
+    void hidden() {
+        programs();
+        memory_.panel = false;
+        memory_.hint = 1e3;
     }
     void keys() {
         ladder("FRESNEL", {"f0", "exact"});
@@ -274,6 +322,10 @@ protected:
     void unfold() {
         for (const std::string& name : unfolded_) click(place(name), MouseButton::left, .1);
         unfolded_.clear();
+        if (!menu_.empty()) {
+            if (has(panel_widget_)) click({0, 0, 1, 1});
+            click(place(menu_));
+        }
     }
 
     // What is noted by name ends where the panel's contents do.
@@ -297,7 +349,9 @@ protected:
     Explanation explanation_;
     std::vector<Problem> problems_;
     std::vector<FileRow> files_{{"room.glib", "/room.glib"}, {"glass.vert", "/glass.vert"}, {long_path, long_path}};
-    std::vector<std::string> recent_, unfolded_;
+    std::vector<RecentScene> recent_;
+    std::vector<std::string> unfolded_;
+    std::string menu_, panel_widget_;
     Listing listing_;
     FlagCounts flags_;
     PixelFacts pixels_;
@@ -318,6 +372,7 @@ TEST_P(Screens, AreLegible) {
     facts_.changed = facts_.revertible = true;
     facts_.snapshots[3] = true;
     (this->*panel.prepare)();
+    panel_widget_ = panel.widget;
     struct Variant {
         const char* name;
         float width, height, scale;
@@ -352,7 +407,7 @@ const Panel panels[] = {
     {"ladders", "FRESNEL", &Screens::ladders},
     {"accuracy", "accuracy.plot", &Screens::accuracy},
     {"clock", "scrub", &Screens::clock},
-    {"values", "labels", &Screens::values},
+    {"values", "Glass.uEta", &Screens::values},
     {"errors", "problem.0", &Screens::errors},
     {"messages", "message.ok", &Screens::messages},
     {"costs", "costs.Images", &Screens::costs},
@@ -360,7 +415,7 @@ const Panel panels[] = {
     {"window", "larger", &Screens::window},
     {"browser", "browser.entry.scene1.glib", &Screens::browser},
     {"refused-folder", "browser.cancel", &Screens::refused_folder},
-    {"view", "perspective", &Screens::view},
+    {"view", "background", &Screens::view},
     {"pixels", "flags", &Screens::pixels},
     {"inspector", "inspector", &Screens::inspected},
     {"textures", "textures.picture", &Screens::textures},
@@ -368,7 +423,14 @@ const Panel panels[] = {
     {"picture", "picture save", &Screens::picture},
     {"save-as", "save as save", &Screens::save_as},
     {"keys", "close keys", &Screens::keys},
-    {"no-scene", "open", &Screens::nothing},
+    {"open-menu", "open", &Screens::open_menu},
+    {"save-menu", "sequence", &Screens::save_menu},
+    {"view-menu", "hide", &Screens::view_menu},
+    {"empty", "open scene", &Screens::empty},
+    {"empty-browser", "browser.recent.room.glib", &Screens::empty_browser},
+    {"picking", "status.pick", &Screens::picking},
+    {"hidden", "hint", &Screens::hidden},
+    {"no-scene", "menu.open", &Screens::nothing},
 };
 
 INSTANTIATE_TEST_SUITE_P(Panels, Screens, ::testing::ValuesIn(panels), [](const auto& row) {

@@ -25,6 +25,7 @@ protected:
         pass.items.push_back({Item::Kind::draw, 0});
         scene_.passes.push_back(pass);
         memory_.open.insert("View");
+        memory_.tab = Tab::tools;
     }
     void drag(double dx, double dy, MouseButton which = MouseButton::left, Modifiers modifiers = {}) {
         frame({move(300, 300)});
@@ -80,7 +81,7 @@ TEST_F(ViewPanel, NumbersGoToWhatIsHeld) {
     EXPECT_EQ(view_.texture, Transformation{});
     EXPECT_EQ(view_.scene.rotate_x, 30);
     view_.axes = true;
-    click(place("reset view"));
+    choose("view", "reset view");
     View fresh;
     fresh.axes = true;
     EXPECT_EQ(view_, fresh) << "all but the axes";
@@ -93,12 +94,12 @@ TEST_F(ViewPanel, ARightClickOnANumberGivesItsFirstValueBack) {
 }
 
 TEST_F(ViewPanel, ProjectionAndBackgroundAreTheScenesUntilChosen) {
-    click(place("perspective"));
+    choose("view", "perspective");
     EXPECT_EQ(view_.projection, Projection::ortho);
-    click(place("perspective"));
+    choose("view", "perspective");
     EXPECT_EQ(view_.projection, Projection::scene) << "the scene's own is no choice";
     scene_.cameras[0].perspective = false;
-    click(place("perspective"));
+    choose("view", "perspective");
     EXPECT_EQ(view_.projection, Projection::perspective);
     frame();
     EXPECT_FALSE(view_.background) << "shown and not chosen";
@@ -212,7 +213,7 @@ TEST_F(ViewPanel, AClickAsksForAnObjectOnlyWhilePicking) {
     frame({button(true), move(340, 240), button(false)});
     EXPECT_FALSE(requests_.pick) << "that was a drag";
     EXPECT_NE(view_.scene, Transformation{});
-    const Rect panel = place("pick");
+    const Rect panel = place("reload");
     frame({move(panel.x + 3, panel.y + 3), button(true), button(false)});
     EXPECT_FALSE(requests_.pick) << "nor is the panel a place to pick";
 }
@@ -240,8 +241,8 @@ TEST_F(ViewPanel, FitsAtEverySizeOfLetters) {
     for (const float scale : {1.F, 2.F})
         for (const float width : {640.F, 1024.F, 1280.F}) {
             screen_ = {width, 768, 1, scale};
-            for (const char* name : {"perspective", "pick", "background", "hold.Scene", "hold.Texture", "object",
-                                     "view.rotate_z", "view.z", "reset held"}) {
+            for (const char* name :
+                 {"background", "hold.Scene", "hold.Texture", "object", "view.rotate_z", "view.z", "reset held"}) {
                 const Rect at = place(name);
                 EXPECT_LE(at.x + at.width, width) << name << ' ' << scale;
                 EXPECT_GE(at.x, memory_.scene.width) << name;

@@ -10,7 +10,7 @@ namespace snell::app {
 
 Run add_window(CLI::App& command) {
     auto window = std::make_shared<WindowOptions>();
-    command.add_option("SCENE", window->scene, "the scene to open in a window");
+    command.add_option("SCENE", window->scene, "the scene to open in a window, or a folder to choose one from");
     add_size(command, window->size, "size of the window, WIDTHxHEIGHT");
     add_repeated(command, "--ladder", window->ladders, "ladder=rung to begin with; may be repeated");
     add_quality(command, window->quality);
@@ -24,9 +24,9 @@ Run add_window(CLI::App& command) {
     add_access(command, window->access);
     return [window, &command] {
         if (!size_fits(window->size, window->access.limits)) return exit_usage;
-        if (!window->scene.empty()) return static_cast<Exit>(run_window(*window));
-        fmt::print(stderr, "snell: error: no scene given\n\n{}\n", command.help());
-        return exit_usage;
+        const Exit ended = static_cast<Exit>(run_window(*window));
+        if (ended == exit_usage) fmt::print(stderr, "\n{}\n", command.help());
+        return ended;
     };
 }
 

@@ -67,8 +67,40 @@ bool before(std::string_view a, std::string_view b) {
     return a < b;  // the names differ only in case
 }
 
+bool is_folder(const std::string& path) {
+    std::error_code error;
+    return fs::is_directory(path, error);
+}
+
 std::string without_tilde(const std::string& path) {
     return path == "~" || path.starts_with("~/") ? home() + path.substr(1) : path;
+}
+
+std::string with_tilde(const std::string& path) {
+    const std::string folder = home();
+    const bool within = path == folder || (folder != "/" && path.starts_with(folder + "/"));
+    return within ? "~" + path.substr(folder.size()) : path;
+}
+
+std::string near_names(const std::string& text, const std::string& folder) {
+    std::string result;
+    const std::string here = folder.empty() || folder.ends_with('/') ? folder : folder + "/";
+    const std::string at_home = home() == "/" ? "" : home() + "/";
+    const auto begins_path = [&](std::size_t at) {
+        return at == 0 || std::string_view(" \t\n'\"(:,=").find(text[at - 1]) != std::string_view::npos;
+    };
+    for (std::size_t at = 0; at < text.size();) {
+        const std::string_view rest = std::string_view(text).substr(at);
+        if (here.size() > 1 && rest.starts_with(here) && begins_path(at)) {
+            at += here.size();
+        } else if (!at_home.empty() && rest.starts_with(at_home) && begins_path(at)) {
+            result += "~/";
+            at += at_home.size();
+        } else {
+            result += text[at++];
+        }
+    }
+    return result;
 }
 
 ui::Listing list_folder(const std::string& folder, bool all) {

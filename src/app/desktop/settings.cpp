@@ -61,6 +61,7 @@ Settings read_settings(const std::string& file) {
     settings.theme = theme(json);
     settings.panel = flag(json, "panel", settings.panel);
     settings.always_sharp = flag(json, "always_sharp", settings.always_sharp);
+    settings.tools = flag(json, "tools", settings.tools);
     settings.zoom = number(json, "zoom", settings.zoom, .5, 3);
     settings.panel_width = number(json, "panel_width", settings.panel_width, 4, 200);
     settings.width = static_cast<int>(number(json, "width", 0, 200, 16384));
@@ -85,14 +86,19 @@ std::string write_settings(const std::string& file, const Settings& settings) {
                     {"width", settings.width},
                     {"height", settings.height},
                     {"always_sharp", settings.always_sharp},
+                    {"tools", settings.tools},
                     {"recent", recent}};
     return content::replace_file(file, content::json_text(json) + "\n");
 }
 
-void remember(std::vector<std::string>& recent, const std::string& scene) {
+std::string whole_path(const std::string& scene) {
     std::error_code error;
     const std::filesystem::path whole = std::filesystem::absolute(scene, error);
-    const std::string path = error ? scene : whole.lexically_normal().string();
+    return error ? scene : whole.lexically_normal().string();
+}
+
+void remember(std::vector<std::string>& recent, const std::string& scene) {
+    const std::string path = whole_path(scene);
     std::erase(recent, path);
     recent.insert(recent.begin(), path);
     if (recent.size() > most_recent) recent.resize(most_recent);
@@ -103,6 +109,8 @@ void restore(const Settings& settings, ui::Memory& memory) {
     memory.zoom = static_cast<float>(settings.zoom);
     memory.panel = settings.panel;
     memory.always_sharp = settings.always_sharp;
+    memory.hint = settings.panel ? 0 : ui::hint_seconds;
+    memory.tab = settings.tools ? ui::Tab::tools : ui::Tab::controls;
     memory.panel_width = static_cast<float>(settings.panel_width);
     memory.open = ui::Titles(settings.open.begin(), settings.open.end());
 }
@@ -112,6 +120,7 @@ void gather(const ui::Memory& memory, Settings& settings) {
     settings.zoom = std::round(memory.zoom * 1000) / 1000;
     settings.panel = memory.panel;
     settings.always_sharp = memory.always_sharp;
+    settings.tools = memory.tab == ui::Tab::tools;
     settings.panel_width = std::round(memory.panel_width * 100) / 100;
     settings.open.assign(memory.open.begin(), memory.open.end());
 }
@@ -121,6 +130,7 @@ void carry_looks(const ui::Memory& before, ui::Memory& memory) {
     memory.zoom = before.zoom;
     memory.panel = before.panel;
     memory.always_sharp = before.always_sharp;
+    memory.tab = before.tab;
     memory.panel_width = before.panel_width;
     memory.open = before.open;
     memory.labels = before.labels;

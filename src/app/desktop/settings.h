@@ -16,6 +16,7 @@ struct Settings {
     double zoom = 1, panel_width = 22;  // in multiples of the text height
     bool panel = true;
     bool always_sharp = false;
+    bool tools = false;             // whether the panel shows its second tab
     std::vector<std::string> open;  // titles of the open sections
     int width = 0, height = 0;      // of the window, in its coordinates at zoom 1 and 96 dots per inch; 0: unknown
     std::vector<std::string> recent;
@@ -32,6 +33,8 @@ Settings read_settings(const std::string& file);
 // Writes the settings. Recent scenes that other windows added in the meantime are kept. Returns "" or the error.
 std::string write_settings(const std::string& file, const Settings& settings);
 
+// The absolute path of a scene, as recent scenes are listed.
+std::string whole_path(const std::string& scene);
 // Moves the scene to the front of the recent ones, which are absolute paths, each listed once.
 void remember(std::vector<std::string>& recent, const std::string& scene);
 

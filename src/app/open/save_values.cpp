@@ -39,6 +39,7 @@ std::string exchange(const std::vector<SavedFile>& files, std::string SavedFile:
     for (std::size_t i = 0; i < files.size(); ++i) {
         std::string error = content::replace_file(files[i].path, files[i].*next);
         if (error.empty()) continue;
+        if (!error.starts_with(files[i].path)) error = files[i].path + ": " + error;
         while (i-- > 0) content::replace_file(files[i].path, files[i].*now);
         return error;
     }

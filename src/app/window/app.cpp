@@ -54,6 +54,7 @@ void App::run(bool edited) {
     workspace_.remember_scene();
     window_->show(first_size());
     shown_ = true;
+    if (workspace_.session().path().empty() && !edited) workspace_.browse(options_.scene, interface_.memory());
     if (edited) reload();
     interface_.start();
     began_ = window_->now();
@@ -62,6 +63,7 @@ void App::run(bool edited) {
         if (options_.exit_after > 0 && window_->now() - began_ > options_.exit_after) break;
         step();
     }
+    keep_picture();
     workspace_.look(interface_.view(), interface_.memory());
 }
 
@@ -101,7 +103,7 @@ bool App::own_size() {
 }
 
 void App::remember_size() {
-    if (options_.size || own_size()) return;
+    if (options_.size || own_size() || window_->full_screen()) return;
     const PixelSize size = window_->size();
     const double scale = window_->content_scale();
     workspace_.resized(static_cast<int>(std::lround(size.width / scale)),
@@ -119,9 +121,11 @@ Carried App::carried() {
 
 Carried App::carry(Recovery recovery) {
     const PixelSize size = window_->size();
+    View view = display_.counters().frames > 0 ? display_.drawn().stand.view : interface_.view();
+    view.axes = interface_.view().axes;  // they are not drawn while everything is hidden
     return {workspace_.session().path(),
             std::move(recovery),
-            display_.counters().frames > 0 ? display_.drawn().stand.view : interface_.view(),
+            std::move(view),
             {size.width, size.height},
             interface_.memory().clock.time};
 }
@@ -152,6 +156,7 @@ double App::pause() {
     if (unsettled_ > 0 || workspace_.saving() || (measuring_.busy() && visible())) return 0;
     double until = std::min(next_look_, interface_.due());
     if (!specialised_ && options_.specialise) until = std::min(until, touched_ + until_still);
+    if (interface_.fading() && visible()) until = std::min(until, window_->now() + frame_time);
     if (moving() && visible()) until = std::min(until, display_.last_picture() + frame_time);
     if (visible()) until = std::min(until, display_.sharp_due());
     if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
@@ -163,14 +168,14 @@ void App::settle(int frames) { unsettled_ = std::max(unsettled_, frames); }
 void App::step() {
     const double now = window_->now();
     save();
-    bool woken = look(), repaint = false;
+    bool woken = look();
     window_->take_events(events_);
     for (const Event& event : events_)
-        repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
+        if (event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize) repaints_ = until_equal;
     if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
         show_scene(workspace_.serve_dropped(dropped, interface_.memory()));
     if (now >= interface_.due()) settle(until_equal);
-    woken |= now >= display_.sharp_due() || !events_.empty() || unsettled_ > 0 ||
+    woken |= now >= display_.sharp_due() || !events_.empty() || unsettled_ > 0 || interface_.fading() ||
              (moving() && now >= display_.last_picture() + frame_time);
     if (!visible()) {
         unsettled_ = 0;  // everything is drawn again when the window comes back, which is an event
@@ -190,7 +195,7 @@ void App::step() {
         rest = rest.subspan(count);
     } while (!rest.empty());
     unsettled_ = std::max(0, unsettled_ - 1);
-    show(repaint);
+    show(std::exchange(repaints_, std::max(0, repaints_ - 1)) > 0);
 }
 
 void App::save() {
@@ -207,6 +212,8 @@ bool App::look() {
     if (now < next_look_ || workspace_.saving()) return false;
     next_look_ = now + look_at_files;
     keep_by_hand();
+    if (pictured_ != workspace_.session().path() && display_.counters().frames > 0 && now > touched_ + until_still)
+        keep_picture();
     const bool saved = workspace_.session().saved();
     if (saved) reload();
     return workspace_.look(interface_.view(), interface_.memory()) || saved;
@@ -232,6 +239,12 @@ bool App::measure() {
     return measured;
 }
 
+void App::keep_picture() {
+    if (!workspace_.document()) return;
+    pictured_ = workspace_.session().path();
+    workspace_.keep_picture(display_.thumbnail());
+}
+
 void App::reload() {
     restart_.trying();
     workspace_.reload(interface_.view(), interface_.memory().notice);
@@ -240,6 +253,7 @@ void App::reload() {
 
 void App::show_scene(const std::optional<std::string>& path) {
     if (!path) return;
+    keep_picture();
     if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
         interface_.memory().notice = utf8::printable(problem);
         return;
@@ -273,7 +287,8 @@ ui::Facts App::facts() {
     facts.samples = display_.samples();
     facts.grain = grains[static_cast<std::size_t>(display_.drawn().grain)].text;
     facts.renderer = caps_.renderer;
-    workspace_.tell(facts);
+    workspace_.tell(facts, memory);
+    facts.full_screen = window_->full_screen();
     picking_.tell(facts, document, memory.hold);
     if (document) measuring_.explain(facts, *document, memory);
     measuring_.tell(facts, document, memory);
@@ -290,6 +305,7 @@ void App::serve(const ui::Requests& requests) {
     if (workspace_.follow_rungs()) settle(until_equal);
     measuring_.serve(requests, memory);
     if (requests.reload) reload();
+    if (requests.full_screen) window_->set_full_screen(!window_->full_screen());
 }
 
 void App::show(bool repaint) {
@@ -325,10 +341,14 @@ bool App::draw_scene() {
     const double time = interface_.time(workspace_.saving());
     animate(document.controls, memory.animated, time);
     const std::uint64_t revision = session.stale() ? display_.drawn().revision : session.revision();
+    View view = interface_.view();
+    view.axes = view.axes && memory.panel;
     const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
-                      document.runtime->animated() ? time : 0, interface_.view(), values_of(document.controls)};
+                      document.runtime->animated() ? time : 0, std::move(view), values_of(document.controls)};
     const Drawn next{revision, stand, document.controls.rungs, memory.hold.object};
-    if (!display_.prepare(next, document, interface_.pressed(), memory.always_sharp)) return false;
+    const bool held = interface_.pressed();
+    const bool sharp = memory.always_sharp || (!memory.animated.empty() && !held);
+    if (!display_.prepare(next, document, held, sharp)) return false;
     hang_.begin("drawing a frame");
     display_.draw(document, measuring_.begin_picture(revision), density);
     hang_.rest();

@@ -26,7 +26,8 @@ public:
         Past& past);
     // Returns when the window is closed or the context is lost. `edited`: a file was saved before the window was open.
     void run(bool edited);
-    bool readable() { return workspace_.document() != nullptr; }
+    // False if the scene could not be read; a window without a scene is fine.
+    bool readable() { return workspace_.document() != nullptr || workspace_.session().path().empty(); }
     // True if the driver reset the context. Once run() has returned, carried() has the state for a new window.
     bool lost() const { return display_.lost(); }
     Carried carried();
@@ -63,6 +64,8 @@ private:
     bool specialise();
     // Draws a picture to measure it, if nothing else is to be done. Returns true if there is something new to show.
     bool measure();
+    // Keeps a picture of the open scene for the file browser.
+    void keep_picture();
     void reload();
     // Shows another scene, as if the window had been opened with it; the appearance of the window stays.
     void show_scene(const std::optional<std::string>& path);
@@ -90,9 +93,12 @@ private:
     std::uint64_t kept_frame_ = 0;              // the frame whose state Restart has
     std::array<std::uint64_t, 2> presented_{};  // the panels, and what lies over the picture, as last presented
     int unsettled_ = 3;                         // number of frames to draw even without input
-    double began_ = 0, next_look_ = 0;          // by the clock of the window
-    double touched_ = 0;                        // when there was input last
-    bool specialised_ = false;                  // nothing more can be compiled for the values as they are
+    // Number of frames to present even if nothing changed: some drivers learn a new size with the next picture.
+    int repaints_ = 3;
+    double began_ = 0, next_look_ = 0;  // by the clock of the window
+    double touched_ = 0;                // when there was input last
+    std::string pictured_;              // the scene of which a picture was kept
+    bool specialised_ = false;          // nothing more can be compiled for the values as they are
 };
 
 }  // namespace snell

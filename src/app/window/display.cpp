@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/app/picture/sheet.h"
 #include "src/ui/kit/style.h"
 
 namespace snell {
@@ -78,6 +79,14 @@ void Display::draw(Document& document, const std::function<void(const Step&)>* a
     ++counters_.frames;
     coarseness_.drew(counters_.frame_ms);
     drawn_ = std::move(next_);
+}
+
+content::Image Display::thumbnail() const {
+    if (counters_.frames == 0 || lost_) return {};
+    const PixelSize size = coarse_size(drawn_);
+    content::Image picture{.width = size.width, .height = size.height};
+    picture.pixels = canvas_of(drawn_).read();
+    return picture.pixels.size() == picture.bytes() ? app::thumbnail(picture) : content::Image{};
 }
 
 bool Display::specialise(Document& document) {

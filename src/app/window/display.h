@@ -10,6 +10,7 @@
 #include "src/app/open/loss.h"
 #include "src/app/window/coarse.h"
 #include "src/app/window/measure/refine.h"
+#include "src/content/image/image.h"
 #include "src/gl/present.h"
 #include "src/platform/window.h"
 
@@ -62,6 +63,8 @@ public:
     void present();
 
     const Drawn& drawn() const { return drawn_; }
+    // The last picture, as small as the file browser shows it; without pixels if nothing was drawn.
+    content::Image thumbnail() const;
     // The y of the picture's bottom, in pixels from the bottom of the window.
     int bottom(PixelSize pixels) const { return pixels.height - drawn_.stand.height; }
     // Of a sharp picture.

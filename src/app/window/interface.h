@@ -33,6 +33,8 @@ public:
     void paint() { painter_.paint(); }
     // When the panels would be another picture even without input, by the clock of the window; infinite if never.
     double due() const { return framed_ + gui_.due(); }
+    // True while the panels change by themselves.
+    bool fading() const { return memory_.hint > 0; }
     // A hash of the last frame: equal hashes mean equal panels.
     std::uint64_t picture() const { return picture_; }
 

@@ -10,8 +10,8 @@
 #include "src/app/window/display.h"
 #include "src/app/window/measure/accuracy_view.h"
 #include "src/app/window/measure/frame_costs.h"
-#include "src/app/window/pixel_view.h"
-#include "src/app/window/texture_view.h"
+#include "src/app/window/measure/pixel_view.h"
+#include "src/app/window/measure/texture_view.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {

@@ -5,17 +5,13 @@
 
 #include "parser/text/utf8.h"
 #include "src/app/desktop/folder.h"
+#include "src/app/desktop/thumbnails.h"
 
 namespace snell {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_folder(const std::string& path) {
-    std::error_code error;
-    return fs::is_directory(path, error);
-}
 
 std::string file_name(const std::string& path) { return utf8::printable(fs::path(path).filename().string()); }
 
@@ -28,7 +24,7 @@ std::string short_name(const std::string& path, const fs::path& folder) {
 
 }  // namespace
 
-void Opener::tell(ui::Facts& facts, const std::string& scene, const std::vector<std::string>& in_use) {
+void Opener::tell(ui::Facts& facts, const std::string& scene, const std::vector<std::string>& in_use, bool browsing) {
     if (rows_at_ != facts.revision || rows_of_ != scene) {
         const fs::path parent = fs::path(scene).parent_path();
         const fs::path folder = parent.empty() ? fs::path(".") : parent;
@@ -39,23 +35,32 @@ void Opener::tell(ui::Facts& facts, const std::string& scene, const std::vector<
     }
     facts.files = rows_;
     facts.editor = editor_.name();
-    facts.recent = settings_.recent;
+    facts.recent = gallery_.show(settings_.recent, browsing);
     facts.listing = &listing_;
 }
 
 std::optional<std::string> Opener::scene_at(const std::string& path, ui::Memory& memory) {
     const std::string whole = without_tilde(path);
     if (!is_folder(whole)) return whole;
-    ui::Requests requests;
-    ui::open_browser(whole, memory, requests);
-    listing_ = list_folder(whole, memory.browser.all);
+    browse(whole, memory);
     return std::nullopt;
+}
+
+void Opener::browse(const std::string& folder, ui::Memory& memory) {
+    ui::Requests requests;
+    ui::open_browser(folder, memory, requests);
+    listing_ = list_folder(folder, memory.browser.all);
+}
+
+void Opener::keep_picture(const std::string& scene, const content::Image& picture) {
+    if (!picture.pixels.empty()) keep_thumbnail(thumbnails_folder(), whole_path(scene), picture, settings_.recent);
 }
 
 std::optional<std::string> Opener::serve(const ui::Requests& requests, const std::string& scene, ui::Memory& memory) {
     if (requests.browse) {
-        const std::string& wanted = memory.browser.folder;
-        listing_ = list_folder(wanted.empty() ? fs::path(scene).parent_path().string() : wanted, memory.browser.all);
+        std::string wanted = memory.browser.folder;
+        if (wanted.empty()) wanted = scene.empty() ? listing_.folder : fs::path(scene).parent_path().string();
+        listing_ = list_folder(wanted, memory.browser.all);
     }
     if (const ui::Place& place = requests.edit; !place.file.empty()) {
         const Started started = editor_.open(place.file, place.line, place.column);

@@ -7,6 +7,7 @@
 
 #include "src/app/desktop/editor.h"
 #include "src/app/desktop/settings.h"
+#include "src/app/window/gallery.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
@@ -18,9 +19,13 @@ public:
 
     const Settings& settings() const { return settings_; }
     // `in_use` and `revision` are those of the session; the rows are made again when the revision changes.
-    void tell(ui::Facts& facts, const std::string& scene, const std::vector<std::string>& in_use);
+    void tell(ui::Facts& facts, const std::string& scene, const std::vector<std::string>& in_use, bool browsing);
+    // Keeps a small picture of a scene for the browser.
+    void keep_picture(const std::string& scene, const content::Image& picture);
     // Returns the path of a scene to open, if there is one. Sets `notice` to the outcome of the other requests.
     std::optional<std::string> serve(const ui::Requests& requests, const std::string& scene, ui::Memory& memory);
+    // Opens the browser in a folder.
+    void browse(const std::string& folder, ui::Memory& memory);
     // Handles files that were dropped on the window: opens the first scene among them, or lists a folder.
     std::optional<std::string> serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory);
     // Call it regularly: it checks for ended editors and writes settings that changed, including the recent scenes.
@@ -39,6 +44,7 @@ private:
     std::string file_;
     Settings kept_, settings_;
     Editor editor_;
+    Gallery gallery_;
     ui::Listing listing_;
     std::vector<ui::FileRow> rows_;
     std::string rows_of_;                        // the scene that rows_ belong to

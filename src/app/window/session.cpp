@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "src/app/desktop/folder.h"
 #include "src/app/open/rounds.h"
 #include "src/app/open/snapshots.h"
 
@@ -25,15 +26,12 @@ bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
     });
 }
 
-ui::Problem problem_of(const Diagnostic& diagnostic, const Sources& sources) {
-    ui::Problem problem{describe(diagnostic, sources), {}};
-    const std::optional<Position> at = problem.finding.at;
-    if (!at) return problem;
-    std::error_code error;
-    const std::string name(sources.name(diagnostic.span.file));
-    // A built-in text has a name but no file.
-    if (std::filesystem::is_regular_file(name, error)) problem.place = {name, at->line, at->column};
-    return problem;
+// Names files from the scene's folder, in all the texts of a finding.
+Finding nearby(Finding finding, const std::string& folder) {
+    finding.file = near_names(finding.file, folder);
+    for (std::string* text : {&finding.message, &finding.also, &finding.help}) *text = near_names(*text, folder);
+    for (Finding& note : finding.notes) note = nearby(std::move(note), folder);
+    return finding;
 }
 
 std::string folder_of(const std::string& file) {
@@ -94,6 +92,7 @@ void Session::choose_first(const Scene& scene, Rungs& rungs, Diagnostics& refuse
 }
 
 void Session::reload() {
+    if (path_.empty()) return;
     ++revision_;
     take(
         read(path_, [this](const Scene& scene, Rungs& rungs, Diagnostics& refused) { choose(scene, rungs, refused); }));
@@ -121,10 +120,22 @@ std::string Session::open(std::string path, Remembered memory) {
     return {};
 }
 
+void Session::tell(const Diagnostic& diagnostic, const Sources& sources) {
+    const Finding finding = describe(diagnostic, sources);
+    printed_.push_back(render(finding));
+    const std::string folder = std::filesystem::path(path_).parent_path().string();
+    ui::Problem& problem = problems_.emplace_back(ui::Problem{nearby(finding, folder), {}});
+    if (!finding.at) return;
+    std::error_code error;
+    const std::string name(sources.name(diagnostic.span.file));
+    // A built-in text has a name but no file.
+    if (std::filesystem::is_regular_file(name, error)) problem.place = {name, finding.at->line, finding.at->column};
+}
+
 void Session::take(std::unique_ptr<Document> read) {
     problems_.clear();
-    for (const Diagnostic& diagnostic : read->diagnostics.items())
-        problems_.push_back(problem_of(diagnostic, read->sources));
+    printed_.clear();
+    for (const Diagnostic& diagnostic : read->diagnostics.items()) tell(diagnostic, read->sources);
     errors_ = file_errors_ = read->diagnostics.errors();
     file_problems_ = problems_.size();
     watch(*read);
@@ -174,7 +185,7 @@ std::shared_ptr<const Kept> Session::salvage() {
 
 void Session::recover(const Recovery& recovery) {
     ++revision_;
-    problems_ = {problem_of(recovery.problem, {})};
+    tell(recovery.problem, {});
     errors_ = file_errors_ = file_problems_ = 1;
     files_ = recovery.files;
     watch_.set_paths(recovery.files);
@@ -204,7 +215,8 @@ bool Session::follow_rungs() {
     ++revision_;
     const Diagnostics& found = shown_->runtime->ladder_problems();
     problems_.resize(file_problems_);
-    for (const Diagnostic& diagnostic : found.items()) problems_.push_back(problem_of(diagnostic, shown_->sources));
+    printed_.resize(file_problems_);
+    for (const Diagnostic& diagnostic : found.items()) tell(diagnostic, shown_->sources);
     errors_ = file_errors_ + found.errors();
     return true;
 }
@@ -231,7 +243,7 @@ void Session::watch(const Document& read) {
 
 std::string Session::problems_text() const {
     std::string text;
-    for (const ui::Problem& problem : problems_) text += render(problem.finding);
+    for (const std::string& problem : printed_) text += problem;
     return text;
 }
 

@@ -21,9 +21,9 @@ using FirstRungs = std::function<void(const Scene& scene, Rungs& rungs, Diagnost
 
 class Session {
 public:
-    // The GL context of `caps` must be current during the object's whole life. `progress` is called while the scene
-    // loads. With `recovery` the session begins with that state instead of the file, and with `memory` it has values of
-    // an earlier one.
+    // Without a path there is no scene until open(). The GL context of `caps` must be current during the object's whole
+    // life. `progress` is called while the scene loads. With `recovery` the session begins with that state instead of
+    // the file, and with `memory` it has values of an earlier one.
     Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr, Watcher progress = nullptr,
             const Recovery* recovery = nullptr, Remembered memory = {});
 
@@ -71,6 +71,7 @@ public:
 private:
     std::unique_ptr<Document> read(const std::string& path, const FirstRungs& choose);
     void take(std::unique_ptr<Document> read);
+    void tell(const Diagnostic& diagnostic, const Sources& sources);
     void recover(const Recovery& recovery);
     void choose(const Scene& scene, Rungs& rungs, Diagnostics& refused);
     void choose_first(const Scene& scene, Rungs& rungs, Diagnostics& refused);
@@ -92,6 +93,7 @@ private:
     Rungs first_rungs_;
     std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems
     std::vector<ui::Problem> problems_;  // those of the files, then those of rungs that were chosen since
+    std::vector<std::string> printed_;   // the same problems, with the names of files as the user gave them
     std::size_t file_problems_ = 0, file_errors_ = 0;
     std::size_t errors_ = 0;
     bool stale_ = false;

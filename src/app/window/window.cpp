@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "parser/text/utf8.h"
+#include "src/app/desktop/folder.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/window/app.h"
 
@@ -35,7 +36,7 @@ int run_window(const WindowOptions& options) {
     std::optional<Carried> carried = restart.carried();
     if (carried) begin_with(*carried, now);
     std::error_code none;
-    if (!carried && !std::filesystem::is_regular_file(now.scene, none)) {
+    if (!carried && !now.scene.empty() && !std::filesystem::is_regular_file(now.scene, none) && !is_folder(now.scene)) {
         fmt::print(stderr, "snell: error: cannot read '{}'\n", utf8::printable(options.scene));
         return app::exit_input;
     }
@@ -43,6 +44,10 @@ int run_window(const WindowOptions& options) {
     while (true) {
         std::string error;
         std::unique_ptr<Window> window = Window::make({.title = title_of(now.scene)}, error);
+        if (!window && now.scene.empty()) {
+            fmt::print(stderr, "snell: error: no scene given, and no window to choose one in: {}\n", error);
+            return app::exit_usage;
+        }
         if (!window) {
             fmt::print(stderr, "snell: error: no window: {}\n  help: 'snell render' draws without a display\n", error);
             return app::exit_graphics;

@@ -11,7 +11,7 @@
 namespace snell {
 
 struct WindowOptions {
-    std::string scene;
+    std::string scene;  // a folder or "": the window begins with the file browser, in that folder or the current one
     std::optional<std::pair<int, int>> size;
     std::string state_file;  // for tests: counters, values and layout are written to this file after every frame
     double exit_after = 0;   // in seconds; 0: never

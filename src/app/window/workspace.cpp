@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "parser/text/utf8.h"
+#include "src/app/desktop/folder.h"
 #include "src/app/open/quality.h"
 
 namespace snell {
@@ -22,14 +23,15 @@ FirstRungs first_rungs(const WindowOptions& options) {
 }  // namespace
 
 std::string title_of(const std::string& scene, bool unsaved) {
+    if (scene.empty()) return "snell";
     return std::string(unsaved ? "\u2022 " : "") + "snell \u2014 " + utf8::printable(scene);
 }
 
 Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher progress, const Recovery* recovery,
                      Past& past)
     : past_(past),
-      session_(options.scene, caps, options.access, first_rungs(options), std::move(progress), recovery,
-               recovery ? Remembered{} : past_.read(options.scene)),
+      session_(is_folder(options.scene) ? "" : options.scene, caps, options.access, first_rungs(options),
+               std::move(progress), recovery, recovery ? Remembered{} : past_.read(options.scene)),
       keeper_(options.scene),
       opener_(settings_file()),
       saver_(caps, options.access.limits) {}
@@ -82,7 +84,7 @@ std::string Workspace::open(const std::string& path, const View& view) {
     return {};
 }
 
-void Workspace::tell(ui::Facts& facts) {
+void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
     name_ = utf8::printable(std::filesystem::path(session_.path()).filename().string());
     facts.file = name_;
     facts.problems = session_.problems();
@@ -99,7 +101,7 @@ void Workspace::tell(ui::Facts& facts) {
         facts.linked = linked_;
     }
     keeper_.tell(facts, document());
-    opener_.tell(facts, session_.path(), session_.files());
+    opener_.tell(facts, session_.path(), session_.files(), memory.browser.open);
 }
 
 std::optional<std::string> Workspace::serve(const ui::Requests& requests, const Picture& shown, Window& window,

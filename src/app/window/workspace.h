@@ -52,10 +52,14 @@ public:
     // Remembers the size of the window; see Opener.
     void resized(int width, int height) { opener_.resized(width, height); }
 
+    // Opens the file browser in a folder.
+    void browse(const std::string& folder, ui::Memory& memory) { opener_.browse(folder, memory); }
+    // Keeps a small picture of the open scene for the file browser.
+    void keep_picture(const content::Image& picture) { opener_.keep_picture(session_.path(), picture); }
     Past& past() { return past_; }
 
     // Fills in the facts about the scene and its files.
-    void tell(ui::Facts& facts);
+    void tell(ui::Facts& facts, const ui::Memory& memory);
     // Executes the requests about files, values and pictures; `shown` is what the window shows. Returns the path of a
     // scene to open, if there is one.
     std::optional<std::string> serve(const ui::Requests& requests, const Picture& shown, Window& window, View& view,

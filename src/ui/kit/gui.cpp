@@ -49,6 +49,7 @@ std::uint64_t hash_of(const ImDrawData& data) {
         for (const ImDrawCmd& command : list.CmdBuffer) {
             mix(hash, &command.ClipRect, sizeof command.ClipRect);
             mix(hash, &command.ElemCount, sizeof command.ElemCount);
+            mix(hash, &command.TextureId, sizeof command.TextureId);
         }
     }
     return hash;

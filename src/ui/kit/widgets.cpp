@@ -100,13 +100,62 @@ bool fitted(std::string_view text, float width, bool dim) {
 }
 
 bool section(const char* title, Titles& open, Layout& layout, const char* name) {
+    show_opened();
     const auto kept = open.find(std::string_view(title));
     ImGui::SetNextItemOpen(kept != open.end());
     const bool opened = ImGui::CollapsingHeader(title);
     layout.note(name);
+    keep_in_view(opened);
     if (opened && kept == open.end()) open.emplace(title);
     if (!opened && kept != open.end()) open.erase(kept);
     return opened;
+}
+
+namespace {
+
+constexpr ImGuiID top_of_opened = 0x5EC71014;
+
+}  // namespace
+
+// The state is that of the window that scrolls: which header was opened, in how many more frames its contents may still
+// grow, and where it is in this frame.
+void keep_in_view(bool open) {
+    constexpr int until_whole = 4;
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const ImGuiID header = ImGui::GetItemID(), before = header + 1;
+    const ImGuiID opened = ImHashStr("opened"), frames = ImHashStr("frames");
+    const bool was_open = kept.GetBool(before, open);
+    kept.SetBool(before, open);
+    if (open && !was_open) {
+        kept.SetInt(opened, static_cast<int>(header));
+        kept.SetInt(frames, until_whole);
+    }
+    const int left = kept.GetInt(frames);
+    if (left == 0 || kept.GetInt(opened) != static_cast<int>(header)) return;
+    kept.SetInt(frames, open ? left - 1 : 0);
+    if (open) kept.SetFloat(top_of_opened, ImGui::GetItemRectMin().y - ImGui::GetWindowPos().y + ImGui::GetScrollY());
+}
+
+void show_opened() {
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const float top = kept.GetFloat(top_of_opened, -1), bottom = ImGui::GetCursorPosY(),
+                height = ImGui::GetWindowHeight();
+    if (top < 0) return;
+    kept.SetFloat(top_of_opened, -1);
+    const float scroll = ImGui::GetScrollY();
+    if (top < scroll || bottom > scroll + height) ImGui::SetScrollY(std::min(top, bottom - height));
+}
+
+bool tab(const char* title, bool chosen, Layout& layout, const char* name) {
+    ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(chosen ? ImGuiCol_Text : ImGuiCol_TextDisabled));
+    const bool pressed = button(title, layout, name);
+    ImGui::PopStyleColor(2);
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const float line = std::round(ImGui::GetFontSize() * .15F);
+    if (chosen)
+        ImGui::GetWindowDrawList()->AddRectFilled({from.x, to.y - line}, to, ImGui::GetColorU32(palette().accent));
+    return pressed;
 }
 
 bool begin_combo(const char* id, const char* chosen) {

@@ -33,7 +33,8 @@ void wrapped(std::string_view text, bool dim = false);
 // SameLine.
 void follow(float width, float gap = -1);
 // Cuts the middle out of a name so that it fits into the width, with dots for what is left out: names often differ only
-// at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the hidden part after ##.
+// at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the
+// hidden part after ##.
 Text shortened(std::string_view text, float width);
 // Draws such a text as an item whose tooltip has all of it. Returns false if something was left out.
 bool fitted(std::string_view text, float width, bool dim = false);
@@ -42,6 +43,14 @@ bool fitted(std::string_view text, float width, bool dim = false);
 using Titles = std::set<std::string, std::less<>>;
 // Draws a header that opens and closes its section, and returns whether it is open. `open` is saved from run to run.
 bool section(const char* title, Titles& open, Layout& layout, const char* name);
+
+// Call after the header of a section: once the user opens it, show_opened() scrolls until its contents are visible.
+void keep_in_view(bool open);
+// Call where the contents of a section end: section() does, and the end of the scrolling area must.
+void show_opened();
+
+// Draws the title of a tab. Returns true if the user chose it.
+bool tab(const char* title, bool chosen, Layout& layout, const char* name);
 
 struct SliderRange {
     double min = 0, max = 1;

@@ -233,6 +233,7 @@ bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
     ImGui::SetNextItemOpen(memory.open);
     memory.open = ImGui::CollapsingHeader("Accuracy");
     layout.note("accuracy");
+    keep_in_view(memory.open);
     if (!memory.open || !facts.accuracy) return false;
     const float indent = ImGui::GetStyle().FramePadding.x * .5F;
     ImGui::Indent(indent);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <utility>
 
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
@@ -57,26 +58,50 @@ void path_row(const Listing& listing, Memory& memory, Requests& requests, Layout
     }
 }
 
-void places(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
+// A recent scene as its picture, its name and its folder.
+bool recent_row(const RecentScene& scene, float width) {
+    const float em = ImGui::GetFontSize(), pad = ImGui::GetStyle().FramePadding.x;
+    const ImVec2 picture(4 * em, 3 * em), at = ImGui::GetCursorScreenPos();
+    const bool chosen = ImGui::Selectable("##recent", false, 0, {0, picture.y});
+    if (!ImGui::IsItemVisible()) return chosen;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end(at.x + picture.x, at.y + picture.y);
+    list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    if (scene.picture != 0) {
+        const ImVec2 size(std::min(picture.x, picture.y * scene.shape), std::min(picture.y, picture.x / scene.shape));
+        const ImVec2 from(at.x + (picture.x - size.x) / 2, at.y + (picture.y - size.y) / 2);
+        list.AddImage(reinterpret_cast<ImTextureID>(scene.picture), from, {from.x + size.x, from.y + size.y});
+    }
+    const float left = end.x + pad, room = width - picture.x - pad, line = ImGui::GetTextLineHeightWithSpacing();
+    const float top = at.y + (picture.y - 2 * line) * .5F;
+    list.AddText({left, top}, ImGui::GetColorU32(ImGuiCol_Text), shortened(scene.name, room).c_str());
+    list.AddText({left, top + line}, ImGui::GetColorU32(ImGuiCol_TextDisabled), shortened(scene.folder, room).c_str());
+    return chosen;
+}
+
+void recent_scenes(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
+    if (facts.recent.empty()) return;
     const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::TextDisabled("Recent");
+    for (std::size_t i = 0; i < facts.recent.size(); ++i) {
+        const RecentScene& scene = facts.recent[i];
+        ImGui::PushID(static_cast<int>(i));
+        if (recent_row(scene, width)) {
+            requests.open = scene.path;
+            close(memory.browser);
+        }
+        tip(scene.path);
+        layout.note("browser.recent", scene.name);
+        ImGui::PopID();
+    }
+    ImGui::Spacing();
+}
+
+void places(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
+    recent_scenes(facts, memory, requests, layout);
     ImGui::TextDisabled("Places");
     if (ImGui::Selectable("Home")) open_browser(listing.home, memory, requests);
     layout.note("browser.home");
-    if (facts.recent.empty()) return;
-    ImGui::Spacing();
-    ImGui::TextDisabled("Recent");
-    for (std::size_t i = 0; i < facts.recent.size(); ++i) {
-        const std::string& path = facts.recent[i];
-        const std::string name = utf8::printable(path.substr(path.rfind('/') + 1));
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(shortened(name, width).c_str())) {
-            requests.open = path;
-            close(memory.browser);
-        }
-        tip(utf8::printable(path));
-        layout.note("browser.recent", name);
-        ImGui::PopID();
-    }
 }
 
 void take(const Entry& entry, Memory& memory, Requests& requests) {
@@ -100,8 +125,8 @@ void entry_row(const Entry& entry, bool chosen, bool columns, float date_width, 
     list.AddText({right - date_width + pad, top}, dim, entry.date.c_str());
 }
 
-void entries(const Listing& listing, const std::vector<std::size_t>& shown, Memory& memory, Requests& requests,
-             Layout& layout) {
+void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool came, Memory& memory,
+             Requests& requests, Layout& layout) {
     Browser& browser = memory.browser;
     if (!listing.error.empty()) {
         wrapped(listing.error);
@@ -123,13 +148,24 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, Memo
         layout.note("browser.entry", entry.name);
         if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
         if (width_of(entry.name) > 20 * em) tip(entry.name);
-        if (chosen && (pressed(Key::up, true) || pressed(Key::down, true))) ImGui::SetScrollHereY();
+        if (chosen && (came || pressed(Key::up, true) || pressed(Key::down, true))) ImGui::SetScrollHereY();
         ImGui::PopID();
         if (clicked) {
             browser.chosen = i;
             if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return take(entry, memory, requests);
         }
     }
+}
+
+// In a folder above the one that was listed before, chooses what leads back there. Returns true if it did.
+bool choose_origin(const Listing& listing, Browser& browser) {
+    if (browser.listed == listing.folder) return false;
+    const std::string before = std::exchange(browser.listed, listing.folder) + "/";
+    const auto leads_there = [&](const Entry& entry) { return before.starts_with(entry.path + "/"); };
+    const auto origin = std::ranges::find_if(listing.entries, leads_there);
+    if (origin == listing.entries.end()) return false;
+    browser.chosen = static_cast<std::size_t>(origin - listing.entries.begin());
+    return true;
 }
 
 void choose_by_keys(Browser& browser, std::size_t count) {
@@ -224,12 +260,13 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
         return;
     const Listing& listing = *facts.listing;
     path_row(listing, memory, requests, layout);
+    const bool came = choose_origin(listing, browser);
     const std::vector<std::size_t> shown = matching(listing, browser.typed.data());
     choose_by_keys(browser, shown.size());
     const bool two_rows =
         check_box_width("All files") + button_width("Cancel") + button_width("Open") + 2 * em > size.x - 2 * em;
     const float below = ImGui::GetFrameHeightWithSpacing() * (two_rows ? 3 : 2);
-    const float side = size.x > 30 * em ? 11 * em : 0;
+    const float side = size.x > 30 * em ? std::min(17 * em, size.x * .4F) : 0;
     ImGui::BeginChild("##places", {std::max(side, 1.0F), -below});
     if (side > 0) places(facts, listing, memory, requests, layout);
     ImGui::EndChild();
@@ -238,7 +275,8 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     else
         ImGui::SameLine(0, 0);
     ImGui::BeginChild("##entries", {0, -below});
-    entries(listing, shown, memory, requests, layout);
+    if (side == 0 && !facts.scene) recent_scenes(facts, memory, requests, layout);
+    entries(listing, shown, came, memory, requests, layout);
     ImGui::EndChild();
     answer_row(listing, shown, memory, requests, layout);
     ImGui::EndPopup();

@@ -29,10 +29,18 @@ struct Listing {
     std::string error;           // why the folder could not be listed; empty if it could
 };
 
+struct RecentScene {
+    std::string name, folder;  // as displayed; "~" is the home folder
+    std::string path;
+    std::uintptr_t picture = 0;  // the GL texture with a picture of it, whose top row is first; 0: there is none
+    float shape = 1;             // width over height of that picture
+};
+
 struct Browser {
     bool open = false;
     std::string folder;  // the folder of the next listing; empty: the scene's
     bool all = false;    // also list files other than .glib
+    std::string listed;  // the folder that was listed last
     std::array<char, 1024> typed{};
     std::size_t chosen = 0;  // index into the entries that are shown
     bool focus = false;      // moves the keyboard focus to the name field

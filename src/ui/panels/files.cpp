@@ -17,6 +17,21 @@ constexpr std::array zooms{.5F, .67F, .8F, .9F, 1.0F, 1.1F, 1.25F, 1.5F, 1.75F, 
 
 }  // namespace
 
+bool no_scene(const Rect& scene, Layout& layout) {
+    ImGui::SetNextWindowPos({scene.x + scene.width / 2, scene.y + scene.height / 2}, 0, {.5F, .5F});
+    ImGui::SetNextWindowSize({std::min(scene.width, 24 * ImGui::GetFontSize()), 0});
+    bool chosen = false;
+    if (ImGui::Begin("##no scene", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_AlwaysAutoResize)) {
+        wrapped("No scene is open.");
+        wrapped("Press Ctrl+O, drop a .glib file on the window, or");
+        chosen = button("Open a scene\u2026", layout, "open scene");
+    }
+    ImGui::End();
+    return chosen;
+}
+
 float next_zoom(float zoom, int way) {
     constexpr float near = 1.01F;
     if (way > 0) {

@@ -7,12 +7,6 @@
 
 namespace snell::ui {
 
-// Draws the two rows of buttons that keep values: in the scene's text, in snapshots, or as a command in the clipboard.
-void keep_panel(const Facts& facts, Requests& requests, Layout& layout);
-// Ctrl+S saves the values to the scene, Ctrl+Shift+S as another scene; 1 to 9 restore a snapshot, Ctrl with 1 to 9
-// stores it.
-void keep_keys(const Facts& facts, Requests& requests);
-
 // Draws the controls of the scene's time, for animated scenes only: play, pause, step, scrub and speed.
 void clock_panel(const Facts& facts, Memory& memory, Layout& layout);
 // Space plays or pauses.
@@ -23,8 +17,10 @@ void ladders_panel(const Facts& facts, Controls& controls, Layout& layout);
 // Draws a section for each Program, with its uniforms as sliders, check boxes and colours.
 void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout);
 
-// Draws the transformations that the user changes, the projection, and the background.
+// Draws the transformations that the user changes, and the background.
 void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout);
+// Turns picking on or off; without picking, no object is picked.
+void switch_picking(HoldMemory& hold);
 // P turns picking on or off. Escape deselects the picked object or, if there is none, turns picking off.
 void view_keys(View& view, HoldMemory& hold);
 
@@ -40,6 +36,10 @@ void files_section(const Facts& facts, Memory& memory, Requests& requests, Layou
 bool edit_link(const Facts& facts, const Place& place);
 // Draws the settings for theme and text size.
 void look_section(Memory& memory, Layout& layout);
+// True in a window in which nothing was opened yet.
+inline bool no_scene_open(const Facts& facts) { return !facts.scene && facts.file.empty(); }
+// Says, in an area without a scene, how to open one. Returns true if the user wants to choose one.
+bool no_scene(const Rect& scene, Layout& layout);
 // Returns the next larger (`way` = 1) or smaller (`way` = -1) text size.
 float next_zoom(float zoom, int way);
 // Ctrl+O opens the browser; Ctrl with +, - and 0 changes the text size.

@@ -113,11 +113,6 @@ int picture_count(const PictureMemory& picture) {
     return static_cast<int>(std::clamp(std::round((picture.to - picture.from) * picture.rate), 1., most_pictures));
 }
 
-void picture_button(Requests& requests, Layout& layout) {
-    if (next_button("Save picture\u2026", layout, "picture")) requests.picture = PictureRequest::open;
-    tip("Saves this picture in any size, or a sequence");
-}
-
 void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
     PictureMemory& picture = memory.picture;
     if (!picture.open || !facts.scene) return;

@@ -33,8 +33,6 @@ int picture_count(const PictureMemory& picture);
 
 enum class PictureRequest : unsigned char { none, open, save, replace, command, stop };
 
-// Draws the button that opens the dialog.
-void picture_button(Requests& requests, Layout& layout);
 // Draws the dialog while it is open.
 void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
 

@@ -63,6 +63,7 @@ bool header(Controls& controls, Index index, const Section& section, bool open_a
                                               ImGuiTreeNodeFlags_AllowItemOverlap);
     if (!whole) tip(name);
     section.layout.note(name);
+    keep_in_view(open);
     const auto moved = [](const Control& c) { return c.value != c.initial; };
     const auto moving = [&](const Animated& motion) { return motion.program == index; };
     if (any(controls, index, moved) || std::ranges::any_of(section.memory.animated, moving))
@@ -77,6 +78,7 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
     const auto unlisted = [&](const Control& c) { return !c.listed && kept(c); };
     const bool filtered = section.memory.filter[0] != '\0';
     if (filtered && !any(controls, index, kept)) return;
+    show_opened();
     ImGui::PushID(static_cast<int>(index));
     if (header(controls, index, section, open_at_first)) {
         const ImGuiStyle& style = ImGui::GetStyle();

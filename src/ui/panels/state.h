@@ -31,13 +31,16 @@
 
 namespace snell::ui {
 
+// The tabs of the panel: what a scene puts on sliders, and what is measured and set beside it.
+enum class Tab : std::uint8_t { controls, tools };
+
 // A place in a file that an editor opens; line and column are 1-based.
 struct Place {
     std::string file;  // path on disk; empty if there is no place
     int line = 1, column = 1;
 };
 
-// A diagnostic, and the place that it refers to if that is in a file on disk.
+// A diagnostic, with files named as the user reads them, and the place that it refers to if that is in a file on disk.
 struct Problem {
     Finding finding;
     Place place;
@@ -59,7 +62,7 @@ struct Point {
 
 // What the panels show; filled in anew for every frame.
 struct Facts {
-    std::string_view file;                 // name of the scene's file without its folder
+    std::string_view file;                 // name of the scene's file without its folder; empty: no scene is open
     const Scene* scene = nullptr;          // null if the scene could not be read
     std::span<const char> linked;          // by Scene::programs: not 0 if the program can draw
     std::span<const Problem> problems;     // of the files as they are now
@@ -83,8 +86,9 @@ struct Facts {
     std::string_view object;                           // name of the picked object
     std::span<const FileRow> files;                    // the files in use, in the order of reading
     std::string_view editor;                           // name of the editor that opens them
-    std::span<const std::string> recent;               // paths of recent scenes, the latest first
+    std::span<const RecentScene> recent;               // the latest first
     const Listing* listing = nullptr;                  // of the folder in the browser
+    bool full_screen = false;
 };
 
 // The scene's time as the user controls it.
@@ -94,8 +98,12 @@ struct Clock {
     double time = 0;  // in seconds
 };
 
+inline constexpr double hint_seconds = 4;
+
 struct Memory {
-    bool panel = true;
+    bool panel = true;  // false: only the picture is shown
+    double hint = 0;    // seconds that the hint is shown that tells how to show the panel
+    Tab tab = Tab::controls;
     float panel_width = 22;  // in multiples of the text height
     Theme theme = Theme::light;
     bool always_sharp = false;  // pictures are not drawn coarser while something is dragged
@@ -140,6 +148,7 @@ struct Requests {
     bool measure_frame = false;                    // measures passes and draws of a frame, or stops measuring
     bool browse = false;                           // lists the folder in Browser
     std::string open;                              // path of a scene to open
+    bool full_screen = false;                      // fills the screen with the window, or ends that
     Place edit;
     PictureRequest picture = PictureRequest::none;
 };

@@ -90,19 +90,7 @@ void transformation(View& view, HoldMemory& hold, Layout& layout) {
     if (!(t == before)) set_held(view, hold, t);
 }
 
-void projection_row(const Scene& scene, View& view, Memory& memory, Layout& layout) {
-    const bool own = window_camera(scene).perspective;
-    bool perspective = view.projection == Projection::scene ? own : view.projection == Projection::perspective;
-    if (ImGui::Checkbox("Perspective", &perspective))
-        view.projection = perspective == own ? Projection::scene
-                          : perspective      ? Projection::perspective
-                                             : Projection::ortho;
-    layout.note("perspective");
-    follow(check_box_width("Pick objects"), ImGui::GetFontSize());
-    if (ImGui::Checkbox("Pick objects", &memory.hold.picking) && !memory.hold.picking) hold_object(memory.hold, none);
-    tip("P: click an object to pick it; click empty space to deselect");
-    layout.note("pick");
-
+void background_row(const Scene& scene, View& view, Memory& memory, Layout& layout) {
     label("background");
     const double initial =
         std::clamp(std::max({scene.background[0], scene.background[1], scene.background[2]}), 0., 1.);
@@ -119,7 +107,7 @@ void projection_row(const Scene& scene, View& view, Memory& memory, Layout& layo
 
 void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout) {
     if (!facts.scene || !section("View", memory.open, layout, "view")) return;
-    projection_row(*facts.scene, view, memory, layout);
+    background_row(*facts.scene, view, memory, layout);
     ImGui::TextDisabled("mouse and numbers change");
     target_row(view, memory.hold, layout);
     if (memory.hold.held == Held::object) {
@@ -129,12 +117,14 @@ void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout
     transformation(view, memory.hold, layout);
 }
 
+void switch_picking(HoldMemory& hold) {
+    hold.picking = !hold.picking;
+    if (!hold.picking) hold_object(hold, none);
+}
+
 void view_keys(View& view, HoldMemory& hold) {
     if (pressed(Key::r) || pressed(Key::home)) reset_view(view);
-    if (pressed(Key::p)) {
-        hold.picking = !hold.picking;
-        if (!hold.picking) hold_object(hold, none);
-    }
+    if (pressed(Key::p)) switch_picking(hold);
     if (!pressed(Key::escape)) return;
     if (hold.object == none) hold.picking = false;
     hold_object(hold, none);

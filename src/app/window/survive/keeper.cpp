@@ -92,7 +92,7 @@ std::string Keeper::store(int number, const Document& document, Served& served) 
     const std::string file = snapshots_file(scene_);
     const std::string before = content::whole_file(file), error = store_snapshot(number, document);
     snapshots_ = snapshots_there(scene_);
-    if (!error.empty()) return error;
+    if (!error.empty()) return fmt::format("snapshot {} is not in {}: {}", number, short_name(file), error);
     served.snapshot = number;
     served.file = {file, before, content::whole_file(file)};
     return fmt::format("snapshot {} is in {}", number, short_name(file));

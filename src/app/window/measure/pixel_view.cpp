@@ -1,4 +1,4 @@
-#include "src/app/window/pixel_view.h"
+#include "src/app/window/measure/pixel_view.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "src/app/window/texture_view.h"
+#include "src/app/window/measure/texture_view.h"
 
 #include <fmt/format.h>
 

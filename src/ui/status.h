@@ -1,0 +1,12 @@
+// The line below the picture.
+#pragma once
+
+#include "src/ui/panels/state.h"
+
+namespace snell::ui {
+
+// Draws the scene's file, the number of problems, the outcome of the last request or the keys, and the cost. Where the
+// line is too short, the least important of them are shortened and then left out, one after the other.
+void status_line(const Facts& facts, const Rect& status, Memory& memory, Layout& layout);
+
+}  // namespace snell::ui
