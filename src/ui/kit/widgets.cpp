@@ -1,6 +1,7 @@
 #include "src/ui/kit/widgets.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <string>
