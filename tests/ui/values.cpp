@@ -297,7 +297,8 @@ TEST_F(Values, NamesAreCutInTheMiddle) {
     EXPECT_TRUE(a.view().ends_with("ount"));
     EXPECT_TRUE(shortened(name, 1000) == name);
     EXPECT_FALSE(shortened(name, 0).empty());
-    EXPECT_TRUE(shortened("2 errors in this scene", width_of("2 errors in\u2026")) == "2 errors in\u2026") << "a sentence";
+    EXPECT_TRUE(shortened("2 errors in this scene", width_of("2 errors in\u2026")) == "2 errors in\u2026")
+        << "a sentence";
     const Text greek =
         shortened("\u03b1\u03b2\u03b3\u03b4\u03b5\u03b6\u03b7\u03b8", width_of("\u03b1\u03b2\u03b3\u03b4"));
     EXPECT_TRUE(greek.view().starts_with("\u03b1") && greek.view().ends_with("\u03b8")) << greek.view();

@@ -31,7 +31,8 @@ void wrapped(std::string_view text, bool dim = false);
 // SameLine.
 void follow(float width, float gap = -1);
 // Cuts the middle out of a name so that it fits into the width, with dots for what is left out: names often differ only
-// at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the hidden part after ##.
+// at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the
+// hidden part after ##.
 Text shortened(std::string_view text, float width);
 // Draws such a text as an item whose tooltip has all of it. Returns false if something was left out.
 bool fitted(std::string_view text, float width, bool dim = false);
