@@ -323,6 +323,28 @@ TEST_F(Values, ATooltipWaitsAndCoversNoNeighbour) {
     EXPECT_FALSE(kit().tip.shown) << "the neighbour has its own";
 }
 
+TEST_F(Values, EscapeInAFieldOfADialogLeavesTheDialogOpen) {
+    add_slider("uA", 0, .5, 1);
+    memory_.picture.open = true;
+    memory_.picture.width = memory_.picture.height = 100;
+    open("picture width");
+    write("300");
+    press(Key::escape);
+    EXPECT_TRUE(memory_.picture.open);
+    EXPECT_EQ(memory_.picture.width, 100);
+    press(Key::enter);
+    write("7");
+    press(Key::tab);
+    write("8");
+    press(Key::tab, {.shift = true});
+    EXPECT_EQ(memory_.picture.width, 7);
+    EXPECT_EQ(memory_.picture.height, 8) << "Tab stays in the dialog";
+    press(Key::escape);
+    press(Key::escape);
+    EXPECT_FALSE(memory_.picture.open);
+    EXPECT_EQ(value(), .5);
+}
+
 TEST_F(Values, EscapeClosesThePickerAndNothingElse) {
     color("uC", {.3, .4, .5});
     memory_.keys = true;

@@ -35,10 +35,13 @@ Animated animated_from(const Control& control, std::size_t component, double per
     return motion;
 }
 
-void animate(Controls& controls, std::span<const Animated> animated, double time) {
+void animate(Controls& controls, std::vector<Animated>& animated, double time) {
+    std::erase_if(animated, [&](const Animated& motion) {
+        const Control* control = controls.find(motion.program, motion.name);
+        return !control || motion.component >= control->value.size();
+    });
     for (const Animated& motion : animated) {
         Control* control = controls.find(motion.program, motion.name);
-        if (!control || motion.component >= control->value.size()) continue;
         const double cycles = (time - motion.start) / std::max(motion.period, shortest);
         const double fraction = 1 - std::abs(2 * (cycles - std::floor(cycles)) - 1);
         const double exact = value_at(fraction, motion, *control);

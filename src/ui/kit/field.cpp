@@ -116,6 +116,7 @@ bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value
         typing.fresh = false;
         if (fresh) return false;
         if (pressed(Key::escape)) {
+            take(Key::escape);
             close();
             return false;
         }
