@@ -1,11 +1,10 @@
 // Sliders that move by themselves, judged by what a triangle of time must be.
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "src/plan/values/animate.h"
+#include "tests/ui/screen.h"
 
-namespace snell {
+namespace snell::ui {
 namespace {
 
 Controls one(double min, double value, double max, ValueType type = ValueType::float_) {
@@ -76,5 +75,68 @@ TEST(Animate, EndsWhenItsSliderIsGone) {
     EXPECT_EQ(motions.size(), 1u);
 }
 
+class Motion : public UiTest {
+protected:
+    void press(Key which) {
+        frame({key(which, true)});
+        frame({key(which, false)});
+    }
+    double value() const { return controls_.items[0].value[0]; }
+};
+
+TEST_F(Motion, AnAnimatedSliderGoesThereAndBack) {
+    add_slider("uMix", 0, .5, 2);
+    memory_.clock.time = 10;
+    click(place("uMix.name"), MouseButton::right);
+    click(place("uMix.animate"));
+    ASSERT_TRUE(memory_.animating());
+    const auto at = [&](double time) {
+        animate(controls_, memory_.animated, time);
+        return value();
+    };
+    EXPECT_NEAR(at(10), .5, 1e-12) << "it begins where it is";
+    EXPECT_NEAR(at(11), 1.5, 1e-12);
+    EXPECT_NEAR(at(11.5), 2, 1e-12);
+    EXPECT_NEAR(at(13.5), 0, 1e-12);
+    EXPECT_NEAR(at(10 + 4 * 1000), .5, 1e-9);
+    click(place("uMix.period"), MouseButton::left, .5, {.ctrl = true});
+    type("8");
+    memory_.clock.time = 10;
+    EXPECT_EQ(memory_.animated[0].period, 8);
+    EXPECT_NEAR(at(10), .5, 1e-9) << "another period does not make it jump";
+    EXPECT_NEAR(at(12), 1.5, 1e-9);
+    press(Key::escape);
+    click(place("uMix.dot"));
+    EXPECT_FALSE(memory_.animating()) << "one click stops it";
+    EXPECT_NEAR(value(), 1.5, 1e-9) << "where it is";
+}
+
+TEST_F(Motion, MovingAnAnimatedSliderStopsIt) {
+    add_slider("uMix", 0, .5, 2);
+    const auto start = [&] { memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)}; };
+    start();
+    click(place("Glass.uMix"), MouseButton::left, .8);
+    EXPECT_FALSE(memory_.animating());
+    start();
+    press(Key::right);
+    EXPECT_FALSE(memory_.animating());
+    start();
+    click(place("Glass.uMix"), MouseButton::right);
+    EXPECT_FALSE(memory_.animating());
+    start();
+    click(place("Glass.reset"));
+    EXPECT_FALSE(memory_.animating());
+}
+
+TEST_F(Motion, TheSpaceBarPausesAnAnimatedSlider) {
+    add_slider("uMix", 0, .5, 2);
+    memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)};
+    frame();
+    press(Key::space);
+    EXPECT_TRUE(memory_.clock.paused);
+    press(Key::space);
+    EXPECT_FALSE(memory_.clock.paused);
+}
+
 }  // namespace
-}  // namespace snell
+}  // namespace snell::ui
