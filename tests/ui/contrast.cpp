@@ -1,5 +1,5 @@
-// The themes' colors as WCAG 2 judges them: text of 4.5 : 1, in the theme of high contrast 7 : 1, on everything that it
-// lies on; borders, knobs and marks of 3 : 1.
+// The themes' colours as WCAG 2 judges them: text of 4.5 : 1, in the theme of high contrast 7 : 1, on everything that
+// it lies on; borders, knobs and marks of 3 : 1.
 #include <cmath>
 #include <set>
 #include <vector>
@@ -77,7 +77,7 @@ TEST_P(Contrast, OfMessagesDoesNotDependOnThePicture) {
     }
 }
 
-// Every color that Dear ImGui draws with is one of the palette, so that the tests above are about it.
+// Every colour that Dear ImGui draws with is one of the palette, so that the tests above are about it.
 TEST_P(Contrast, CoversEveryColorOfTheStyle) {
     const Palette& p = palette();
     const std::vector<ImVec4> own{p.panel,          p.text,           p.dim,   p.border,        p.rule,    p.track,
@@ -95,7 +95,7 @@ TEST_P(Contrast, CoversEveryColorOfTheStyle) {
         EXPECT_TRUE(std::ranges::any_of(own, [&](const ImVec4& mine) { return same(mine, color); }))
             << ImGui::GetStyleColorName(i);
     }
-    // 16 here, the surround, the texts of errors and warnings, and 9 of messages: a new color needs a line above.
+    // 16 here, the surround, the texts of errors and warnings, and 9 of messages: a new colour needs a line above.
     EXPECT_EQ(sizeof(Palette) / sizeof(ImVec4), own.size() + 1 + 2 + 9);
 }
 

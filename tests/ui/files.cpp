@@ -266,7 +266,7 @@ TEST(Excerpts, KeepTheCaretsUnderWhatTheyMean) {
 }
 
 TEST(Labels, OfALongOneTheNameGivesWay) {
-    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass : uRe\u2026 =     1.1000");
+    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass \u2026Index =     1.1000");
     EXPECT_EQ(cut_name("a = 1", 2), "\u2026 = 1");
 }
 

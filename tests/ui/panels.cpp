@@ -278,27 +278,5 @@ TEST_F(UiTest, FortySlidersWithLongNamesAtTwiceTheScale) {
     EXPECT_LE(last.y + last.height, screen_.height);
 }
 
-TEST(UiNumbers, WhatIsShownReadsBackCloseEnoughToSeeAStep) {
-    for (const auto& [min, max] :
-         {std::pair(0., 1.), {.1, 5.}, {0., 1e-5}, {0., 1e-9}, {-1e5, 1e5}, {0., 1e30}, {0., 0.}})
-        for (double at : {0., .137, .5, 1.}) {
-            const double value = min + at * (max - min);
-            EXPECT_NEAR(std::stod(shown(value, min, max, false)), value, (max - min) * 1e-3 + 1e-30);
-        }
-    EXPECT_EQ(shown(1.1, .1, 5, false), "1.1000");
-    EXPECT_EQ(shown(8, 1, 32, true), "8");
-}
-
-TEST(UiNumbers, TypedNumbersAreFiniteFloats) {
-    EXPECT_EQ(typed(" +1.5 ", false), 1.5);
-    EXPECT_EQ(typed(".5", false), .5);
-    EXPECT_EQ(typed("5.", false), 5.);
-    EXPECT_EQ(typed("1e-3", false), 1e-3);
-    EXPECT_EQ(typed("2.6", true), 3.);
-    for (const char* text : {"", "+", "nan", "inf", "1e39", "0x10", "1 2", "+-1", "1e400"})
-        EXPECT_EQ(typed(text, false), std::nullopt) << text;
-    EXPECT_EQ(typed("3e9", true), std::nullopt);
-}
-
 }  // namespace
 }  // namespace snell::ui

@@ -1,4 +1,4 @@
-// Values that are typed, stepped, filtered, animated: fields, the keyboard's focus, and what a row shows.
+// Values that are typed, stepped, filtered: fields, the keyboard's focus, and what a row shows.
 #include <cmath>
 
 #include "src/ui/kit/kit.h"
@@ -323,6 +323,28 @@ TEST_F(Values, ATooltipWaitsAndCoversNoNeighbour) {
     EXPECT_FALSE(kit().tip.shown) << "the neighbour has its own";
 }
 
+TEST_F(Values, EscapeInAFieldOfADialogLeavesTheDialogOpen) {
+    add_slider("uA", 0, .5, 1);
+    memory_.picture.open = true;
+    memory_.picture.width = memory_.picture.height = 100;
+    open("picture width");
+    write("300");
+    press(Key::escape);
+    EXPECT_TRUE(memory_.picture.open);
+    EXPECT_EQ(memory_.picture.width, 100);
+    press(Key::enter);
+    write("7");
+    press(Key::tab);
+    write("8");
+    press(Key::tab, {.shift = true});
+    EXPECT_EQ(memory_.picture.width, 7);
+    EXPECT_EQ(memory_.picture.height, 8) << "Tab stays in the dialog";
+    press(Key::escape);
+    press(Key::escape);
+    EXPECT_FALSE(memory_.picture.open);
+    EXPECT_EQ(value(), .5);
+}
+
 TEST_F(Values, EscapeClosesThePickerAndNothingElse) {
     color("uC", {.3, .4, .5});
     memory_.keys = true;
@@ -377,97 +399,6 @@ TEST_F(Values, ADraggedColorHasFewDigits) {
     click({row.x + 18, row.y, 4, row.height});
     type(".123456789");
     EXPECT_EQ(value(), .123456789) << "as typed";
-}
-
-TEST(ColorDigits, GiveTheSameByteAndNoMoreDigitsThanNeeded) {
-    for (int byte = 0; byte <= 255; ++byte) {
-        const double value = tidy_color(byte / 255.);
-        EXPECT_EQ(std::lround(value * 255), byte);
-        EXPECT_LE(exact(value).size(), 5u) << exact(value);
-    }
-    EXPECT_EQ(tidy_color(209 / 255.), .82);
-    EXPECT_EQ(tidy_color(1.), 1);
-    EXPECT_EQ(tidy_color(2.34567), 2.346);
-}
-
-TEST(Arithmetic, IsThatOfDoubles) {
-    for (const auto& [text, value] : {std::pair("1/3", 1. / 3),
-                                      {"2*pi", 2 * M_PI},
-                                      {"1e3-5", 995.},
-                                      {"2+3*4", 14.},
-                                      {"(2+3)*4", 20.},
-                                      {"-2", -2.},
-                                      {"2--3", 5.},
-                                      {"2*-3", -6.},
-                                      {"8/4/2", 1.},
-                                      {" ( 1,5 + .5 ) ", 2.},
-                                      {"-(1-3)", 2.},
-                                      {"1e-3", 1e-3},
-                                      {"+1.5", 1.5},
-                                      {"5.", 5.},
-                                      {"1-2-3", -4.}}) {
-        ASSERT_TRUE(evaluated(text)) << text;
-        EXPECT_EQ(*evaluated(text), value) << text;
-    }
-    for (const char* text : {"",   " ",  "1/0", "0/0", "nan",   "inf",  "1 2", "1,2,3",       "(1", "1)",
-                             "2*", "*2", "pi2", "--1", "1e400", "0x10", "abc", "1e309-1e309", "()", "2(3)"})
-        EXPECT_EQ(evaluated(text), std::nullopt) << text;
-    EXPECT_EQ(evaluated(std::string(100, '(') + "1"), std::nullopt);
-    EXPECT_EQ(evaluated(std::string(100, '(') + "1" + std::string(100, ')')), 1.);
-}
-
-TEST_F(Values, AnAnimatedSliderGoesThereAndBack) {
-    add_slider("uMix", 0, .5, 2);
-    memory_.clock.time = 10;
-    click(place("uMix.name"), MouseButton::right);
-    click(place("uMix.animate"));
-    ASSERT_TRUE(memory_.animating());
-    const auto at = [&](double time) {
-        animate(controls_, memory_.animated, time);
-        return value();
-    };
-    EXPECT_NEAR(at(10), .5, 1e-12) << "it begins where it is";
-    EXPECT_NEAR(at(11), 1.5, 1e-12);
-    EXPECT_NEAR(at(11.5), 2, 1e-12);
-    EXPECT_NEAR(at(13.5), 0, 1e-12);
-    EXPECT_NEAR(at(10 + 4 * 1000), .5, 1e-9);
-    click(place("uMix.period"), MouseButton::left, .5, {.ctrl = true});
-    type("8");
-    memory_.clock.time = 10;
-    EXPECT_EQ(memory_.animated[0].period, 8);
-    EXPECT_NEAR(at(10), .5, 1e-9) << "another period does not make it jump";
-    EXPECT_NEAR(at(12), 1.5, 1e-9);
-    press(Key::escape);
-    click(place("uMix.dot"));
-    EXPECT_FALSE(memory_.animating()) << "one click stops it";
-    EXPECT_NEAR(value(), 1.5, 1e-9) << "where it is";
-}
-
-TEST_F(Values, MovingAnAnimatedSliderStopsIt) {
-    add_slider("uMix", 0, .5, 2);
-    const auto start = [&] { memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)}; };
-    start();
-    click(place("Glass.uMix"), MouseButton::left, .8);
-    EXPECT_FALSE(memory_.animating());
-    start();
-    press(Key::right);
-    EXPECT_FALSE(memory_.animating());
-    start();
-    click(place("Glass.uMix"), MouseButton::right);
-    EXPECT_FALSE(memory_.animating());
-    start();
-    click(place("Glass.reset"));
-    EXPECT_FALSE(memory_.animating());
-}
-
-TEST_F(Values, TheSpaceBarPausesAnAnimatedSlider) {
-    add_slider("uMix", 0, .5, 2);
-    memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)};
-    frame();
-    press(Key::space);
-    EXPECT_TRUE(memory_.clock.paused);
-    press(Key::space);
-    EXPECT_FALSE(memory_.clock.paused);
 }
 
 }  // namespace

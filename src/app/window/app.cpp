@@ -335,7 +335,7 @@ void App::show(bool repaint) {
 bool App::draw_scene() {
     Document& document = *workspace_.document();
     Session& session = workspace_.session();
-    const ui::Memory& memory = interface_.memory();
+    ui::Memory& memory = interface_.memory();
     const float density = interface_.density();
     const auto in_pixels = [&](float length) { return std::max(1, static_cast<int>(std::lround(length * density))); };
     const double time = interface_.time(workspace_.saving());

@@ -18,6 +18,13 @@ double value_at(double fraction, const Animated& motion, const Control& control)
     return control.min * (1 - fraction) + control.max * fraction;
 }
 
+// Rounds to five digits of `size`, so that a saved number is short.
+double rounded(double value, double size) {
+    const double scale = std::pow(10, 5 - std::ceil(std::log10(size)));
+    const double result = std::round(value * scale) / scale;
+    return std::isfinite(result) ? result : value;
+}
+
 }  // namespace
 
 Animated animated_from(const Control& control, std::size_t component, double period, double time) {
@@ -28,14 +35,18 @@ Animated animated_from(const Control& control, std::size_t component, double per
     return motion;
 }
 
-void animate(Controls& controls, std::span<const Animated> animated, double time) {
+void animate(Controls& controls, std::vector<Animated>& animated, double time) {
+    std::erase_if(animated, [&](const Animated& motion) {
+        const Control* control = controls.find(motion.program, motion.name);
+        return !control || motion.component >= control->value.size();
+    });
     for (const Animated& motion : animated) {
         Control* control = controls.find(motion.program, motion.name);
-        if (!control || motion.component >= control->value.size()) continue;
         const double cycles = (time - motion.start) / std::max(motion.period, shortest);
         const double fraction = 1 - std::abs(2 * (cycles - std::floor(cycles)) - 1);
-        control->value[motion.component] =
-            std::clamp(fit_to_type(value_at(fraction, motion, *control), control->type), control->min, control->max);
+        const double exact = value_at(fraction, motion, *control);
+        const double value = rounded(exact, by_ratio(motion, *control) ? exact : control->max - control->min);
+        control->value[motion.component] = std::clamp(fit_to_type(value, control->type), control->min, control->max);
     }
 }
 

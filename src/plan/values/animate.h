@@ -2,7 +2,6 @@
 // values, in the window and in saved pictures.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -26,8 +25,8 @@ struct Animated {
 
 // Begins a motion at the control's current value, upwards.
 Animated animated_from(const Control& control, std::size_t component, double period, double time);
-// Sets the values of this time. Motions whose control does not exist do nothing.
-void animate(Controls& controls, std::span<const Animated> animated, double time);
+// Sets the values of this time. Motions whose control does not exist any more end.
+void animate(Controls& controls, std::vector<Animated>& animated, double time);
 // Ends the motion of a component, or with `all` of all controls of its program.
 void stop(std::vector<Animated>& animated, const Control& control, std::size_t component);
 void stop_all(std::vector<Animated>& animated, Index program);

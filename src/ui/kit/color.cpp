@@ -48,7 +48,7 @@ void swatch(double* value, std::size_t count, const double* initial) {
                                ImGuiColorEditFlags_AlphaPreviewHalf | (count < 4 ? ImGuiColorEditFlags_NoAlpha : 0),
                            {side, side}))
         ImGui::OpenPopup("picker");
-    tip("Click to pick a color");
+    tip("Click to pick a colour");
     const Rect box{at.x, at.y, side, side};
     ImGui::SetNextWindowPos({at.x, at.y + side + ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Appearing);
     if (ImGui::BeginPopup("picker")) {

@@ -68,14 +68,13 @@ void take_focus(ImGuiID id) {
 void draw_focus(const ImRect& box, ImGuiID id) {
     if (kit().focus.at != id) return;
     const float width = std::max(1.F, std::round(ImGui::GetFontSize() / 8)), gap = width;
-    ImGui::GetWindowDrawList()->AddRect({box.Min.x - gap, box.Min.y}, {box.Max.x + gap, box.Max.y},
-                                        ImGui::GetColorU32(palette().accent), ImGui::GetStyle().FrameRounding, 0,
-                                        width);
+    ImGui::GetWindowDrawList()->AddRect({box.Min.x - gap, box.Min.y}, box.Max, ImGui::GetColorU32(palette().accent),
+                                        ImGui::GetStyle().FrameRounding, 0, width);
 }
 
 double key_steps(ImGuiID id) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (kit().focus.at != id || io.WantTextInput || io.KeyCtrl || io.KeyAlt) return 0;
+    if (kit().focus.at != id || !kit().focus.passed || io.WantTextInput || io.KeyCtrl || io.KeyAlt) return 0;
     const auto way = [](Key up, Key down) { return int{pressed(up, true)} - int{pressed(down, true)}; };
     const int arrows = way(Key::right, Key::left) + way(Key::up, Key::down);
     return arrows * (io.KeyShift ? .1 : 1) + 10 * way(Key::page_up, Key::page_down);
@@ -94,7 +93,7 @@ void type_number(ImGuiID id, double value) {
 bool is_typed(ImGuiID id) {
     const Focus& focus = kit().focus;
     if (kit().typing.id == id) return true;
-    if (focus.at != id || (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0) return false;
+    if (focus.at != id || !focus.passed) return false;
     return focus.opens || (!ImGui::GetIO().WantTextInput && (pressed(Key::enter) || pressed(Key::keypad_enter)));
 }
 
@@ -117,6 +116,7 @@ bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value
         typing.fresh = false;
         if (fresh) return false;
         if (pressed(Key::escape)) {
+            take(Key::escape);
             close();
             return false;
         }
@@ -194,6 +194,7 @@ bool number_field(const char* label, double& value, double initial, float width,
     if (hovered && io.MouseClicked[1]) edited = initial;
     draw_number(box, value, style, hovered, held);
     draw_focus(box, id);
+    if (edited == value) return false;
     const std::optional<double> valid = typed(exact(edited), style.integral);
     if (!valid || *valid == value) return false;
     value = *valid;

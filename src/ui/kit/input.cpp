@@ -29,6 +29,11 @@ std::size_t batch(std::span<const Event> events) {
 
 bool pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(static_cast<int>(key), repeat); }
 
+void take(Key key) {
+    // A key that was pressed some time ago is held, not pressed.
+    ImGui::GetIO().KeysDownDuration[static_cast<int>(key)] = FLT_MIN;
+}
+
 void map_keys() {
     static constexpr std::array<std::pair<ImGuiKey_, Key>, 21> table{{
         {ImGuiKey_LeftArrow, Key::left},
