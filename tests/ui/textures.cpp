@@ -22,6 +22,7 @@ protected:
         textures_.texel.at = "texel 1, 2";
         facts_.textures = &textures_;
         memory_.open.emplace("Textures");
+        memory_.tab = Tab::tools;
     }
     const TextureMemory& memory() { return memory_.textures; }
     TexturePart part() { return texture_part(memory(), textures_.width, textures_.height); }
