@@ -154,6 +154,7 @@ TEST_F(Pixels, TexturesAreLookedAtTexelByTexel) {
     settle();
     EXPECT_FALSE(state().contains("textures"));
     const int pictures = state()["frames"];
+    click("tools");
     click("textures");
     ASSERT_TRUE(wait([](const json& s) { return s.contains("textures") && s["textures"]["drawn"] >= 1; }));
     settle();
@@ -186,8 +187,9 @@ TEST_F(Pixels, TexturesAreLookedAtTexelByTexel) {
     click("textures.row.Texture2D 6", .2);
     settle();
     EXPECT_EQ(look().at(x, y), (Pixel{0, 255, 51}));
+    click("controls");
     click("Blue.uBlue", .999);
-    settle();
+    click("tools");
     const double blue = state()["controls"]["Blue.uBlue"][0];
     EXPECT_NE(blue, .2);
     EXPECT_EQ(look().at(x, y).blue, std::lround(255 * blue));

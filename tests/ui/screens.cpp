@@ -204,6 +204,7 @@ public:
         pointed_ = true;
     }
     void textures() {
+        memory_.tab = Tab::tools;
         textures_rows_ = {{"Texture2D 6 " + long_name + ".bmp", "16384 x 16384", "RGBA16F, 15 levels",
                            "read by uPicture of " + long_name, true},
                           {"Noise3", "64 x 64 x 64", "RGBA8", "read by Noise3 of Glass", true},

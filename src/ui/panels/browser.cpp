@@ -114,7 +114,7 @@ void entry_row(const Entry& entry, bool chosen, bool columns, float date_width, 
     const ImVec2 at = ImGui::GetItemRectMin();
     const float right = ImGui::GetItemRectMax().x, pad = ImGui::GetStyle().FramePadding.x;
     const float top = at.y + ImGui::GetStyle().ItemSpacing.y * .5F, mark = ImGui::GetFontSize() * 1.2F;
-    const float end = columns ? right - date_width - size_width - 2 * pad : right;
+    const float end = columns ? right - date_width - size_width - 2 * pad : right - pad;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text), dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     if (entry.folder) list.AddText({at.x + pad, top}, chosen ? text : dim, "\u25B8");
