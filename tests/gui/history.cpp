@@ -138,6 +138,22 @@ TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     EXPECT_EQ(red(), slid);
 }
 
+TEST_F(Past, ALadderThatIsGoneAndBackHasItsRung) {
+    open("one.glib");
+    save("one.snapshots.json", R"({"1": {"values": {}, "ladders": {"TINT": "light"}}})");
+    press("F5");
+    press("1");
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"]["TINT"] == "light"; }));
+    std::string text = scene("uRed");
+    save("paint.frag", "#define TINT 0\n" + fragment("uRed"));
+    save("one.glib", text.replace(text.find("Ladder TINT"), 11, "Ladder OTHER"));
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("OTHER"); }));
+    save("one.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("TINT"); }));
+    settle();
+    EXPECT_EQ(state()["rungs"]["TINT"], "light");
+}
+
 TEST_F(Past, WhatWasSetWhileAShaderIsBrokenOutlivesALossAndIsSaved) {
     open("one.glib", {"--lose-file", file("lose")});
     save("paint.frag", "void main() { broken }\n");
