@@ -30,8 +30,12 @@ std::span<const KeyRow> key_rows() {
         {"A", "open or close Accuracy (scenes with ladders)"},
         {"Ctrl +, Ctrl - and Ctrl 0", "larger, smaller, default text size"},
         {"F1", "show this list"},
+        {"Tab; with Shift", "go to the next value; to the previous one"},
+        {"arrow keys; with Shift; Page keys", "change that value: in steps; fine; coarse"},
+        {"Enter; Esc", "type that value, and apply it; restore the old one"},
         {"slider: double click or Ctrl click", "type a number"},
         {"slider: right click; Alt drag", "reset to the scene's value; fine adjustment"},
+        {"slider: right click on its name", "reset, logarithmic scale, animation"},
         {"ladder: right click", "reset to the scene's rung"},
     };
     return rows;

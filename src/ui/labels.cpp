@@ -35,9 +35,12 @@ Text label_of(const Scene& scene, const Control& control) {
 std::string cut_name(const std::string& label, std::size_t columns) {
     const std::size_t equals = std::min(label.find(" = "), label.size());
     const std::string value = label.substr(equals);
-    std::size_t kept = std::min(equals, columns > value.size() + 1 ? columns - value.size() - 1 : 0);
-    while (kept > 0 && (label[kept] & 0xC0) == 0x80) --kept;
-    return label.substr(0, kept) + "\u2026" + value;
+    const std::size_t kept = std::min(equals, columns > value.size() + 1 ? columns - value.size() - 1 : 0);
+    const auto inside = [&](std::size_t at) { return at < equals && (label[at] & 0xC0) == 0x80; };
+    std::size_t head = (kept + 1) / 2, tail = equals - kept / 2;
+    while (head > 0 && inside(head)) --head;
+    while (inside(tail)) ++tail;
+    return label.substr(0, head) + "\u2026" + label.substr(tail, equals - tail) + value;
 }
 
 void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts) {

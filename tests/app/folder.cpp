@@ -90,7 +90,7 @@ TEST(WindowSettings, ComeBack) {
     const std::string file = folder.path("new/folder/window.json");
     EXPECT_EQ(read_settings(file), Settings{});
     Settings settings;
-    settings.dark = true;
+    settings.theme = ui::Theme::contrast;
     settings.zoom = 1.5;
     settings.panel_width = 30;
     settings.open = {"Costs", "Files"};
@@ -104,9 +104,20 @@ TEST(WindowSettings, ComeBack) {
     restore(settings, memory);
     Settings again;
     gather(memory, again);
-    EXPECT_TRUE(again.dark);
+    EXPECT_EQ(again.theme, ui::Theme::contrast);
     EXPECT_EQ(again.zoom, 1.5);
     EXPECT_EQ(again.open, settings.open);
+}
+
+TEST(WindowSettings, TheThemeOfEarlierVersionsIsStillRead) {
+    const Scratch folder;
+    for (const auto& [text, theme] : {std::pair(R"({"dark": true})", ui::Theme::dark),
+                                      {R"({"dark": false})", ui::Theme::light},
+                                      {R"({"theme": "contrast", "dark": true})", ui::Theme::contrast},
+                                      {R"({"theme": "?"})", ui::Theme::light}}) {
+        folder.write("window.json", text);
+        EXPECT_EQ(read_settings(folder.path("window.json")).theme, theme) << text;
+    }
 }
 
 TEST(WindowSettings, WhatIsDamagedIsAsInAFirstRun) {

@@ -160,13 +160,13 @@ TEST_F(FilesWindow, LooksAreKeptFromRunToRun) {
     user("mousemove 950 600 click --repeat 30 --delay 4 5");
     settle();
     click("dark", .1);
-    ASSERT_TRUE(wait([](const json& s) { return s["dark"] == true; }));
+    ASSERT_TRUE(wait([](const json& s) { return s["theme"] == "dark"; }));
     settle();
     EXPECT_LT(panel().red, 60);
     end_window();
     open("one.glib", {"--size", "1000x700"});
     EXPECT_EQ(state()["zoom"], 1.25);
-    EXPECT_EQ(state()["dark"], true);
+    EXPECT_EQ(state()["theme"], "dark");
     EXPECT_LT(panel().red, 60);
     const std::array<double, 4> after = state()["widgets"]["reload"];
     EXPECT_NEAR(after[3] / before[3], 1.25, .1);

@@ -117,6 +117,18 @@ TEST_F(Past, ARangeThatATypedValueWidenedIsUndoneWithIt) {
     EXPECT_EQ(notice(), "nothing to redo");
 }
 
+TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
+    open("one.glib");
+    click("uRed.name", .5, 3);
+    click("uRed.animate", .1);
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .3; }));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .5; }));
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << "this ends the motion, too";
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "nothing to undo");
+}
+
 TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     open("one.glib");
     slide(.75);

@@ -124,5 +124,40 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
     EXPECT_FALSE(saved[0].rgb == saved[2].rgb);
 }
 
+// Half a period later the slider is at the mirrored place of its range.
+TEST_F(SavedPicture, ASequenceShowsOnePeriodOfAnAnimatedSlider) {
+    save("paint.frag", "uniform float uRed;\nvoid main() { gl_FragColor = vec4(uRed, 0., 0., 1.); }\n");
+    save("scene.glib",
+         "Ortho -1 1 -1 1\nVertex paint.vert\nFragment paint.frag\nProgram Paint uRed <0. .2 1.>\nQuadXY 0. 5.\n");
+    open("scene.glib", {"--size", "640x480"});
+    click("uRed.name", .5, 3);
+    click("uRed.animate", .1);
+    user("key Escape");
+    const json before = state();
+    ASSERT_TRUE(wait([&](const json& s) { return s["frames"] > before["frames"].get<int>() + 5; }, 2)) << "it moves";
+    EXPECT_NE(state()["controls"]["Paint.uRed"], before["controls"]["Paint.uRed"]);
+    user("key space");
+    settle();
+    const json paused = state();
+    EXPECT_FALSE(wait([&](const json& s) { return s["frames"] != paused["frames"]; }, .3));
+    click("uRed.name", .5, 3);
+    type("uRed.period", "2", Field::number);
+    user("key Escape");
+    click("picture");
+    type("picture file", file("f.png"), Field::text);
+    type("picture rate", "4", Field::number);
+    click("picture save");
+    ASSERT_TRUE(
+        wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved 8 pictures", 0) == 0; }, 20))
+        << state()["notice"];
+    std::array<int, 8> reds{};
+    for (std::size_t k = 0; k < 8; ++k) reds[k] = read_picture("f-000" + std::to_string(k) + ".png").at(20, 20).red;
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(reds[k] + reds[k + 4], 255, 1) << k;
+    EXPECT_GE(*std::ranges::max_element(reds) - *std::ranges::min_element(reds), 255 * 3 / 4);
+    click("uRed.dot");
+    const json stopped = state();
+    EXPECT_FALSE(wait([&](const json& s) { return s["frames"] != stopped["frames"]; }, .3));
+}
+
 }  // namespace
 }  // namespace snell::test

@@ -95,6 +95,20 @@ TEST_F(Window, AnIdleWindowDrawsNothing) {
     EXPECT_EQ(state()["frames"], before["frames"]);
 }
 
+TEST_F(Window, ATooltipAppearsByItselfAndThenNothingIsDrawn) {
+    open("scene.glib");
+    const auto [x, y] = on("labels");
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y));
+    settle();
+    const json before = state();
+    EXPECT_TRUE(wait([&](const json& s) { return s["presents"] > before["presents"]; }, 2));
+    settle();
+    const json shown = state();
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    EXPECT_EQ(state(), shown);
+    EXPECT_EQ(shown["frames"], before["frames"]) << "the scene is not drawn again";
+}
+
 TEST_F(Window, ASavedShaderIsShownWithinHalfASecond) {
     open("scene.glib");
     drag(on("Paint.uRed", .2), on("Paint.uRed", .5));

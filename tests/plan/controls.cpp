@@ -52,6 +52,22 @@ TEST(Controls, RangeOnEveryNumberType) {
     }
 }
 
+TEST(Controls, AResetRestoresTheScenesRangeToo) {
+    Controls controls = make(value_of("u", Kind::range, {1, 3, 7}), active("vec2")).controls;
+    Control& control = controls.items[0];
+    control.value = {500, -20};
+    control.min = -20;
+    control.max = 500;
+    reset(control, 0);
+    EXPECT_EQ(control.value, (Values{3, -20}));
+    EXPECT_EQ(control.min, -20) << "the other component needs the room";
+    EXPECT_EQ(control.max, 7);
+    reset(control);
+    EXPECT_EQ(control.value, control.initial);
+    EXPECT_EQ(control.min, 1);
+    EXPECT_EQ(control.max, 7);
+}
+
 TEST(Controls, RangeForIntegerIsRoundedOnce) {
     const Case made = make(value_of("u", Kind::range, {.4, 2.5, 9.6}), active("int"));
     EXPECT_EQ(made.control().value, Values{3});

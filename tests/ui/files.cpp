@@ -213,31 +213,6 @@ TEST_F(FilePanels, DarkIsDark) {
     EXPECT_GT(palette().panel.x, .9F);
 }
 
-// Of both themes: what is read stands out by at least the ratio that WCAG 2 asks of text (of large text for what is
-// dimmed).
-TEST(Themes, AreLegible) {
-    const auto linear = [](float v) { return v <= .04045F ? v / 12.92F : std::pow((v + .055F) / 1.055F, 2.4F); };
-    const auto luminance = [&](const ImVec4& c) {
-        return .2126F * linear(c.x) + .7152F * linear(c.y) + .0722F * linear(c.z);
-    };
-    const auto ratio = [&](const ImVec4& a, const ImVec4& b) {
-        const float x = luminance(a) + .05F, y = luminance(b) + .05F;
-        return std::max(x, y) / std::min(x, y);
-    };
-    for (const Theme theme : {Theme::light, Theme::dark}) {
-        const Palette& p = palette_of(theme);
-        for (const ImVec4& under : {p.panel, p.track, p.header, p.popup}) {
-            EXPECT_GE(ratio(p.text, under), 7);
-            EXPECT_GE(ratio(p.dim, under), 3);
-            EXPECT_GE(ratio(p.error_text, under), 4.5F);
-            EXPECT_GE(ratio(p.warning_text, under), 4.5F);
-        }
-        for (const ImVec4& over : {p.problem_text, p.error, p.warning, p.link})
-            EXPECT_GE(ratio(over, p.problem_background), 4.5F);
-        EXPECT_GE(ratio(p.accent, p.panel), 3);
-    }
-}
-
 TEST(Excerpts, KeepTheCaretsUnderWhatTheyMean) {
     const MarkedLine line{std::string(60, 'a') + "WRONG|" + std::string(60, 'b'), 60, 65};
     for (std::size_t columns : {11u, 21u, 41u, 71u}) {
@@ -257,7 +232,7 @@ TEST(Excerpts, KeepTheCaretsUnderWhatTheyMean) {
 }
 
 TEST(Labels, OfALongOneTheNameGivesWay) {
-    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass : uRe\u2026 =     1.1000");
+    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass \u2026Index =     1.1000");
     EXPECT_EQ(cut_name("a = 1", 2), "\u2026 = 1");
 }
 

@@ -33,8 +33,8 @@ protected:
         control.name = name;
         control.type = type;
         control.widget = Widget::slider;
-        control.min = min;
-        control.max = max;
+        control.min = control.initial_min = min;
+        control.max = control.initial_max = max;
         control.value = control.initial = {value};
         controls_.items.push_back(control);
         return controls_.items.back();

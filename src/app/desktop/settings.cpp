@@ -27,6 +27,15 @@ bool flag(const Json& json, const char* name, bool otherwise) {
     return found != json.end() && found->is_boolean() ? found->get<bool>() : otherwise;
 }
 
+// Earlier versions wrote "dark": true or false.
+ui::Theme theme(const Json& json) {
+    const auto found = json.find("theme");
+    if (found == json.end() || !found->is_string())
+        return flag(json, "dark", false) ? ui::Theme::dark : ui::Theme::light;
+    const auto name = std::ranges::find(ui::theme_names, found->get<std::string>());
+    return name == ui::theme_names.end() ? ui::Theme::light : static_cast<ui::Theme>(name - ui::theme_names.begin());
+}
+
 std::vector<std::string> texts(const Json& json, const char* name, std::size_t most) {
     std::vector<std::string> found;
     const auto list = json.find(name);
@@ -49,7 +58,7 @@ Settings read_settings(const std::string& file) {
     Settings settings;
     const Json json = content::parse_json(content::whole_file(file));
     if (!json.is_object()) return settings;
-    settings.dark = flag(json, "dark", settings.dark);
+    settings.theme = theme(json);
     settings.panel = flag(json, "panel", settings.panel);
     settings.zoom = number(json, "zoom", settings.zoom, .5, 3);
     settings.panel_width = number(json, "panel_width", settings.panel_width, 4, 200);
@@ -67,10 +76,14 @@ std::string write_settings(const std::string& file, const Settings& settings) {
     std::vector<std::string> recent = settings.recent;
     for (const std::string& scene : read_settings(file).recent)
         if (std::ranges::find(recent, scene) == recent.end() && recent.size() < most_recent) recent.push_back(scene);
-    const Json json{{"dark", settings.dark},     {"zoom", settings.zoom},
-                    {"panel", settings.panel},   {"panel_width", settings.panel_width},
-                    {"open", settings.open},     {"width", settings.width},
-                    {"height", settings.height}, {"recent", recent}};
+    const Json json{{"theme", ui::theme_names[static_cast<std::size_t>(settings.theme)]},
+                    {"zoom", settings.zoom},
+                    {"panel", settings.panel},
+                    {"panel_width", settings.panel_width},
+                    {"open", settings.open},
+                    {"width", settings.width},
+                    {"height", settings.height},
+                    {"recent", recent}};
     return content::replace_file(file, content::json_text(json) + "\n");
 }
 
@@ -84,7 +97,7 @@ void remember(std::vector<std::string>& recent, const std::string& scene) {
 }
 
 void restore(const Settings& settings, ui::Memory& memory) {
-    memory.theme = settings.dark ? ui::Theme::dark : ui::Theme::light;
+    memory.theme = settings.theme;
     memory.zoom = static_cast<float>(settings.zoom);
     memory.panel = settings.panel;
     memory.panel_width = static_cast<float>(settings.panel_width);
@@ -92,7 +105,7 @@ void restore(const Settings& settings, ui::Memory& memory) {
 }
 
 void gather(const ui::Memory& memory, Settings& settings) {
-    settings.dark = memory.theme == ui::Theme::dark;
+    settings.theme = memory.theme;
     settings.zoom = std::round(memory.zoom * 1000) / 1000;
     settings.panel = memory.panel;
     settings.panel_width = std::round(memory.panel_width * 100) / 100;

@@ -12,7 +12,7 @@ namespace snell {
 inline constexpr std::size_t most_recent = 12;
 
 struct Settings {
-    bool dark = false;
+    ui::Theme theme = ui::Theme::light;
     double zoom = 1, panel_width = 22;  // in multiples of the text height
     bool panel = true;
     std::vector<std::string> open;  // titles of the open sections

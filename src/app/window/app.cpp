@@ -137,8 +137,10 @@ void App::keep_by_hand() {
 
 bool App::moving() {
     const Document* document = workspace_.document();
-    return document && ((document->runtime->animated() && !interface_.held() && !interface_.memory().clock.paused) ||
-                        !document->runtime->settled());
+    if (!document) return false;
+    const ui::Memory& memory = interface_.memory();
+    const bool timed = document->runtime->animated() || memory.animating();
+    return (timed && !interface_.held() && !memory.clock.paused) || !document->runtime->settled();
 }
 
 bool App::visible() {
@@ -148,7 +150,7 @@ bool App::visible() {
 
 double App::pause() {
     if (unsettled_ > 0 || workspace_.saving() || (measuring_.busy() && visible())) return 0;
-    double until = next_look_;
+    double until = std::min(next_look_, interface_.due());
     if (!specialised_ && options_.specialise) until = std::min(until, touched_ + until_still);
     if (moving() && visible()) until = std::min(until, display_.last_picture() + frame_time);
     if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
@@ -166,6 +168,7 @@ void App::step() {
         repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
     if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
         show_scene(workspace_.serve_dropped(dropped, interface_.memory()));
+    if (now >= interface_.due()) settle(until_equal);
     woken |= !events_.empty() || unsettled_ > 0 || (moving() && now >= display_.last_picture() + frame_time);
     if (!visible()) {
         unsettled_ = 0;  // everything is drawn again when the window comes back, which is an event
@@ -209,6 +212,7 @@ bool App::look() {
 
 bool App::specialise() {
     Document* document = workspace_.document();
+    if (interface_.memory().animating()) return false;  // the values are others in every frame
     if (specialised_ || !options_.specialise || !document || window_->now() < touched_ + until_still) return false;
     hang_.begin("compiling programs for the values as they are");
     specialised_ = !display_.specialise(*document);
@@ -253,6 +257,7 @@ void App::interface_frame(std::span<const Event> events) {
     Past& past = workspace_.past();
     past.hear(events);
     const ui::Requests requests = interface_.frame(events, facts(), document ? document->controls : no_controls);
+    if (requests.undo || requests.redo) interface_.memory().animated.clear();
     past.follow(workspace_.session(), interface_.view(), interface_.busy(), window_->now());
     serve(requests);
     if (const auto title = workspace_.new_title()) window_->set_title(*title);
@@ -312,10 +317,11 @@ void App::show(bool repaint) {
 bool App::draw_scene() {
     Document& document = *workspace_.document();
     Session& session = workspace_.session();
-    const ui::Memory& memory = interface_.memory();
+    ui::Memory& memory = interface_.memory();
     const float density = interface_.density();
     const auto in_pixels = [&](float length) { return std::max(1, static_cast<int>(std::lround(length * density))); };
     const double time = interface_.time(workspace_.saving());
+    animate(document.controls, memory.animated, time);
     const std::uint64_t revision = session.stale() ? display_.drawn().revision : session.revision();
     const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
                       document.runtime->animated() ? time : 0, interface_.view(), values_of(document.controls)};

@@ -31,11 +31,13 @@ public:
     void loading(const LoadProgress& progress);
     // Draws the panels of the last frame over the contents of the window.
     void paint() { painter_.paint(); }
+    // When the panels would be another picture even without input, by the clock of the window; infinite if never.
+    double due() const { return framed_ + gui_.due(); }
     // A hash of the last frame: equal hashes mean equal panels.
     std::uint64_t picture() const { return picture_; }
 
-    // True while the user is at something that the next frames continue: a drag, a text.
-    bool busy() const { return gui_.busy(); }
+    // True while values change in ways that the next frames continue: by a drag, by themselves.
+    bool busy() const { return gui_.busy() || memory_.animating(); }
     // Pixels per window coordinate.
     float density() const;
     // True while measuring holds the scene's time.

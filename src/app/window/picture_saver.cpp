@@ -34,6 +34,13 @@ Picture wanted(const Picture& shown, const ui::PictureMemory& picture) {
     return result;
 }
 
+// A sequence of one whole period of the slowest slider repeats without a jump.
+void offer_period(const std::vector<Animated>& animated, ui::PictureMemory& picture) {
+    picture.sequence = true;
+    picture.from = 0;
+    picture.to = std::ranges::max(animated, {}, &Animated::period).period;
+}
+
 // The files are named as `snell render -o` names them.
 std::vector<std::string> files_of(const std::string& scene, const Picture& picture, std::string& error) {
     std::vector<app::Axis> axes;
@@ -68,6 +75,7 @@ void PictureSaver::serve(const ui::Requests& requests, const Document& document,
             return;
         case ui::PictureRequest::open:
             fill(document, shown, picture);
+            if (memory.animating() && !picture.sequence) offer_period(memory.animated, picture);
             picture.open = true;
             return;
         case ui::PictureRequest::command: {
@@ -81,14 +89,14 @@ void PictureSaver::serve(const ui::Requests& requests, const Document& document,
         case ui::PictureRequest::save:
         case ui::PictureRequest::replace:
             picture.error =
-                utf8::printable(begin(document, shown, picture, requests.picture == ui::PictureRequest::replace));
+                utf8::printable(begin(document, shown, memory, requests.picture == ui::PictureRequest::replace));
             return;
     }
 }
 
 // Returns "", or why nothing begins.
-std::string PictureSaver::begin(const Document& document, const Picture& shown, ui::PictureMemory& picture,
-                                bool replace) {
+std::string PictureSaver::begin(const Document& document, const Picture& shown, ui::Memory& memory, bool replace) {
+    ui::PictureMemory& picture = memory.picture;
     const Picture asked = wanted(shown, picture);
     std::string error;
     auto work = std::make_unique<Work>();
@@ -114,6 +122,7 @@ std::string PictureSaver::begin(const Document& document, const Picture& shown, 
     work->rate = asked.rate;
     work->view = asked.view;
     work->controls = document.controls;
+    if (picture.sequence) work->animated = memory.animated;
     work->size = {asked.width, asked.height, asked.samples, app::holds_floats(work->files.front())};
     work->tiling = app::tile(work->size, limits_, caps_, largest_part);
     work->transparent = asked.transparent;
@@ -146,7 +155,9 @@ void PictureSaver::step(Document* document, std::uint64_t revision, ui::Memory& 
     if (!work.painting)
         work.painting = std::make_unique<app::Painting>(work.files[work.done], work.size, work.tiling, work.transparent,
                                                         document->runtime->display_pixels());
-    const Frame frame{work.from + runtime::frame_time(work.done, work.rate), work.view, work.controls};
+    const double time = work.from + runtime::frame_time(work.done, work.rate);
+    animate(work.controls, work.animated, time);
+    const Frame frame{time, work.view, work.controls};
     if (!work.painting->step(*document->runtime, frame)) {
         if (!work.painting->error().empty()) return end(memory, work.painting->error());
         work.painting.reset();

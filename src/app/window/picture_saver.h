@@ -38,6 +38,7 @@ private:
         double from = 0, rate = 25;
         View view;
         Controls controls;
+        std::vector<Animated> animated;
         app::PictureSize size;
         app::Tiling tiling;
         bool transparent = false;
@@ -45,7 +46,7 @@ private:
     };
 
     void fill(const Document& document, const Picture& shown, ui::PictureMemory& picture);
-    std::string begin(const Document& document, const Picture& shown, ui::PictureMemory& picture, bool replace);
+    std::string begin(const Document& document, const Picture& shown, ui::Memory& memory, bool replace);
     void end(ui::Memory& memory, const std::string& error);
 
     gl::Caps caps_;

@@ -59,6 +59,10 @@ struct Controls {
 Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
                        Diagnostics& diagnostics);
 
+// Restores the scene's value and range, of all components or of one.
+void reset(Control& control);
+void reset(Control& control, std::size_t component);
+
 // True if both hold the same uniforms at the same places: an index into the one means the same in the other.
 bool same_uniforms(const Controls& a, const Controls& b);
 

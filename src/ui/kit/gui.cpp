@@ -8,6 +8,7 @@
 #include <string>
 
 #include "src/ui/kit/input.h"
+#include "src/ui/kit/kit.h"
 
 namespace snell::ui {
 
@@ -55,9 +56,10 @@ std::uint64_t hash_of(const ImDrawData& data) {
 
 }  // namespace
 
-Gui::Gui(Window* window) : context_(ImGui::CreateContext()) {
+Gui::Gui(Window* window) : context_(ImGui::CreateContext()), kit_(std::make_unique<Kit>()) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
+    io.UserData = kit_.get();
     io.IniFilename = nullptr;
     io.ConfigInputTextCursorBlink = false;  // a blinking cursor would need a frame every half second
     io.ConfigWindowsMoveFromTitleBarOnly = true;
@@ -91,9 +93,15 @@ bool Gui::input(const Screen& screen, double seconds, std::span<const Event> eve
     return new_fonts;
 }
 
-void Gui::begin() { ImGui::NewFrame(); }
+void Gui::begin() {
+    begin_kit();
+    ImGui::NewFrame();
+}
+
+double Gui::due() const { return tip_due(); }
 
 std::uint64_t Gui::end() {
+    end_kit();
     ImGui::Render();
     return hash_of(*ImGui::GetDrawData());
 }

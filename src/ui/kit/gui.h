@@ -12,6 +12,8 @@ struct ImGuiContext;
 
 namespace snell::ui {
 
+struct Kit;
+
 struct Screen {
     float width = 0, height = 0;  // in window coordinates
     float density = 1;            // pixels per window coordinate
@@ -37,6 +39,8 @@ public:
     // pictures.
     void begin();
     std::uint64_t end();
+    // Seconds until the panels would be another picture even without input; infinite if they would not.
+    double due() const;
 
     const Fonts& fonts() const { return fonts_; }
     Cursor cursor() const;
@@ -48,6 +52,7 @@ public:
 private:
     ImGuiContext* context_;
     std::unique_ptr<Clipboard> clipboard_;
+    std::unique_ptr<Kit> kit_;
     Screen screen_;
     Fonts fonts_;
 };

@@ -29,9 +29,13 @@ std::size_t batch(std::span<const Event> events) {
 
 bool pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(static_cast<int>(key), repeat); }
 
+void take(Key key) {
+    // A key that was pressed some time ago is held, not pressed.
+    ImGui::GetIO().KeysDownDuration[static_cast<int>(key)] = FLT_MIN;
+}
+
 void map_keys() {
-    static constexpr std::array<std::pair<ImGuiKey_, Key>, 22> table{{
-        {ImGuiKey_Tab, Key::tab},
+    static constexpr std::array<std::pair<ImGuiKey_, Key>, 21> table{{
         {ImGuiKey_LeftArrow, Key::left},
         {ImGuiKey_RightArrow, Key::right},
         {ImGuiKey_UpArrow, Key::up},
@@ -55,6 +59,7 @@ void map_keys() {
         {ImGuiKey_Z, Key::z},
     }};
     ImGuiIO& io = ImGui::GetIO();
+    io.KeyMap[ImGuiKey_Tab] = -1;  // the values have their own order, see focusable()
     for (const auto& [imgui, key] : table) io.KeyMap[imgui] = static_cast<int>(key);
 }
 

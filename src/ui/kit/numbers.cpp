@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace snell::ui {
@@ -37,13 +38,19 @@ double tidy_relative(double value, double min, double max, bool fine) {
     return std::clamp(read_back(value, "{:.{}e}", value, fine ? 5 : 3), min, max);
 }
 
-double tidy(float value) { return read_back(static_cast<double>(value), "{}", value); }
+double tidy_color(double value) {
+    const auto decimals = [&](int count) { return read_back(value, "{:.{}f}", value, count); };
+    if (!(value >= 0 && value <= 1)) return decimals(3);
+    for (int count = 0; count < 3; ++count)
+        if (std::round(255 * decimals(count)) == std::round(255 * value)) return decimals(count);
+    return decimals(3);
+}
 
 std::string shown(double value, double min, double max, bool integral) {
     if (integral) return fmt::format("{:.0f}", value);
     const double range = std::max({max - min, 0.0});
     const double size = std::max(std::abs(value), range);
-    if (!(size < 1e7)) return fmt::format("{:.6g}", value);
+    if (!(size < 1e7) || !std::isfinite(range)) return fmt::format("{:.6g}", value);
     if (range <= 0) return fmt::format("{:.7g}", value);
     const int digits = static_cast<int>(std::ceil(std::log10(range) - 1e-9));  // before the decimal point
     const int decimals = digits <= 0 ? 4 - digits : 5 - digits;
@@ -57,13 +64,89 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+namespace {
+
+// Reads sums of products of numbers, signs and parentheses. A failure makes the result NaN.
+class Evaluator {
+public:
+    explicit Evaluator(std::string_view text) : rest_(text) {}
+    double run() {
+        const double value = sum();
+        return take_blanks().empty() ? value : failure;
+    }
+
+private:
+    static constexpr double failure = std::numeric_limits<double>::quiet_NaN();
+
+    std::string_view take_blanks() {
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
+        return rest_;
+    }
+    bool take(std::string_view word) {
+        if (!take_blanks().starts_with(word)) return false;
+        rest_.remove_prefix(word.size());
+        return true;
+    }
+    double sum() {
+        double value = product();
+        while (true) {
+            if (take("+"))
+                value += product();
+            else if (take("-"))
+                value -= product();
+            else
+                return value;
+        }
+    }
+    double product() {
+        double value = factor();
+        while (true) {
+            if (take("*"))
+                value *= factor();
+            else if (take("/"))
+                value /= factor();
+            else
+                return value;
+        }
+    }
+    double factor() {
+        if (take("-")) return -operand();
+        take("+");
+        return operand();
+    }
+    double operand() {
+        if (take("pi")) return std::numbers::pi;
+        if (!take("(")) return number();
+        const double value = sum();
+        return take(")") ? value : failure;
+    }
+    double number() {
+        std::array<char, 128> digits{};
+        const std::size_t length = take_blanks().copy(digits.data(), digits.size());
+        const auto end_of_text = digits.begin() + static_cast<std::ptrdiff_t>(length);
+        std::replace(digits.begin(), end_of_text, ',', '.');
+        if (length == 0 || !((digits[0] >= '0' && digits[0] <= '9') || digits[0] == '.')) return failure;
+        double value = 0;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + length, value);
+        if (error != std::errc()) return failure;
+        rest_.remove_prefix(static_cast<std::size_t>(end - digits.data()));
+        return value;
+    }
+
+    std::string_view rest_;
+};
+
+}  // namespace
+
+std::optional<double> evaluated(std::string_view text) {
+    const double value = Evaluator(text).run();
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
 std::optional<double> typed(std::string_view text, bool integral) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    const std::optional<double> found = evaluated(text);
+    if (!found) return std::nullopt;
+    double value = *found;
     if (integral) {
         value = std::round(value);
         if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max()) return std::nullopt;

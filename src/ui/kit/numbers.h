@@ -14,14 +14,17 @@ std::string shown(double value, double min, double max, bool integral);
 double tidy(double value, double min, double max, bool fine);
 // Does the same with significant digits, for ranges over several decades.
 double tidy_relative(double value, double min, double max, bool fine);
-// Converts a float to the double that its shortest text reads as.
-double tidy(float value);
 // Formats a double as the shortest text that reads back to the same value.
 std::string exact(double value);
 // Formats as "1 error" or "2 errors".
 std::string counted(std::size_t count, std::string_view noun);
-// Parses a number that a user typed; "+" and surrounding blanks are allowed. Returns nullopt if it is not a number, not
-// finite, or does not fit a float (with `integral`, a 32-bit integer, to which fractions are rounded).
+// Rounds the component of a colour that was picked to the fewest decimals that give the same byte.
+double tidy_color(double value);
+// Computes the value of a text such as "1/3", "2*pi", "-(1e3-5)" or "0,7", in doubles. Returns nullopt if it is not a
+// number, or not finite.
+std::optional<double> evaluated(std::string_view text);
+// The same for a number that a user typed. Returns nullopt also if it does not fit a float (with `integral`, a 32-bit
+// integer, to which fractions are rounded).
 std::optional<double> typed(std::string_view text, bool integral);
 
 }  // namespace snell::ui

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <span>
 
+#include "src/ui/kit/kit.h"
+
 namespace snell::ui {
 
 namespace {
@@ -47,7 +49,8 @@ void set_colors(ImGuiStyle& style, Theme theme) {
     c[ImGuiCol_WindowBg] = p.panel;
     c[ImGuiCol_ChildBg] = with_alpha(p.panel, 0);
     c[ImGuiCol_PopupBg] = p.popup;
-    c[ImGuiCol_Border] = p.rule;
+    c[ImGuiCol_Border] = p.border;
+    c[ImGuiCol_BorderShadow] = with_alpha(p.border, 0);
     c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = p.header;
     c[ImGuiCol_FrameBg] = p.track;
     c[ImGuiCol_FrameBgHovered] = p.hovered;
@@ -65,7 +68,14 @@ void set_colors(ImGuiStyle& style, Theme theme) {
     c[ImGuiCol_Header] = p.header;
     c[ImGuiCol_HeaderHovered] = p.header_hovered;
     c[ImGuiCol_HeaderActive] = p.header_pressed;
-    c[ImGuiCol_Separator] = p.rule;
+    c[ImGuiCol_Separator] = c[ImGuiCol_TableBorderLight] = c[ImGuiCol_TableBorderStrong] = p.rule;
+    c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = p.accent;
+    c[ImGuiCol_TableHeaderBg] = p.header;
+    c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = p.track;
+    c[ImGuiCol_TabHovered] = p.hovered;
+    c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = p.filled;
+    c[ImGuiCol_PlotLines] = c[ImGuiCol_PlotLinesHovered] = p.accent;
+    c[ImGuiCol_PlotHistogramHovered] = p.accent_pressed;
     c[ImGuiCol_PlotHistogram] = p.accent;
     c[ImGuiCol_TextSelectedBg] = with_alpha(p.accent, .3F);
     c[ImGuiCol_NavHighlight] = p.accent;
@@ -78,59 +88,94 @@ const Palette& palette_of(Theme theme) {
     static const Palette light{
         .panel = color(0xF7F8FA),
         .text = color(0x1D2733),
-        .dim = color(0x68737F),
+        .dim = color(0x4C5661),
+        .border = color(0x6E7986),
         .rule = color(0xD8DDE4),
-        .track = color(0xE3E7ED),
+        .track = color(0xE9EDF2),
         .filled = color(0xB4CDF5),
-        .accent = color(0x2A66D1),
-        .accent_pressed = color(0x1B4AA0),
+        .accent = color(0x2459BD),
+        .accent_pressed = color(0x173F8C),
         .surround = color(0xE8EBEF),
         .popup = color(0xFFFFFF),
-        .hovered = color(0xD5DDE8),
-        .pressed = color(0xCCD7E5),
-        .header = color(0xE9ECF1),
+        .hovered = color(0xDCE4EE),
+        .pressed = color(0xD0DAE7),
+        .header = color(0xE6EAF0),
         .header_hovered = color(0xDFE5EE),
-        .header_pressed = color(0xD3DCE9),
-        .grab = color(0xC5CCD5),
-        .error_text = color(0xB81A14),
-        .warning_text = color(0x855C00),
+        .header_pressed = color(0xD9E1EC),
+        .grab = color(0x6E7986),
+        .error_text = color(0xA5120D),
+        .warning_text = color(0x6B4900),
         .problem_background = color(0x1B1E24, .93F),
         .problem_text = color(0xE8EAED),
-        .error = color(0xFF7B72),
+        .problem_border = color(0xFFFFFF, .5F),
+        .problem_button = color(0xFFFFFF, .12F),
+        .problem_hovered = color(0xFFFFFF, .18F),
+        .problem_pressed = color(0xFFFFFF, .22F),
+        .error = color(0xFF9D94),
         .warning = color(0xF5CE62),
         .link = color(0x9CC4FF),
     };
     static const Palette dark{
         .panel = color(0x1D2026),
-        .text = color(0xE4E7EB),
-        .dim = color(0x98A2AE),
+        .text = color(0xE9ECF0),
+        .dim = color(0xB2BBC6),
+        .border = color(0x848E9B),
         .rule = color(0x383E48),
-        .track = color(0x31363F),
-        .filled = color(0x33538A),
-        .accent = color(0x6BA0F5),
-        .accent_pressed = color(0x9CC1FB),
+        .track = color(0x2B3038),
+        .filled = color(0x2C4A80),
+        .accent = color(0x7FB0FA),
+        .accent_pressed = color(0xAACBFD),
         .surround = color(0x14161A),
-        .popup = color(0x262A31),
-        .hovered = color(0x3D444F),
-        .pressed = color(0x475060),
+        .popup = color(0x22262D),
+        .hovered = color(0x363D47),
+        .pressed = color(0x3A424E),
         .header = color(0x292E36),
-        .header_hovered = color(0x333A45),
-        .header_pressed = color(0x3C4553),
-        .grab = color(0x4A525E),
-        .error_text = color(0xFF8A80),
+        .header_hovered = color(0x2F353F),
+        .header_pressed = color(0x333B46),
+        .grab = color(0x848E9B),
+        .error_text = color(0xFFA69E),
         .warning_text = color(0xF0C64F),
         .problem_background = color(0x0E1014, .93F),
         .problem_text = color(0xE8EAED),
-        .error = color(0xFF7B72),
+        .problem_border = color(0xFFFFFF, .5F),
+        .problem_button = color(0xFFFFFF, .12F),
+        .problem_hovered = color(0xFFFFFF, .18F),
+        .problem_pressed = color(0xFFFFFF, .22F),
+        .error = color(0xFF9D94),
         .warning = color(0xF5CE62),
         .link = color(0x9CC4FF),
     };
-    return theme == Theme::dark ? dark : light;
-}
-
-const Palette& palette() {
-    const void* of_context = ImGui::GetIO().UserData;
-    return of_context ? *static_cast<const Palette*>(of_context) : palette_of(Theme::light);
+    static const Palette contrast{
+        .panel = color(0xFFFFFF),
+        .text = color(0x000000),
+        .dim = color(0x2E2E2E),
+        .border = color(0x303030),
+        .rule = color(0x303030),
+        .track = color(0xFFFFFF),
+        .filled = color(0xA9CBFF),
+        .accent = color(0x0038A8),
+        .accent_pressed = color(0x001F66),
+        .surround = color(0xE4E4E4),
+        .popup = color(0xFFFFFF),
+        .hovered = color(0xDCEBFF),
+        .pressed = color(0xC4DDFF),
+        .header = color(0xE4E4E4),
+        .header_hovered = color(0xD4E4FA),
+        .header_pressed = color(0xC4DDFF),
+        .grab = color(0x303030),
+        .error_text = color(0x700000),
+        .warning_text = color(0x4A3200),
+        .problem_background = color(0x000000),
+        .problem_text = color(0xFFFFFF),
+        .problem_border = color(0xFFFFFF, .5F),
+        .problem_button = color(0xFFFFFF, .12F),
+        .problem_hovered = color(0xFFFFFF, .18F),
+        .problem_pressed = color(0xFFFFFF, .22F),
+        .error = color(0xFFB3AC),
+        .warning = color(0xFFDE80),
+        .link = color(0xB5D4FF),
+    };
+    return theme == Theme::contrast ? contrast : theme == Theme::dark ? dark : light;
 }
 
 Fonts load_fonts(float scale, float density) {
@@ -152,8 +197,7 @@ Fonts load_fonts(float scale, float density) {
 }
 
 void apply_style(float scale, Theme theme) {
-    // It is only read, through palette().
-    ImGui::GetIO().UserData = const_cast<Palette*>(&palette_of(theme));
+    kit().palette = &palette_of(theme);
     ImGuiStyle style;
     style.WindowPadding = {14, 12};
     style.FramePadding = {8, 4};
@@ -167,9 +211,10 @@ void apply_style(float scale, Theme theme) {
     style.GrabRounding = 4;
     style.GrabMinSize = 10;
     style.WindowBorderSize = 0;
-    style.FrameBorderSize = 0;
+    style.FrameBorderSize = 1;
+    style.TabBorderSize = 1;
     style.PopupBorderSize = 1;
-    style.DisabledAlpha = .45F;
+    style.DisabledAlpha = .7F;
     style.AntiAliasedLinesUseTex = true;
     set_colors(style, theme);
     style.ScaleAllSizes(scale);

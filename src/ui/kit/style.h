@@ -1,5 +1,5 @@
-// Colours and sizes of the window: a light theme for projectors and bright rooms, and a dark one. There are few
-// colours, and each has one meaning.
+// Colours and sizes of the window: a light theme, a dark one, and one of high contrast for projectors and bright rooms.
+// There are few colours, and each has one meaning.
 #pragma once
 
 #include <imgui.h>
@@ -8,11 +8,14 @@
 
 namespace snell::ui {
 
+// Text is legible on everything that it lies on, and controls stand out by their borders: tests/ui/contrast.cpp.
 struct Palette {
-    ImVec4 panel, text, dim, rule, track, filled, accent, accent_pressed, surround;
+    ImVec4 panel, text, dim, border, rule, track, filled, accent, accent_pressed, surround;
     ImVec4 popup, hovered, pressed, header, header_hovered, header_pressed, grab;
-    ImVec4 error_text, warning_text;                                // for text on the panel
-    ImVec4 problem_background, problem_text, error, warning, link;  // for messages over the picture
+    ImVec4 error_text, warning_text;  // for text on the panel
+    // For messages over the picture. Borders and buttons are translucent.
+    ImVec4 problem_background, problem_text, problem_border, problem_button, problem_hovered, problem_pressed;
+    ImVec4 error, warning, link;
 };
 const Palette& palette_of(Theme theme);
 // The palette of the current Dear ImGui context.

@@ -16,7 +16,8 @@ float width_of(std::string_view text);
 // The width of a button or a check box with this text.
 float button_width(std::string_view label);
 float check_box_width(std::string_view label);
-// Sets the tooltip of the last item, disabled or not.
+// Sets the tooltip of the last item, disabled or not. It appears when the pointer has rested there for half a second,
+// below the item or beside the panel, where it covers no neighbour.
 void tip(std::string_view text);
 // Draws a button and records its place as `name`. Returns true if the user pressed it.
 bool button(const char* text, Layout& layout, std::string_view name);
@@ -29,8 +30,9 @@ void wrapped(std::string_view text, bool dim = false);
 // Places the next item, `width` wide, on the same line if it fits there, otherwise on the next line. `gap` is as for
 // SameLine.
 void follow(float width, float gap = -1);
-// Cuts the text to the width, with dots for what is left out; at least one character stays. Pass only visible text,
-// without the hidden part after ##.
+// Cuts the middle out of a name so that it fits into the width, with dots for what is left out: names often differ only
+// at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the
+// hidden part after ##.
 Text shortened(std::string_view text, float width);
 // Draws such a text as an item whose tooltip has all of it. Returns false if something was left out.
 bool fitted(std::string_view text, float width, bool dim = false);
@@ -44,6 +46,7 @@ struct SliderRange {
     double min = 0, max = 1;
     bool integral = false;
     bool logarithmic = false;  // equal distances are equal ratios; needs min > 0
+    bool reset = false;        // set by slider(): the user asked for the initial value
 };
 
 // State of the slider that was pressed last. `before` is its value then: a double click moves the knob before it opens
@@ -56,14 +59,21 @@ struct SliderMemory {
 };
 
 // Draws a slider and returns true if the value changed. Drag to move; with Alt a twentieth as fast. Double-click or
-// Ctrl-click to type; a number outside of the range widens it. Right-click to reset to `initial`. It computes with
-// fractions of the range in double, so any finite range works, including equal ends and 1e300.
-bool slider(const char* id, double& value, SliderRange& range, double initial, SliderMemory& memory);
+// Ctrl-click to type; an entered number outside of the range widens it. Right-click to reset to `initial`. With the
+// keyboard's focus the arrow keys move it by a hundredth of the range. With `number_width` the value is shown at the
+// right, where a click edits it. It computes with fractions of the range in double, so any finite range works,
+// including equal ends and 1e300.
+bool slider(const char* id, double& value, SliderRange& range, double initial, SliderMemory& memory,
+            float number_width = 0);
 
-// Draws a field to type a number into, or to drag, for numbers without a range.
+// Draws a field to type a number into, or to drag, for numbers without a range. Right-click to reset to `initial`.
 bool number(const char* id, double& value, bool integral, double initial, float width);
 
-// Draws a colour; `components` is 3 or 4: red, green, blue, alpha. Values outside of 0..1 are allowed.
+// Draws a colour; `components` is 3 or 4: red, green, blue, alpha. Values outside of 0..1 are allowed. Picked colours
+// are rounded to what a byte can tell apart; typed numbers are not.
 bool color_row(const char* id, double* value, int components, const double* initial);
+
+// Begins a drop-down as ImGui::BeginCombo does. A press on its button closes it again.
+bool begin_combo(const char* id, const char* chosen);
 
 }  // namespace snell::ui

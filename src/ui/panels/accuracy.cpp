@@ -37,13 +37,13 @@ void figures(const AccuracyFacts& facts) {
         return;
     }
     ImGui::TextUnformatted(facts.samples > 0 ? ("error " + error_text(facts.error)).c_str() : "\u2026");
-    if (ImGui::IsItemHovered() && facts.samples > 0)
-        ImGui::SetTooltip(
-            "RMS error of light relative to the last rung of every ladder,\nover the whole picture; maximum %s, "
-            "%s\nof display values: %s",
-            error_text(facts.largest).c_str(),
-            std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr).c_str() : "no difference",
-            error_text(facts.of_display).c_str());
+    if (facts.samples > 0)
+        tip(Text("RMS error of light relative to the last rung of every ladder,\nover the whole picture; maximum {}, "
+                 "{}\nof display values: {}",
+                 error_text(facts.largest),
+                 std::isfinite(facts.psnr) ? fmt::format("{:.1f} dB", facts.psnr) : "no difference",
+                 error_text(facts.of_display))
+                .view());
     remark(fmt::format("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
@@ -98,8 +98,7 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
         ImGui::TableNextColumn();
         if (ImGui::Selectable(ladder.rungs[i].c_str(), i == chosen, ImGuiSelectableFlags_SpanAllColumns)) chosen = i;
         layout.note("accuracy.rung", ladder.rungs[i]);
-        if (known && ImGui::IsItemHovered() && point->standing != AccuracyPoint::Standing::visited)
-            ImGui::SetTooltip("%s", standing_text(*point).c_str());
+        if (known && point->standing != AccuracyPoint::Standing::visited) tip(standing_text(*point));
         ImGui::TableNextColumn();
         if (known && point->milliseconds > 0) ImGui::TextUnformatted(milliseconds_text(point->milliseconds).c_str());
         ImGui::TableNextColumn();
@@ -114,7 +113,7 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
     const char* label = facts.measured ? "Stop" : "Measure rungs";
     const float button = ImGui::CalcTextSize("Measure rungs").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
-    const bool list = ImGui::BeginCombo("##ladder", ladders[memory.ladder].name.c_str());
+    const bool list = begin_combo("##ladder", ladders[memory.ladder].name.c_str());
     layout.note("accuracy.ladder");
     if (list) {
         for (std::size_t i = 0; i < ladders.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "src/ui/kit/style.h"
+#include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"
 
 namespace snell::ui {
@@ -161,9 +162,9 @@ void explain_nearest(const Plot& plot, const std::vector<AccuracyPoint>& points)
         nearest = &point;
     }
     if (!nearest) return;
-    ImGui::SetTooltip("%s: %s, error %s%s%s", nearest->name.c_str(), milliseconds_text(nearest->milliseconds).c_str(),
-                      error_text(nearest->error).c_str(), nearest->standing == Standing::visited ? "" : "\n",
-                      standing_text(*nearest).c_str());
+    tip(Text("{}: {}, error {}{}{}", nearest->name, milliseconds_text(nearest->milliseconds),
+             error_text(nearest->error), nearest->standing == Standing::visited ? "" : "\n", standing_text(*nearest))
+            .view());
 }
 
 }  // namespace

@@ -122,8 +122,7 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, Memo
             {0, height - ImGui::GetStyle().ItemSpacing.y});
         layout.note("browser.entry", entry.name);
         if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
-        if (ImGui::IsItemHovered() && ImGui::CalcTextSize(entry.name.c_str()).x > 20 * em)
-            ImGui::SetTooltip("%s", entry.name.c_str());
+        if (width_of(entry.name) > 20 * em) tip(entry.name);
         if (chosen && (pressed(Key::up, true) || pressed(Key::down, true))) ImGui::SetScrollHereY();
         ImGui::PopID();
         if (clicked) {

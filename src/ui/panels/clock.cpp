@@ -45,7 +45,7 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
 }
 
 void clock_keys(const Facts& facts, Memory& memory) {
-    if (facts.animated && pressed(Key::space)) memory.clock.paused = !memory.clock.paused;
+    if ((facts.animated || memory.animating()) && pressed(Key::space)) memory.clock.paused = !memory.clock.paused;
 }
 
 }  // namespace snell::ui

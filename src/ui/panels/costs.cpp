@@ -42,7 +42,7 @@ void line(const Facts& facts, const std::string& name, const std::string& amount
         place = fmt::format("\n{}:{}", file.substr(file.rfind('/') + 1),
                             facts.sources->position(span->file, span->begin).line);
     }
-    ImGui::SetTooltip("%s\n%s%s", name.c_str(), why.c_str(), place.c_str());
+    tip(Text("{}\n{}{}", name, why, place).view());
 }
 
 std::string amount_of(const Paid& paid) {

@@ -31,7 +31,7 @@ bool edit_link(const Facts& facts, const Place& place) {
     if (place.file.empty() || !ImGui::IsItemHovered()) return false;
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     const std::string editor = utf8::printable(facts.editor);
-    ImGui::SetTooltip("%s:%d\nClick to open in %s", utf8::printable(place.file).c_str(), place.line, editor.c_str());
+    tip(Text("{}:{}\nClick to open in {}", utf8::printable(place.file), place.line, editor).view());
     return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
@@ -52,9 +52,12 @@ void files_section(const Facts& facts, Memory& memory, Requests& requests, Layou
 
 void look_section(Memory& memory, Layout& layout) {
     if (!section("Window", memory.open, layout, "window")) return;
-    bool dark = memory.theme == Theme::dark;
-    if (ImGui::Checkbox("Dark", &dark)) memory.theme = dark ? Theme::dark : Theme::light;
-    layout.note("dark");
+    static constexpr std::array titles{"Light", "Dark", "Contrast"};
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+        if (i > 0) follow(check_box_width(titles[i]));
+        if (ImGui::RadioButton(titles[i], memory.theme == static_cast<Theme>(i))) memory.theme = static_cast<Theme>(i);
+        layout.note(theme_names[i]);
+    }
     const std::string percent = fmt::format("{:.0f} %", std::round(memory.zoom * 100));
     const float number = ImGui::CalcTextSize("300 %").x;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;

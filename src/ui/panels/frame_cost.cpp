@@ -54,7 +54,7 @@ void plot(const FrameCostFacts& facts, Layout& layout) {
     list.AddLine({at.x, y(facts.median)}, {at.x + width, y(facts.median)}, pack(colors.text));
     list.AddLine({at.x, y(facts.high)}, {at.x + width, y(facts.high)}, pack(colors.dim));
     put(list, {at.x + em * .3F, at.y + em * .1F}, colors.dim, text);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last %zu pictures\nlines: median and 95th percentile", count);
+    tip(Text("the last {} pictures\nlines: median and 95th percentile", count).view());
 }
 
 // Draws name and milliseconds over a bar that shows its share of `all`.
@@ -71,8 +71,7 @@ void row(const CostRow& cost, double all, Layout& layout) {
     const float left = ImGui::GetCursorPosX(), taken = width_of(text.view());
     ImGui::SetCursorPosX(left + indent);
     fitted(cost.name, width - indent - taken - em * .5F);
-    if (ImGui::IsItemHovered() && !cost.place.empty())
-        ImGui::SetTooltip("%s\n%s", cost.name.c_str(), cost.place.c_str());
+    if (!cost.place.empty()) tip(Text("{}\n{}", cost.name, cost.place).view());
     layout.note("frame cost", cost.name);
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + width - taken);

@@ -81,7 +81,7 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
     ImGui::TextDisabled("%s", told.c_str());
 }
 
-void answers(PictureMemory& picture, Requests& requests, Layout& layout) {
+void answers(PictureMemory& picture, bool moves, Requests& requests, Layout& layout) {
     const bool asks = !picture.there.empty() && picture.there == picture.file.data();
     if (asks)
         ImGui::TextWrapped("%s exists. Replace it?", shortened(picture.existing, 30 * ImGui::GetFontSize()).c_str());
@@ -94,7 +94,8 @@ void answers(PictureMemory& picture, Requests& requests, Layout& layout) {
     if (button(asks ? "Replace" : "Save", layout, "picture save"))
         requests.picture = asks ? PictureRequest::replace : PictureRequest::save;
     if (next_button("Copy command", layout, "picture command")) requests.picture = PictureRequest::command;
-    tip("Copies the 'snell render' command that draws the same");
+    tip(moves ? "Copies the 'snell render' command, which draws animated sliders at rest"
+              : "Copies the 'snell render' command that draws the same");
     if (next_button("Cancel", layout, "picture cancel") || pressed(Key::escape)) picture.open = false;
 }
 
@@ -136,7 +137,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     ImGui::InputText("##file", picture.file.data(), picture.file.size());
     layout.note("picture file");
     size_row(picture, memory.scene, layout);
-    if (facts.animated)
+    if (facts.animated || memory.animating())
         sequence_rows(picture, layout);
     else
         picture.sequence = false;
@@ -145,7 +146,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     if (picture.progress)
         progress_row(picture, requests, layout);
     else
-        answers(picture, requests, layout);
+        answers(picture, picture.sequence && memory.animating(), requests, layout);
     if (!picture.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

@@ -85,10 +85,10 @@ void push_dark() {
     const Palette& colors = palette();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.problem_background);
     ImGui::PushStyleColor(ImGuiCol_Text, colors.problem_text);
-    ImGui::PushStyleColor(ImGuiCol_Button, {1, 1, 1, .12F});
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, {1, 1, 1, .22F});
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, {1, 1, 1, .3F});
-    ImGui::PushStyleColor(ImGuiCol_Border, {1, 1, 1, .18F});
+    ImGui::PushStyleColor(ImGuiCol_Button, colors.problem_button);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors.problem_hovered);
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, colors.problem_pressed);
+    ImGui::PushStyleColor(ImGuiCol_Border, colors.problem_border);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
 }

@@ -13,6 +13,7 @@
 #include "parser/scene.h"
 #include "parser/text/finding.h"
 #include "parser/text/source.h"
+#include "src/plan/values/animate.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"
 #include "src/runtime/explain.h"
@@ -103,8 +104,11 @@ struct Memory {
     SliderMemory slider;
     // Names of the sliders that are logarithmic, as "program.name" with the program's index.
     std::set<std::string> logarithmic;
-    std::string notice;   // the outcome of the last request
-    bool labels = false;  // shows the values over the picture
+    std::vector<Animated> animated;  // the sliders that move by themselves
+    bool animating() const { return !animated.empty(); }
+    std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all
+    std::string notice;             // the outcome of the last request
+    bool labels = false;            // shows the values over the picture
     Clock clock;
     AccuracyMemory accuracy;
     bool costs = false;       // whether the costs panel is open

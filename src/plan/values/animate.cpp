@@ -1,0 +1,61 @@
+#include "src/plan/values/animate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/plan/values/fit.h"
+
+namespace snell {
+
+namespace {
+
+constexpr double shortest = 1e-3;  // seconds
+
+bool by_ratio(const Animated& motion, const Control& control) { return motion.logarithmic && control.min > 0; }
+
+double value_at(double fraction, const Animated& motion, const Control& control) {
+    if (by_ratio(motion, control)) return control.min * std::pow(control.max / control.min, fraction);
+    return control.min * (1 - fraction) + control.max * fraction;
+}
+
+// Rounds to five digits of `size`, so that a saved number is short.
+double rounded(double value, double size) {
+    const double scale = std::pow(10, 5 - std::ceil(std::log10(size)));
+    const double result = std::round(value * scale) / scale;
+    return std::isfinite(result) ? result : value;
+}
+
+}  // namespace
+
+Animated animated_from(const Control& control, std::size_t component, double period, double time) {
+    Animated motion{control.program, control.name, component, std::max(period, shortest), time, false};
+    const double range = control.max - control.min;
+    const double fraction = range > 0 ? std::clamp((control.value[component] - control.min) / range, 0., 1.) : 0;
+    motion.start = time - fraction * motion.period / 2;
+    return motion;
+}
+
+void animate(Controls& controls, std::vector<Animated>& animated, double time) {
+    std::erase_if(animated, [&](const Animated& motion) {
+        const Control* control = controls.find(motion.program, motion.name);
+        return !control || motion.component >= control->value.size();
+    });
+    for (const Animated& motion : animated) {
+        Control* control = controls.find(motion.program, motion.name);
+        const double cycles = (time - motion.start) / std::max(motion.period, shortest);
+        const double fraction = 1 - std::abs(2 * (cycles - std::floor(cycles)) - 1);
+        const double exact = value_at(fraction, motion, *control);
+        const double value = rounded(exact, by_ratio(motion, *control) ? exact : control->max - control->min);
+        control->value[motion.component] = std::clamp(fit_to_type(value, control->type), control->min, control->max);
+    }
+}
+
+void stop(std::vector<Animated>& animated, const Control& control, std::size_t component) {
+    std::erase_if(animated, [&](const Animated& motion) { return motion.moves(control, component); });
+}
+
+void stop_all(std::vector<Animated>& animated, Index program) {
+    std::erase_if(animated, [&](const Animated& motion) { return motion.program == program; });
+}
+
+}  // namespace snell

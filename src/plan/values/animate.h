@@ -1,0 +1,34 @@
+// Sliders that move by themselves, back and forth over their ranges, as functions of time: the same time gives the same
+// values, in the window and in saved pictures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/plan/values/controls.h"
+
+namespace snell {
+
+// The motion of one component of a control.
+struct Animated {
+    Index program = 0;
+    std::string name;
+    std::size_t component = 0;
+    double period = 4;         // seconds from the minimum to the maximum and back
+    double start = 0;          // a time at which the value is the minimum, in seconds
+    bool logarithmic = false;  // equal times are equal ratios; needs a positive minimum
+
+    bool moves(const Control& control, std::size_t which) const {
+        return control.program == program && control.name == name && which == component;
+    }
+};
+
+// Begins a motion at the control's current value, upwards.
+Animated animated_from(const Control& control, std::size_t component, double period, double time);
+// Sets the values of this time. Motions whose control does not exist any more end.
+void animate(Controls& controls, std::vector<Animated>& animated, double time);
+// Ends the motion of a component, or with `all` of all controls of its program.
+void stop(std::vector<Animated>& animated, const Control& control, std::size_t component);
+void stop_all(std::vector<Animated>& animated, Index program);
+
+}  // namespace snell

@@ -1,0 +1,34 @@
+// Fields for numbers: what sliders, numbers and colours have in common.
+#pragma once
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace snell::ui {
+
+// Adds a value to the order of Tab. Call it for every value in the order on screen, also while it is scrolled out of
+// view. Returns true if the value has the keyboard's focus.
+bool focusable(const ImRect& box, ImGuiID id);
+void take_focus(ImGuiID id);
+// Draws a ring around the value if it has the focus.
+void draw_focus(const ImRect& box, ImGuiID id);
+// The steps that the keyboard asks for, if the value has the focus: 1 for an arrow key, .1 with Shift, 10 for a Page
+// key.
+double key_steps(ImGuiID id);
+
+// Opens the field of this value in this frame.
+void type_number(ImGuiID id, double value);
+bool is_typed(ImGuiID id);
+// Draws the field in place of the widget. Returns true if the user entered another number: with Enter, with Tab, or by
+// leaving the field. What is no number keeps the field open, or leaves the value as it was.
+bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, bool integral);
+
+struct NumberStyle {
+    double speed = .01;  // per point of a drag, and per press of an arrow key
+    bool integral = false;
+    int digits = 5;
+};
+// Draws a field to type a number into, or to drag; see number().
+bool number_field(const char* label, double& value, double initial, float width, const NumberStyle& style);
+
+}  // namespace snell::ui

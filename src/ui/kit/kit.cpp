@@ -1,0 +1,149 @@
+#include "src/ui/kit/kit.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/ui/kit/input.h"
+#include "src/ui/kit/widgets.h"
+
+namespace snell::ui {
+
+namespace {
+
+constexpr double tip_delay = .5;  // seconds without motion
+
+// Before the frame begins, Dear ImGui has not yet seen what is pressed.
+bool newly_down(Key key) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return io.KeysDown[static_cast<int>(key)] && io.KeysDownDuration[static_cast<int>(key)] < 0;
+}
+
+bool newly_clicked() {
+    const ImGuiIO& io = ImGui::GetIO();
+    for (int button = 0; button < ImGuiMouseButton_COUNT; ++button)
+        if (io.MouseDown[button] && io.MouseDownDuration[button] < 0) return true;
+    return false;
+}
+
+bool modal(const ImGuiPopupData& popup) { return !popup.Window || (popup.Window->Flags & ImGuiWindowFlags_Modal) != 0; }
+
+// Closes drop-downs, menus and pickers at Escape, which then does nothing else, and at a click beside them, which then
+// acts where it lands. Dear ImGui itself would ignore the key and swallow the click.
+void close_popups() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    ImVector<ImGuiPopupData>& open = g.OpenPopupStack;
+    if (open.empty()) return;
+    if (newly_down(Key::escape) && !g.IO.WantTextInput && !modal(open.back())) {
+        g.IO.KeysDown[static_cast<int>(Key::escape)] = false;
+        return ImGui::ClosePopupToLevel(open.Size - 1, true);
+    }
+    const ImVec2 mouse = g.IO.MousePos;
+    if (!newly_clicked() || kit().opener.contains(mouse.x, mouse.y)) return;
+    int kept = 0;
+    for (int i = 0; i < open.Size; ++i)
+        if (modal(open[i]) || open[i].Window->OuterRectClipped.Contains(mouse)) kept = i + 1;
+    if (kept < open.Size) ImGui::ClosePopupToLevel(kept, true);
+}
+
+void move_focus(Focus& focus) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool tab = pressed(Key::tab, true) && !io.KeyCtrl && !io.KeyAlt;
+    focus.tabbed = false;
+    if (tab && !focus.refused && focus.first != 0) {
+        const unsigned next = io.KeyShift ? (focus.passed && focus.before ? focus.before : focus.last)
+                                          : (focus.passed && focus.after ? focus.after : focus.first);
+        focus.opens = io.WantTextInput;
+        focus.tabbed = true;
+        focus.at = next;
+        ImGui::ClearActiveID();
+    } else if (!focus.taken && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        focus.at = 0;
+    }
+    focus.refused = focus.taken = focus.passed = false;
+    focus.first = focus.last = focus.before = focus.after = 0;
+}
+
+// Draws the text below its item, or beside the item's window, where it covers no neighbour.
+void draw(const Tip& tip, bool below, ImVec4 color) {
+    const ImVec2 all = ImGui::GetIO().DisplaySize, padding(ImGui::GetFontSize() * .5F, ImGui::GetFontSize() * .25F);
+    const float em = ImGui::GetFontSize(), gap = em * .3F, wrap = std::min(32 * em, all.x - 2 * padding.x - em);
+    const char *begin = tip.text.data(), *end = begin + tip.text.size();
+    const ImVec2 size = ImGui::CalcTextSize(begin, end, false, wrap);
+    const float width = size.x + 2 * padding.x, height = size.y + 2 * padding.y;
+    ImVec2 at(tip.item.x, tip.item.y + tip.item.height + gap);
+    if (const float left = tip.window.x - width - gap; !below && left >= 0) at = {left, tip.item.y};
+    if (at.y + height > all.y) at.y = at.x < tip.window.x ? all.y - height : tip.item.y - height - gap;
+    at = {std::clamp(at.x, 0.F, std::max(0.F, all.x - width)), std::clamp(at.y, 0.F, std::max(0.F, all.y - height))};
+    ImGui::SetNextWindowPos({std::floor(at.x), std::floor(at.y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(wrap + padding.x + 1);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(begin, end);
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar(2);
+}
+
+// `next` is the last tooltip that a widget of this frame set.
+void follow_tip(Tip& tip, Tip& next) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+    const bool same = tip.item == next.item;
+    tip.item = next.item;
+    tip.window = next.window;
+    std::swap(tip.text, next.text);
+    next.item = {};
+    if (!same || (moved && !tip.shown)) tip.since = ImGui::GetTime();
+    if (!same) tip.shown = tip.quiet = false;
+    tip.quiet |= std::ranges::any_of(io.MouseDown, [](bool down) { return down; });
+    tip.shown = !(tip.item == Rect{}) && !tip.quiet && (tip.shown || tip_due() <= 0);
+}
+
+}  // namespace
+
+Kit& kit() { return *static_cast<Kit*>(ImGui::GetIO().UserData); }
+
+const Palette& palette() { return *kit().palette; }
+
+void begin_kit() {
+    close_popups();
+    if (newly_down(Key::escape) && !ImGui::GetIO().WantTextInput) kit().focus.at = 0;
+    if (newly_clicked() || newly_down(Key::escape)) kit().remark.shown = false;
+}
+
+void end_kit() {
+    Kit& kit = ui::kit();
+    move_focus(kit.focus);
+    if (!kit.typing.drawn) kit.typing.id = 0;
+    kit.typing.drawn = false;
+    follow_tip(kit.tip, kit.next_tip);
+    if (kit.remark.shown)
+        draw(kit.remark, true, palette().error_text);
+    else if (kit.tip.shown)
+        draw(kit.tip, false, palette().text);
+}
+
+double tip_due() {
+    const Tip& tip = kit().tip;
+    if (tip.item == Rect{} || tip.shown || tip.quiet) return std::numeric_limits<double>::infinity();
+    return tip.since + tip_delay - ImGui::GetTime();
+}
+
+void tip(std::string_view text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const ImVec2 min = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+    const ImGuiWindow* window = ImGui::GetCurrentWindow()->RootWindow;
+    Tip& next = kit().next_tip;
+    next.item = {min.x, min.y, size.x, size.y};
+    next.window = {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
+    next.text.assign(text);
+}
+
+}  // namespace snell::ui

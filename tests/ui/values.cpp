@@ -1,0 +1,496 @@
+// Values that are typed, stepped, filtered, animated: fields, the keyboard's focus, and what a row shows.
+#include <cmath>
+
+#include "src/ui/kit/kit.h"
+#include "src/ui/kit/numbers.h"
+#include "tests/ui/screen.h"
+
+namespace snell::ui {
+namespace {
+
+class Values : public UiTest {
+protected:
+    void press(Key which, Modifiers modifiers = {}) {
+        frame({{.kind = Event::Kind::key, .key = which, .down = true, .modifiers = modifiers}});
+        frame({key(which, false)});
+        frame();
+    }
+    void write(const std::string& text) {
+        std::vector<Event> events;
+        for (const char c : text) events.push_back({.kind = Event::Kind::text, .text = static_cast<char32_t>(c)});
+        frame(events);
+        frame();
+    }
+    void open(const std::string& widget) { click(place(widget), MouseButton::left, .5, {.ctrl = true}); }
+    double value(std::size_t control = 0, std::size_t component = 0) const {
+        return controls_.items[control].value[component];
+    }
+    Control& array(const std::string& name, std::vector<double> values) {
+        Control& control = add_slider(name, 0, 0, 1);
+        control.widget = Widget::none;
+        control.listed = false;
+        control.components = static_cast<int>(values.size());
+        control.value = control.initial = std::move(values);
+        return control;
+    }
+    Control& color(const std::string& name, std::vector<double> values) {
+        Control& control = array(name, std::move(values));
+        control.widget = Widget::color;
+        control.listed = true;
+        return control;
+    }
+};
+
+TEST_F(Values, ARangeIsWidenedWhenTheNumberIsEnteredAndNotBefore) {
+    add_slider("uKa", 0, .3, 1);
+    open("Glass.uKa");
+    write("500");
+    EXPECT_EQ(value(), .3) << "nothing is applied while typing";
+    press(Key::escape);
+    EXPECT_EQ(value(), .3);
+    EXPECT_EQ(controls_.items[0].max, 1);
+    open("Glass.uKa");
+    type("500");
+    EXPECT_EQ(value(), 500);
+    EXPECT_EQ(controls_.items[0].max, 500);
+    click(place("Glass.uKa"), MouseButton::right);
+    EXPECT_EQ(value(), .3);
+    EXPECT_EQ(controls_.items[0].max, 1) << "a reset restores the range";
+    for (const char* widget : {"uKa.dot", "Glass.reset"}) {
+        open("Glass.uKa");
+        type("-7");
+        ASSERT_EQ(controls_.items[0].min, -7);
+        click(place(widget));
+        EXPECT_EQ(value(), .3) << widget;
+        EXPECT_EQ(controls_.items[0].min, 0) << widget;
+        EXPECT_FALSE(has(widget)) << "there is nothing left to reset";
+    }
+}
+
+TEST_F(Values, ACommaAndArithmeticAreEvaluatedOnEnter) {
+    add_slider("uEta", 0, .5, 10);
+    for (const auto& [text, wanted] : {std::pair("0,7", .7), {"1/3", 1. / 3}, {"2*pi", 2 * M_PI}, {"-(1-3)", 2.}}) {
+        open("Glass.uEta");
+        type(text);
+        EXPECT_EQ(value(), wanted) << text;
+    }
+}
+
+TEST_F(Values, WhatIsNoNumberKeepsTheTextAndChangesNothing) {
+    add_slider("uEta", 0, .5, 10);
+    for (const char* text : {"abc", "1/0", "nan", "1 2", "0x10"}) {
+        open("Glass.uEta");
+        type(text);
+        EXPECT_TRUE(kit().remark.shown) << text;
+        EXPECT_EQ(kit().remark.text, "not a number");
+        EXPECT_STREQ(kit().typing.text.data(), text) << "the text stays";
+        EXPECT_EQ(value(), .5) << text;
+        frame();
+        EXPECT_TRUE(ImGui::GetIO().WantTextInput) << "and so does the focus";
+        // What is typed next is added, not a new beginning.
+        write("!");
+        EXPECT_EQ(std::string(kit().typing.text.data()), std::string(text) + "!");
+        EXPECT_FALSE(kit().remark.shown) << "until it is entered again";
+        press(Key::escape);
+        EXPECT_EQ(value(), .5);
+        EXPECT_EQ(kit().typing.id, 0u);
+    }
+}
+
+TEST_F(Values, AnEmptyTextIsNoNumber) {
+    add_slider("uEta", 0, .5, 10);
+    open("Glass.uEta");
+    frame({key(Key::delete_, true)});
+    type("");
+    EXPECT_TRUE(kit().remark.shown);
+    EXPECT_EQ(value(), .5);
+}
+
+TEST_F(Values, LeavingAFieldAppliesItsNumberOrRestoresTheOldOne) {
+    add_slider("uEta", 0, .5, 10);
+    add_slider("uMix", 0, .25, 1);
+    open("Glass.uEta");
+    write("3");
+    click({300, 300, 1, 1});
+    EXPECT_EQ(value(), 3);
+    open("Glass.uEta");
+    write("three");
+    const Rect other = place("Glass.uMix");
+    frame({move(other.x + other.width * .75, other.y + other.height / 2)});
+    frame({button(true)});
+    EXPECT_EQ(value(), 3);
+    EXPECT_TRUE(kit().remark.shown);
+    EXPECT_EQ(kit().remark.text, "'three' is not a number");
+    EXPECT_NEAR(value(1), .75, .05) << "the press is not lost";
+    frame({button(false)});
+    frame({button(true), button(false)});
+    EXPECT_FALSE(kit().remark.shown) << "until the next press";
+}
+
+TEST_F(Values, AClickOnTheNumberBesideASliderEditsIt) {
+    add_slider("uEta", 0, .5, 10);
+    const Rect track = place("Glass.uEta");
+    click({track.x + track.width + 20, track.y, 10, track.height});
+    EXPECT_EQ(value(), .5);
+    type("4");
+    EXPECT_EQ(value(), 4);
+}
+
+TEST_F(Values, TabGoesThroughTheValuesInTheOrderOnScreen) {
+    add_slider("uA", 0, .1, 9);
+    add_slider("uB", 0, .2, 9);
+    color("uC", {.3, .4, .5});
+    array("uD", {1, 2});
+    add_program("Walls");
+    add_slider("uE", 0, .6, 9);
+    click(place("Walls"));
+    open("Glass.uA");
+    const std::vector<std::pair<std::size_t, std::size_t>> order{{0, 0}, {1, 0}, {2, 0}, {2, 1},
+                                                                 {2, 2}, {3, 0}, {3, 1}, {4, 0}};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        write(std::to_string(i + 1));
+        press(Key::tab);
+        EXPECT_EQ(value(order[i].first, order[i].second), static_cast<double>(i + 1)) << i;
+    }
+    write("8.5");
+    press(Key::tab, {.shift = true});
+    EXPECT_EQ(value(0), 8.5) << "after the last value comes the first one";
+    write("7.5");
+    press(Key::enter);
+    EXPECT_EQ(value(4), 7.5) << "and back";
+}
+
+TEST_F(Values, TabStaysWithWhatIsNoNumber) {
+    add_slider("uA", 0, .1, 9);
+    add_slider("uB", 0, .2, 9);
+    open("Glass.uA");
+    write("x");
+    press(Key::tab);
+    EXPECT_TRUE(kit().remark.shown);
+    EXPECT_STREQ(kit().typing.text.data(), "x");
+    EXPECT_EQ(value(0), .1);
+    press(Key::escape);
+    press(Key::tab);
+    write("3");
+    EXPECT_EQ(value(1), .2) << "a focus without a field moves by Tab, too";
+    press(Key::enter);
+    write("3");
+    press(Key::enter);
+    EXPECT_EQ(value(1), 3) << "and Enter opens its field";
+}
+
+TEST_F(Values, TabBringsAValueIntoSight) {
+    for (int i = 0; i < 60; ++i) add_slider("uValue" + std::to_string(i), 0, .5, 1);
+    place("Glass.uValue0");
+    press(Key::tab, {.shift = true});
+    for (int i = 0; i < 3; ++i) frame();
+    const Rect last = place("Glass.uValue59");
+    EXPECT_LT(last.y + last.height, screen_.height);
+    press(Key::enter);
+    write(".7");
+    press(Key::enter);
+    EXPECT_EQ(value(59), .7);
+}
+
+TEST_F(Values, KeysMoveTheSliderThatHasTheFocus) {
+    add_slider("uMix", 0, .5, 2);
+    add_slider("uSteps", 0, 5, 40, ValueType::int_);
+    frame();
+    press(Key::right);
+    EXPECT_EQ(value(), .5) << "without a focus nothing moves";
+    press(Key::tab);
+    const auto expect_step = [&](Key which, Modifiers modifiers, double step) {
+        const double before = value();
+        press(which, modifiers);
+        EXPECT_NEAR(value() - before, step, 1e-9);
+    };
+    expect_step(Key::right, {}, .02);
+    expect_step(Key::left, {}, -.02);
+    expect_step(Key::up, {.shift = true}, .002);
+    expect_step(Key::down, {.shift = true}, -.002);
+    expect_step(Key::page_up, {}, .2);
+    expect_step(Key::page_down, {}, -.2);
+    for (int i = 0; i < 20; ++i) press(Key::page_up);
+    EXPECT_EQ(value(), 2) << "not beyond the end";
+    press(Key::tab);
+    press(Key::right);
+    EXPECT_EQ(value(1), 6);
+    press(Key::left, {.shift = true});
+    EXPECT_EQ(value(1), 5) << "a whole number has no finer step";
+    press(Key::page_up);
+    EXPECT_EQ(value(1), 9);
+    press(Key::escape);
+    press(Key::right);
+    EXPECT_EQ(value(1), 9) << "Esc ends the focus";
+}
+
+TEST_F(Values, TheFocusIsVisible) {
+    add_slider("uMix", 0, .5, 2);
+    place("Glass.uMix");
+    const std::uint64_t without = picture_;
+    press(Key::tab);
+    EXPECT_NE(picture_, without);
+    press(Key::escape);
+    EXPECT_EQ(picture_, without);
+}
+
+TEST_F(Values, ManySlidersHaveAFilter) {
+    for (int i = 1; i <= 12; ++i) add_slider("uValue" + std::to_string(i), 0, .5, 1);
+    EXPECT_FALSE(has("filter"));
+    add_program("Walls");
+    add_slider("uKa", 0, .5, 1);
+    click(place("filter"));
+    write("KA");
+    EXPECT_TRUE(has("Walls.uKa")) << "any case, and the section is open";
+    EXPECT_FALSE(has("Glass.uValue1"));
+    press(Key::escape);
+    EXPECT_TRUE(has("Glass.uValue1"));
+    EXPECT_FALSE(has("Walls.uKa")) << "sections are as they were";
+    click(place("filter"));
+    write("e12");
+    click(place("Glass.uValue12"), MouseButton::left, .9);
+    EXPECT_GT(value(11), .8);
+    click(place("filter.clear"));
+    EXPECT_TRUE(has("Glass.uValue1"));
+}
+
+TEST_F(Values, RowsHaveTheHeightOfOneLine) {
+    add_slider("uA", 0, .1, 9);
+    Control& vector = add_slider("uB", 0, .2, 9);
+    vector.value = vector.initial = {.2, .3, .4};
+    add_slider("uC", 0, .2, 9);
+    const float step = place("Glass.uB[0]").y - place("Glass.uA").y;
+    EXPECT_NEAR(step, 28, 1);
+    EXPECT_EQ(place("Glass.uB[2]").y - place("Glass.uB[1]").y, step) << "a row for each component";
+    EXPECT_EQ(place("Glass.uC").y - place("Glass.uA").y, 4 * step);
+    EXPECT_EQ(place("Glass.uC").x, place("Glass.uA").x);
+}
+
+TEST_F(Values, ADotResetsOneComponent) {
+    Control& vector = add_slider("uB", 0, .2, 9);
+    vector.value = vector.initial = {.2, .3, .4};
+    controls_.items[0].value = {1, .3, 3};
+    click(place("uB.dot"));
+    EXPECT_EQ(controls_.items[0].value, (std::vector<double>{.2, .3, 3}));
+    EXPECT_TRUE(has("uB.dot"));
+    click(place("uB.dot"));
+    EXPECT_EQ(controls_.items[0].value, controls_.items[0].initial);
+}
+
+TEST_F(Values, ResetAllMovesNothing) {
+    add_slider("uA", 0, .1, 9);
+    color("uB", {.1, .2, .3});
+    const Rect before = place("Glass.uB");
+    click(place("Glass.uA"), MouseButton::left, .7);
+    EXPECT_TRUE(has("Glass.reset"));
+    EXPECT_EQ(place("Glass.uB"), before);
+}
+
+TEST_F(Values, NamesAreCutInTheMiddle) {
+    frame();
+    const std::string name = "uRefractiveIndexOfTheSphere";
+    const float width = width_of("uRefractiveIndex");
+    const Text a = shortened(name + "Amount", width), b = shortened(name + "Offset", width);
+    EXPECT_FALSE(a == b.view()) << "what differs at the end differs on the screen";
+    EXPECT_LE(width_of(a.view()), width);
+    EXPECT_TRUE(a.view().starts_with("uRef"));
+    EXPECT_TRUE(a.view().ends_with("ount"));
+    EXPECT_TRUE(shortened(name, 1000) == name);
+    EXPECT_FALSE(shortened(name, 0).empty());
+    EXPECT_TRUE(shortened("2 errors in this scene", width_of("2 errors in\u2026")) == "2 errors in\u2026")
+        << "a sentence";
+    const Text greek =
+        shortened("\u03b1\u03b2\u03b3\u03b4\u03b5\u03b6\u03b7\u03b8", width_of("\u03b1\u03b2\u03b3\u03b4"));
+    EXPECT_TRUE(greek.view().starts_with("\u03b1") && greek.view().ends_with("\u03b8")) << greek.view();
+}
+
+TEST_F(Values, ATooltipWaitsAndCoversNoNeighbour) {
+    add_slider("uA", 0, .1, 9);
+    add_slider("uB", 0, .1, 9);
+    const Rect name = place("uA.name");
+    frame({move(name.x + 3, name.y + 3)});
+    frame({}, .3);
+    EXPECT_FALSE(kit().tip.shown);
+    frame({move(name.x + 5, name.y + 3)}, .1);
+    frame({}, .3);
+    EXPECT_FALSE(kit().tip.shown) << "the pointer moved";
+    EXPECT_NEAR(gui_.due(), .2, .01);
+    frame({}, .3);
+    EXPECT_TRUE(kit().tip.shown);
+    EXPECT_FALSE(std::isfinite(gui_.due())) << "nothing more will change";
+    EXPECT_NE(kit().tip.text.find("0 \u2026 9"), std::string::npos) << kit().tip.text;
+    frame({move(name.x + 3, name.y + 30)});
+    EXPECT_FALSE(kit().tip.shown) << "the neighbour has its own";
+}
+
+TEST_F(Values, EscapeInAFieldOfADialogLeavesTheDialogOpen) {
+    add_slider("uA", 0, .5, 1);
+    memory_.picture.open = true;
+    memory_.picture.width = memory_.picture.height = 100;
+    open("picture width");
+    write("300");
+    press(Key::escape);
+    EXPECT_TRUE(memory_.picture.open);
+    EXPECT_EQ(memory_.picture.width, 100);
+    press(Key::enter);
+    write("7");
+    press(Key::tab);
+    write("8");
+    press(Key::tab, {.shift = true});
+    EXPECT_EQ(memory_.picture.width, 7);
+    EXPECT_EQ(memory_.picture.height, 8) << "Tab stays in the dialog";
+    press(Key::escape);
+    press(Key::escape);
+    EXPECT_FALSE(memory_.picture.open);
+    EXPECT_EQ(value(), .5);
+}
+
+TEST_F(Values, EscapeClosesThePickerAndNothingElse) {
+    color("uC", {.3, .4, .5});
+    memory_.keys = true;
+    const Rect row = place("Glass.uC");
+    const auto open = [] {
+        return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    };
+    click({row.x + row.width - 12, row.y, 4, row.height});
+    EXPECT_TRUE(open());
+    press(Key::escape);
+    EXPECT_FALSE(open());
+    EXPECT_TRUE(memory_.keys) << "the list of keys stays open";
+    press(Key::escape);
+    EXPECT_FALSE(memory_.keys);
+}
+
+TEST_F(Values, TheClickThatClosesADropDownActsWhereItLands) {
+    scene_.ladders.push_back({});
+    scene_.ladders[0].name = "FRESNEL";
+    scene_.ladders[0].rungs = {"f0", "schlick", "exact"};
+    controls_.rungs = {0};
+    add_slider("uA", 0, .1, 1).widget = Widget::check_box;
+    for (int i = 0; i < 8; ++i) add_slider("uB" + std::to_string(i), 0, .1, 1);
+    const Rect slider = place("Glass.uB7");
+    click(place("FRESNEL"));
+    EXPECT_TRUE(has("FRESNEL.exact"));
+    click(slider, MouseButton::left, .8);
+    EXPECT_FALSE(has("FRESNEL.exact"));
+    EXPECT_NEAR(value(8), .8, .05);
+    click(place("FRESNEL"));
+    EXPECT_TRUE(has("FRESNEL.exact"));
+    press(Key::escape);
+    EXPECT_FALSE(has("FRESNEL.exact"));
+    const Rect closed = place("FRESNEL");
+    click(closed);
+    EXPECT_TRUE(has("FRESNEL.exact"));
+    click(closed);
+    EXPECT_FALSE(has("FRESNEL.exact")) << "a click on the list's own button closes it";
+    click(place("FRESNEL"));
+    frame({move(300, 300)});
+    frame({button(true), move(340, 300), button(false)});
+    EXPECT_NE(view_.scene, Transformation{}) << "a drag in the scene turns it";
+}
+
+TEST_F(Values, ADraggedColorHasFewDigits) {
+    color("uC", {.123456789, .5, .25});
+    const Rect row = place("Glass.uC");
+    frame({move(row.x + 20, row.y + 10), button(true)});
+    frame({move(row.x + 57, row.y + 10), button(false)});
+    EXPECT_NE(value(), .123456789);
+    EXPECT_LE(exact(value()).size(), 5u) << exact(value());
+    click({row.x + 18, row.y, 4, row.height});
+    type(".123456789");
+    EXPECT_EQ(value(), .123456789) << "as typed";
+}
+
+TEST(ColorDigits, GiveTheSameByteAndNoMoreDigitsThanNeeded) {
+    for (int byte = 0; byte <= 255; ++byte) {
+        const double value = tidy_color(byte / 255.);
+        EXPECT_EQ(std::lround(value * 255), byte);
+        EXPECT_LE(exact(value).size(), 5u) << exact(value);
+    }
+    EXPECT_EQ(tidy_color(209 / 255.), .82);
+    EXPECT_EQ(tidy_color(1.), 1);
+    EXPECT_EQ(tidy_color(2.34567), 2.346);
+}
+
+TEST(Arithmetic, IsThatOfDoubles) {
+    for (const auto& [text, value] : {std::pair("1/3", 1. / 3),
+                                      {"2*pi", 2 * M_PI},
+                                      {"1e3-5", 995.},
+                                      {"2+3*4", 14.},
+                                      {"(2+3)*4", 20.},
+                                      {"-2", -2.},
+                                      {"2--3", 5.},
+                                      {"2*-3", -6.},
+                                      {"8/4/2", 1.},
+                                      {" ( 1,5 + .5 ) ", 2.},
+                                      {"-(1-3)", 2.},
+                                      {"1e-3", 1e-3},
+                                      {"+1.5", 1.5},
+                                      {"5.", 5.},
+                                      {"1-2-3", -4.}}) {
+        ASSERT_TRUE(evaluated(text)) << text;
+        EXPECT_EQ(*evaluated(text), value) << text;
+    }
+    for (const char* text : {"",   " ",  "1/0", "0/0", "nan",   "inf",  "1 2", "1,2,3",       "(1", "1)",
+                             "2*", "*2", "pi2", "--1", "1e400", "0x10", "abc", "1e309-1e309", "()", "2(3)"})
+        EXPECT_EQ(evaluated(text), std::nullopt) << text;
+    EXPECT_EQ(evaluated(std::string(100, '(') + "1"), std::nullopt);
+    EXPECT_EQ(evaluated(std::string(100, '(') + "1" + std::string(100, ')')), 1.);
+}
+
+TEST_F(Values, AnAnimatedSliderGoesThereAndBack) {
+    add_slider("uMix", 0, .5, 2);
+    memory_.clock.time = 10;
+    click(place("uMix.name"), MouseButton::right);
+    click(place("uMix.animate"));
+    ASSERT_TRUE(memory_.animating());
+    const auto at = [&](double time) {
+        animate(controls_, memory_.animated, time);
+        return value();
+    };
+    EXPECT_NEAR(at(10), .5, 1e-12) << "it begins where it is";
+    EXPECT_NEAR(at(11), 1.5, 1e-12);
+    EXPECT_NEAR(at(11.5), 2, 1e-12);
+    EXPECT_NEAR(at(13.5), 0, 1e-12);
+    EXPECT_NEAR(at(10 + 4 * 1000), .5, 1e-9);
+    click(place("uMix.period"), MouseButton::left, .5, {.ctrl = true});
+    type("8");
+    memory_.clock.time = 10;
+    EXPECT_EQ(memory_.animated[0].period, 8);
+    EXPECT_NEAR(at(10), .5, 1e-9) << "another period does not make it jump";
+    EXPECT_NEAR(at(12), 1.5, 1e-9);
+    press(Key::escape);
+    click(place("uMix.dot"));
+    EXPECT_FALSE(memory_.animating()) << "one click stops it";
+    EXPECT_NEAR(value(), 1.5, 1e-9) << "where it is";
+}
+
+TEST_F(Values, MovingAnAnimatedSliderStopsIt) {
+    add_slider("uMix", 0, .5, 2);
+    const auto start = [&] { memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)}; };
+    start();
+    click(place("Glass.uMix"), MouseButton::left, .8);
+    EXPECT_FALSE(memory_.animating());
+    start();
+    press(Key::right);
+    EXPECT_FALSE(memory_.animating());
+    start();
+    click(place("Glass.uMix"), MouseButton::right);
+    EXPECT_FALSE(memory_.animating());
+    start();
+    click(place("Glass.reset"));
+    EXPECT_FALSE(memory_.animating());
+}
+
+TEST_F(Values, TheSpaceBarPausesAnAnimatedSlider) {
+    add_slider("uMix", 0, .5, 2);
+    memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)};
+    frame();
+    press(Key::space);
+    EXPECT_TRUE(memory_.clock.paused);
+    press(Key::space);
+    EXPECT_FALSE(memory_.clock.paused);
+}
+
+}  // namespace
+}  // namespace snell::ui
