@@ -117,6 +117,18 @@ TEST_F(Past, ARangeThatATypedValueWidenedIsUndoneWithIt) {
     EXPECT_EQ(notice(), "nothing to redo");
 }
 
+TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
+    open("one.glib");
+    click("uRed.name", .5, 3);
+    click("uRed.animate", .1);
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .3; }));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .5; }));
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << "this ends the motion, too";
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "nothing to undo");
+}
+
 TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     open("one.glib");
     slide(.75);
@@ -136,6 +148,22 @@ TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     press("ctrl+y");
     press("F5");
     EXPECT_EQ(red(), slid);
+}
+
+TEST_F(Past, ALadderThatIsGoneAndBackHasItsRung) {
+    open("one.glib");
+    save("one.snapshots.json", R"({"1": {"values": {}, "ladders": {"TINT": "light"}}})");
+    press("F5");
+    press("1");
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"]["TINT"] == "light"; }));
+    std::string text = scene("uRed");
+    save("paint.frag", "#define TINT 0\n" + fragment("uRed"));
+    save("one.glib", text.replace(text.find("Ladder TINT"), 11, "Ladder OTHER"));
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("OTHER"); }));
+    save("one.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("TINT"); }));
+    settle();
+    EXPECT_EQ(state()["rungs"]["TINT"], "light");
 }
 
 TEST_F(Past, WhatWasSetWhileAShaderIsBrokenOutlivesALossAndIsSaved) {

@@ -273,6 +273,7 @@ void App::interface_frame(std::span<const Event> events) {
     Past& past = workspace_.past();
     past.hear(events);
     const ui::Requests requests = interface_.frame(events, facts(), document ? document->controls : no_controls);
+    if (requests.undo || requests.redo) interface_.memory().animated.clear();
     past.follow(workspace_.session(), interface_.view(), interface_.busy(), window_->now());
     serve(requests);
     if (const auto title = workspace_.new_title()) window_->set_title(*title);

@@ -53,6 +53,8 @@ public:
 
     bool empty() const { return steps_.empty(); }
     std::size_t size() const { return steps_.size(); }
+    // The number of steps that can be undone.
+    std::size_t done() const { return done_; }
     std::size_t bytes() const { return bytes_; }
 
 private:

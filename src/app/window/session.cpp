@@ -72,14 +72,15 @@ std::unique_ptr<Document> Session::read(const std::string& path, const FirstRung
 }
 
 void Session::choose(const Scene& scene, Rungs& rungs, Diagnostics& refused) {
-    if (shown_ && hold_values_)
-        recall(remembered(true), scene, rungs, Follow::memory);
-    else if (shown_)
+    if (shown_) {
+        recall(remembered(), scene, rungs);  // for ladders that were gone for a while
         carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
-    else if (!by_hand_.empty())
+        if (hold_values_) recall(remembered(true), scene, rungs, Follow::memory);
+    } else if (!by_hand_.empty()) {
         restore_rungs(by_hand_, scene, rungs);
-    else
+    } else {
         choose_first(scene, rungs, refused);
+    }
 }
 
 // The command line comes last, because it was given for this time.
