@@ -310,7 +310,9 @@ bool App::draw_scene() {
     const std::uint64_t revision = session.stale() ? display_.drawn().revision : session.revision();
     const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
                       document.runtime->animated() ? time : 0, interface_.view(), values_of(document.controls)};
-    if (!display_.prepare({revision, stand, document.controls.rungs, memory.hold.object}, document)) return false;
+    if (!display_.prepare({revision, stand, document.controls.rungs, memory.hold.object}, document,
+                          measuring_.wants_picture()))
+        return false;
     hang_.begin("drawing a frame");
     display_.draw(document, measuring_.begin_picture(revision), density);
     hang_.rest();

@@ -28,9 +28,9 @@ void set_values(Controls& controls, const std::vector<double>& values) {
             if (next != values.end()) value = *next++;
 }
 
-bool Display::prepare(Drawn next, Document& document) {
+bool Display::prepare(Drawn next, Document& document, bool again) {
     next_ = std::move(next);
-    if (next_ != drawn_ || !document.runtime->settled())
+    if (again || next_ != drawn_ || !document.runtime->settled())
         return canvas_.resize(next_.stand.width, next_.stand.height, samples_shown, document.runtime->display_pixels());
     document.runtime->skip_frame();
     return false;

@@ -40,9 +40,9 @@ public:
     // `window` must outlive the object.
     Display(Window& window, app::LossWatch loss) : window_(window), loss_(std::move(loss)) {}
 
-    // Returns false if that would be the last picture again, or if the context refuses its size. Otherwise draw() must
-    // follow.
-    bool prepare(Drawn next, Document& document);
+    // Returns false if that would be the last picture again and `again` is false, or if the context refuses its size.
+    // Otherwise draw() must follow.
+    bool prepare(Drawn next, Document& document, bool again);
     // Draws the picture. `after` is that of Frame; `density` is pixels per window coordinate.
     void draw(Document& document, const std::function<void(const Step&)>* after, float density);
     // While the picture stays the same: see Runtime::specialise. Not for scenes that are cheap to draw.
