@@ -227,7 +227,7 @@ public:
                  {"Sphere 1.23456 50 50 # the ball in the middle", "scene.glib:12", 1.23, true},
                  {long_name, long_path + ":1234", 123.4, true}};
         frame_cost_ = {frames_, 16, 19, rows_, rows_, "with a wait after every draw, which makes draws take longer",
-                       .3};
+                       12.3,    .3};
         facts_.frame_cost = &frame_cost_;
         memory_.open.emplace("Frame cost");
     }

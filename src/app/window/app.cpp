@@ -329,8 +329,8 @@ void App::show(bool repaint) {
     if (options_.state_file.empty()) return;
     ui::Facts measured;
     measuring_.tell(measured, document, memory);
-    write_window_state(options_.state_file, display_.counters(), workspace_.session(), interface_.view(),
-                       interface_.layout(), memory, measured, pixels);
+    write_window_state(options_.state_file, display_.counters(), workspace_, interface_.view(), interface_.layout(),
+                       memory, measured, pixels);
 }
 
 bool App::draw_scene() {
@@ -346,10 +346,10 @@ bool App::draw_scene() {
     view.axes = view.axes && memory.panel;
     const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
                       document.runtime->animated() ? time : 0, std::move(view), values_of(document.controls)};
-    const Drawn next{revision, stand, document.controls.rungs, memory.hold.object};
     const bool held = interface_.pressed();
-    const bool sharp = memory.always_sharp || (!memory.animated.empty() && !held);
-    if (!display_.prepare(next, document, held, sharp)) return false;
+    const Wanted wanted{held, memory.always_sharp || (memory.animating() && !held), measuring_.wants_picture()};
+    if (!display_.prepare({revision, stand, document.controls.rungs, memory.hold.object}, document, wanted))
+        return false;
     hang_.begin("drawing a frame");
     display_.draw(document, measuring_.begin_picture(revision), density);
     hang_.rest();

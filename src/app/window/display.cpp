@@ -41,11 +41,11 @@ bool Display::moved(const Drawn& next) const {
     return a.width != b.width || a.height != b.height || a.view != b.view || a.values != b.values;
 }
 
-bool Display::prepare(Drawn next, Document& document, bool held, bool sharp) {
+bool Display::prepare(Drawn next, Document& document, const Wanted& wanted) {
     next_ = std::move(next);
-    if (sharp || next_.revision != drawn_.revision || next_.rungs != drawn_.rungs) coarseness_ = {};
-    next_.grain = sharp ? 0 : coarseness_.next(moved(next_), held, window_.now());
-    if (next_ != drawn_ || !document.runtime->settled()) {
+    if (wanted.sharp || next_.revision != drawn_.revision || next_.rungs != drawn_.rungs) coarseness_ = {};
+    next_.grain = wanted.sharp ? 0 : coarseness_.next(moved(next_), wanted.held, window_.now());
+    if (wanted.again || next_ != drawn_ || !document.runtime->settled()) {
         const PixelSize size = coarse_size(next_);
         return canvas_of(next_).resize(size.width, size.height, grain_of(next_).samples,
                                        document.runtime->display_pixels());

@@ -27,6 +27,13 @@ struct Drawn {
     bool operator==(const Drawn&) const = default;
 };
 
+// How a picture is wanted.
+struct Wanted {
+    bool held = false;   // a mouse button is down, so that changes are a drag, in which pictures may be coarse
+    bool sharp = false;  // never coarse
+    bool again = false;  // even if nothing changed
+};
+
 // The values of all controls, in their order.
 std::vector<double> values_of(const Controls& controls);
 void set_values(Controls& controls, const std::vector<double>& values);
@@ -45,9 +52,8 @@ public:
     Display(Window& window, app::LossWatch loss) : window_(window), loss_(std::move(loss)) {}
 
     // Returns false if that would be the last picture again, or if the context refuses its size. Otherwise draw() must
-    // follow. Sets the grain of the picture: coarse while the user drags something, which `held` (a mouse button is
-    // down) suggests, unless `sharp`.
-    bool prepare(Drawn next, Document& document, bool held, bool sharp);
+    // follow.
+    bool prepare(Drawn next, Document& document, const Wanted& wanted);
     // When a sharp picture is due if nothing moves, by the clock of the window; infinite if the picture is sharp.
     double sharp_due() const { return coarseness_.due(); }
     // Draws the picture. `after` is that of Frame; `density` is pixels per window coordinate.

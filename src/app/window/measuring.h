@@ -23,6 +23,8 @@ public:
     // Forgets what was measured of the scene before.
     void begin_scene(const std::string& scene);
 
+    // True if the picture must be drawn although it is unchanged.
+    bool wants_picture() const { return frame_costs_.wants_picture(); }
     // Call these before and after a picture is drawn, with the time that it took. begin_picture() returns the function
     // for Frame::after.
     const std::function<void(const Step&)>* begin_picture(std::uint64_t revision) {

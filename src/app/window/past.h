@@ -42,6 +42,9 @@ public:
     std::string serve(const ui::Requests& requests, Session& session, View& view,
                       const std::function<void()>& follow_rungs);
 
+    // The number of steps that can be undone.
+    std::size_t steps() { return history().done(); }
+
     // Writes what is kept of the scene, if it changed.
     void write(Session& session, const View& view);
     // Makes the scene that the document was saved as begin with this view.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "src/app/window/display.h"
-#include "src/app/window/session.h"
+#include "src/app/window/workspace.h"
 #include "src/platform/window.h"
 #include "src/ui/kit/layout.h"
 #include "src/ui/panels/state.h"
@@ -12,7 +12,7 @@
 namespace snell {
 
 // Replaces the file as a whole, so that a reader never sees an incomplete one.
-void write_window_state(const std::string& file, const WindowCounters& counters, Session& session, const View& view,
+void write_window_state(const std::string& file, const WindowCounters& counters, Workspace& workspace, const View& view,
                         const ui::Layout& layout, const ui::Memory& memory, const ui::Facts& measured, PixelSize size);
 
 }  // namespace snell

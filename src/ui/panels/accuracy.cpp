@@ -17,7 +17,8 @@ namespace snell::ui {
 namespace {
 
 constexpr const char* error_meaning =
-    "The error is the root mean square difference of light from the reference (the last rung of every ladder) over the "
+    "The error is the root mean square difference of light from the reference\n(the last rung of every ladder) over "
+    "the "
     "whole picture, where white is 1";
 
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
@@ -34,7 +35,7 @@ void remark(const std::string& text) {
 // One sentence, with what else is known of the error.
 std::string error_tip(const AccuracyFacts& facts) {
     return fmt::format(
-        "{}; the largest is {}, {}, and the root mean square of display values {}.", error_meaning,
+        "{};\nthe largest is {}, {},\nand the root mean square of display values {}.", error_meaning,
         error_text(facts.largest),
         std::isfinite(facts.psnr) ? fmt::format("the signal-to-noise ratio {:.1f} dB", facts.psnr) : "nothing differs",
         error_text(facts.of_display));

@@ -94,7 +94,8 @@ double rows(std::span<const CostRow> costs, Layout& layout) {
 
 void last_picture(const Facts& facts, Layout& layout) {
     ImGui::TextUnformatted(Text("last picture {:.1f} ms", facts.frame_ms).c_str());
-    tip("Time from the start of drawing the window's picture to its end, also in the status line");
+    tip("The time from the start of drawing the window's picture to its end, which is also\nin the status line; a "
+        "scene's first picture waits for the driver's compiler.");
     layout.note("last picture");
 }
 
@@ -112,7 +113,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         ImGui::PopID();
     }
     const bool chosen = button(cost.measuring ? "Stop" : "Measure passes and draws", layout, "frame cost.measure");
-    tip("Draws 11 additional frames that are not shown,\nand times every draw.");
+    tip("Draws 22 additional frames that are not shown,\nand times every draw in half of them.");
     if (cost.measuring)
         ImGui::ProgressBar(static_cast<float>(*cost.measuring), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     if (!cost.apart.empty()) {
@@ -120,7 +121,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         ImGui::PushID("apart");
         const double all = rows(cost.apart, layout);
         ImGui::PopID();
-        wrapped(Text("sum {:.1f} ms; last picture {:.1f} ms", all, facts.frame_ms).view());
+        wrapped(Text("sum {:.1f} ms; the same frame in one go {:.1f} ms", all, cost.apart_plain).view());
         layout.note("frame cost.sum");
     }
     return chosen;

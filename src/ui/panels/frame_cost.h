@@ -27,6 +27,7 @@ struct FrameCostFacts {
     std::span<const CostRow> passes;  // of the frames that were drawn, by the GPU's clock; empty if it has none
     std::span<const CostRow> apart;   // measured on request, in additional frames
     std::string_view apart_clock;
+    double apart_plain = 0;           // a whole one of these frames, without waits or queries between its draws
     std::optional<double> measuring;  // progress 0..1 while the additional frames are drawn
 };
 

@@ -96,7 +96,9 @@ TEST_F(FrameCostsTest, BeginsWithThePictureThatIsShown) {
     EXPECT_FALSE(costs.open(true, 1, last_));
     ASSERT_EQ(costs.facts(document_.get())->frames.size(), 1U);
     EXPECT_EQ(costs.facts(document_.get())->median, static_cast<float>(last_));
+    EXPECT_TRUE(costs.wants_picture()) << "without the driver's compiler";
     picture(costs);
+    EXPECT_FALSE(costs.wants_picture());
     ASSERT_EQ(costs.facts(document_.get())->frames.size(), 2U);
     EXPECT_EQ(costs.facts(document_.get())->frames.back(), static_cast<float>(last_));
 }
@@ -113,6 +115,9 @@ TEST_F(FrameCostsTest, PassesAndDrawsAreMeasuredApart) {
     EXPECT_FALSE(costs.busy());
     const auto rows = costs.facts(document_.get())->apart;
     ASSERT_EQ(rows.size(), 5U);
+    const double plain = costs.facts(document_.get())->apart_plain, sum = rows[0].milliseconds + rows[2].milliseconds;
+    EXPECT_GT(plain, .3 * sum);
+    EXPECT_LT(plain, 1.5 * sum) << "waits make nothing cheaper";
     EXPECT_EQ(rows[0].name, "RenderToTexture 5");
     EXPECT_EQ(rows[1].name, "QuadXY 0. 1.");
     EXPECT_EQ(rows[2].name, "window");

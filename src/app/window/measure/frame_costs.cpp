@@ -46,6 +46,7 @@ struct FrameCosts::Apart {
     int round = 0;
     Times times;
     std::map<Key, double> sums;  // of one frame: a cube's faces draw the same again
+    std::vector<double> plain;   // of frames without waits or queries between the draws
     double before = 0;
     std::vector<Step> marked;
 };
@@ -162,12 +163,31 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
             together_[{step.pass, step.draw}] = step.count;
         }
     }
-    if (apart.round++ > 0)
+    const double plain = plain_frame(document, stand);
+    if (apart.round++ > 0) {
         for (const auto& [key, time] : apart.sums) apart.times[key].push_back(time);
+        apart.plain.push_back(plain);
+    }
     if (apart.round < rounds) return true;
     known_ = std::move(apart.times);
+    plain_ = accuracy::median(apart.plain);
     apart_.reset();
     return true;
+}
+
+double FrameCosts::plain_frame(Document& document, const Stand& stand) {
+    const Frame frame{.time = stand.time, .view = stand.view, .controls = document.controls};
+    const bool queries = by_gpu();
+    gl::finish();
+    if (queries) marks_.mark();
+    const double begin = accuracy::wall_milliseconds();
+    document.runtime->draw(frame, {apart_->target.framebuffer.get(), stand.width, stand.height});
+    if (queries) {
+        marks_.mark();
+        return marks_.take().front();
+    }
+    gl::finish();
+    return accuracy::wall_milliseconds() - begin;
 }
 
 void FrameCosts::fill(Explanation& explanation) const {
@@ -229,6 +249,7 @@ const ui::FrameCostFacts* FrameCosts::facts(const Document* document) {
         apart_rows_ = rows_of(known_, *document);
     facts_.passes = live_rows_;
     facts_.apart = apart_rows_;
+    facts_.apart_plain = plain_;
     facts_.apart_clock = by_gpu() ? "GPU time, with a timer query at every draw"
                                   : "with a wait after every draw, which makes draws take longer";
     facts_.measuring.reset();

@@ -27,6 +27,8 @@ public:
     // that of the picture that is shown, which took `milliseconds` and is of the document with this revision. Returns
     // true if timing started.
     bool open(bool wanted, std::uint64_t revision, double milliseconds);
+    // The first picture of a scene waits for the driver's compiler, so that one more is drawn even if nothing changes.
+    bool wants_picture() const { return open_ && frames_.size() == 1; }
     // Call it before drawing a picture of the document with this revision. Returns the function for Frame::after.
     const std::function<void(const Step&)>* begin(std::uint64_t revision);
     // Call it after the picture was drawn and the GPU has finished, which took so long.
@@ -53,6 +55,8 @@ private:
 
     bool by_gpu();
     void read_marks(double picture);
+    // The time of a frame of step() in which only its end is waited for.
+    double plain_frame(Document& document, const Stand& stand);
     std::vector<ui::CostRow> rows_of(const Times& times, const Document& document) const;
 
     gl::Caps caps_;
@@ -67,6 +71,7 @@ private:
     std::uint64_t revision_ = 0;
     std::unique_ptr<Apart> apart_;
     Times known_;                          // results of measure()
+    double plain_ = 0;                     // likewise, of plain_frame()
     std::map<Key, std::size_t> together_;  // how many draws one call executed
     std::vector<ui::CostRow> live_rows_, apart_rows_;
     ui::FrameCostFacts facts_;
