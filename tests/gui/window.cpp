@@ -97,7 +97,7 @@ TEST_F(Window, AnIdleWindowDrawsNothing) {
 
 TEST_F(Window, ATooltipAppearsByItselfAndThenNothingIsDrawn) {
     open("scene.glib");
-    const auto [x, y] = on("labels");
+    const auto [x, y] = on("reload");
     user("mousemove " + std::to_string(x) + " " + std::to_string(y));
     settle();
     const json before = state();
