@@ -5,11 +5,13 @@ namespace snell::gl {
 namespace {
 
 // The scissor test is disabled because it clips blits and clears too.
-void copy(GLuint from, GLuint to, int width, int height, int x, int y) {
+void copy(const Target& from, GLuint to, int x, int y, int width, int height) {
+    const bool enlarged = width != from.width || height != from.height;
     glDisable(GL_SCISSOR_TEST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    glBlitFramebuffer(0, 0, width, height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, from.width, from.height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT,
+                      enlarged ? GL_LINEAR : GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
@@ -35,12 +37,12 @@ void Canvas::resolve() {
     if (!resolved_.framebuffer) return;
     settle();
     const Encoded encoded(pixels_ == Pixels::srgb8);
-    copy(drawn_.framebuffer.get(), resolved_.framebuffer.get(), drawn_.width, drawn_.height, 0, 0);
+    copy(drawn_, resolved_.framebuffer.get(), 0, 0, drawn_.width, drawn_.height);
 }
 
-void Canvas::show(int x, int y) const {
+void Canvas::show(int x, int y, int width, int height) const {
     const Target& shown = resolved_.framebuffer ? resolved_ : drawn_;
-    if (shown.framebuffer) copy(shown.framebuffer.get(), 0, shown.width, shown.height, x, y);
+    if (shown.framebuffer) copy(shown, 0, x, y, width, height);
 }
 
 void clear_window(int width, int height, float red, float green, float blue) {

@@ -17,8 +17,9 @@ public:
     int samples() const { return drawn_.samples; }
     // Resolves the multisampled picture. Call it after drawing.
     void resolve();
-    // Copies the resolved picture into the default framebuffer, with its bottom left corner at pixel (x, y).
-    void show(int x, int y) const;
+    // Copies the resolved picture into the default framebuffer, with its bottom left corner at pixel (x, y), enlarged
+    // to the size in pixels.
+    void show(int x, int y, int width, int height) const;
 
 private:
     int wanted_ = 0;

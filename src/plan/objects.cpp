@@ -7,14 +7,16 @@
 #include <utility>
 
 #include "src/plan/identity.h"
+#include "src/plan/plan.h"
 
 namespace snell {
 
-glm::dmat4 placed(const Transformation& object, const glm::dmat4& view, const glm::dmat4& model) {
+glm::dmat4 placed(const Transformation& object, const Camera& camera, const glm::dmat4& model) {
     if (object == Transformation{}) return model;
+    const glm::dmat4 view = view_matrix(camera);
     const glm::dvec3 origin(view * model[3]);
-    const glm::dmat4 in_eye =
-        glm::translate(glm::dmat4(1), origin) * object.matrix() * glm::translate(glm::dmat4(1), -origin);
+    const glm::dmat4 in_eye = glm::translate(glm::dmat4(1), origin) * object.matrix(vertical_of(camera, view)) *
+                              glm::translate(glm::dmat4(1), -origin);
     return glm::inverse(view) * in_eye * view * model;
 }
 

@@ -12,8 +12,8 @@
 namespace snell {
 
 // World from model with the user's transformation of the object: about the object's own origin, along the axes of the
-// scene's camera, in world units. `view` is eye from world without the user's eye transformation; it is rigid.
-glm::dmat4 placed(const Transformation& object, const glm::dmat4& view, const glm::dmat4& model);
+// scene's camera, in world units.
+glm::dmat4 placed(const Transformation& object, const Camera& camera, const glm::dmat4& model);
 
 // One name for each of Scene::draws: what it draws, and how many draws before it draw the same.
 std::vector<std::string> object_names(const Scene& scene);

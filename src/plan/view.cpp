@@ -1,6 +1,11 @@
 #include "src/plan/view.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
 #include <cmath>
+
+#include "src/plan/plan.h"
 
 namespace snell {
 namespace {
@@ -33,15 +38,41 @@ double finite_or(double value, double otherwise) { return std::isfinite(value) ?
 
 }  // namespace
 
-glm::dmat4 Transformation::matrix() const {
+glm::dmat4 Transformation::matrix(const glm::dvec3& vertical) const {
     const auto [sx, cx] = sin_cos(rotate_x);
     const auto [sy, cy] = sin_cos(rotate_y);
     const auto [sz, cz] = sin_cos(rotate_z);
-    const double s = finite_or(scale, 1);
-    // The rotation is Ry · Rx: the turn about the screen's Y acts on the result of the turn about X.
-    const glm::dvec4 right(s * cy, 0, s * -sy, 0), up(s * sy * sx, s * cx, s * cy * sx, 0);
-    return {cz * right + sz * up, cz * up - sz * right, glm::dvec4(s * sy * cx, s * -sx, s * cy * cx, 0),
-            glm::dvec4(finite_or(x, 0), finite_or(y, 0), finite_or(z, 0), 1)};
+    const glm::dmat3 tilt(1, 0, 0, 0, cx, sx, 0, -sx, cx);
+    const glm::dmat3 roll(cz, sz, 0, -sz, cz, 0, 0, 0, 1);
+    const glm::dvec3& v = vertical;
+    // Rodrigues' formula.
+    const glm::dmat3 turn = cy * glm::dmat3(1) + (1 - cy) * glm::outerProduct(v, v) +
+                            sy * glm::dmat3(0, v.z, -v.y, -v.z, 0, v.x, v.y, -v.x, 0);
+    glm::dmat4 result(finite_or(scale, 1) * tilt * turn * roll);
+    result[3] = {finite_or(x, 0), finite_or(y, 0), finite_or(z, 0), 1};
+    return result;
+}
+
+glm::dvec3 vertical_of(const Camera& camera, const glm::dmat4& view) {
+    const glm::dvec3 screen_up(0, 1, 0);
+    const Vec3 up = camera.look_at ? (*camera.look_at)[2] : Vec3{0, 1, 0};
+    const double size = std::max({std::abs(up[0]), std::abs(up[1]), std::abs(up[2])});
+    if (!(size > 0) || !std::isfinite(size)) return screen_up;
+    const glm::dvec3 seen = glm::dmat3(view) * (glm::dvec3(up[0], up[1], up[2]) / size);
+    const double length = glm::length(seen);
+    return length > 0 && std::isfinite(length) ? seen / length : screen_up;
+}
+
+glm::dmat4 eye_from_world(const Camera& camera, const View& view) {
+    const glm::dmat4 own = view_matrix(camera);
+    return view.eye == Transformation{} ? own : view.eye.matrix(vertical_of(camera, own)) * own;
+}
+
+glm::dmat4 about_origin(const Transformation& scene, const Camera& camera, const glm::dmat4& view) {
+    if (scene == Transformation{}) return glm::dmat4(1);
+    const glm::dvec3 pivot(view[3]);
+    return glm::translate(glm::dmat4(1), pivot) * scene.matrix(vertical_of(camera, view)) *
+           glm::translate(glm::dmat4(1), -pivot);
 }
 
 }  // namespace snell

@@ -8,17 +8,20 @@
 
 #include <glm/glm.hpp>
 
+#include "parser/scene.h"
+
 namespace snell {
 
 // Rotations are kept as angles in degrees rather than as an accumulated matrix, so that rounding errors cannot pile up.
 struct Transformation {
-    double rotate_x = 0, rotate_y = 0;  // first about X, then about the screen's Y
+    double rotate_x = 0, rotate_y = 0;  // first about the vertical, then about the screen's X: up stays up
     double scale = 1;
     double x = 0, y = 0, z = 0;
     double rotate_z = 0;  // applied before the two others; turns textures in their plane
     bool operator==(const Transformation&) const = default;
     std::array<double, 7> numbers() const { return {rotate_x, rotate_y, rotate_z, scale, x, y, z}; }
-    glm::dmat4 matrix() const;  // translate · rotate · scale
+    // Translate · rotate · scale. `vertical` is a unit vector in the space that the matrix acts in.
+    glm::dmat4 matrix(const glm::dvec3& vertical = {0, 1, 0}) const;
 };
 
 // The projection: the scene's own, or the one the user chose.
@@ -35,5 +38,12 @@ struct View {
     double mouse_x = 0, mouse_y = 0;
     bool operator==(const View&) const = default;
 };
+
+// The camera's up vector in eye space, of length 1. `view` is eye from world, by this camera, perhaps moved.
+glm::dvec3 vertical_of(const Camera& camera, const glm::dmat4& view);
+// Eye from world, with the user's eye transformation.
+glm::dmat4 eye_from_world(const Camera& camera, const View& view);
+// The user's scene transformation in the eye space of `view`: it acts about the world's origin.
+glm::dmat4 about_origin(const Transformation& scene, const Camera& camera, const glm::dmat4& view);
 
 }  // namespace snell

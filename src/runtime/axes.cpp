@@ -43,9 +43,9 @@ void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
     runtime::aim(surface);
     const Camera camera = window_camera(plan.scene);
     runtime::DrawContext context;
-    context.view = frame.view.eye.matrix() * view_matrix(camera);
+    context.view = eye_from_world(camera, frame.view);
     const Lens lens = lens_of(camera, frame.view.projection, context.view);
-    context.scene = lens.shift * runtime::about_origin(frame.view.scene, context.view);
+    context.scene = lens.shift * about_origin(frame.view.scene, camera, context.view);
     context.width = surface.width;
     context.height = surface.height;
     const double aspect = static_cast<double>(surface.width) / surface.height;

@@ -52,10 +52,10 @@ glm::dmat4 face_view(int face, const Vec3& center) {
 DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView& view) const {
     const Scene& scene = plan.scene;
     DrawContext result;
-    const glm::dmat4 placed = view.view ? *view.view : view_matrix(scene.cameras[camera]);
-    result.view = view.view ? placed : frame.view.eye.matrix() * placed;
-    const Lens lens = lens_of(scene.cameras[camera], frame.view.projection, result.view);
-    result.scene = view.view ? glm::dmat4(1) : lens.shift * runtime::about_origin(frame.view.scene, result.view);
+    const Camera& own = scene.cameras[camera];
+    result.view = view.view ? *view.view : eye_from_world(own, frame.view);
+    const Lens lens = lens_of(own, frame.view.projection, result.view);
+    result.scene = view.view ? glm::dmat4(1) : lens.shift * about_origin(frame.view.scene, own, result.view);
     const double aspect = static_cast<double>(view.width) / view.height;
     result.projection =
         (view.projection ? *view.projection : projection_matrix(lens.camera, aspect, view.depth)) * result.scene;
@@ -85,7 +85,7 @@ DrawContext& Runtime::Impl::context(Index index, const Frame& frame, PassView& v
     result.model = draw.matrix == none ? glm::dmat4(1) : matrix(scene.matrices[draw.matrix]);
     if (!frame.view.objects.empty())
         if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
-            result.model = placed(object->second, view_matrix(scene.cameras[draw.camera]), result.model);
+            result.model = placed(object->second, scene.cameras[draw.camera], result.model);
     const RasterState& raster = scene.rasters[draw.raster];
     result.point_size = raster.point_size;
     result.fixed_point_size = raster.point_size_mode ? 0 : raster.point_size;

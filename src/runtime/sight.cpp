@@ -40,11 +40,12 @@ std::optional<DepthRange> Runtime::Impl::fit(const Frame& frame) const {
         boxes.push_back({c.scene * c.view * c.model, mesh.min, mesh.max});
     }
     if (boxes.empty()) return std::nullopt;
-    const glm::dmat4 eye = frame.view.eye.matrix() * view_matrix(scene.cameras[camera]);
+    const glm::dmat4 eye = eye_from_world(scene.cameras[camera], frame.view);
     const Lens lens = lens_of(scene.cameras[camera], frame.view.projection, eye);
     if (!lens.camera.perspective) return std::nullopt;
     if (frame.view.axes && axes)  // through the same camera
-        boxes.push_back({lens.shift * runtime::about_origin(frame.view.scene, eye) * eye, axes->min, axes->max});
+        boxes.push_back(
+            {lens.shift * about_origin(frame.view.scene, scene.cameras[camera], eye) * eye, axes->min, axes->max});
     return fit_depth(boxes);
 }
 
@@ -78,7 +79,7 @@ Runtime::Drawn Runtime::Impl::drawn(const Frame& frame) const {
 double Runtime::Impl::distance(Index draw, double depth, const Frame& frame, const Surface& surface) const {
     const double aspect = static_cast<double>(surface.width) / surface.height, ndc = 2 * depth - 1;
     const Camera& camera = plan.scene.cameras[plan.scene.draws[draw].camera];
-    const Lens lens = lens_of(camera, frame.view.projection, frame.view.eye.matrix() * view_matrix(camera));
+    const Lens lens = lens_of(camera, frame.view.projection, eye_from_world(camera, frame.view));
     const glm::dmat4 p = projection_matrix(lens.camera, aspect, fitted_depth(frame));
     return (p[3][2] - ndc * p[3][3]) / (p[2][2] - ndc * p[2][3]);
 }

@@ -76,7 +76,7 @@ glm::dvec3 moved(const glm::dvec3& points, const Scene& scene, const View& view,
     const Draw* draw = object ? &scene.draws[hold.object] : nullptr;
     const Camera camera =
         draw && draw->camera < scene.cameras.size() ? scene.cameras[draw->camera] : window_camera(scene);
-    const glm::dmat4 from_world = view_matrix(camera), seen = view.eye.matrix() * from_world;
+    const glm::dmat4 seen = eye_from_world(camera, view);
     const Lens lens = lens_of(camera, view.projection, seen);
     const glm::dvec3 origin(seen[3]);
     const Transformation t = held(view, hold);
@@ -86,13 +86,21 @@ glm::dvec3 moved(const glm::dvec3& points, const Scene& scene, const View& view,
     }
     const glm::dmat4 model =
         draw->matrix < scene.matrices.size() ? matrix(scene.matrices[draw->matrix]) : glm::dmat4(1);
-    const glm::dvec3 in_eye(seen * placed(t, from_world, model)[3]);
-    const glm::dmat3 turned(view.scene.matrix());
-    const glm::dvec3 at = origin + glm::dvec3(view.scene.x, view.scene.y, view.scene.z) + turned * (in_eye - origin);
-    const glm::dvec3 way =
-        glm::inverse(turned * glm::dmat3(view.eye.matrix())) * (points * units_per_step(lens, at, shorter));
+    const glm::dvec3 in_eye(seen * placed(t, camera, model)[3]);
+    const glm::dmat4 turned = about_origin(view.scene, camera, seen);
+    const glm::dvec3 at(turned * glm::dvec4(in_eye, 1));
+    const glm::dmat3 eye(seen * glm::inverse(view_matrix(camera)));
+    const glm::dvec3 way = glm::inverse(glm::dmat3(turned) * eye) * (points * units_per_step(lens, at, shorter));
     const bool finite = std::isfinite(way.x) && std::isfinite(way.y) && std::isfinite(way.z);
     return finite ? way : glm::dvec3(0);
+}
+
+// True if the tilt has put the scene upside down: the vertical then points down on the screen.
+bool upside_down(const Transformation& t, const Scene& scene) {
+    const Camera camera = window_camera(scene);
+    const glm::dvec3 up = vertical_of(camera, view_matrix(camera));
+    const double tilt = glm::radians(t.rotate_x);
+    return up.y * std::cos(tilt) - up.z * std::sin(tilt) < 0;
 }
 
 void apply(const Gesture& made, const Facts& facts, const Rect& area, View& view, const HoldMemory& hold) {
@@ -109,8 +117,13 @@ void apply(const Gesture& made, const Facts& facts, const Rect& area, View& view
     const auto turn = [](double& angle, double points) {
         if (points != 0) angle = std::remainder(angle + points * degrees_per_point, 360);
     };
-    turn(texture ? t.rotate_z : t.rotate_y, made.turn.x);
-    if (!texture) turn(t.rotate_x, made.turn.y);
+    // What is in front follows the mouse.
+    if (texture) {
+        turn(t.rotate_z, made.turn.x);
+    } else {
+        turn(t.rotate_y, upside_down(t, *facts.scene) ? -made.turn.x : made.turn.x);
+        turn(t.rotate_x, made.turn.y);
+    }
     // Larger coordinates make the texture's picture smaller.
     if (made.scale != 1) t.scale = std::clamp(t.scale * (texture ? 1 / made.scale : made.scale), smallest, largest);
     if (!(t == before)) set_held(view, hold, t);

@@ -157,6 +157,7 @@ void status_window(const Facts& facts, const Rect& status, Memory& memory, Layou
         const float left = ImGui::GetCursorPosX();
         Text cost;
         if (facts.animated) cost.add("t = {:.2f} s   ", facts.time);
+        if (!facts.grain.empty()) cost.add("{}   ", facts.grain);
         cost.add("{:.1f} ms", facts.frame_ms);
         const Text help("{}{}drag: turn   wheel: scale   right drag: move   R: reset   F1: keys{}", facts.object,
                         facts.object.empty() ? "" : "   ", has_ladders(facts) ? "   A: accuracy" : "");

@@ -275,7 +275,8 @@ void Desk::settle() const {
     for (int quiet = 0; quiet < 5 && Clock::now() < until;) {
         sleep(.01);
         std::string now = bytes("out/state.json");
-        quiet = now == last && !runs(server_) && !runs(window_) ? quiet + 1 : 0;
+        const bool sharp = now.find("\"grain\":0") != now.npos;
+        quiet = now == last && sharp && !runs(server_) && !runs(window_) ? quiet + 1 : 0;
         last = std::move(now);
     }
 }

@@ -288,18 +288,61 @@ TEST(NormalMatrix, FlatAndZeroMatrices) {
     EXPECT_EQ(normal_matrix(diagonal(infinity, 1, 1)), glm::dmat3(1));
 }
 
-TEST(Transformation, TurnsAboutTheScreensAxes) {
+TEST(Transformation, TurnsAboutTheVerticalAndThenTiltsAboutTheScreensHorizontal) {
     Transformation t;
     t.rotate_x = 90;
     t.rotate_y = 90;
-    // About X first: Y goes to Z; then about the screen's Y: Z goes to X. Exactly.
-    EXPECT_EQ(t.matrix() * glm::dvec4(0, 1, 0, 0), glm::dvec4(1, 0, 0, 0));
-    EXPECT_EQ(t.matrix() * glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0));
+    // About Y first: X goes to -Z, which the tilt moves to Y. Exactly.
+    EXPECT_EQ(t.matrix() * glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0));
+    EXPECT_EQ(t.matrix() * glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0));
     t.scale = 2;
     t.x = 1;
     t.y = 2;
     t.z = 3;
-    EXPECT_EQ(t.matrix() * glm::dvec4(0, 1, 0, 1), glm::dvec4(3, 2, 3, 1));
+    EXPECT_EQ(t.matrix() * glm::dvec4(0, 1, 0, 1), glm::dvec4(1, 2, 5, 1));
+}
+
+// The step of a drag is a rotation about one line, whatever was turned before.
+TEST(Transformation, NoDragRollsTheScene) {
+    for (const Vec3 from : {Vec3{0, 0, 5}, {0, 3, 4}, {1, -6, 2}, {0, 5, 0}, {-3, 4, 1e-9}})
+        for (const Vec3 up : {Vec3{0, 1, 0}, {0, 0, 1}, {.2, 1, -.3}, {0, -2, 0}}) {
+            Camera camera;
+            camera.look_at = {{from, Vec3{0, 0, 0}, up}};
+            const glm::dmat4 view = view_matrix(camera);
+            const glm::dvec3 vertical = vertical_of(camera, view);
+            EXPECT_NEAR(glm::length(vertical), 1, 1e-15);
+            EXPECT_NEAR(vertical.x, 0, 1e-12) << "the camera is level";
+            EXPECT_GE(vertical.y, -1e-12);
+            for (const double turned : {0., 37., 90., -150.})
+                for (const double tilted : {0., 25., -80.}) {
+                    Transformation t;
+                    t.rotate_y = turned;
+                    t.rotate_x = tilted;
+                    const glm::dmat4 before = t.matrix(vertical);
+                    EXPECT_NEAR((before * glm::dvec4(vertical, 0)).x, 0, 1e-12) << "up is up on the screen";
+                    EXPECT_LT(rigidity(before), 1e-15);
+                    t.rotate_x += 10;
+                    const glm::dmat4 tilt = t.matrix(vertical) * glm::inverse(before);
+                    EXPECT_NEAR(glm::distance(tilt[0], glm::dvec4(1, 0, 0, 0)), 0, 1e-12);
+                    EXPECT_NEAR(tilt[1].y, std::cos(10 * M_PI / 180), 1e-12);
+                    t.rotate_x -= 10;
+                    t.rotate_y += 10;
+                    const glm::dmat4 turn = glm::inverse(before) * t.matrix(vertical);
+                    const glm::dvec4 axis(vertical, 0);
+                    EXPECT_NEAR(glm::distance(turn * axis, axis), 0, 1e-12);
+                }
+        }
+}
+
+TEST(Transformation, ACameraWithoutAnUpVectorHasTheScreens) {
+    for (const Vec3 up : {Vec3{0, 0, 0}, {nan_value, 0, 0}, {0, infinity, 0}}) {
+        Camera camera;
+        camera.look_at = {{Vec3{0, 0, 5}, Vec3{0, 0, 0}, up}};
+        EXPECT_EQ(vertical_of(camera, view_matrix(camera)), glm::dvec3(0, 1, 0));
+    }
+    Camera tiny;
+    tiny.look_at = {{Vec3{0, 0, 5}, Vec3{0, 0, 0}, Vec3{0, 1e-300, 0}}};
+    EXPECT_EQ(vertical_of(tiny, view_matrix(tiny)), glm::dvec3(0, 1, 0));
 }
 
 TEST(Transformation, ExactAtQuartersHoweverFar) {

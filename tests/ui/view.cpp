@@ -132,6 +132,31 @@ TEST_F(ViewPanel, GesturesOfOneFingerDoWhatThreeButtonsDo) {
     EXPECT_EQ(view_.scene.y, 0);
 }
 
+TEST_F(ViewPanel, ADragMovesWhatIsInFrontWithTheMouseHoweverTheSceneIsTurned) {
+    frame();
+    for (const Vec3 from : {Vec3{0, 0, 4}, {0, 3, 3}, {2, -3, 1}})
+        for (const double tilted : {0., 130., -170.}) {
+            Camera& camera = scene_.cameras[0];
+            camera.look_at = {{from, Vec3{0, 0, 0}, Vec3{0, 1, 0}}};
+            reset_view(view_);
+            view_.scene.rotate_y = 90;
+            view_.scene.rotate_x = tilted;
+            const glm::dmat4 view = view_matrix(camera), before = about_origin(view_.scene, camera, view);
+            // The point of the scene that is nearest to the eye now.
+            const glm::dvec4 front = glm::inverse(before) * glm::dvec4(glm::dvec3(view[3]) + glm::dvec3(0, 0, 1), 1);
+            const auto seen = [&] {
+                return glm::dvec3(about_origin(view_.scene, camera, view) * front) - glm::dvec3(view[3]);
+            };
+            drag(8, 0);
+            EXPECT_GT(seen().x, 0) << tilted;
+            drag(-8, 0);
+            EXPECT_NEAR(seen().x, 0, 1e-12);
+            drag(0, 8);
+            EXPECT_LT(seen().y, 0);
+            EXPECT_NEAR(seen().x, 0, 1e-12) << "it does not roll";
+        }
+}
+
 TEST_F(ViewPanel, AnObjectStaysUnderTheMouseThatMovesIt) {
     frame();
     hold_object(memory_.hold, 0);

@@ -51,6 +51,7 @@ Settings read_settings(const std::string& file) {
     if (!json.is_object()) return settings;
     settings.dark = flag(json, "dark", settings.dark);
     settings.panel = flag(json, "panel", settings.panel);
+    settings.always_sharp = flag(json, "always_sharp", settings.always_sharp);
     settings.zoom = number(json, "zoom", settings.zoom, .5, 3);
     settings.panel_width = number(json, "panel_width", settings.panel_width, 4, 200);
     settings.width = static_cast<int>(number(json, "width", 0, 200, 16384));
@@ -70,7 +71,8 @@ std::string write_settings(const std::string& file, const Settings& settings) {
     const Json json{{"dark", settings.dark},     {"zoom", settings.zoom},
                     {"panel", settings.panel},   {"panel_width", settings.panel_width},
                     {"open", settings.open},     {"width", settings.width},
-                    {"height", settings.height}, {"recent", recent}};
+                    {"height", settings.height}, {"always_sharp", settings.always_sharp},
+                    {"recent", recent}};
     return content::replace_file(file, content::json_text(json) + "\n");
 }
 
@@ -87,6 +89,7 @@ void restore(const Settings& settings, ui::Memory& memory) {
     memory.theme = settings.dark ? ui::Theme::dark : ui::Theme::light;
     memory.zoom = static_cast<float>(settings.zoom);
     memory.panel = settings.panel;
+    memory.always_sharp = settings.always_sharp;
     memory.panel_width = static_cast<float>(settings.panel_width);
     memory.open = ui::Titles(settings.open.begin(), settings.open.end());
 }
@@ -95,6 +98,7 @@ void gather(const ui::Memory& memory, Settings& settings) {
     settings.dark = memory.theme == ui::Theme::dark;
     settings.zoom = std::round(memory.zoom * 1000) / 1000;
     settings.panel = memory.panel;
+    settings.always_sharp = memory.always_sharp;
     settings.panel_width = std::round(memory.panel_width * 100) / 100;
     settings.open.assign(memory.open.begin(), memory.open.end());
 }
@@ -103,6 +107,7 @@ void carry_looks(const ui::Memory& before, ui::Memory& memory) {
     memory.theme = before.theme;
     memory.zoom = before.zoom;
     memory.panel = before.panel;
+    memory.always_sharp = before.always_sharp;
     memory.panel_width = before.panel_width;
     memory.open = before.open;
     memory.labels = before.labels;

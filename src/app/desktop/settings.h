@@ -15,6 +15,7 @@ struct Settings {
     bool dark = false;
     double zoom = 1, panel_width = 22;  // in multiples of the text height
     bool panel = true;
+    bool always_sharp = false;
     std::vector<std::string> open;  // titles of the open sections
     int width = 0, height = 0;      // of the window, in its coordinates at zoom 1 and 96 dots per inch; 0: unknown
     std::vector<std::string> recent;

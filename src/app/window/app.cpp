@@ -148,6 +148,7 @@ double App::pause() {
     double until = next_look_;
     if (!specialised_ && options_.specialise) until = std::min(until, touched_ + until_still);
     if (moving() && visible()) until = std::min(until, display_.last_picture() + frame_time);
+    if (visible()) until = std::min(until, display_.sharp_due());
     if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
     return std::max(0.0, until - window_->now());
 }
@@ -163,7 +164,8 @@ void App::step() {
         repaint |= event.kind == Event::Kind::refresh || event.kind == Event::Kind::resize;
     if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
         show_scene(workspace_.serve_dropped(dropped, interface_.memory()));
-    woken |= !events_.empty() || unsettled_ > 0 || (moving() && now >= display_.last_picture() + frame_time);
+    woken |= now >= display_.sharp_due() || !events_.empty() || unsettled_ > 0 ||
+             (moving() && now >= display_.last_picture() + frame_time);
     if (!visible()) {
         unsettled_ = 0;  // everything is drawn again when the window comes back, which is an event
         return;
@@ -256,6 +258,7 @@ ui::Facts App::facts() {
     facts.time = display_.counters().time;
     facts.frame_ms = display_.counters().frame_ms;
     facts.samples = display_.samples();
+    facts.grain = grains[static_cast<std::size_t>(display_.drawn().grain)].text;
     facts.renderer = caps_.renderer;
     workspace_.tell(facts);
     picking_.tell(facts, document, memory.hold);
@@ -310,8 +313,8 @@ bool App::draw_scene() {
     const std::uint64_t revision = session.stale() ? display_.drawn().revision : session.revision();
     const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
                       document.runtime->animated() ? time : 0, interface_.view(), values_of(document.controls)};
-    if (!display_.prepare({revision, stand, document.controls.rungs, memory.hold.object}, document,
-                          measuring_.wants_picture()))
+    const Drawn next{revision, stand, document.controls.rungs, memory.hold.object};
+    if (!display_.prepare(next, document, interface_.pressed(), memory.always_sharp, measuring_.wants_picture()))
         return false;
     hang_.begin("drawing a frame");
     display_.draw(document, measuring_.begin_picture(revision), density);

@@ -9,8 +9,14 @@ namespace snell {
 
 namespace {
 
-constexpr int samples_shown = 4;
 constexpr double worth_compiling = 4;  // milliseconds of a frame
+
+const Grain& grain_of(const Drawn& drawn) { return grains[static_cast<std::size_t>(drawn.grain)]; }
+
+PixelSize coarse_size(const Drawn& drawn) {
+    const int divide = grain_of(drawn).divide;
+    return {(drawn.stand.width + divide - 1) / divide, (drawn.stand.height + divide - 1) / divide};
+}
 
 }  // namespace
 
@@ -28,10 +34,21 @@ void set_values(Controls& controls, const std::vector<double>& values) {
             if (next != values.end()) value = *next++;
 }
 
-bool Display::prepare(Drawn next, Document& document, bool again) {
+// Time alone moves nothing: an animated scene is sharp unless the user drags something.
+bool Display::moved(const Drawn& next) const {
+    const Stand &a = next.stand, &b = drawn_.stand;
+    return a.width != b.width || a.height != b.height || a.view != b.view || a.values != b.values;
+}
+
+bool Display::prepare(Drawn next, Document& document, bool held, bool sharp, bool again) {
     next_ = std::move(next);
-    if (again || next_ != drawn_ || !document.runtime->settled())
-        return canvas_.resize(next_.stand.width, next_.stand.height, samples_shown, document.runtime->display_pixels());
+    if (sharp || next_.revision != drawn_.revision || next_.rungs != drawn_.rungs) coarseness_ = {};
+    next_.grain = sharp ? 0 : coarseness_.next(moved(next_), held, window_.now());
+    if (again || next_ != drawn_ || !document.runtime->settled()) {
+        const PixelSize size = coarse_size(next_);
+        return canvas_of(next_).resize(size.width, size.height, grain_of(next_).samples,
+                                       document.runtime->display_pixels());
+    }
     document.runtime->skip_frame();
     return false;
 }
@@ -39,33 +56,41 @@ bool Display::prepare(Drawn next, Document& document, bool again) {
 void Display::draw(Document& document, const std::function<void(const Step&)>* after, float density) {
     const double start = window_.now();
     const Stand& stand = next_.stand;
-    Frame frame{stand.time, stand.view, document.controls, true};
+    const int divide = grain_of(next_).divide;
+    const PixelSize size = coarse_size(next_);
+    View view = stand.view;
+    view.mouse_x /= divide;
+    view.mouse_y /= divide;
+    Frame frame{stand.time, view, document.controls, true};
     frame.after = after;
-    const Surface surface{canvas_.framebuffer(), stand.width, stand.height};
+    gl::Canvas& canvas = canvas_of(next_);
+    const Surface surface{canvas.framebuffer(), size.width, size.height};
     document.runtime->draw(frame, surface);
-    if (next_.object != none) document.runtime->outline(frame, surface, next_.object, std::ceil(2 * density));
-    canvas_.resolve();
+    if (next_.object != none) document.runtime->outline(frame, surface, next_.object, std::ceil(2 * density / divide));
+    canvas.resolve();
     gl::finish();
     lost_ = loss_.lost();
     if (lost_) return;
     last_picture_ = start;
     counters_.frame_ms = (window_.now() - start) * 1e3;
     counters_.time = stand.time;
+    counters_.grain = next_.grain;
     ++counters_.frames;
+    coarseness_.drew(counters_.frame_ms);
     drawn_ = std::move(next_);
 }
 
 bool Display::specialise(Document& document) {
     const Stand& stand = drawn_.stand;
-    if (counters_.frame_ms < worth_compiling || counters_.frames == 0) return false;
+    if (counters_.frame_ms < worth_compiling || counters_.frames == 0 || drawn_.grain > 0) return false;
     const Frame frame{stand.time, stand.view, document.controls, true};
-    return document.runtime->specialise(frame, {canvas_.framebuffer(), stand.width, stand.height});
+    return document.runtime->specialise(frame, {sharp_.framebuffer(), stand.width, stand.height});
 }
 
 void Display::show(PixelSize pixels) const {
     const ImVec4 around = ui::palette().surround;
     gl::clear_window(pixels.width, pixels.height, around.x, around.y, around.z);
-    canvas_.show(0, bottom(pixels));
+    canvas_of(drawn_).show(0, bottom(pixels), drawn_.stand.width, drawn_.stand.height);
 }
 
 void Display::present() {

@@ -8,6 +8,7 @@
 
 #include "src/app/open/document.h"
 #include "src/app/open/loss.h"
+#include "src/app/window/coarse.h"
 #include "src/app/window/measure/refine.h"
 #include "src/gl/present.h"
 #include "src/platform/window.h"
@@ -20,6 +21,7 @@ struct Drawn {
     Stand stand;
     Rungs rungs;
     Index object = none;  // the object with the outline
+    int grain = 0;        // an index into `grains`
 
     bool operator==(const Drawn&) const = default;
 };
@@ -33,6 +35,7 @@ struct WindowCounters {
     std::uint64_t presents = 0;  // number of times that the window's contents were replaced
     double time = 0;             // of the last picture, in seconds
     double frame_ms = 0;
+    int grain = 0;  // of the last picture, an index into `grains`
 };
 
 class Display {
@@ -41,8 +44,11 @@ public:
     Display(Window& window, app::LossWatch loss) : window_(window), loss_(std::move(loss)) {}
 
     // Returns false if that would be the last picture again and `again` is false, or if the context refuses its size.
-    // Otherwise draw() must follow.
-    bool prepare(Drawn next, Document& document, bool again);
+    // Otherwise draw() must follow. Sets the grain of the picture: coarse while the user drags something, which `held`
+    // (a mouse button is down) suggests, unless `sharp`.
+    bool prepare(Drawn next, Document& document, bool held, bool sharp, bool again);
+    // When a sharp picture is due if nothing moves, by the clock of the window; infinite if the picture is sharp.
+    double sharp_due() const { return coarseness_.due(); }
     // Draws the picture. `after` is that of Frame; `density` is pixels per window coordinate.
     void draw(Document& document, const std::function<void(const Step&)>* after, float density);
     // While the picture stays the same: see Runtime::specialise. Not for scenes that are cheap to draw.
@@ -58,14 +64,20 @@ public:
     const Drawn& drawn() const { return drawn_; }
     // The y of the picture's bottom, in pixels from the bottom of the window.
     int bottom(PixelSize pixels) const { return pixels.height - drawn_.stand.height; }
-    int samples() const { return canvas_.samples(); }
+    // Of a sharp picture.
+    int samples() const { return sharp_.samples(); }
     const WindowCounters& counters() const { return counters_; }
     // When the last picture was begun, by the clock of the window.
     double last_picture() const { return last_picture_; }
 
 private:
     Window& window_;
-    gl::Canvas canvas_;
+    bool moved(const Drawn& next) const;
+    gl::Canvas& canvas_of(const Drawn& drawn) { return drawn.grain > 0 ? coarse_ : sharp_; }
+    const gl::Canvas& canvas_of(const Drawn& drawn) const { return drawn.grain > 0 ? coarse_ : sharp_; }
+
+    gl::Canvas sharp_, coarse_;  // the last picture is in one of them, see drawn_.grain
+    Coarseness coarseness_;
     Drawn drawn_, next_;
     WindowCounters counters_;
     app::LossWatch loss_;

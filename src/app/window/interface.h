@@ -34,6 +34,8 @@ public:
     // A hash of the last frame: equal hashes mean equal panels.
     std::uint64_t picture() const { return picture_; }
 
+    // True while a mouse button is down.
+    bool pressed() const { return gui_.pressed(); }
     // Pixels per window coordinate.
     float density() const;
     // True while measuring holds the scene's time.

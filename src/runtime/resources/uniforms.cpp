@@ -224,12 +224,6 @@ void upload(const UserUniform& uniform, const std::vector<double>& values) {
 
 }  // namespace
 
-glm::dmat4 about_origin(const Transformation& transformation, const glm::dmat4& view) {
-    if (transformation == Transformation{}) return glm::dmat4(1);
-    const glm::dvec3 pivot(view[3]);
-    return glm::translate(glm::dmat4(1), pivot) * transformation.matrix() * glm::translate(glm::dmat4(1), -pivot);
-}
-
 double timer_value(double time, double period) {
     if (!(period > 0) || !std::isfinite(time)) return 0;
     double phase = std::fmod(time, period) / period;

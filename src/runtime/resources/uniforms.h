@@ -11,10 +11,6 @@
 
 namespace snell::runtime {
 
-// The scene transformation in eye space: about the world's origin, wherever the camera sees it, along the axes
-// of the screen.
-glm::dmat4 about_origin(const Transformation& transformation, const glm::dmat4& view);
-
 // 0 → 1 in `period` seconds, never 1 itself. Period 0 or less: 0.
 double timer_value(double time, double period);
 

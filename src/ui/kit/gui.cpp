@@ -98,6 +98,8 @@ std::uint64_t Gui::end() {
     return hash_of(*ImGui::GetDrawData());
 }
 
+bool Gui::pressed() const { return ImGui::IsAnyMouseDown(); }
+
 Cursor Gui::cursor() const {
     switch (ImGui::GetMouseCursor()) {
         case ImGuiMouseCursor_TextInput:

@@ -40,6 +40,8 @@ public:
 
     const Fonts& fonts() const { return fonts_; }
     Cursor cursor() const;
+    // True while a mouse button is down.
+    bool pressed() const;
 
     struct Clipboard;
 

@@ -70,6 +70,10 @@ void look_section(Memory& memory, Layout& layout) {
     ImGui::SameLine(0, 0);
     ImGui::SetCursorPosX(left + number + gap);
     if (button("+", layout, "larger")) memory.zoom = next_zoom(memory.zoom, 1);
+    bool coarser = !memory.always_sharp;
+    if (ImGui::Checkbox("Coarser while dragging", &coarser)) memory.always_sharp = !coarser;
+    tip("Draws slow pictures with fewer samples and pixels while something is dragged");
+    layout.note("coarser");
 }
 
 void files_keys(Memory& memory, Requests& requests) {

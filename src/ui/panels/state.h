@@ -66,7 +66,8 @@ struct Facts {
     bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
     double time = 0;                       // seconds since the scene began
     double frame_ms = 0;                   // time to draw the last picture, in milliseconds
-    int samples = 1;
+    int samples = 1;                       // per pixel, of a sharp picture
+    std::string_view grain;  // how much coarser the last picture is, because something is dragged; empty if sharp
     std::string_view renderer;
     bool changed = false;                              // whether any value or rung differs from the scene's
     bool undoable = false;                             // whether values were saved to the scene, which can be undone
@@ -95,8 +96,9 @@ struct Memory {
     bool panel = true;
     float panel_width = 22;  // in multiples of the text height
     Theme theme = Theme::light;
-    float zoom = 1;  // factor for text and widgets, in addition to the screen's
-    Titles open;     // titles of the open sections
+    bool always_sharp = false;  // pictures are not drawn coarser while something is dragged
+    float zoom = 1;             // factor for text and widgets, in addition to the screen's
+    Titles open;                // titles of the open sections
     bool warnings_open = false;
     bool problems_hidden = false;
     std::uint64_t revision = 0;       // the revision whose problems are hidden

@@ -1,0 +1,108 @@
+// How coarse pictures are while something is dragged.
+#include "src/app/window/coarse.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace snell {
+namespace {
+
+// A machine that needs so many milliseconds for a sharp picture, and as much less for a coarser one as it has fewer
+// samples and pixels.
+class Dragged : public ::testing::Test {
+protected:
+    double cost(int grain) const {
+        const Grain& how = grains[static_cast<std::size_t>(grain)];
+        return sharp_ms * (how.samples == 1 ? .6 : 1) / (how.divide * how.divide);
+    }
+    // Draws a frame if `next` asks for another one than the last; returns its grain.
+    int step(bool moved, bool held = true) {
+        const int grain = coarseness.next(moved, held, now);
+        if (moved || grain != last) {
+            last = grain;
+            now += cost(grain) / 1e3;
+            coarseness.drew(cost(grain));
+        }
+        return grain;
+    }
+    // The scene is open for a while.
+    void opened() {
+        step(true, false);
+        now += 1;
+        step(true, false);
+        now += 1;
+    }
+
+    Coarseness coarseness;
+    double sharp_ms = 90, now = 10;
+    int last = -1;
+};
+
+TEST_F(Dragged, SlowPicturesBecomeCoarserAndSharpAgainAfterTheLastMove) {
+    opened();
+    EXPECT_EQ(step(false), 0);
+    EXPECT_TRUE(std::isinf(coarseness.due()));
+    for (int i = 0; i < 20; ++i) step(true);
+    EXPECT_EQ(last, 2) << "fewer samples, then half size";
+    const double due = coarseness.due();
+    EXPECT_LE(due, now + Coarseness::rest);
+    now = due - .01;
+    EXPECT_EQ(step(false), 2) << "not yet";
+    now = due;
+    EXPECT_EQ(step(false), 0);
+    EXPECT_TRUE(std::isinf(coarseness.due()));
+    EXPECT_EQ(step(true), 2) << "the next drag begins where the last one ended";
+}
+
+TEST_F(Dragged, FastPicturesStaySharp) {
+    sharp_ms = 20;
+    opened();
+    for (int i = 0; i < 50; ++i) EXPECT_EQ(step(true), 0);
+}
+
+TEST_F(Dragged, ThePicturesAreAsSharpAsTheyCanBe) {
+    sharp_ms = 45;
+    opened();
+    for (int i = 0; i < 20; ++i) step(true);
+    EXPECT_EQ(last, 1) << "27 ms";
+    sharp_ms = 1500;
+    for (int i = 0; i < 20; ++i) step(true);
+    EXPECT_EQ(last, 3) << "the coarsest one, 56 ms";
+    sharp_ms = 8;  // what is slow went out of view
+    for (int i = 0; i < 20; ++i) step(true);
+    EXPECT_EQ(last, 0);
+}
+
+TEST_F(Dragged, TheCostDoesNotSwingBetweenTwoGrains) {
+    for (const double ms : {34., 40., 55., 60., 90., 150., 220., 500.}) {
+        coarseness = {};
+        sharp_ms = ms;
+        opened();
+        for (int i = 0; i < 10; ++i) step(true);
+        const int settled = last;
+        for (int i = 0; i < 30; ++i) EXPECT_EQ(step(true), settled) << ms;
+    }
+}
+
+TEST_F(Dragged, OneChangeWithoutAButtonIsSharp) {
+    opened();
+    EXPECT_EQ(step(true, false), 0) << "a reset, a typed value";
+    now += .1;
+    EXPECT_GT(step(true, false), 0) << "keys and the wheel repeat";
+}
+
+TEST_F(Dragged, TheFirstPictureOfAGrainMayCompile) {
+    opened();
+    step(true);
+    const int first = last;
+    coarseness = {};
+    opened();
+    coarseness.next(true, true, now);
+    coarseness.drew(900);
+    now += .9;
+    EXPECT_EQ(coarseness.next(true, true, now), first) << "is not judged";
+}
+
+}  // namespace
+}  // namespace snell
