@@ -64,6 +64,8 @@ TEST_F(Kinds, AColorIsPicked) {
     ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Left.uColor"] != json(before); }));
     const std::vector<double> picked = value("Left.uColor");
     EXPECT_EQ(picked[3], 1) << "alpha stays";
+    for (const double part : picked)
+        EXPECT_LE(json(part).dump().size(), 5u) << part << ": no more digits than a byte has";
     EXPECT_NEAR(left().red, byte(picked[0]), 1);
     EXPECT_NEAR(left().green, byte(picked[1]), 1);
     EXPECT_NEAR(left().blue, byte(picked[2]), 1);

@@ -1,4 +1,4 @@
-// Parses assignments such as "Program.uniform=value" from the command line.
+// Assigns values: those that texts such as "Program.uniform=value" name, and those of the scene again.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -203,6 +203,20 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
     }
     for (std::size_t i = 0; i < targets.size(); ++i) assign(*targets[i], std::move(each[i]));
     return true;
+}
+
+void reset(Control& control) {
+    control.value = control.initial;
+    control.min = control.initial_min;
+    control.max = control.initial_max;
+}
+
+// The components share one range, so it keeps its room for those that are not reset.
+void reset(Control& control, std::size_t component) {
+    control.value[component] = control.initial[component];
+    const auto [least, most] = std::ranges::minmax(control.value);
+    control.min = std::min(control.initial_min, least);
+    control.max = std::max(control.initial_max, most);
 }
 
 }  // namespace snell

@@ -360,20 +360,6 @@ Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveU
     return controls;
 }
 
-void reset(Control& control) {
-    control.value = control.initial;
-    control.min = control.initial_min;
-    control.max = control.initial_max;
-}
-
-// The components share one range, so it keeps its room for those that are not reset.
-void reset(Control& control, std::size_t component) {
-    control.value[component] = control.initial[component];
-    const auto [least, most] = std::ranges::minmax(control.value);
-    control.min = std::min(control.initial_min, least);
-    control.max = std::max(control.initial_max, most);
-}
-
 bool same_uniforms(const Controls& a, const Controls& b) {
     return std::ranges::equal(a.items, b.items, [](const Control& x, const Control& y) {
         return x.program == y.program && x.name == y.name && x.active == y.active && x.value.size() == y.value.size();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"

@@ -22,7 +22,9 @@ bool sliding(const Control& control) { return control.listed && control.widget !
 bool passes(const Control& control, const Memory& memory) {
     const std::string_view wanted = memory.filter.data();
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::ranges::search(control.name, wanted, {}, lower, lower).begin() != control.name.end() || wanted.empty();
+    const auto same = [&](char a, char b) { return lower(a) == lower(b); };
+    const std::string& name = control.name;
+    return wanted.empty() || std::search(name.begin(), name.end(), wanted.begin(), wanted.end(), same) != name.end();
 }
 
 template <typename Chosen>
