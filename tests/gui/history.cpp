@@ -121,6 +121,7 @@ TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
     open("one.glib");
     click("uRed.name", .5, 3);
     click("uRed.animate", .1);
+    user("key Escape");  // the menu goes
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .3; }));
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .5; }));
     press("ctrl+z");
