@@ -143,7 +143,7 @@ TEST_F(SavedPicture, ASequenceShowsOnePeriodOfAnAnimatedSlider) {
     click("uRed.name", .5, 3);
     type("uRed.period", "2", Field::number);
     user("key Escape");
-    click("picture");
+    choose("save", "picture");
     type("picture file", file("f.png"), Field::text);
     type("picture rate", "4", Field::number);
     click("picture save");

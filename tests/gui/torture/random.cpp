@@ -13,12 +13,12 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* good_scene =
+constexpr const char* random_scene =
     "##OpenGL GLIB\nPerspective 50\nLookAt 0 1 4  0 0 0  0 1 0\nBackground .1 .2 .1\nTexture2D 5 wall.bmp\n"
     "Vertex paint.vert\nFragment paint.frag\n"
     "Program Paint  uRed <0. .2 1.>  uBand [.2 .5 .8]  uTint {.2 .4 .6}  uOn <true>  uCount <1 3 9>  uWall 5\n"
     "QuadXY 0. 1. 8 8\nTranslate 1.2 0 0\nSphere .4 20 20\n";
-constexpr const char* good_fragment =
+constexpr const char* random_fragment =
     "#version 330 compatibility\nuniform float uRed;\nuniform vec3 uBand, uTint;\nuniform bool uOn;\n"
     "uniform int uCount;\nuniform sampler2D uWall;\nin vec3 vPlace;\nvoid main()\n{\n"
     "    float green = fract(float(uCount) * vPlace.x) < uBand.y ? uBand.x : uBand.z;\n"
@@ -30,11 +30,11 @@ protected:
     void SetUp() override {
         Desk::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
-        save("scene.glib", good_scene);
+        save("scene.glib", random_scene);
         save("paint.vert",
              "#version 330 compatibility\nout vec3 vPlace;\nvoid main()\n{\n    vPlace = gl_Vertex.xyz;\n"
              "    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;\n}\n");
-        save("paint.frag", good_fragment);
+        save("paint.frag", random_fragment);
         save("wall.bmp", std::string("BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0", 30) +
                              std::string(24, '\0') + std::string("\x10\x80\xf0\0", 4));
         setenv("VISUAL", "true", 1);
@@ -76,7 +76,7 @@ protected:
                 return place() + " click " + one_of<const char*>({"1", "1", "1", "3", "4", "5"});
             case 4:
                 return place() + " click --repeat 2 --delay 20 1 type --delay 2 " +
-                       one_of<const char*>({"0,7", "1/3", "500", "nan", "-1e300", "a", "((", "1e", "2*pi", "-"});
+                       one_of<const char*>({"0,7", "1/3", "500", "nan", "(0-1e300)", "a", "((", "1e", "2*pi", "-"});
             case 5:
                 return std::string("key ") +
                        one_of<const char*>({"Return", "Escape", "Tab", "shift+Tab", "Left", "Right", "Up", "Down",
@@ -93,8 +93,8 @@ protected:
         }
     }
     void damage() {
-        std::string text = below(2) ? good_scene : good_fragment;
-        const std::string name = text == good_scene ? "scene.glib" : "paint.frag";
+        std::string text = below(2) ? random_scene : random_fragment;
+        const std::string name = text == random_scene ? "scene.glib" : "paint.frag";
         const auto at = static_cast<std::size_t>(below(static_cast<int>(text.size())));
         if (below(2))
             text.resize(at);
@@ -103,8 +103,8 @@ protected:
         save(name, text, below(2));
     }
     void mend() {
-        save("scene.glib", good_scene);
-        save("paint.frag", good_fragment);
+        save("scene.glib", random_scene);
+        save("paint.frag", random_fragment);
         wait([](const json& s) { return s["errors"] == 0 && !s["stale"]; }, 10);
     }
     void resize() {
