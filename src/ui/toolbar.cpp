@@ -67,7 +67,8 @@ void save_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
     tip("Restores the file as it was before saving.\nSliders and view stay as they are.");
     ImGui::Separator();
     const bool picture = item({"Save picture\u2026", nullptr, "picture"}, layout);
-    const bool sequence = item({"Save sequence\u2026", nullptr, "sequence", facts.animated || memory.animating()}, layout);
+    const bool sequence =
+        item({"Save sequence\u2026", nullptr, "sequence", facts.animated || memory.animating()}, layout);
     if (picture || sequence) {
         requests.picture = PictureRequest::open;
         memory.picture.sequence = sequence;

@@ -80,7 +80,10 @@ protected:
         facts.renderer = caps.renderer;
         facts.animated = document.runtime->animated();
         facts.changed = true;
-        if (textures_) facts.textures = textures_->facts();
+        if (textures_) {
+            facts.textures = textures_->facts();
+            document.controls.find(0, "uBrightnessOfTheLight")->value[0] = .01 * static_cast<double>(pictures_ % 100);
+        }
         ui::Layout& layout = listening_ ? listener_ : deaf_;
         ui::shell(facts, document.controls, view_, memory_, gui_->fonts(), layout);
         gui_->end();
@@ -169,10 +172,11 @@ TEST_F(Steady, NorDoesATextureThatIsLookedAt) {
                          "Program Shown uUnit 5\nQuadXY 0. 1.\n");
     expect_clean(*document);
     textures_.emplace(caps.es);
+    memory_.tab = ui::Tab::tools;
     memory_.open.emplace("Textures");
-    EXPECT_EQ(drag(*document, "Paint.uBrightnessOfTheLight"), 0U);
+    EXPECT_EQ(drag(*document, "textures"), 0U);
     ASSERT_NE(textures_->facts(), nullptr);
-    EXPECT_GE(textures_->facts()->drawn, 80U) << "it changes with the slider";
+    EXPECT_GE(textures_->facts()->drawn, 80U) << "it changes with the value";
     EXPECT_EQ(textures_->facts()->read, 0U);
     // Closed, it draws and holds nothing.
     memory_.open.clear();

@@ -120,8 +120,11 @@ TEST_F(Ball, FollowsTheMouse) {
     const Camera still = camera_of(*document);
     const glm::dmat4 to_eye = glm::lookAt(still.eye, still.centre, still.up);
     const glm::dvec3 origin(to_eye * glm::dvec4(0, 0, 0, 1));
-    const glm::dmat4 turn =
-        glm::translate(glm::dmat4(1), origin) * view.scene.matrix() * glm::translate(glm::dmat4(1), -origin);
+    const glm::dvec3 vertical(to_eye * glm::dvec4(still.up, 0));
+    glm::dmat4 turn = glm::translate(glm::dmat4(1), origin);
+    turn = glm::rotate(turn, glm::radians(view.scene.rotate_x), {1, 0, 0});
+    turn = glm::rotate(turn, glm::radians(view.scene.rotate_y), vertical);
+    turn = glm::translate(turn, -origin);
     const glm::dmat4 from_eye = glm::inverse(turn * to_eye);
     const glm::dvec3 eye(from_eye[3]), forward(-from_eye[2]), up(from_eye[1]);
     const auto turned = samples_on(sphere_mesh(1, 160, 160), {eye, eye + forward, up, still.fov_y}, 100);
