@@ -124,12 +124,17 @@ TEST_F(RandomInput, NeitherEndsTheWindowNorTheWayBack) {
     const json first = standing(state());
     const Picture picture = look();
     for (unsigned round = 0; round < rounds && !HasFailure(); ++round) {
+        std::string done;
         for (int i = 0; i < 120; ++i) {
             const std::string words = action();
             SCOPED_TRACE("round " + std::to_string(round) + ", action " + std::to_string(i) + ": " + words);
             user(below(4) == 0 ? "key Escape " + words : words);
-            if (below(20) == 0) damage();
-            if (below(20) == 0) mend();
+            const bool damages = below(20) == 0, mends = below(20) == 0;
+            if (damages) damage();
+            if (mends) mend();
+            const json now = state();
+            done += words + (damages ? " damaged" : "") + (mends ? " mended" : "") + ": " + now["undo"].dump() + " " +
+                    now["notice"].dump() + " " + now["controls"].dump() + "\n";
             if (below(25) == 0) resize();
             ASSERT_TRUE(alive());
         }
@@ -143,7 +148,7 @@ TEST_F(RandomInput, NeitherEndsTheWindowNorTheWayBack) {
         for (int i = 0; i < 300 && state()["undo"] != 0; ++i) user("key ctrl+z");
         settle();
         EXPECT_EQ(state()["undo"], 0);
-        EXPECT_EQ(standing(state()), first);
+        EXPECT_EQ(standing(state()), first) << done;
         EXPECT_EQ(state()["errors"], 0) << state()["problems"];
     }
     EXPECT_EQ(bytes("out/errors").find("imgui"), std::string::npos) << bytes("out/errors");
