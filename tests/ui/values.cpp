@@ -286,6 +286,17 @@ TEST_F(Values, ResetAllMovesNothing) {
     EXPECT_EQ(place("Glass.uB"), before);
 }
 
+TEST_F(Values, NamesThatWouldBeCutToTheSameTextAreWhole) {
+    add_slider("uParameterNumber1Amount", 0, .5, 1);
+    add_slider("uParameterNumber2Amount", 0, .5, 1);
+    EXPECT_GT(place("uParameterNumber1Amount.name").width, 8 * 16) << "above its track";
+    const Rect track = place("Glass.uParameterNumber1Amount");
+    EXPECT_GT(track.y, place("uParameterNumber1Amount.name").y + 10);
+    controls_.items[1].name = "uAnotherLongNameThatIsCut";
+    EXPECT_LT(place("uParameterNumber1Amount.name").width, 8.5 * 16) << "beside its track";
+    EXPECT_NEAR(place("Glass.uParameterNumber1Amount").y, place("uParameterNumber1Amount.name").y, 6);
+}
+
 TEST_F(Values, NamesAreCutInTheMiddle) {
     frame();
     const std::string name = "uRefractiveIndexOfTheSphere";

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string_view>
 
 #include "src/plan/values/fit.h"
 #include "src/ui/kit/numbers.h"
@@ -275,6 +277,19 @@ void widget(Control& control, const Section& section) {
     }
 }
 
+// True if two sliders of the program would have the same text in a column of that width.
+bool ambiguous(const Controls& controls, Index program, float width) {
+    std::array<std::size_t, 256> cut{};
+    std::size_t count = 0;
+    for (const Control& control : controls.items) {
+        if (control.program != program || control.widget != Widget::slider || count == cut.size()) continue;
+        if (width_of(control.name) > width)
+            cut[count++] = std::hash<std::string_view>{}(shortened(control.name, width).view());
+    }
+    std::sort(cut.begin(), cut.begin() + count);
+    return std::adjacent_find(cut.begin(), cut.begin() + count) != cut.begin() + count;
+}
+
 }  // namespace
 
 void measure_columns(const Controls& controls, Index program, Section& section) {
@@ -287,10 +302,11 @@ void measure_columns(const Controls& controls, Index program, Section& section) 
         for (const double end : {control.min, control.max})
             number = std::max(number, width_of(shown_value(control, end).view()));
     }
-    // In a narrow panel the track is below the name.
-    const bool stacked = room < 15 * em;
+    // Where there is no room for the names, the track is below them.
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, column = std::min(name + gap, room * .4F);
+    const bool stacked = room < 15 * em || (name + gap > column && ambiguous(controls, program, column - gap));
     section.number_width = std::min(number + ImGui::GetStyle().FramePadding.x, room * (stacked ? .5F : .35F));
-    section.name_width = stacked ? 0 : std::min(name + ImGui::GetStyle().ItemInnerSpacing.x, room * .4F);
+    section.name_width = stacked ? 0 : column;
 }
 
 void row(Control& control, const Section& section) {
