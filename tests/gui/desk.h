@@ -30,6 +30,7 @@ struct Picture {
 // Skips the test, with a message, where Xvfb, xdotool or ImageMagick is missing.
 class Desk : public ::testing::Test {
 protected:
+    explicit Desk(std::string screen = "1024x768x24") : screen_(std::move(screen)) {}
     void SetUp() override;
     void TearDown() override;
 
@@ -82,6 +83,7 @@ protected:
 private:
     void close_window();
 
+    std::string screen_;
     Scratch folder_;
     pid_t server_ = 0, window_ = 0;
 };

@@ -12,6 +12,7 @@ using nlohmann::json;
 
 class SlowDrag : public Desk {
 protected:
+    SlowDrag() : Desk("1280x800x24") {}
     void SetUp() override {
         Desk::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
@@ -20,13 +21,14 @@ protected:
     void open_room(bool always_sharp) {
         std::filesystem::create_directories(file("state/snell"));
         save("state/snell/window.json", always_sharp ? "{\"always_sharp\": true}" : "{}");
-        open("room/refraction-room.glib", {"--size", "1010x624"});
+        open("room/refraction-room.glib", {"--size", "1192x624"});
     }
     // Pictures per second while a slider is dragged to and fro for two seconds; the coarsest of them in `grain`.
     double rate(int& grain) {
         const auto [left, y] = on("Glass.uIndex", .2);
         const int right = on("Glass.uIndex", .8)[0];
         const auto to = [&, y = y](int x) { return "mousemove " + std::to_string(x) + " " + std::to_string(y); };
+        EXPECT_EQ(state()["scene"], json({0, 0, 840, 600}));
         user(to(left) + " mousedown 1 sleep .3 " + to(left + 3) + " sleep .1 " + to(left + 6) + " sleep .1");
         const json before = state();
         const auto begun = std::chrono::steady_clock::now();
