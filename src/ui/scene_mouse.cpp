@@ -100,7 +100,7 @@ bool upside_down(const Transformation& t, const Scene& scene) {
     const Camera camera = window_camera(scene);
     const glm::dvec3 up = vertical_of(camera, view_matrix(camera));
     const double tilt = glm::radians(t.rotate_x);
-    return up.y * std::cos(tilt) - up.z * std::sin(tilt) < 0;
+    return up.y * std::cos(tilt) - up.z * std::sin(tilt) < -1e-9;
 }
 
 void apply(const Gesture& made, const Facts& facts, const Rect& area, View& view, const HoldMemory& hold) {
@@ -121,7 +121,7 @@ void apply(const Gesture& made, const Facts& facts, const Rect& area, View& view
     if (texture) {
         turn(t.rotate_z, made.turn.x);
     } else {
-        turn(t.rotate_y, upside_down(t, *facts.scene) ? -made.turn.x : made.turn.x);
+        turn(t.rotate_y, hold.flipped ? -made.turn.x : made.turn.x);
         turn(t.rotate_x, made.turn.y);
     }
     // Larger coordinates make the texture's picture smaller.
@@ -140,10 +140,12 @@ std::optional<Point> clicked(const Rect& area) {
 
 }  // namespace
 
-void hold_scene(const Facts& facts, const Rect& area, View& view, const HoldMemory& hold, Requests& requests) {
+void hold_scene(const Facts& facts, const Rect& area, View& view, HoldMemory& hold, Requests& requests) {
     if (!facts.scene) return;
     const ImGuiIO& io = ImGui::GetIO();
     if (!io.WantCaptureMouse) {
+        // It stays so until the button is up: the same position of the mouse gives the same view.
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) hold.flipped = upside_down(held(view, hold), *facts.scene);
         apply(gesture(area, hold.picking), facts, area, view, hold);
         if (hold.picking) requests.pick = clicked(area);
     }

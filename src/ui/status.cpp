@@ -114,10 +114,13 @@ bool collect(const Facts& facts, const Memory& memory, Parts& parts) {
     const float em = ImGui::GetFontSize();
     Part& file = parts.add("status.file", 60, facts.file.empty() ? "no scene" : facts.file, 6 * em, 35);
     file.dim = false;
-    const auto errors = static_cast<std::size_t>(
-        std::ranges::count(facts.problems, Severity::error, [](const Problem& p) { return p.finding.severity; }));
-    if (!facts.problems.empty()) {
-        const std::string text = counted(errors > 0 ? errors : facts.problems.size(), errors > 0 ? "error" : "warning");
+    const auto count = [&](Severity severity) {
+        return static_cast<std::size_t>(
+            std::ranges::count(facts.problems, severity, [](const Problem& p) { return p.finding.severity; }));
+    };
+    const std::size_t errors = count(Severity::error), warnings = count(Severity::warning);
+    if (errors + warnings > 0) {
+        const std::string text = counted(errors > 0 ? errors : warnings, errors > 0 ? "error" : "warning");
         parts.add("problems", 100, text).width += 2 * ImGui::GetStyle().FramePadding.x;
     }
     if (memory.hold.picking) {

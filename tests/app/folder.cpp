@@ -105,6 +105,14 @@ TEST(Folder, NamesInMessagesAreThoseOfTheScenesFolderAndOfHome) {
     setenv("HOME", kept.c_str(), 1);
 }
 
+TEST(Settings, PathsThatJsonCannotHoldAreNotRecent) {
+    std::vector<std::string> recent;
+    remember(recent, "/scenes/one.glib");
+    remember(recent, "/scenes/bad\xff\xfe.glib");
+    remember(recent, "/scenes/\xc3\xa4.glib");
+    EXPECT_EQ(recent, (std::vector<std::string>{"/scenes/\xc3\xa4.glib", "/scenes/one.glib"}));
+}
+
 TEST(Thumbnails, AreThoseOfRecentScenesAndDamageIsNone) {
     const Scratch scratch;
     const std::string folder = scratch.path("cache/thumbnails");

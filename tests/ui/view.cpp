@@ -158,6 +158,23 @@ TEST_F(ViewPanel, ADragMovesWhatIsInFrontWithTheMouseHoweverTheSceneIsTurned) {
         }
 }
 
+TEST_F(ViewPanel, ADragThatEndsWhereItBeganChangesNothing) {
+    for (const Vec3 from : {Vec3{0, 1, 5}, {0, 5, 0}, {0, -5, 0}}) {
+        scene_.cameras[0].look_at = {{from, Vec3{0, 0, 0}, Vec3{0, 1, 0}}};
+        reset_view(view_);
+        frame({move(300, 200)});
+        frame({button(true)});
+        frame({move(300, 560)});
+        EXPECT_NE(view_.scene.rotate_x, 0);
+        frame({move(400, 560)});
+        EXPECT_EQ(view_.scene.rotate_y, 50);
+        frame({move(400, 200)});
+        frame({move(300, 200)});
+        frame({button(false)});
+        EXPECT_EQ(view_.scene, Transformation{});
+    }
+}
+
 TEST_F(ViewPanel, AnObjectStaysUnderTheMouseThatMovesIt) {
     frame();
     hold_object(memory_.hold, 0);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "parser/text/utf8.h"
 #include "src/content/json.h"
 #include "src/content/replace.h"
 
@@ -99,6 +100,11 @@ std::string whole_path(const std::string& scene) {
 
 void remember(std::vector<std::string>& recent, const std::string& scene) {
     const std::string path = whole_path(scene);
+    for (std::size_t at = 0; at < path.size();) {
+        const utf8::Char next = utf8::decode(path, at);
+        if (!next.valid) return;
+        at += next.length;
+    }
     std::erase(recent, path);
     recent.insert(recent.begin(), path);
     if (recent.size() > most_recent) recent.resize(most_recent);

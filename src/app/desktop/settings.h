@@ -35,7 +35,8 @@ std::string write_settings(const std::string& file, const Settings& settings);
 
 // The absolute path of a scene, as recent scenes are listed.
 std::string whole_path(const std::string& scene);
-// Moves the scene to the front of the recent ones, which are absolute paths, each listed once.
+// Moves the scene to the front of the recent ones, which are absolute paths, each listed once. A path that is not UTF-8
+// is left out, because JSON could not bring it back.
 void remember(std::vector<std::string>& recent, const std::string& scene);
 
 // Copies settings to the panels' memory, and back.

@@ -14,6 +14,7 @@ struct HoldMemory {
     Held held = Held::scene;  // `object` only while an object is picked
     bool picking = false;     // a click on the scene picks the object there
     Index object = none;      // the picked object, an index into Scene::draws
+    bool flipped = false;     // the drag began with the scene upside down, so that it turns the other way
 };
 
 // Picks an object, so that the user moves it from now on. With none, the user moves the scene again.

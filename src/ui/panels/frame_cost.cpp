@@ -104,7 +104,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
     if (!memory.frame_cost || !facts.frame_cost) return false;
     const FrameCostFacts& cost = *facts.frame_cost;
     last_picture(facts, layout);
-    if (cost.frames.size() > 1) wrapped(Text("median {:.1f} ms, 95 %: {:.1f} ms", cost.median, cost.high).view(), true);
+    if (cost.frames.size() > 2) wrapped(Text("median {:.1f} ms, 95 %: {:.1f} ms", cost.median, cost.high).view(), true);
     plot(cost, layout);
     if (!cost.passes.empty()) {
         wrapped("GPU time of each pass, by timer queries", true);
