@@ -139,14 +139,6 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
     ImGui::EndTable();
 }
 
-// Plots the ladder that was changed since the last frame.
-void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
-    if (memory.rungs == rungs) return;
-    if (memory.rungs.size() == rungs.size())
-        memory.ladder = static_cast<std::size_t>(std::ranges::mismatch(rungs, memory.rungs).in1 - rungs.begin());
-    memory.rungs = rungs;
-}
-
 // Draws the choice of the plotted ladder and the button that measures it. Returns true if the button was clicked.
 bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, AccuracyMemory& memory,
                 Layout& layout) {
@@ -227,10 +219,16 @@ Heat heat(double fraction) {
     return {mix(&Heat::red), mix(&Heat::green), mix(&Heat::blue)};
 }
 
+void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
+    if (memory.rungs == rungs) return;
+    if (memory.rungs.size() == rungs.size())
+        memory.ladder = static_cast<std::size_t>(std::ranges::mismatch(rungs, memory.rungs).in1 - rungs.begin());
+    memory.rungs = rungs;
+}
+
 bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Layout& layout) {
     const std::vector<Ladder>& ladders = facts.scene->ladders;
     if (ladders.empty() || controls.rungs.size() != ladders.size()) return false;
-    follow_ladder(controls.rungs, memory);
     ImGui::SetNextItemOpen(memory.open);
     memory.open = ImGui::CollapsingHeader("Accuracy");
     layout.note("accuracy");
