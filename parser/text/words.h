@@ -1,6 +1,7 @@
 // Words: compared without regard to case (ASCII), and split.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,10 @@ constexpr bool same_word(std::string_view a, std::string_view b) {
     for (std::size_t i = 0; i < a.size(); ++i)
         if (lower(a[i]) != lower(b[i])) return false;
     return true;
+}
+
+constexpr bool contains(std::string_view text, std::string_view part) {
+    return part.empty() || !std::ranges::search(text, part, {}, lower, lower).empty();
 }
 
 // The parts between separators; of an empty text there are none.

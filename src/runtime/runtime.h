@@ -50,7 +50,7 @@ struct Frame {
     // Becomes true when a fragment of any draw reaches the window's picture. Null if no one wants to know: the answer
     // waits for the draws.
     bool* reached = nullptr;
-    // Called after each draw and each pass, for who has a clock.
+    // Called after each draw and each pass, for callers that time the draws.
     const std::function<void(const Step&)>* after = nullptr;
 };
 
@@ -159,7 +159,7 @@ public:
     std::optional<Held> texture(Index texture) const;
     // Likewise, noise of 2 or 3 dimensions.
     std::optional<Held> noise(int dimensions) const;
-    // Without times of frames: these are for who has a clock.
+    // Without times of frames: these are for callers that time the draws.
     Explanation explain() const;
     // Links one more program for one of its values alone, which tells explain() what this value switches off. False:
     // there is none left.

@@ -10,6 +10,7 @@
 #include "src/plan/lens.h"
 #include "src/plan/objects.h"
 #include "src/plan/plan.h"
+#include "src/ui/kit/numbers.h"
 
 namespace snell::ui {
 
@@ -61,13 +62,6 @@ glm::dmat4 matrix(const Mat4& m) {
     return result;
 }
 
-// Rounds to a hundredth of a step, so that numbers that are dragged to are short and 0 can be reached again.
-double tidied(double value, double step) {
-    const double scale = std::pow(10, -std::floor(std::log10(step / 100)));
-    const double rounded = std::round(value * scale) / scale;
-    return std::isfinite(rounded) ? rounded : value;
-}
-
 // Converts points to the units of the transformation that is held, so that what is dragged stays under the mouse.
 glm::dvec3 moved(const glm::dvec3& points, const Scene& scene, const View& view, const HoldMemory& hold,
                  double shorter) {
@@ -111,7 +105,7 @@ void apply(const Gesture& made, const Facts& facts, const Rect& area, View& view
         const glm::dvec3 way = moved(made.move, *facts.scene, view, hold, shorter);
         const double step = glm::length(way) / glm::length(made.move);
         for (const auto& [value, part] : {std::pair(&t.x, way.x), {&t.y, way.y}, {&t.z, way.z}})
-            if (part != 0) *value = tidied(*value + part, step);
+            if (part != 0) *value = tidy_step(*value + part, step);
     }
     const bool texture = hold.held == Held::texture;
     const auto turn = [](double& angle, double points) {

@@ -179,7 +179,10 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
                         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     if (!ImGui::GetIO().WantTextInput && !dialog) keys(facts, view, memory, requests);
     const Areas parts = areas(memory);
-    if (!memory.panel || memory.tab != Tab::tools) memory.costs = false;  // out of sight they are not explained
+    follow_ladder(controls.rungs, memory.accuracy);
+    // Out of sight they cost nothing.
+    if (!memory.panel || memory.tab != Tab::tools || !facts.scene)
+        memory.costs = memory.textures.open = memory.textures.inspecting = false;
     if (memory.panel) {
         panel_window(facts, parts.panel, controls, view, memory, layout, requests);
         status_line(facts, parts.status, memory, layout);

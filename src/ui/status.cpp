@@ -77,7 +77,10 @@ void draw(const Facts& facts, const Part& part, bool errors, Memory& memory, Lay
     }
     fitted(part.text.view(), part.width + 1, part.dim);
     if (std::string_view(part.name) == "status.cost")
-        tip(Text("time to draw the last picture\n{} samples per pixel\n{}", facts.samples, facts.renderer).view());
+        tip(Text("time to draw the last picture; the first after a load or a change of rungs\nwaits for the driver's "
+                 "compiler\n{} samples per pixel\n{}",
+                 facts.samples, facts.renderer)
+                .view());
     if (std::string_view(part.name) == "notice") tip(memory.notice);
     layout.note(part.name);
 }

@@ -7,6 +7,7 @@
 
 #include "src/plan/lens.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/panels.h"
 
@@ -19,16 +20,16 @@ constexpr float close_together = .3F;  // the gap between buttons of the toolbar
 // A menu below its button, within the screen. The popup's size is that of the last frame.
 bool begin_menu(const char* text, const char* name, Layout& layout) {
     if (button(text, layout, name)) ImGui::OpenPopup(name);
-    if (!ImGui::IsPopupOpen(name)) return false;
     ImGuiStorage& sizes = *ImGui::GetStateStorage();
     const ImGuiID width = ImGui::GetID("##menu width"), height = ImGui::GetID("##menu height");
     const ImVec2 all = ImGui::GetIO().DisplaySize, from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
     ImGui::SetNextWindowPos({std::max(0.0F, std::min(from.x, all.x - sizes.GetFloat(width))),
                              std::max(0.0F, std::min(to.y, all.y - sizes.GetFloat(height)))});
-    if (!ImGui::BeginPopup(name)) return false;
+    const bool open = ImGui::BeginPopup(name);
+    note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
+    if (!open) return false;
     sizes.SetFloat(width, ImGui::GetWindowWidth());
     sizes.SetFloat(height, ImGui::GetWindowHeight());
-    if (pressed(Key::escape)) ImGui::CloseCurrentPopup();
     return true;
 }
 

@@ -144,6 +144,10 @@ TEST_F(SavedPicture, ASequenceShowsOnePeriodOfAnAnimatedSlider) {
     type("uRed.period", "2", Field::number);
     user("key Escape");
     choose("save", "picture");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture save"); }));
+    EXPECT_FALSE(state()["widgets"].contains("picture from")) << "one picture was asked for";
+    user("key Escape");
+    choose("save", "sequence");
     type("picture file", file("f.png"), Field::text);
     type("picture rate", "4", Field::number);
     click("picture save");

@@ -11,12 +11,19 @@
 #include "parser/text/finding.h"
 #include "parser/text/number.h"
 #include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "tests/decimal_comma.h"
 #include "tests/parser/support.h"
 
 namespace snell::test {
 namespace {
+
+TEST(Words, AreFoundInAnyCase) {
+    static_assert(contains("uBrightness", "BRIGHT") && contains("uEta", "uEta") && contains("uEta", ""));
+    static_assert(contains("", "") && !contains("uEta", "uEtas") && !contains("", "a") && !contains("uEta", "ea"));
+    EXPECT_FALSE(contains("\xC3\xA9", "\xC3\x89")) << "ASCII only";
+}
 
 TEST(Sources, CountLinesAndCharacters) {
     Sources sources;

@@ -80,6 +80,7 @@ protected:
         facts.renderer = caps.renderer;
         facts.animated = document.runtime->animated();
         facts.changed = true;
+        facts.accuracy = accuracy_;
         if (textures_) {
             facts.textures = textures_->facts();
             document.controls.find(0, "uBrightnessOfTheLight")->value[0] = .01 * static_cast<double>(pictures_ % 100);
@@ -129,10 +130,11 @@ protected:
     Counters before_, after_;
     std::optional<TextureView> textures_;
     std::uint64_t pictures_ = 0;
+    const ui::AccuracyFacts* accuracy_ = nullptr;
 };
 
 constexpr std::string_view program =
-    "Vertex plain.vert\nFragment paint.frag\nProgram Paint uBrightnessOfTheLight <0. .25 1.> "
+    "Vertex plain.vert\nFragment paint.frag\nProgram PaintOfTheWholeRoom uBrightnessOfTheLight <0. .25 1.> "
     "uTheColorOfTheGlass {.2 .4 .6 1.} uWhetherItIsLit <true> uSteps <1 2 9> uOtherNumber 0.1 0.2 0.3\n";
 
 TEST_F(Steady, ADragAllocatesNothing) {
@@ -140,7 +142,7 @@ TEST_F(Steady, ADragAllocatesNothing) {
     expect_clean(*document);
     memory_.panel = true;
     view_.axes = true;
-    EXPECT_EQ(drag(*document, "Paint.uBrightnessOfTheLight"), 0U);
+    EXPECT_EQ(drag(*document, "PaintOfTheWholeRoom.uBrightnessOfTheLight"), 0U);
     EXPECT_EQ(after_.frames - before_.frames, 40U);
     EXPECT_LE(after_.uniform_uploads - before_.uniform_uploads, 40U);
     EXPECT_GE(after_.uniform_uploads - before_.uniform_uploads, 30U) << "the slider was dragged";
@@ -155,7 +157,7 @@ TEST_F(Steady, SoItIsWithPassesCubesAndInstances) {
                          std::string(program) + "RenderToTexture 5\nQuadXY 0. 1.\nRenderToTexture\n" + many +
                          "Fragment texture.frag\nProgram Shown uUnit 5\nQuadXY 0. 1.\n");
     expect_clean(*document);
-    EXPECT_EQ(drag(*document, "Paint.uBrightnessOfTheLight"), 0U);
+    EXPECT_EQ(drag(*document, "PaintOfTheWholeRoom.uBrightnessOfTheLight"), 0U);
     EXPECT_GE(after_.uniform_uploads - before_.uniform_uploads, 30U);
 }
 
@@ -163,7 +165,17 @@ TEST_F(Steady, ValuesOverThePictureAllocateNothingEither) {
     auto document = open("Ortho -1 1 -1 1\n" + std::string(program) + "QuadXY 0. 1.\n");
     expect_clean(*document);
     memory_.labels = true;
-    EXPECT_EQ(drag(*document, "Paint.uBrightnessOfTheLight"), 0U);
+    EXPECT_EQ(drag(*document, "PaintOfTheWholeRoom.uBrightnessOfTheLight"), 0U);
+}
+
+TEST_F(Steady, NorDoesTheSectionAccuracy) {
+    auto document = open("Ladder KIND plain <exact>\nOrtho -1 1 -1 1\n" + std::string(program) + "QuadXY 0. 1.\n");
+    ASSERT_EQ(document->scene().ladders.size(), 1U);
+    const ui::AccuracyFacts facts{.samples = 16, .wanted = 16, .clock = "GPU time", .error = .0123};
+    accuracy_ = &facts;
+    memory_.tab = ui::Tab::tools;
+    memory_.accuracy.open = true;
+    EXPECT_EQ(drag(*document, "accuracy.plot"), 0U);
 }
 
 TEST_F(Steady, NorDoesATextureThatIsLookedAt) {

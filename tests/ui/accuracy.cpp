@@ -100,6 +100,24 @@ TEST_F(AccuracyPanel, TheDividerIsDraggedAndTheSceneIsNot) {
     EXPECT_FALSE(has("accuracy.divider"));
 }
 
+TEST_F(AccuracyPanel, PlotsTheLadderThatWasChangedLastWhileItWasOutOfSight) {
+    scene_.ladders.push_back(scene_.ladders[0]);
+    scene_.ladders[1].name = "BEND";
+    scene_.ladders[1].rungs = {"single", "bounces"};
+    controls_.rungs = {1, 0};
+    memory_.tab = Tab::controls;
+    for (const auto& [ladder, rung] : {std::pair("FRESNEL", ".exact"), {"BEND", ".bounces"}}) {
+        click(place(ladder));
+        click(place(std::string(ladder) + rung));
+    }
+    ASSERT_EQ(controls_.rungs, (Rungs{2, 1}));
+    facts_.accuracy = &values_;
+    frame({key(Key::a, true)});
+    frame({key(Key::a, false)});
+    EXPECT_TRUE(has("accuracy.plot"));
+    EXPECT_EQ(memory_.accuracy.ladder, 1U);
+}
+
 TEST_F(AccuracyPanel, PlotsTheLadderThatWasChangedLast) {
     scene_.ladders.push_back(scene_.ladders[0]);
     scene_.ladders[1].name = "BEND";

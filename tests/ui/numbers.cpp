@@ -41,6 +41,13 @@ TEST(ColorDigits, GiveTheSameByteAndNoMoreDigitsThanNeeded) {
     EXPECT_EQ(tidy_color(2.34567), 2.346);
 }
 
+TEST(DraggedNumbers, AreRoundedToAHundredthOfAStep) {
+    EXPECT_EQ(tidy_step(1.23456789, .01), 1.2346);
+    EXPECT_EQ(tidy_step(-1.23456789, 1), -1.23);
+    EXPECT_EQ(tidy_step(3e-6, .01), 0) << "0 is reached";
+    EXPECT_EQ(tidy_step(1e308, 1e-3), 1e308);
+}
+
 TEST(Arithmetic, IsThatOfDoubles) {
     for (const auto& [text, value] : {std::pair("1/3", 1. / 3),
                                       {"2*pi", 2 * M_PI},

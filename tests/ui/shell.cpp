@@ -64,6 +64,24 @@ TEST_F(Shell, TheToolbarHasTwoRowsInAPanelOfItsUsualWidth) {
     EXPECT_EQ(place("snapshot 1").y, place("snapshot 9").y);
 }
 
+TEST_F(Shell, AClickOnTheButtonOfAnOpenMenuClosesIt) {
+    for (const auto& [menu, entry] : {std::pair("menu.open", "open"), {"menu.save", "save"}, {"menu.view", "hide"}}) {
+        click(place(menu));
+        EXPECT_TRUE(has(entry)) << menu;
+        click(place(menu));
+        EXPECT_FALSE(has(entry)) << menu;
+        click(place(menu));
+        EXPECT_TRUE(has(entry)) << menu;
+        frame({key(Key::escape, true)});
+        frame({key(Key::escape, false)});
+        EXPECT_FALSE(has(entry)) << menu;
+    }
+    click(place("menu.open"));
+    click(place("menu.view"));
+    EXPECT_TRUE(has("hide")) << "the click beside one menu opens the other";
+    EXPECT_FALSE(has("open"));
+}
+
 TEST_F(Shell, MenusOpenScenesAndChangeTheView) {
     const std::vector<RecentScene> recent{{"one.glib", "~", "/home/ann/one.glib"}, {"two.glib", "/x", "/x/two.glib"}};
     facts_.recent = recent;

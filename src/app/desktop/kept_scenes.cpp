@@ -1,7 +1,5 @@
 #include "src/app/desktop/kept_scenes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "parser/text/utf8.h"
+#include "src/app/desktop/named_by.h"
 #include "src/content/json.h"
 #include "src/content/replace.h"
 
@@ -22,12 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// FNV-1a: the same in every version of the program. The file has the whole path.
-std::string kept_file(const std::string& folder, const std::string& name) {
-    std::uint64_t hash = 14695981039346656037U;
-    for (const char byte : name) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-    return fmt::format("{}/{:016x}.json", folder, hash);
-}
+// The file has the whole path.
+std::string kept_file(const std::string& folder, const std::string& name) { return named_by(folder, name, "json"); }
 
 std::vector<double> numbers_of(const Json& json, const char* name) {
     std::vector<double> numbers;

@@ -1,13 +1,12 @@
 #include "src/app/desktop/thumbnails.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 
+#include "src/app/desktop/named_by.h"
 #include "src/content/replace.h"
 
 namespace snell {
@@ -19,13 +18,6 @@ namespace fs = std::filesystem;
 constexpr int most_pixels = 160;                // on a side
 constexpr std::uintmax_t most_bytes = 1 << 20;  // of a file: far more than such a picture has
 
-// FNV-1a, which is the same in every run.
-std::uint64_t hash_of_path(std::string_view text) {
-    std::uint64_t hash = 14695981039346656037U;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    return hash;
-}
-
 }  // namespace
 
 std::string thumbnails_folder() {
@@ -36,7 +28,7 @@ std::string thumbnails_folder() {
 }
 
 std::string thumbnail_file(const std::string& folder, const std::string& scene) {
-    return fmt::format("{}/{:016x}.png", folder, hash_of_path(scene));
+    return named_by(folder, scene, "png");
 }
 
 void keep_thumbnail(const std::string& folder, const std::string& scene, const content::Image& picture,

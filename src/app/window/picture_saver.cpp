@@ -36,7 +36,6 @@ Picture wanted(const Picture& shown, const ui::PictureMemory& picture) {
 
 // A sequence of one whole period of the slowest slider repeats without a jump.
 void offer_period(const std::vector<Animated>& animated, ui::PictureMemory& picture) {
-    picture.sequence = true;
     picture.from = 0;
     picture.to = std::ranges::max(animated, {}, &Animated::period).period;
 }
@@ -75,7 +74,7 @@ void PictureSaver::serve(const ui::Requests& requests, const Document& document,
             return;
         case ui::PictureRequest::open:
             fill(document, shown, picture);
-            if (memory.animating() && !picture.sequence) offer_period(memory.animated, picture);
+            if (memory.animating() && picture.sequence) offer_period(memory.animated, picture);
             picture.open = true;
             return;
         case ui::PictureRequest::command: {

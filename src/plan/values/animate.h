@@ -27,7 +27,7 @@ struct Animated {
 Animated animated_from(const Control& control, std::size_t component, double period, double time);
 // Sets the values of this time. Motions whose control does not exist any more end.
 void animate(Controls& controls, std::vector<Animated>& animated, double time);
-// Ends the motion of a component, or with `all` of all controls of its program.
+// stop() ends the motion of a component, stop_all() those of a program.
 void stop(std::vector<Animated>& animated, const Control& control, std::size_t component);
 void stop_all(std::vector<Animated>& animated, Index program);
 

@@ -48,15 +48,12 @@ void swatch(double* value, std::size_t count, const double* initial) {
                            {side, side}))
         ImGui::OpenPopup("picker");
     tip("Click to pick a colour");
-    const Rect box{at.x, at.y, side, side};
     ImGui::SetNextWindowPos({at.x, at.y + side + ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Appearing);
-    if (ImGui::BeginPopup("picker")) {
-        kit().opener = box;
-        pick(value, count, initial);
-        ImGui::EndPopup();
-    } else if (kit().opener == box) {
-        kit().opener = {};
-    }
+    const bool open = ImGui::BeginPopup("picker");
+    note_opener({at.x, at.y, side, side}, open);
+    if (!open) return;
+    pick(value, count, initial);
+    ImGui::EndPopup();
 }
 
 }  // namespace

@@ -141,13 +141,6 @@ bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value
 
 namespace {
 
-// Rounds to a hundredth of a step, so that numbers that are dragged to are short and 0 can be reached again.
-double rounded(double value, double step) {
-    const double scale = std::pow(10, -std::floor(std::log10(step / 100)));
-    const double result = std::round(value * scale) / scale;
-    return std::isfinite(result) ? result : value;
-}
-
 // Returns the value that the mouse or the keyboard has moved the number to.
 double moved(double value, ImGuiID id, const NumberStyle& style, bool held) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -158,7 +151,7 @@ double moved(double value, ImGuiID id, const NumberStyle& style, bool held) {
     if (const double steps = key_steps(id); steps != 0)
         exact += style.integral ? std::copysign(std::max(1., std::abs(steps)), steps) : steps * style.speed;
     if (exact == before) return value;
-    return style.integral ? std::round(exact) : rounded(exact, style.speed);
+    return style.integral ? std::round(exact) : tidy_step(exact, style.speed);
 }
 
 void draw_number(const ImRect& box, double value, const NumberStyle& style, bool hovered, bool held) {
@@ -195,7 +188,7 @@ bool number_field(const char* label, double& value, double initial, float width,
     draw_number(box, value, style, hovered, held);
     draw_focus(box, id);
     if (edited == value) return false;
-    const std::optional<double> valid = typed(exact(edited), style.integral);
+    const std::optional<double> valid = fitting(edited, style.integral);
     if (!valid || *valid == value) return false;
     value = *valid;
     return true;

@@ -20,7 +20,7 @@ double key_steps(ImGuiID id);
 void type_number(ImGuiID id, double value);
 bool is_typed(ImGuiID id);
 // Draws the field in place of the widget. Returns true if the user entered another number: with Enter, with Tab, or by
-// leaving the field. What is no number keeps the field open, or leaves the value as it was.
+// leaving the field. A text that is not a number keeps the field open, or leaves the value as it was.
 bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, bool integral);
 
 struct NumberStyle {

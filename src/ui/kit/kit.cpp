@@ -131,6 +131,13 @@ void end_kit() {
         draw(kit.tip, false, palette().text);
 }
 
+void note_opener(const Rect& box, bool open) {
+    if (open)
+        kit().opener = box;
+    else if (kit().opener == box)
+        kit().opener = {};
+}
+
 double tip_due() {
     const Tip& tip = kit().tip;
     if (tip.item == Rect{} || tip.shown || tip.quiet) return std::numeric_limits<double>::infinity();

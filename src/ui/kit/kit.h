@@ -46,7 +46,7 @@ struct Kit {
     Tip tip;             // what the pointer rests on
     Tip next_tip;        // the same in this frame
     Tip remark;          // why a typed text was not applied; shown until the next press
-    Rect opener;         // the button that opened the drop-down
+    Rect opener;         // the button that opened the drop-down, menu or picker
     double dragged = 0;  // the number that is being dragged, before rounding
 };
 
@@ -56,6 +56,9 @@ Kit& kit();
 // Call before and after the widgets of a frame; the first one before Dear ImGui's frame begins.
 void begin_kit();
 void end_kit();
+// Tells in every frame whether what the button in this box opens is open. A press on the button closes it, and must not
+// open it again.
+void note_opener(const Rect& box, bool open);
 // Seconds until the tooltip is due; infinite if none is.
 double tip_due();
 

@@ -38,6 +38,12 @@ double tidy_relative(double value, double min, double max, bool fine) {
     return std::clamp(read_back(value, "{:.{}e}", value, fine ? 5 : 3), min, max);
 }
 
+double tidy_step(double value, double step) {
+    const double scale = std::pow(10, -std::floor(std::log10(step / 100)));
+    const double result = std::round(value * scale) / scale;
+    return std::isfinite(result) ? result : value;
+}
+
 double tidy_color(double value) {
     const auto decimals = [&](int count) { return read_back(value, "{:.{}f}", value, count); };
     if (!(value >= 0 && value <= 1)) return decimals(3);
@@ -143,16 +149,18 @@ std::optional<double> evaluated(std::string_view text) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<double> typed(std::string_view text, bool integral) {
-    const std::optional<double> found = evaluated(text);
-    if (!found) return std::nullopt;
-    double value = *found;
+std::optional<double> fitting(double value, bool integral) {
     if (integral) {
         value = std::round(value);
         if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max()) return std::nullopt;
     }
-    if (std::abs(value) > std::numeric_limits<float>::max()) return std::nullopt;
+    if (!(std::abs(value) <= std::numeric_limits<float>::max())) return std::nullopt;
     return value;
+}
+
+std::optional<double> typed(std::string_view text, bool integral) {
+    const std::optional<double> found = evaluated(text);
+    return found ? fitting(*found, integral) : std::nullopt;
 }
 
 }  // namespace snell::ui

@@ -14,7 +14,9 @@ struct Palette {
     ImVec4 popup, hovered, pressed, header, header_hovered, header_pressed, grab;
     ImVec4 error_text, warning_text;  // for text on the panel
     // For messages over the picture. Borders and buttons are translucent.
-    ImVec4 problem_background, problem_text, problem_border, problem_button, problem_hovered, problem_pressed;
+    ImVec4 problem_background, problem_text;
+    ImVec4 problem_border{1, 1, 1, .5F}, problem_button{1, 1, 1, .12F};
+    ImVec4 problem_hovered{1, 1, 1, .18F}, problem_pressed{1, 1, 1, .22F};
     ImVec4 error, warning, link;
 };
 const Palette& palette_of(Theme theme);

@@ -163,11 +163,7 @@ bool begin_combo(const char* id, const char* chosen) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
     const bool open = ImGui::BeginCombo(id, chosen);
-    // A press on the button itself closes the list, and must not open it again.
-    if (open)
-        kit().opener = box;
-    else if (kit().opener == box)
-        kit().opener = {};
+    note_opener(box, open);
     return open;
 }
 

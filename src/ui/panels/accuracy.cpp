@@ -24,8 +24,8 @@ constexpr const char* error_meaning =
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
 // Draws dimmed text at the right end of the line, if there is room.
-void remark(const std::string& text) {
-    const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;
+void remark(const Text& text) {
+    const float right = ImGui::GetContentRegionMax().x - width_of(text.view());
     ImGui::SameLine();
     if (ImGui::GetCursorPosX() > right) return ImGui::NewLine();
     ImGui::SetCursorPosX(right);
@@ -50,14 +50,13 @@ void figures(const Facts& all, Layout& layout) {
         ImGui::PopTextWrapPos();
         return;
     }
-    ImGui::TextUnformatted(facts.samples > 0 ? fmt::format("error {} of white", error_text(facts.error)).c_str()
-                                             : "\u2026");
-    if (facts.samples > 0) tip(error_tip(facts));
+    ImGui::TextUnformatted(facts.samples > 0 ? Text("error {} of white", error_text(facts.error)).c_str() : "\u2026");
+    if (facts.samples > 0 && ImGui::IsItemHovered()) tip(error_tip(facts));
     layout.note("accuracy.error");
-    remark(fmt::format("{} of {} samples per pixel", facts.samples, facts.wanted));
+    remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
-        fitted(fmt::format("{} pixels are NaN or infinite", facts.nonfinite), ImGui::GetContentRegionAvail().x);
+        fitted(Text("{} pixels are NaN or infinite", facts.nonfinite).view(), ImGui::GetContentRegionAvail().x);
         ImGui::PopStyleColor();
     }
 }
@@ -101,11 +100,12 @@ Text rung_text(const std::string& rung, bool reference) {
     return shortened(Text("{}{}", rung, reference ? " = reference" : "").view(), ImGui::GetContentRegionAvail().x);
 }
 
-void heading(const char* name, const std::string& what, Layout& layout) {
+// Returns true if the pointer is over it.
+bool heading(const char* name, Layout& layout) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", shortened(name, ImGui::GetContentRegionAvail().x).c_str());
-    tip(what);
     layout.note("accuracy.heading", name);
+    return ImGui::IsItemHovered();
 }
 
 // Lists the rungs with their measured values; a click chooses one.
@@ -114,10 +114,10 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
     ImGui::TableSetupColumn("", 0, 2);
     ImGui::TableSetupColumn("", 0, 1.2F);
     ImGui::TableSetupColumn("", 0, 1);
-    heading("rung", "A click chooses the rung.", layout);
-    heading("ms/sample", fmt::format("Median {} of drawing one sample per pixel, to compare rungs.", facts.clock),
-            layout);
-    heading("error", fmt::format("{}.", error_meaning), layout);
+    if (heading("rung", layout)) tip("A click chooses the rung.");
+    if (heading("ms/sample", layout))
+        tip(Text("Median {} of drawing one sample per pixel, to compare rungs.", facts.clock).view());
+    if (heading("error", layout)) tip(Text("{}.", error_meaning).view());
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
         const auto point = std::ranges::find(facts.points, std::optional(i), &AccuracyPoint::rung);
         const bool known = point != facts.points.end();
@@ -127,7 +127,7 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
                               ImGuiSelectableFlags_SpanAllColumns))
             chosen = i;
         layout.note("accuracy.rung", ladder.rungs[i]);
-        if (known && point->standing != AccuracyPoint::Standing::visited) tip(standing_text(*point));
+        if (known && ImGui::IsItemHovered()) tip(standing_text(*point));
         ImGui::TableNextColumn();
         if (known && point->milliseconds > 0) {
             const std::string text = milliseconds_text(point->milliseconds);
@@ -137,14 +137,6 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
         if (known) ImGui::TextUnformatted(error_text(point->error).c_str());
     }
     ImGui::EndTable();
-}
-
-// Plots the ladder that was changed since the last frame.
-void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
-    if (memory.rungs == rungs) return;
-    if (memory.rungs.size() == rungs.size())
-        memory.ladder = static_cast<std::size_t>(std::ranges::mismatch(rungs, memory.rungs).in1 - rungs.begin());
-    memory.rungs = rungs;
 }
 
 // Draws the choice of the plotted ladder and the button that measures it. Returns true if the button was clicked.
@@ -227,10 +219,16 @@ Heat heat(double fraction) {
     return {mix(&Heat::red), mix(&Heat::green), mix(&Heat::blue)};
 }
 
+void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
+    if (memory.rungs == rungs) return;
+    if (memory.rungs.size() == rungs.size())
+        memory.ladder = static_cast<std::size_t>(std::ranges::mismatch(rungs, memory.rungs).in1 - rungs.begin());
+    memory.rungs = rungs;
+}
+
 bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Layout& layout) {
     const std::vector<Ladder>& ladders = facts.scene->ladders;
     if (ladders.empty() || controls.rungs.size() != ladders.size()) return false;
-    follow_ladder(controls.rungs, memory);
     ImGui::SetNextItemOpen(memory.open);
     memory.open = ImGui::CollapsingHeader("Accuracy");
     layout.note("accuracy");

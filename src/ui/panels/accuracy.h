@@ -64,6 +64,8 @@ struct Heat {
 };
 Heat heat(double fraction);
 
+// Plots the ladder that was changed since the last frame. Call it in every frame, whether the panel is in sight or not.
+void follow_ladder(const Rungs& rungs, AccuracyMemory& memory);
 // Draws the panel. Returns true if the user starts measuring all rungs of the plotted ladder, or stops it while it
 // runs.
 bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Layout& layout);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
@@ -55,8 +56,8 @@ struct Plot {
     float floor_top() const { return floor - ImGui::GetFontSize() * 1.1F; }
 };
 
-void text_at(ImDrawList& list, ImVec2 at, ImVec4 color, const std::string& text) {
-    list.AddText(at, pack(color), text.c_str());
+void text_at(ImDrawList& list, ImVec2 at, ImVec4 color, std::string_view text) {
+    list.AddText(at, pack(color), text.data(), text.data() + text.size());
 }
 
 void axes(ImDrawList& list, const Plot& plot) {

@@ -19,11 +19,6 @@ namespace {
 
 constexpr const char* title = "Open a scene";
 
-bool contains(std::string_view text, std::string_view part) {
-    return std::search(text.begin(), text.end(), part.begin(), part.end(),
-                       [](char a, char b) { return lower(a) == lower(b); }) != text.end();
-}
-
 bool is_path(std::string_view typed) {
     return typed.find('/') != std::string_view::npos || typed.starts_with('~') || typed == "..";
 }

@@ -94,8 +94,8 @@ double rows(std::span<const CostRow> costs, Layout& layout) {
 
 void last_picture(const Facts& facts, Layout& layout) {
     ImGui::TextUnformatted(Text("last picture {:.1f} ms", facts.frame_ms).c_str());
-    tip("The time from the start of drawing the window's picture to its end, which is also\nin the status line; a "
-        "scene's first picture waits for the driver's compiler.");
+    tip("The time from the start of drawing the window's picture to its end, which is also\nin the status line; the "
+        "first after a load or a change of rungs waits\nfor the driver's compiler.");
     layout.note("last picture");
 }
 

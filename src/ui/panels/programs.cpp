@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 
+#include "parser/text/words.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/panels.h"
@@ -18,14 +19,7 @@ bool is_shown(const Control& control) { return control.type != ValueType::sample
 
 bool sliding(const Control& control) { return control.listed && control.widget != Widget::none; }
 
-// True if the name contains the filter's text, in any case.
-bool passes(const Control& control, const Memory& memory) {
-    const std::string_view wanted = memory.filter.data();
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    const auto same = [&](char a, char b) { return lower(a) == lower(b); };
-    const std::string& name = control.name;
-    return wanted.empty() || std::search(name.begin(), name.end(), wanted.begin(), wanted.end(), same) != name.end();
-}
+bool passes(const Control& control, const Memory& memory) { return contains(control.name, memory.filter.data()); }
 
 template <typename Chosen>
 void rows(Controls& controls, Index program, const Section& section, Chosen chosen) {
@@ -56,9 +50,9 @@ bool header(Controls& controls, Index index, const Section& section, bool open_a
     const bool filtered = section.memory.filter[0] != '\0';
     ImGui::SetNextItemOpen(open_at_first || filtered, ImGuiCond_Once);
     const std::string& name = section.program.name;
-    const float button = width_of("Reset all") + 2 * ImGui::GetStyle().FramePadding.x;
+    const float button = button_width("Reset all");
     const float right = ImGui::GetContentRegionMax().x - button - ImGui::GetStyle().FramePadding.x * .5F;
-    Text title = shortened(name.empty() ? "Program" : name,
+    Text title = shortened(name.empty() ? std::string_view("Program") : name,
                            ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight() - button);
     const bool whole = name.empty() || title == name;
     const bool open = ImGui::CollapsingHeader(title.append(filtered ? "###found" : "###program").c_str(),

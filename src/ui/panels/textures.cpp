@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
@@ -167,7 +166,7 @@ TexturePart texture_part(const TextureMemory& memory, int width, int height) {
 void textures_section(const Facts& facts, Memory& memory, Layout& layout) {
     TextureMemory& textures = memory.textures;
     textures.inspecting = false;
-    textures.open = textures.seen = section("Textures", memory.open, layout, "textures");
+    textures.open = section("Textures", memory.open, layout, "textures");
     if (!textures.open || !facts.textures) return;
     const TextureFacts& shown = *facts.textures;
     if (shown.rows.empty()) return wrapped("The scene has no textures.", true);
@@ -188,7 +187,6 @@ void textures_section(const Facts& facts, Memory& memory, Layout& layout) {
 }
 
 void texel_inspector(const Facts& facts, TextureMemory& memory, const Fonts& fonts, Layout& layout) {
-    if (!std::exchange(memory.seen, false)) memory.open = memory.inspecting = false;  // the panel is hidden
     if (!memory.inspecting || !facts.textures) return;
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     inspector(facts.textures->texel, {0, 0, all.x, all.y}, fonts, layout);

@@ -34,8 +34,8 @@ struct TextureFacts {
 };
 
 struct TextureMemory {
-    bool open = false, seen = false;  // seen: in this frame
-    std::string chosen;               // TextureRow::name
+    bool open = false;   // in sight
+    std::string chosen;  // TextureRow::name
     int level = 0, slice = 0;
     int channel = -1;              // 0 to 3: red, green, blue, alpha; -1: the first three
     double low = 0, high = 1;      // the values shown as black and white, of textures of floats

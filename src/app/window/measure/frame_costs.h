@@ -31,7 +31,7 @@ public:
     bool wants_picture() const { return open_ && frames_.size() == 1; }
     // Call it before drawing a picture of the document with this revision. Returns the function for Frame::after.
     const std::function<void(const Step&)>* begin(std::uint64_t revision);
-    // Call it after the picture was drawn and the GPU has finished, which took so long.
+    // Call it after the picture was drawn and the GPU has finished. `milliseconds` is its time.
     void end(double milliseconds);
 
     // Starts or stops measuring passes and draws, in additional frames.

@@ -84,11 +84,10 @@ bool TextureView::follow(const Document& shown, std::uint64_t revision, std::uin
         source.noise ? shown.runtime->noise(source.noise) : shown.runtime->texture(source.texture);
     if (!held) return fresh;
     facts_.levels = held->levels;
-    facts_.slices = held->plane.target == GL_TEXTURE_3D ? held->plane.size[2] : 1;
     facts_.floats = are_floats(held->pixels);
     gl::Plane& plane = held->plane;
     plane.level = std::clamp(wanted.level, 0, facts_.levels - 1);
-    if (plane.target == GL_TEXTURE_3D) facts_.slices = plane.along(2);
+    facts_.slices = plane.target == GL_TEXTURE_3D ? plane.along(2) : 1;
     plane.slice = std::clamp(wanted.slice, 0, facts_.slices - 1);
     fresh |= std::exchange(facts_.width, plane.width()) != plane.width();
     fresh |= std::exchange(facts_.height, plane.height()) != plane.height();
@@ -151,7 +150,7 @@ bool TextureView::draw(const gl::Plane& plane, const Shown& shown, const ui::Mem
     look.flags = memory.pixels.flags;
     look.marks = marks();
     Drawn now{shown, look, width, height};
-    if (facts_.picture && now == drawn_) return false;
+    if (now == drawn_) return false;
     drawn_ = now;
     facts_.picture = viewer_->draw(plane, look, width, height) ? viewer_->picture() : 0;
     ++facts_.drawn;
@@ -193,14 +192,14 @@ bool TextureView::count(const gl::Plane& plane, const Shown& shown, bool wanted)
     if (counted_ == shown) return false;
     counted_ = shown;
     FlagCounts counts;
+    std::vector<float> rgba;
     const int rows = std::clamp(strip / plane.width(), 1, plane.height());
     for (int top = 0; facts_.floats && top < plane.height(); top += rows) {
         ++facts_.read;
-        if (!viewer_->read(plane, 0, top, plane.width(), std::min(rows, plane.height() - top), rgba_)) break;
-        const FlagCounts more = count_flags(rgba_);
+        if (!viewer_->read(plane, 0, top, plane.width(), std::min(rows, plane.height() - top), rgba)) break;
+        const FlagCounts more = count_flags(rgba);
         for (std::size_t i = 0; i < flag_count; ++i) counts.pixels[i] += more.pixels[i];
     }
-    rgba_ = {};
     facts_.texel.flags = counts;
     return true;
 }

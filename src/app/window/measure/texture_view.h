@@ -65,7 +65,6 @@ private:
     Drawn drawn_;
     std::optional<Shown> looked_, counted_;
     Inspection found_;
-    std::vector<float> rgba_;
     ui::TextureFacts facts_;
 };
 
