@@ -16,7 +16,7 @@ void Interface::begin_scene() {
     ui::Memory fresh;
     carry_looks(memory_, fresh);
     memory_ = std::move(fresh);
-    view_ = {.axes = view_.axes};
+    view_ = {};
 }
 
 void Interface::start() { framed_ = ticked_ = window_.now(); }

@@ -62,6 +62,7 @@ protected:
     std::string press(const std::string& button) {
         std::string words = place() + " mousedown " + button;
         for (int i = below(4); i >= 0; --i) words += " sleep .01 " + place();
+        if (below(3) == 0) words += std::string(" key ") + one_of<const char*>({"ctrl+z", "ctrl+y"}) + " " + place();
         return words + " mouseup " + button;
     }
     // Words of xdotool. No key opens another scene, saves the scene or closes the window.
