@@ -403,6 +403,28 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_FALSE(state()["widgets"].contains("save as save"));
 }
 
+TEST_F(Past, SaveAsHandsOnAValueThatIsGoneForAWhile) {
+    open("one.glib");
+    slide(.75);
+    const double slid = red();
+    save("paint.frag", fragment("uRose"));
+    save("one.glib", scene("uRose"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
+    settle();
+    press("ctrl+shift+s");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    user("key ctrl+a");
+    user("type --delay 8 three");
+    press("Return");
+    ASSERT_TRUE(wait([&](const json& s) { return s["file"] == file("three.glib"); }));
+    settle();
+    save("paint.frag", fragment("uRed"));
+    save("three.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }));
+    settle();
+    EXPECT_EQ(red(), slid);
+}
+
 TEST_F(Past, AxesAreOffForAFlatPictureAndAsTheyWereLeft) {
     save("two.glib", scene("uRed", "QuadXY 0. 1.\n"));
     open("one.glib");

@@ -290,8 +290,7 @@ std::string History::apply_values(const Step& step, const UserState& state, bool
 }
 
 History& Histories::use(const std::string& scene) {
-    const auto found = std::ranges::find(
-        used_, scene, [](const auto& history) -> auto& { return history.first; });
+    const auto found = std::ranges::find(used_, scene, &std::pair<std::string, History>::first);
     if (found == used_.end())
         used_.emplace_front(scene, History{});
     else

@@ -9,7 +9,7 @@
 namespace snell {
 
 Interface::Interface(Window& window, bool listening) : window_(window), gui_(&window), layout_(listening) {
-    view_.axes = true;
+    view_.axes = true;  // for a window that loses its context before a scene could be read
 }
 
 void Interface::begin_scene() {

@@ -88,7 +88,7 @@ private:
     Plan plan_, read_plan_;  // of shown_; of the last reading
     bool drawn_well_ = false;
     std::string by_hand_;
-    bool recovering_ = false;  // until the scene is read, whose values are those of by_hand_, and else as written
+    bool recovering_ = false;  // until the scene is read: values that are not in by_hand_ are those of the text
     Remembered memory_;        // values that shown_ does not have, and those with which it began
     bool hold_values_ = false;
     Rungs first_rungs_;
