@@ -160,8 +160,10 @@ void keep_keys(const Facts& facts, Requests& requests) {
     if (!facts.scene) return;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl && pressed(Key::s)) (io.KeyShift ? requests.save_as : requests.save) = true;
-    if (io.KeyCtrl && pressed(Key::z, true)) (io.KeyShift ? requests.redo : requests.undo) = true;
-    if (io.KeyCtrl && pressed(Key::y, true)) requests.redo = true;
+    if (io.KeyCtrl && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) {  // a gesture would lose its beginning
+        if (pressed(Key::z, true)) (io.KeyShift ? requests.redo : requests.undo) = true;
+        if (pressed(Key::y, true)) requests.redo = true;
+    }
     for (int number = 1; number <= snapshot_count; ++number) {
         if (!pressed(static_cast<Key>(static_cast<int>(Key::one) + number - 1))) continue;
         (io.KeyCtrl ? requests.store_snapshot : requests.restore_snapshot) = number;

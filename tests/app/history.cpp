@@ -142,6 +142,68 @@ TEST_F(Undo, TimeAndMouseAreNoSteps) {
     EXPECT_EQ(view_.mouse_x, .75) << "the mouse is where it is";
 }
 
+TEST_F(Undo, WhatMovesByItselfIsAStepWhenItEnds) {
+    const std::vector<Animated> moving{{0, "uEta"}};
+    const auto frame = [&] {
+        value(0) += .1;
+        return history_.follow(scene_, controls_, view_, {false, ++presses_, now_ += 1, moving});
+    };
+    const auto undo_meanwhile = [&] {
+        UserState now = state();
+        now.moving = moving;
+        return history_.undo(now);
+    };
+    EXPECT_FALSE(frame()) << "the motion alone is no step";
+    value(1) = 1.5;
+    EXPECT_TRUE(frame()) << "other changes are, at once";
+    view_.scene.scale = 2;
+    EXPECT_TRUE(frame());
+    EXPECT_FALSE(frame());
+    EXPECT_EQ(undo_meanwhile(), "undo: view");
+    EXPECT_FALSE(frame());
+    EXPECT_EQ(undo_meanwhile(), "undo: Glass.uMix 1.5 \u2192 0.5");
+    EXPECT_FALSE(frame());
+    EXPECT_EQ(history_.redo({scene_, controls_, view_, [] {}, moving}), "redo: Glass.uMix 0.5 \u2192 1.5");
+    value(0) = 1.8;
+    EXPECT_TRUE(step()) << "the motion has ended";
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1.8 \u2192 0.5") << "all of it";
+    EXPECT_EQ(value(1), 1.5);
+    EXPECT_EQ(undo(), "undo: Glass.uMix 1.5 \u2192 0.5");
+    EXPECT_EQ(undo(), "nothing to undo");
+}
+
+TEST_F(Undo, AMotionOutlivesEditsOfTheText) {
+    const std::vector<Animated> moving{{0, "uMix"}};
+    value(1) = .7;
+    history_.follow(scene_, controls_, view_, {.moving = moving});
+    edit(scene({"uNew", "uMix"}));
+    value(1) = .9;
+    EXPECT_FALSE(history_.follow(scene_, controls_, view_, {.moving = moving}));
+    EXPECT_TRUE(step());
+    EXPECT_EQ(undo(), "undo: Glass.uMix 0.9 \u2192 0.5");
+}
+
+TEST_F(Undo, TheHistoriesThatWereUsedLastAreKept) {
+    Histories histories;
+    const auto steps = [&](const std::string& name) { return histories.use(name).size(); };
+    for (char name = 'z'; name > 'z' - static_cast<char>(Histories::most); --name)
+        histories.use(std::string(1, name)).add(1, {});
+    EXPECT_EQ(steps("z"), 1U) << "it was used first, and is again";
+    histories.use("a");
+    EXPECT_EQ(steps("z"), 1U);
+    EXPECT_EQ(steps("y"), 0U) << "not used for the longest time";
+}
+
+TEST_F(Undo, TheMouseMovesNoGesture) {
+    view_.mouse_x = .1;
+    view_.scene.scale = 2;
+    same_gesture();
+    view_.mouse_x = .2;
+    view_.scene.scale = 1;
+    same_gesture();
+    EXPECT_EQ(history_.size(), 0U);
+}
+
 TEST_F(Undo, ACheckBoxIsOnOrOff) {
     controls_.items[1].widget = Widget::check_box;
     value(1) = 0;

@@ -106,6 +106,15 @@ TEST_F(KeptScenes, TheOldestOfTooManyGo) {
     EXPECT_EQ(read_kept(folder_, scenes[8]), KeptScene{});
 }
 
+TEST_F(KeptScenes, ReadingOneCountsAsUse) {
+    const std::string one = scene("one.glib");
+    write_kept(folder_, one, some());
+    const auto old = fs::file_time_type::clock::now() - std::chrono::hours(24);
+    fs::last_write_time(file(), old);
+    EXPECT_EQ(read_kept(folder_, one), some());
+    EXPECT_GT(fs::last_write_time(file()), old + std::chrono::hours(23));
+}
+
 TEST_F(KeptScenes, TooMuchOfOneSceneIsNotKept) {
     const std::string one = scene("one.glib");
     write_kept(folder_, one, some());

@@ -130,6 +130,67 @@ TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
     EXPECT_EQ(notice(), "nothing to undo");
 }
 
+TEST_F(Past, OtherChangesAreStepsWhileASliderMoves) {
+    open("one.glib");
+    click("uGreen.name", .5, 3);
+    click("uGreen.animate", .1);
+    user("key Escape");
+    const auto green = [](const json& s) { return s["controls"]["Paint.uGreen"][0].get<double>(); };
+    ASSERT_TRUE(wait([&](const json& s) { return green(s) > .5; }));
+    slide(.75);
+    const double slid = red();
+    ASSERT_NE(slid, .2);
+    EXPECT_EQ(state()["undo"], 1);
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; }));
+    const double then = green(state());
+    EXPECT_TRUE(wait([&](const json& s) { return green(s) != then; })) << "the motion continues";
+    EXPECT_NE(then, .4);
+    user("key ctrl+y");
+    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == slid; }));
+    end_window();
+    open("one.glib");
+    EXPECT_EQ(red(), slid);
+    EXPECT_NE(green(state()), .4) << "the motion ended with the window";
+}
+
+TEST_F(Past, UndoWaitsForTheEndOfADrag) {
+    open("one.glib");
+    slide(.5);
+    const double half = red();
+    const auto [x, y] = on("Paint.uRed", half);
+    const auto [to, same] = on("Paint.uRed", .9);
+    const std::string at = " " + std::to_string(y);
+    user("mousemove " + std::to_string(x) + at + " mousedown 1 sleep .1 mousemove " + std::to_string(to) + at +
+         " sleep .1 key ctrl+z sleep .1 mousemove " + std::to_string(to + 1) + at + " sleep .1 mouseup 1");
+    settle();
+    EXPECT_EQ(state()["undo"], 2) << notice();
+    press("ctrl+z");
+    EXPECT_EQ(red(), half);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2);
+}
+
+TEST_F(Past, AValueThatIsGoneForAWhileOutlivesALoss) {
+    open("one.glib", {"--lose-file", file("lose")});
+    slide(.75);
+    const double slid = red();
+    save("paint.frag", fragment("uRose"));
+    save("one.glib", scene("uRose"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
+    settle();
+    save("lose", "");
+    turn();
+    ASSERT_TRUE(
+        wait([](const json& s) { return s["problems"].get<std::string>().find("context") != std::string::npos; }));
+    settle();
+    save("paint.frag", fragment("uRed"));
+    save("one.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }, 20));
+    settle();
+    EXPECT_EQ(red(), slid);
+}
+
 TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     open("one.glib");
     slide(.75);
@@ -286,6 +347,25 @@ TEST_F(Past, AReplacedSnapshotComesBack) {
     EXPECT_EQ(red(), .2);
     press("ctrl+z");
     EXPECT_NE(red(), .2) << "recalling it is a step, too";
+    const auto button = [&] {
+        const Picture picture = look();
+        const std::array<double, 4> at = state()["widgets"]["snapshot 1"];
+        std::vector<Pixel> pixels;
+        for (int y = 0; y < static_cast<int>(at[3]); ++y)
+            for (int x = 0; x < static_cast<int>(at[2]); ++x) pixels.push_back(picture.at(at[0] + x, at[1] + y));
+        return pixels;
+    };
+    user("mousemove 1 1");
+    settle();
+    const auto lit = button();
+    press("ctrl+z");
+    ASSERT_EQ(notice().find("undo: Paint.uRed"), 0U);
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "undo: snapshot 1");
+    EXPECT_FALSE(std::filesystem::exists(file("one.snapshots.json")));
+    EXPECT_FALSE(button() == lit) << "its button is as before it was stored";
+    press("ctrl+y");
+    EXPECT_TRUE(button() == lit);
 }
 
 TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
@@ -309,6 +389,7 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_EQ(bytes("one.glib"), text);
     EXPECT_EQ(red(), slid);
     EXPECT_EQ(view(), turned);
+    EXPECT_EQ(notice(), "saved as two.glib");
     EXPECT_EQ(title().find("\u2022"), std::string::npos) << "everything is saved";
     EXPECT_EQ(state()["errors"], 0);
     press("ctrl+shift+s");
@@ -320,6 +401,28 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_FALSE(std::filesystem::exists(file("other/three.glib")));
     press("Escape");
     EXPECT_FALSE(state()["widgets"].contains("save as save"));
+}
+
+TEST_F(Past, SaveAsHandsOnAValueThatIsGoneForAWhile) {
+    open("one.glib");
+    slide(.75);
+    const double slid = red();
+    save("paint.frag", fragment("uRose"));
+    save("one.glib", scene("uRose"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
+    settle();
+    press("ctrl+shift+s");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    user("key ctrl+a");
+    user("type --delay 8 three");
+    press("Return");
+    ASSERT_TRUE(wait([&](const json& s) { return s["file"] == file("three.glib"); }));
+    settle();
+    save("paint.frag", fragment("uRed"));
+    save("three.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }));
+    settle();
+    EXPECT_EQ(red(), slid);
 }
 
 TEST_F(Past, AxesAreOffForAFlatPictureAndAsTheyWereLeft) {

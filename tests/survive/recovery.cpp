@@ -100,6 +100,23 @@ TEST_F(SessionRecovery, WhereNothingWasDrawnNothingIsShown) {
     EXPECT_TRUE(near(shown(session), red));
 }
 
+TEST_F(SessionRecovery, ItsValuesWinOverThoseThatWereKept) {
+    Remembered memory;
+    memory.values["P.uA"] = {{.25}, {1}, 0, 1, 0, 1};
+    memory.values["P.uGone"] = {{.75}, {.5}, 0, 1, 0, 1};
+    Recovery recovery;
+    Session session(scene(), caps, {}, nullptr, nullptr, &recovery, memory);
+    session.reload();
+    ASSERT_TRUE(session.document());
+    EXPECT_EQ(session.document()->controls.find(0, "uA")->value[0], 1) << "it was as written";
+    folder.write("p.frag", "uniform float uA, uGone;\nvoid main() { gl_FragColor = vec4(uA, uGone, 0., 1.); }\n");
+    folder.write("s.glib",
+                 "Ortho -1 1 -1 1\nFragment p.frag\nProgram P uA <0. 1. 1.> uGone <0. .5 1.>\nQuadXY 0. 9.\n");
+    session.reload();
+    EXPECT_EQ(session.document()->controls.find(0, "uA")->value[0], 1);
+    EXPECT_EQ(session.document()->controls.find(0, "uGone")->value[0], .75) << "it was not in the scene";
+}
+
 // A window that was started again has the text alone.
 class SessionRestart : public SessionRecovery {
 protected:

@@ -86,6 +86,21 @@ TEST_F(UiKeep, UndoAndRedoHaveTheirKeysAndFieldsHaveTheirOwn) {
     EXPECT_FALSE(pressed(Key::z, {.ctrl = true}).undo) << "a number is being typed";
 }
 
+TEST_F(UiKeep, UndoWaitsUntilNoButtonIsDown) {
+    add_slider("uEta", .1, 1.1, 5);
+    const Rect track = place("Glass.uEta");
+    for (const Rect& at : {track, Rect{300, 300, 2, 2}}) {
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        frame({button(true)});
+        frame({move(at.x + at.width / 3, at.y + at.height / 2)});
+        EXPECT_FALSE(pressed(Key::z, {.ctrl = true}).undo);
+        EXPECT_FALSE(pressed(Key::y, {.ctrl = true}).redo);
+        frame({button(false)});
+        frame();
+        EXPECT_TRUE(pressed(Key::z, {.ctrl = true}).undo);
+    }
+}
+
 TEST_F(UiKeep, TheNameOfAnotherSceneIsAskedFor) {
     open_save_as(memory_.save_as, "room.glib");
     frame();

@@ -105,6 +105,8 @@ KeptScene read_kept(const std::string& folder, const std::string& scene) {
     if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > most_kept_bytes || error) return kept;
     const Json json = content::parse_json(content::whole_file(file));
     if (!json.is_object() || text_at(json, "scene") != utf8::printable(name)) return kept;
+    // An error is ignored: the file may only be removed earlier than others.
+    fs::last_write_time(file, fs::file_time_type::clock::now(), error);
     kept.view = text_at(json, "view");
     if (const auto axes = json.find("axes"); axes != json.end() && axes->is_boolean()) kept.axes = axes->get<bool>();
     for (const auto& [index, object] : object_at(json, "objects").items()) {

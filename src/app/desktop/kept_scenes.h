@@ -27,10 +27,10 @@ std::string kept_folder(const std::string& settings);
 // The scene's path without links, by which it is kept.
 std::string kept_name(const std::string& scene);
 
-// Returns nothing if the scene was not kept, or its file is damaged or too large.
+// Returns nothing if the scene was not kept, or its file is damaged or too large. Its file then counts as used now.
 KeptScene read_kept(const std::string& folder, const std::string& scene);
-// Replaces what is kept of the scene, and removes the files of those that were not open for the longest time. Returns
-// "" or the error.
+// Replaces what is kept of the scene, and removes the files of those that were not opened or changed for the longest
+// time. Returns "" or the error.
 std::string write_kept(const std::string& folder, const std::string& scene, const KeptScene& kept);
 
 }  // namespace snell

@@ -64,6 +64,7 @@ void App::run(bool edited) {
         step();
     }
     keep_picture();
+    workspace_.finish(interface_.view());
     workspace_.look(interface_.view(), interface_.memory());
 }
 
@@ -273,8 +274,9 @@ void App::interface_frame(std::span<const Event> events) {
     Past& past = workspace_.past();
     past.hear(events);
     const ui::Requests requests = interface_.frame(events, facts(), document ? document->controls : no_controls);
-    if (requests.undo || requests.redo) interface_.memory().animated.clear();
-    past.follow(workspace_.session(), interface_.view(), interface_.busy(), window_->now());
+    std::vector<Animated>& moving = interface_.memory().animated;
+    if (requests.undo && past.undoes_motion()) moving.clear();
+    past.follow(workspace_.session(), interface_.view(), interface_.busy(), moving, window_->now());
     serve(requests);
     if (const auto title = workspace_.new_title()) window_->set_title(*title);
 }

@@ -89,7 +89,7 @@ void History::begin(const Scene& scene, const Controls& controls, const View& vi
     controls_ = controls;
     names_ = control_names(scene, controls);
     rungs_ = chosen_rungs(scene, controls.rungs);
-    view_ = without_mouse(view);
+    view_ = view;
     open_ = false;
     name_objects(scene, view);
 }
@@ -126,13 +126,31 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
     name_objects(scene, view);
 }
 
+std::size_t History::old_index(std::size_t index, const std::vector<std::string>& names) const {
+    if (names.empty()) return index;
+    return static_cast<std::size_t>(std::ranges::find(names_, names[index]) - names_.begin());
+}
+
+void History::rest(const Scene& scene, Controls& controls, std::span<const Animated> moving) const {
+    if (moving.empty()) return;
+    const bool same = same_uniforms(controls_, controls);
+    const std::vector<std::string> names = same ? std::vector<std::string>{} : control_names(scene, controls);
+    for (const Animated& motion : moving) {
+        Control* const control = controls.find(motion.program, motion.name);
+        if (!control) continue;
+        const std::size_t old = old_index(static_cast<std::size_t>(control - controls.items.data()), names);
+        if (old == names_.size() || motion.component >= controls_.items[old].value.size()) continue;
+        if (motion.component < control->value.size())
+            control->value[motion.component] = controls_.items[old].value[motion.component];
+    }
+}
+
 History::Step History::difference(const Scene& scene, const Controls& controls, const View& view) const {
     Step step;
     const bool same = same_uniforms(controls_, controls);
     const std::vector<std::string> names = same ? std::vector<std::string>{} : control_names(scene, controls);
     for (std::size_t i = 0; i < controls.items.size(); ++i) {
-        std::size_t old = i;
-        if (!same) old = static_cast<std::size_t>(std::ranges::find(names_, names[i]) - names_.begin());
+        const std::size_t old = old_index(i, names);
         if (old == names_.size() || controls.items[i].type == ValueType::sampler) continue;
         const Control &before = controls_.items[old], &after = controls.items[i];
         if (before.value != after.value || before.min != after.min || before.max != after.max)
@@ -144,13 +162,22 @@ History::Step History::difference(const Scene& scene, const Controls& controls, 
             for (const auto& [old_ladder, old_rung] : rungs_)
                 if (ladder == old_ladder && rung != old_rung) step.rungs.push_back({ladder, old_rung, rung});
     }
-    if (View now = without_mouse(view); now != view_) step.view = {"view", view_, std::move(now)};
+    if (view != view_) step.view = {"view", without_mouse(view_), without_mouse(view)};
     return step;
 }
 
 bool History::follow(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture) {
     held_ |= gesture.busy;
     if (gesture.busy) return false;
+    view_.mouse_x = view.mouse_x;
+    view_.mouse_y = view.mouse_y;
+    if (gesture.moving.empty()) return take(scene, controls, view, gesture);
+    at_rest_ = controls;
+    rest(scene, at_rest_, gesture.moving);
+    return take(scene, at_rest_, view, gesture);
+}
+
+bool History::take(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture) {
     Step step = difference(scene, controls, view);
     const bool moved = !step.empty(), same = same_uniforms(controls_, controls);
     if (moved) {
@@ -203,6 +230,7 @@ void History::add(int snapshot, SavedFile file) {
 
 std::string History::go(const UserState& state, bool forward) {
     open_ = false;
+    rest(state.scene, state.controls, state.moving);
     while (forward ? done_ < steps_.size() : done_ > 0) {
         const Step& step = steps_[forward ? done_++ : --done_];
         const std::string said = apply(step, state, forward);
@@ -259,6 +287,16 @@ std::string History::apply_values(const Step& step, const UserState& state, bool
         ++count;
     }
     return said;
+}
+
+History& Histories::use(const std::string& scene) {
+    const auto found = std::ranges::find(used_, scene, &std::pair<std::string, History>::first);
+    if (found == used_.end())
+        used_.emplace_front(scene, History{});
+    else
+        used_.splice(used_.begin(), used_, found);
+    if (used_.size() > most) used_.pop_back();
+    return used_.front().second;
 }
 
 }  // namespace snell

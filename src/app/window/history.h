@@ -6,30 +6,36 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <list>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "src/app/open/save_values.h"
+#include "src/plan/values/animate.h"
 #include "src/plan/values/remembered.h"
 #include "src/plan/view.h"
 
 namespace snell {
 
-// What the user changes. `follow_rungs` makes the controls of the rungs that were chosen.
+// What the user changes. `follow_rungs` makes the controls of the rungs that were chosen. What moves is no part of it:
+// the next frame sets it again.
 struct UserState {
     const Scene& scene;
     Controls& controls;
     View& view;
     std::function<void()> follow_rungs;
+    std::span<const Animated> moving = {};
 };
 
 // The input that the state results from.
 struct Gesture {
-    bool busy = false;          // a button is down, or a text is being typed: what follows is the same step
-    std::uint64_t presses = 0;  // number of buttons and keys that were pressed so far
-    double now = 0;             // in seconds
+    bool busy = false;                      // a button is down, or a text is being typed: what follows is the same step
+    std::uint64_t presses = 0;              // number of buttons and keys that were pressed so far
+    double now = 0;                         // in seconds
+    std::span<const Animated> moving = {};  // sliders that move by themselves: a step once they no longer do
 };
 
 class History {
@@ -87,6 +93,11 @@ private:
     };
 
     static State state_of(const Control& control) { return {control.value, control.min, control.max}; }
+    // Sets what moves to the value from before its motion.
+    void rest(const Scene& scene, Controls& controls, std::span<const Animated> moving) const;
+    // The index into controls_; `names` are those of the other controls, or empty if they are the same uniforms.
+    std::size_t old_index(std::size_t index, const std::vector<std::string>& names) const;
+    bool take(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
     Step difference(const Scene& scene, const Controls& controls, const View& view) const;
     void push(Step step);
     void forget_redo();
@@ -101,11 +112,23 @@ private:
     bool open_ = false;      // whether the last step may be extended
     bool held_ = false;      // whether the gesture was busy
     // The state after the steps that are done, with the names of controls, ladders and rungs.
-    Controls controls_;
+    Controls controls_, at_rest_;  // at_rest_ only keeps its memory from frame to frame
     std::vector<std::string> names_;
     std::vector<std::pair<std::string, std::string>> rungs_;
     View view_;
     std::vector<std::string> objects_;  // names of the scene's objects; empty until one was moved
+};
+
+// The histories of the scenes that were shown last.
+class Histories {
+public:
+    static constexpr std::size_t most = 12;
+
+    // The history of a scene, which is then the last one used. The one that was not used for the longest time may go.
+    History& use(const std::string& scene);
+
+private:
+    std::list<std::pair<std::string, History>> used_;  // the last one is first
 };
 
 }  // namespace snell

@@ -9,14 +9,14 @@
 namespace snell {
 
 Interface::Interface(Window& window, bool listening) : window_(window), gui_(&window), layout_(listening) {
-    view_.axes = true;
+    view_.axes = true;  // for a window that loses its context before a scene could be read
 }
 
 void Interface::begin_scene() {
     ui::Memory fresh;
     carry_looks(memory_, fresh);
     memory_ = std::move(fresh);
-    view_ = {.axes = view_.axes};
+    view_ = {};
 }
 
 void Interface::start() { framed_ = ticked_ = window_.now(); }

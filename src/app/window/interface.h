@@ -40,8 +40,8 @@ public:
 
     // True while a mouse button is down.
     bool pressed() const { return gui_.pressed(); }
-    // True while values change in ways that the next frames continue: by a drag, by themselves.
-    bool busy() const { return gui_.busy() || memory_.animating(); }
+    // True while a mouse button is down or a widget is in use.
+    bool busy() const { return gui_.busy(); }
     // Pixels per window coordinate.
     float density() const;
     // True while measuring holds the scene's time.

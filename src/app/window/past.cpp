@@ -61,6 +61,7 @@ const Remembered& Past::read(const std::string& scene) {
 std::string Past::begin(Session& session, View& view) {
     name_.clear();
     continued_ = false;
+    moving_ = 0;
     if (!session.document()) return {};
     const Document& document = *session.document();
     name_ = kept_name(session.path());
@@ -75,8 +76,6 @@ std::string Past::begin(Session& session, View& view) {
         history().begin(document.scene(), written, plain);
     else
         history().reread(document.scene(), document.controls, view);
-    while (histories_.size() > most_histories)
-        histories_.erase(histories_.begin()->first == name_ ? std::next(histories_.begin()) : histories_.begin());
     if (!values && !looks) return {};
     const std::string what = !values ? "view" : looks ? "values and view" : "values";
     return what + " of last time" + (first ? "; Ctrl+Z goes back to the scene as written" : "");
@@ -102,10 +101,17 @@ void Past::hear(std::span<const Event> events) {
     }
 }
 
-void Past::follow(Session& session, const View& view, bool busy, double now) {
+void Past::follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now) {
     const Document* document = session.document();
     if (name_.empty() || !document) return;
-    changed_ |= history().follow(document->scene(), document->controls, view, {busy, presses_, now});
+    if (moving.size() > moving_) before_motion_ = steps();
+    moving_ = moving.size();
+    changed_ |= history().follow(document->scene(), document->controls, view, {busy, presses_, now, moving});
+}
+
+void Past::finish(Session& session, const View& view) {
+    ++presses_;
+    follow(session, view, false, {}, 0);
 }
 
 std::string Past::reread(Session& session, View& view) {
@@ -119,21 +125,24 @@ std::string Past::reread(Session& session, View& view) {
     return {};
 }
 
-std::string Past::serve(const ui::Requests& requests, Session& session, View& view,
+std::string Past::serve(const ui::Requests& requests, Session& session, View& view, std::span<const Animated> moving,
                         const std::function<void()>& follow_rungs) {
     Document* document = session.document();
     if (name_.empty() || !document || requests.undo == requests.redo) return {};
-    const UserState state{document->scene(), document->controls, view, follow_rungs};
+    const UserState state{document->scene(), document->controls, view, follow_rungs, moving};
     changed_ = true;
     return requests.undo ? history().undo(state) : history().redo(state);
 }
 
+KeptScene Past::state(Session& session, const View& view) const {
+    return {session.remembered(), view_text(view), moved_objects(session.document()->scene(), view), kept_.axes};
+}
+
 void Past::write(Session& session, const View& view) {
-    const Document* document = session.document();
-    if (name_.empty() || !document) return;
+    if (name_.empty() || !session.document()) return;
     if (!flat_) axes_ = view.axes;
     if (!std::exchange(changed_, false)) return;
-    KeptScene kept{session.remembered(), view_text(view), moved_objects(document->scene(), view), kept_.axes};
+    KeptScene kept = state(session, view);
     if (kept.axes || view.axes != first_axes_) kept.axes = view.axes;
     if (kept == kept_) return;
     // An error is ignored, because only comfort is lost.
@@ -141,8 +150,9 @@ void Past::write(Session& session, const View& view) {
     kept_ = std::move(kept);
 }
 
-void Past::hand_on(const Document& document, const std::string& scene, const View& view) {
-    const KeptScene kept{{}, view_text(view), moved_objects(document.scene(), view), view.axes};
+void Past::hand_on(Session& session, const std::string& scene, const View& view) {
+    KeptScene kept = state(session, view);
+    kept.axes = view.axes;
     write_kept(folder_, scene, kept);
 }
 

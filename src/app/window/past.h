@@ -1,11 +1,9 @@
-// What the open scene was like before: undo and redo for each scene of this window, and the state that is kept of each
-// scene from window to window.
+// Undo and redo of each scene of this window, and the state that is kept of scenes.
 #pragma once
 
 #include <bitset>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <span>
 #include <string>
 
@@ -32,36 +30,43 @@ public:
 
     // Call it before every frame of the panels.
     void hear(std::span<const Event> events);
-    // Call it after every frame of the panels: makes steps of what was changed. `busy`: the user is still at it.
-    void follow(Session& session, const View& view, bool busy, double now);
+    // Call it after every frame of the panels: makes steps of what was changed. `busy`: a gesture has not ended.
+    // `moving`: sliders that move by themselves, each of which becomes a step when its motion ends.
+    void follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now);
+    // Ends gestures and motions, before the scene is left: what they changed becomes a step.
+    void finish(Session& session, const View& view);
+    // True if undo is to end the motion, because nothing else was changed since it began.
+    bool undoes_motion() { return moving_ > 0 && steps() <= before_motion_; }
     // Call it when the scene was read again. Returns what begin() does if the scene could not be read until now.
     std::string reread(Session& session, View& view);
     void add(int snapshot, SavedFile file) { history().add(snapshot, std::move(file)); }
     // Executes requests for undo and redo, and returns what they changed. `follow_rungs` makes the controls of the
-    // rungs that were chosen.
-    std::string serve(const ui::Requests& requests, Session& session, View& view,
+    // rungs that were chosen; `moving` is that of follow().
+    std::string serve(const ui::Requests& requests, Session& session, View& view, std::span<const Animated> moving,
                       const std::function<void()>& follow_rungs);
 
     // The number of steps that can be undone.
-    std::size_t steps() { return history().done(); }
+    std::size_t steps() { return name_.empty() ? 0 : history().done(); }
 
     // Writes what is kept of the scene, if it changed.
     void write(Session& session, const View& view);
-    // Makes the scene that the document was saved as begin with this view.
-    void hand_on(const Document& document, const std::string& scene, const View& view);
+    // Makes the scene that the document was saved as begin with this view, and with the values that are not in the
+    // file.
+    void hand_on(Session& session, const std::string& scene, const View& view);
 
 private:
-    static constexpr std::size_t most_histories = 12;
-
-    History& history() { return histories_[name_]; }
+    History& history() { return histories_.use(name_); }
+    // What is to be kept of the open scene.
+    KeptScene state(Session& session, const View& view) const;
 
     std::string folder_;
     std::string name_;  // of the open scene; empty until it could be read
     KeptScene kept_;    // as read, then as written last
-    std::map<std::string, History> histories_;
+    Histories histories_;
     bool flat_ = false, axes_ = true, first_axes_ = true;  // axes_: as in the last scene that was not flat
     bool continued_ = false;                               // the scene, once it can be read, begins as the view is
     bool changed_ = false;                                 // since it was written
+    std::size_t moving_ = 0, before_motion_ = 0;           // motions; steps when the last of them began
     std::uint64_t presses_ = 0;                            // number of buttons and keys that were pressed
     std::bitset<static_cast<std::size_t>(Key::count_)> down_;
 };

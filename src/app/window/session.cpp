@@ -87,7 +87,7 @@ void Session::choose(const Scene& scene, Rungs& rungs, Diagnostics& refused) {
 void Session::choose_first(const Scene& scene, Rungs& rungs, Diagnostics& refused) {
     first_rungs_ = rungs;
     if (first_) first_(scene, first_rungs_, refused);
-    recall(memory_, scene, rungs);
+    if (!recovering_) recall(memory_, scene, rungs);
     Diagnostics heard;
     if (first_) first_(scene, rungs, heard);
 }
@@ -116,7 +116,7 @@ std::string Session::open(std::string path, Remembered memory) {
     shown_.reset();
     kept_ = nullptr;
     by_hand_.clear();
-    hold_values_ = false;
+    recovering_ = hold_values_ = false;
     take(std::move(fresh));
     return {};
 }
@@ -154,7 +154,7 @@ void Session::take(std::unique_ptr<Document> read) {
 void Session::carry_values(Document& read) {
     const Remembered all = hold_values_ ? remembered(true) : Remembered{};
     memory_ = remembered();
-    recall(memory_, read.scene(), read.controls);
+    if (!std::exchange(recovering_, false)) recall(memory_, read.scene(), read.controls);
     // A broken program has no controls for its values, so they are restored again until nothing is broken.
     if (!by_hand_.empty()) restore_changed(by_hand_, read);
     if (!read.diagnostics.has_errors()) by_hand_.clear();
@@ -191,7 +191,8 @@ void Session::recover(const Recovery& recovery) {
     files_ = recovery.files;
     watch_.set_paths(recovery.files);
     by_hand_ = recovery.values;
-    if (!recovery.kept) return;
+    recovering_ = !recovery.kept;
+    if (recovering_) return;
     const Kept& kept = *recovery.kept;
     auto document = std::make_unique<Document>();
     document->path = path_;

@@ -23,7 +23,7 @@ class Session {
 public:
     // Without a path there is no scene until open(). The GL context of `caps` must be current during the object's whole
     // life. `progress` is called while the scene loads. With `recovery` the session begins with that state instead of
-    // the file, and with `memory` it has values of an earlier one.
+    // the file, and with `memory` it has values of an earlier one, unless the scene has them and there is a recovery.
     Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr, Watcher progress = nullptr,
             const Recovery* recovery = nullptr, Remembered memory = {});
 
@@ -88,7 +88,8 @@ private:
     Plan plan_, read_plan_;  // of shown_; of the last reading
     bool drawn_well_ = false;
     std::string by_hand_;
-    Remembered memory_;  // values that shown_ does not have, and those with which it began
+    bool recovering_ = false;  // until the scene is read: values that are not in by_hand_ are those of the text
+    Remembered memory_;        // values that shown_ does not have, and those with which it began
     bool hold_values_ = false;
     Rungs first_rungs_;
     std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems

@@ -31,7 +31,7 @@ Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher
                      Past& past)
     : past_(past),
       session_(is_folder(options.scene) ? "" : options.scene, caps, options.access, first_rungs(options),
-               std::move(progress), recovery, recovery ? Remembered{} : past_.read(options.scene)),
+               std::move(progress), recovery, past_.read(options.scene)),
       keeper_(options.scene),
       opener_(settings_file()),
       saver_(caps, options.access.limits) {}
@@ -48,7 +48,11 @@ void Workspace::reload(View& view, std::string& notice) {
     report();
 }
 
-void Workspace::begin(View& view, std::string& notice) { notice = past_.begin(session_, view); }
+void Workspace::begin(View& view, std::string& notice) {
+    notice = past_.begin(session_, view);
+    if (!std::exchange(saved_as_, {}).empty())
+        notice = "saved as " + utf8::printable(std::filesystem::path(session_.path()).filename().string());
+}
 
 bool Workspace::look(const View& view, ui::Memory& memory) {
     past_.write(session_, view);
@@ -56,10 +60,10 @@ bool Workspace::look(const View& view, ui::Memory& memory) {
 }
 
 std::optional<std::string> Workspace::new_title() {
-    const Document* shown = document();
-    std::string title = title_of(session_.path(), shown && changed_values(*shown) > 0);
-    if (title == title_) return std::nullopt;
-    return title_ = std::move(title);
+    if (titled_unsaved_ == unsaved_ && titled_path_ == session_.path()) return std::nullopt;
+    titled_path_ = session_.path();
+    titled_unsaved_ = unsaved_;
+    return title_of(titled_path_, unsaved_);
 }
 
 bool Workspace::follow_rungs() {
@@ -73,9 +77,11 @@ void Workspace::remember_scene() {
 }
 
 std::string Workspace::open(const std::string& path, const View& view) {
+    past_.finish(session_, view);
     past_.write(session_, view);
     if (std::string problem = session_.open(path, past_.read(path)); !problem.empty()) {
         past_.read(session_.path());
+        saved_as_.clear();
         return problem;
     }
     keeper_ = Keeper(path);
@@ -101,20 +107,24 @@ void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
         facts.linked = linked_;
     }
     keeper_.tell(facts, document());
+    unsaved_ = facts.changed;
     opener_.tell(facts, session_.path(), session_.files(), memory.browser.open);
 }
 
 std::optional<std::string> Workspace::serve(const ui::Requests& requests, const Picture& shown, Window& window,
                                             View& view, ui::Memory& memory) {
     if (document()) {
-        const std::string undone = past_.serve(requests, session_, view, [this] { follow_rungs(); });
-        if (!undone.empty()) memory.notice = undone;
+        const std::string undone = past_.serve(requests, session_, view, memory.animated, [this] { follow_rungs(); });
+        if (!undone.empty()) {
+            memory.notice = undone;
+            keeper_.look_again();
+        }
         Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
         if (served.reverted) session_.hold_values();
         if (served.snapshot > 0) past_.add(served.snapshot, std::move(served.file));
         if (!served.saved_as.empty()) {
-            past_.hand_on(*document(), served.saved_as, view);
-            return served.saved_as;
+            past_.hand_on(session_, served.saved_as, view);
+            return saved_as_ = served.saved_as;
         }
         saver_.serve(requests, *document(), shown, window, memory);
     }

@@ -44,6 +44,8 @@ public:
     void begin(View& view, std::string& notice);
     // The same for a window that continues another one, as it was.
     void continue_with(const View& view) { past_.continue_with(session_, view); }
+    // Call it before the scene is left: what is being changed becomes a step, which is kept.
+    void finish(const View& view) { past_.finish(session_, view); }
     // Call it regularly: it checks for ended editors and writes settings and the state of the scene where they changed.
     // Returns true if it changed `memory.notice`.
     bool look(const View& view, ui::Memory& memory);
@@ -78,8 +80,11 @@ private:
     Keeper keeper_;
     Opener opener_;
     PictureSaver saver_;
-    std::string name_;  // of the scene's file
-    std::string title_;
+    std::string name_;      // of the scene's file
+    std::string saved_as_;  // path of the scene under another name, until it is shown
+    bool unsaved_ = false;
+    std::string titled_path_;  // of the title that was set last
+    std::optional<bool> titled_unsaved_;
     std::string reported_;  // the problems that were printed last
     std::vector<char> linked_;
 };

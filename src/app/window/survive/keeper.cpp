@@ -22,27 +22,26 @@ std::string restore(int number, Document& document) {
     return fmt::format("snapshot {}{}", number, lost);
 }
 
-std::string save_as(const Document& document, ui::SaveAs& dialog, Keeper::Served& served) {
+void save_as(const Document& document, ui::SaveAs& dialog, Keeper::Served& served) {
     const bool replace = dialog.there == dialog.file.data() && !dialog.there.empty();
     SavedAs saved = saved_as(document, dialog.file.data());
     dialog.there.clear();
     if (saved.error.empty() && saved.exists && !replace) {
         dialog.there = dialog.file.data();
         dialog.existing = short_name(saved.file.path);
-        return {};
+        return;
     }
     if (saved.error.empty()) saved.error = content::replace_file(saved.file.path, saved.file.after);
     dialog.error = std::move(saved.error);
-    if (!dialog.error.empty()) return {};
+    if (!dialog.error.empty()) return;
     dialog.open = false;
     served.saved_as = saved.file.path;
-    return {};
 }
 
 }  // namespace
 
 void Keeper::tell(ui::Facts& facts, const Document* document) {
-    if (looked_ != facts.revision) snapshots_ = snapshots_there(scene_);
+    if (looked_ != facts.revision) look_again();
     looked_ = facts.revision;
     facts.revertible = !saved_.empty();
     facts.changed = document && document->runtime && changed_values(*document) > 0;
@@ -56,7 +55,7 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
     if (requests.save) notice = save(document);
     if (requests.revert_save) notice = revert(served);
     if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
-    if (requests.save_as_now) notice = save_as(document, memory.save_as, served);
+    if (requests.save_as_now) save_as(document, memory.save_as, served);
     if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
     if (requests.store_snapshot > 0) notice = store(requests.store_snapshot, document, served);
     if (requests.copy_command) {
@@ -91,7 +90,7 @@ std::string Keeper::revert(Served& served) {
 std::string Keeper::store(int number, const Document& document, Served& served) {
     const std::string file = snapshots_file(scene_);
     const std::string before = content::whole_file(file), error = store_snapshot(number, document);
-    snapshots_ = snapshots_there(scene_);
+    look_again();
     if (!error.empty()) return fmt::format("snapshot {} is not in {}: {}", number, short_name(file), error);
     served.snapshot = number;
     served.file = {file, before, content::whole_file(file)};

@@ -22,7 +22,9 @@ public:
 
     // Fills in what the panels show: whether values changed, whether a save can be reverted, and the snapshots.
     void tell(ui::Facts& facts, const Document* document);
-    // What others must know of requests that were executed.
+    // Looks for the snapshots again, after their file may have changed.
+    void look_again() { snapshots_ = snapshots_there(scene_); }
+    // Results that Workspace and Past need.
     struct Served {
         bool reverted = false;  // the file is as it was before a save
         int snapshot = 0;       // number of the one that was stored, in this file; 0 for none
