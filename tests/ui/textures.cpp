@@ -61,6 +61,21 @@ TEST_F(UiTextures, ARowIsChosenByAClick) {
     EXPECT_TRUE(has("textures.about")) << "but why it is not";
 }
 
+// The picture's height follows its width, and the width must not follow the scroll bar.
+TEST_F(UiTextures, NoHeightOfTheWindowMakesItSwing) {
+    textures_.width = 64;
+    textures_.height = 64;
+    for (float height = 400; height < 900; height += 2) {
+        screen_ = {1280, height, 1, 1};
+        for (int i = 0; i < 5; ++i) frame();
+        const float width = memory().width;
+        frame();
+        ASSERT_EQ(memory().width, width) << height;
+        frame();
+        ASSERT_EQ(memory().width, width) << height;
+    }
+}
+
 TEST_F(UiTextures, AllOfItFitsAtFirst) {
     const Rect at = place("textures.picture");
     EXPECT_NEAR(part().zoom, std::min(at.width / 64, at.height / 32), 1e-6);

@@ -80,7 +80,9 @@ void navigate(const TextureFacts& facts, ImVec2 corner, TextureMemory& memory) {
 void picture(const TextureFacts& facts, TextureMemory& memory, Layout& layout) {
     const ImGuiIO& io = ImGui::GetIO();
     const float em = ImGui::GetFontSize();
-    memory.width = std::max(1.F, std::floor(ImGui::GetContentRegionAvail().x));
+    // Not the width that is available: it changes with the scroll bar, which comes and goes with the height.
+    const float bar = ImGui::GetScrollMaxY() > 0 ? 0 : ImGui::GetStyle().ScrollbarSize;
+    memory.width = std::max(1.F, std::floor(ImGui::GetContentRegionAvail().x - bar));
     memory.height = std::floor(std::clamp(memory.width * .75F, 4 * em, 20 * em));
     const ImVec2 at = ImGui::GetCursorScreenPos(), end(at.x + memory.width, at.y + memory.height);
     ImGui::InvisibleButton("##texels", {memory.width, memory.height});
