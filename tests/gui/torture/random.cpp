@@ -96,7 +96,9 @@ protected:
     void damage() {
         std::string text = below(2) ? random_scene : random_fragment;
         const std::string name = text == random_scene ? "scene.glib" : "paint.frag";
-        const auto at = static_cast<std::size_t>(below(static_cast<int>(text.size())));
+        auto at = static_cast<std::size_t>(below(static_cast<int>(text.size())));
+        // A step that is made from the values of a damaged line leads back to those.
+        if (const std::size_t line = text.find("Program "); line < at && at <= text.find('\n', line)) at = line;
         if (below(2))
             text.resize(at);
         else
