@@ -258,6 +258,32 @@ TEST_F(Undo, StepsOutliveEditsOfTheText) {
     EXPECT_EQ(redo(), "redo: Glass.uEta 0.5 \u2192 1");
 }
 
+// A change that was made while the text had another value leads back to the value of the text, not to that one.
+TEST_F(Undo, StepsFollowTheValuesOfTheText) {
+    const auto with = [](double initial) {
+        return scene_with({{"Glass", {value_of("uEta", Kind::range, {0, initial, 2})}}});
+    };
+    edit(with(.5));
+    edit(with(0));  // such as a line that is cut off
+    EXPECT_EQ(value(0), 0);
+    value(0) = 1.5;
+    EXPECT_TRUE(step());
+    edit(with(.5));
+    EXPECT_EQ(value(0), .5);
+    undo();
+    EXPECT_EQ(value(0), .5);
+    redo();
+    EXPECT_EQ(value(0), 1.5);
+    undo();
+    // What is saved moves nothing, so the way back is as it was.
+    value(0) = 1.25;
+    EXPECT_TRUE(step());
+    edit(with(1.25));
+    EXPECT_EQ(value(0), 1.25);
+    undo();
+    EXPECT_EQ(value(0), .5);
+}
+
 TEST_F(Undo, AChangeDuringWhichTheTextIsReadIsStillAStep) {
     value(0) = 1;
     step(true);

@@ -98,6 +98,15 @@ void History::name_objects(const Scene& scene, const View& view) {
     if (objects_.empty() && !view.objects.empty()) objects_ = object_names(scene);
 }
 
+// The text moved this value with its own: steps to or from the text's value lead to the new one.
+void History::follow_text(const std::string& name, const Control& old, const Control& control) {
+    for (Step& step : steps_)
+        for (auto& change : step.values)
+            for (State* state : {&change.before, &change.after})
+                if (change.name == name && state->value == old.initial)
+                    *state = {control.initial, control.initial_min, control.initial_max};
+}
+
 void History::reread(const Scene& scene, const Controls& controls, const View& view) {
     Controls now = controls;
     const std::vector<std::string> names = control_names(scene, controls);
@@ -106,6 +115,7 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
         if (found == names_.end()) continue;
         const Control& old = controls_.items[static_cast<std::size_t>(found - names_.begin())];
         Control& control = now.items[i];
+        if (old.initial != control.initial && old.value != control.value) follow_text(names[i], old, control);
         if (old.initial != control.initial || old.value == control.value) continue;
         control.value = old.value;  // a change that is not a step yet
         control.min = old.min;

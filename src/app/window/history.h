@@ -101,6 +101,7 @@ private:
     Step difference(const Scene& scene, const Controls& controls, const View& view) const;
     void push(Step step);
     void forget_redo();
+    void follow_text(const std::string& name, const Control& old, const Control& control);
     void name_objects(const Scene& scene, const View& view);
     std::string go(const UserState& state, bool forward);
     std::string apply(const Step& step, const UserState& state, bool forward);

@@ -96,9 +96,7 @@ protected:
     void damage() {
         std::string text = below(2) ? random_scene : random_fragment;
         const std::string name = text == random_scene ? "scene.glib" : "paint.frag";
-        auto at = static_cast<std::size_t>(below(static_cast<int>(text.size())));
-        // A step that is made from the values of a damaged line leads back to those.
-        if (const std::size_t line = text.find("Program "); line < at && at <= text.find('\n', line)) at = line;
+        const auto at = static_cast<std::size_t>(below(static_cast<int>(text.size())));
         if (below(2))
             text.resize(at);
         else
