@@ -171,8 +171,8 @@ void Desk::SetUp() {
     if (cache || home) setenv("MESA_SHADER_CACHE_DIR", cache ? cache : (std::string(home) + "/.cache").c_str(), 0);
     setenv("XDG_CACHE_HOME", file("cache").c_str(), 1);
     // Without -noreset it goes away for a moment while a window is replaced by another one and nobody else is there.
-    server_ = start({"Xvfb", "-displayfd", "1", "-screen", "0", screen_, "-noreset", "-nolisten", "tcp"}, "",
-                    {ends[1]});
+    server_ =
+        start({"Xvfb", "-displayfd", "1", "-screen", "0", screen_, "-noreset", "-nolisten", "tcp"}, "", {ends[1]});
     ::close(ends[1]);
     std::string number;
     for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;

@@ -221,9 +221,8 @@ std::string limits() {
            "([reliability.md](reliability.md)).\n"
            "\nThe window undoes at most 1000 steps of a scene, of 16 MiB together, for the last 12 scenes that it "
            "showed. "
-           "It keeps values, rungs\nand view of at most 200 scenes, the oldest are removed first; more than 256 KiB of "
-           "a "
-           "scene are not kept.\n";
+           "It keeps values,\nrungs and view of at most 200 scenes, and removes those first that were not opened or "
+           "changed for the longest time; more\nthan 256 KiB of a scene are not kept.\n";
 }
 
 }  // namespace
