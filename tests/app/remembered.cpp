@@ -47,6 +47,18 @@ TEST(Remembered, ARenamedUniformHasItsValueWhenItIsRenamedBack) {
     EXPECT_EQ(back.items[0].value, Values{.75});
 }
 
+// After a save of 1.5 the text said <0. 1.5 1.5>; then the file was reverted.
+TEST(Remembered, ALiveValueOutlivesTheRangeThatWasReverted) {
+    const Scene saved = slider("uKa", {0, 1.5, 1.5}), reverted = slider("uKa", {0, .5, 1});
+    Remembered memory;
+    remember(saved, controls_of(saved), memory, true);
+    Controls controls = controls_of(reverted);
+    EXPECT_TRUE(recall(memory, reverted, controls, Follow::memory));
+    EXPECT_EQ(controls.items[0].value, Values{1.5});
+    EXPECT_EQ(controls.items[0].min, 0);
+    EXPECT_EQ(controls.items[0].max, 1.5);
+}
+
 TEST(Remembered, WhatIsTheScenesOwnAgainIsForgotten) {
     const Scene scene = slider("uKa", {0, .5, 1});
     Controls controls = controls_of(scene);

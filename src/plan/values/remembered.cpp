@@ -30,7 +30,7 @@ bool recall_value(RememberedValue from, Control& control, Follow follow) {
     const Range range = limit_range({from.min, from.value[0], from.max}, control.type);
     from.min = range.min;
     from.max = range.max;
-    take_value(from, control);
+    take_value(from, control, follow);
     return true;
 }
 
@@ -75,18 +75,18 @@ void remember(const Scene& scene, const Controls& controls, Remembered& memory, 
     }
 }
 
-void take_value(const RememberedValue& from, Control& control) {
+void take_value(const RememberedValue& from, Control& control, Follow follow) {
     control.value = from.value;
     if (control.widget != Widget::slider) return;
     const bool same_range = from.initial_min == control.initial_min && from.initial_max == control.initial_max;
     const auto [least, most] = std::ranges::minmax(control.value);
     control.min = control.initial_min;
     control.max = control.initial_max;
-    if (!same_range) {
+    if (!same_range && follow == Follow::text) {
         for (double& value : control.value) value = std::clamp(value, control.min, control.max);
     } else if (least < control.min || most > control.max) {
-        control.min = std::min({control.min, from.min, least});
-        control.max = std::max({control.max, from.max, most});
+        control.min = std::min({control.min, same_range ? from.min : least, least});
+        control.max = std::max({control.max, same_range ? from.max : most, most});
     }
 }
 

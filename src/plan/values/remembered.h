@@ -38,12 +38,12 @@ RememberedValue remembered(const Control& control);
 // the scene's own values are noted too.
 void remember(const Scene& scene, const Controls& controls, Remembered& memory, bool all = false);
 
-// Sets the control's value. Its range stays that of the text, unless the text has not changed it and the value, outside
-// of it, needs a wider one.
-void take_value(const RememberedValue& from, Control& control);
-
 // Whether a value that the text has changed since follows the text.
 enum class Follow : bool { memory, text };
+
+// Sets the control's value. Its range stays that of the text, unless the text has not changed it, or the value does not
+// follow the text, and the value, outside of it, needs a wider one.
+void take_value(const RememberedValue& from, Control& control, Follow follow = Follow::text);
 
 // Sets the values that are remembered. Returns true if that changed any.
 bool recall(const Remembered& memory, const Scene& scene, Controls& controls, Follow follow = Follow::text);
