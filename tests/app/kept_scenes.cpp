@@ -8,6 +8,8 @@
 #include <random>
 #include <thread>
 
+#include <sys/stat.h>
+
 #include "tests/scratch.h"
 
 namespace snell {
@@ -39,6 +41,19 @@ protected:
     Scratch disk_;
     std::string folder_ = disk_.path("state/scenes");
 };
+
+TEST_F(KeptScenes, WhatIsNoFileIsLeftAlone) {
+    const std::string one = scene("one.glib");
+    ASSERT_EQ(write_kept(folder_, one, some()), "");
+    const std::string kept = file();
+    fs::remove(kept);
+    ASSERT_EQ(mkfifo(kept.c_str(), 0600), 0);
+    EXPECT_NE(write_kept(folder_, one, some()), "") << "and it does not wait for a reader";
+    EXPECT_EQ(read_kept(folder_, one), KeptScene{});
+    EXPECT_TRUE(fs::is_fifo(kept));
+    fs::remove(kept);
+    ASSERT_EQ(write_kept(folder_, one, some()), "");
+}
 
 TEST_F(KeptScenes, ComeBackToTheSameBits) {
     const std::string one = scene("one.glib"), two = scene("two.glib");

@@ -38,6 +38,12 @@ protected:
         user("key " + key);
         settle();
     }
+    // By the menu of its name.
+    void animate(const std::string& slider) const {
+        click(slider + ".name", .5, 3);
+        click(slider + ".animate", .1);
+        user("key Escape");
+    }
     void slide(double to) const { drag(on("Paint.uRed", .2), on("Paint.uRed", to)); }
     void turn() const { drag({200, 300}, {260, 320}); }
     void show(const std::string& name) {
@@ -119,9 +125,7 @@ TEST_F(Past, ARangeThatATypedValueWidenedIsUndoneWithIt) {
 
 TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
     open("one.glib");
-    click("uRed.name", .5, 3);
-    click("uRed.animate", .1);
-    user("key Escape");  // the menu goes
+    animate("uRed");
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .3; }));
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .5; }));
     press("ctrl+z");
@@ -132,9 +136,7 @@ TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
 
 TEST_F(Past, OtherChangesAreStepsWhileASliderMoves) {
     open("one.glib");
-    click("uGreen.name", .5, 3);
-    click("uGreen.animate", .1);
-    user("key Escape");
+    animate("uGreen");
     const auto green = [](const json& s) { return s["controls"]["Paint.uGreen"][0].get<double>(); };
     ASSERT_TRUE(wait([&](const json& s) { return green(s) > .5; }));
     slide(.75);
@@ -398,6 +400,9 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     user("type --delay 8 other/three");
     press("Return");
     EXPECT_TRUE(state()["widgets"].contains("save as error")) << "its shaders are not there";
+    type("save as file", ".", Field::text);
+    EXPECT_TRUE(state()["widgets"].contains("save as error")) << "no name";
+    EXPECT_FALSE(std::filesystem::exists(file("..glib")));
     EXPECT_FALSE(std::filesystem::exists(file("other/three.glib")));
     press("Escape");
     EXPECT_FALSE(state()["widgets"].contains("save as save"));

@@ -126,6 +126,8 @@ std::string write_kept(const std::string& folder, const std::string& scene, cons
     if (folder.empty()) return {};
     const std::string name = kept_name(scene), file = kept_file(folder, name);
     std::error_code error;
+    // A pipe would wait for a reader.
+    if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return file + " is not a file";
     const std::string text = content::json_text(json_of(name, kept)) + "\n";
     if (kept == KeptScene{} || text.size() > most_kept_bytes) {
         fs::remove(file, error);

@@ -100,7 +100,8 @@ Saved saved_values(const Document& document) {
 SavedAs saved_as(const Document& document, const std::string& name) {
     const Saved saved = saved_values(document);
     SavedAs as{{{}, {}, std::string(document.sources.text(0))}, false, saved.error};
-    if (as.error.empty() && fs::path(name).filename().empty()) as.error = "the scene needs a name";
+    const fs::path given = fs::path(name).filename();
+    if (as.error.empty() && (given.empty() || given == "." || given == "..")) as.error = "the scene needs a name";
     if (!as.error.empty()) return as;
     fs::path path = fs::path(document.path).parent_path() / name;
     if (path.extension() != ".glib") path += ".glib";

@@ -141,11 +141,10 @@ private:
     void value(const Instruction& i, std::size_t step) {
         switch (i.op) {
             case Op::number:
+                return push({Kind::constant, i.number == 0, i.number, 0, std::abs(i.number)});
             case Op::length:
-                if (i.op == Op::length) pop();
-                return push({Kind::constant, i.op == Op::number && i.number == 0,
-                             i.op == Op::number ? i.number : std::numeric_limits<double>::quiet_NaN(), 0,
-                             i.op == Op::number ? std::abs(i.number) : 0});
+                pop();
+                return push({Kind::constant, false, std::numeric_limits<double>::quiet_NaN(), 0, 0});
             case Op::load:
                 return push(of(i.a), i.a);
             case Op::unknown:

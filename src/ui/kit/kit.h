@@ -1,5 +1,5 @@
-// What the widgets of one Dear ImGui context remember from frame to frame: the keyboard's focus, the number that is
-// being typed, and the tooltip.
+// The state that the widgets of one Dear ImGui context keep from frame to frame: the keyboard's focus, the number that
+// is being typed, and the tooltip.
 #pragma once
 
 #include <array>
