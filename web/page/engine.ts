@@ -1,0 +1,133 @@
+// What draws a scene, as the page sees it: by WebAssembly (wasm.ts), or by ready pictures (baked.ts).
+
+// Lines and columns begin at 1; columns count bytes of UTF-8, as in every message of snell.
+export interface Place {
+    file: string;
+    line: number;
+    column: number;
+    endLine: number;
+    endColumn: number;
+}
+
+export interface Problem {
+    severity: 'error' | 'warning' | 'note';
+    code: string;
+    message: string;
+    help: string;
+    at?: Place;
+    // The whole message with its excerpt, as `snell check` prints it.
+    text: string;
+}
+
+export interface Control {
+    // For set() and range(); valid until the next open() or choose().
+    index: number;
+    // "Glass.uEta", or "Glass#2.uEta" in the second program of that name.
+    key: string;
+    program: string;
+    name: string;
+    widget: 'slider' | 'check_box' | 'color';
+    type: 'float' | 'int' | 'uint' | 'bool' | 'double';
+    components: number;
+    min: number;
+    max: number;
+    value: number[];
+    // What the scene's text says: a reset restores it.
+    initialMin: number;
+    initialMax: number;
+    initial: number[];
+    // False: the linked program does not use it. Such controls are not listed.
+    active: boolean;
+}
+
+export interface Ladder {
+    index: number;
+    name: string;
+    rungs: string[];
+    chosen: number;
+    marked: number;
+    // The most exact rung.
+    reference: number;
+}
+
+// What is shown after open() or choose().
+export interface Shown {
+    title: string;
+    scene: string;
+    controls: Control[];
+    ladders: Ladder[];
+    // As the scene wants its window.
+    width: number;
+    height: number;
+    // It changes with time, or with the mouse.
+    animated: boolean;
+    usesMouse: boolean;
+    // The period of the scene's own timer, in seconds, where it has one; 0: none.
+    period: number;
+    // Paths of the files that were read.
+    files: string[];
+    counters: Record<string, number>;
+}
+
+export interface Opened {
+    // False: it has errors, and what was shown before is shown still.
+    ok: boolean;
+    problems: Problem[];
+    shown?: Shown;
+    milliseconds: number;
+}
+
+export interface Frame {
+    time: number;
+    width: number;
+    height: number;
+    // From the left, 0 to 1: left of it the chosen rungs, right of it the references. Undefined: no split.
+    split?: number;
+    mouse?: [number, number];
+}
+
+export interface Engine {
+    // Makes a context on the canvas. "" or why there is none.
+    start(canvas: HTMLCanvasElement): Promise<string>;
+    // The driver's name and limits, for people.
+    driver(): Record<string, string | number>;
+
+    // Files in memory; names are relative, with '/'.
+    write(name: string, bytes: Uint8Array): void;
+    remove(name: string): void;
+
+    // `settings`: values, rungs and view by name take effect before the first picture; what does not fit is a problem.
+    // Values that were set by hand before are kept where the scene still has them, unless `fresh`.
+    open(scene: string, settings?: { values?: string[]; rungs?: string[]; view?: string; fresh?: boolean; lints?: boolean }): Opened;
+    // What is said without graphics, with lints.
+    check(scene: string): Problem[];
+
+    set(index: number, component: number, value: number): void;
+    range(index: number, min: number, max: number): void;
+    reset(index?: number): void;
+    // Compiles what the rung needs; the controls may be others afterwards.
+    choose(ladder: number, rung: number): Opened;
+
+    // What differs from the scene, as the command line takes it: "Glass.uEta=1.3", "FRESNEL=exact", "rotate_x=30,scale=1.2".
+    values(): string[];
+    rungs(): string[];
+    view(): string;
+    // "" or the error.
+    setView(view: string): string;
+    // The pointer's movement in CSS pixels, by the window's own rules.
+    turn(dx: number, dy: number): void;
+    move(dx: number, dy: number, width: number, height: number): void;
+    zoom(factor: number): void;
+
+    draw(frame: Frame): void;
+    // Compiles one more program for the values as they are. False: nothing is left to do.
+    settle(frame: Frame): boolean;
+    // RGBA bytes, the top row first, of any size that fits into the limits; a message otherwise.
+    picture(frame: Frame, samples: number): Uint8ClampedArray | string;
+
+    // The files with the values as they are now, edited where the values stand; an error otherwise.
+    saved(): { files: { name: string; text: string }[]; error: string };
+
+    // After the browser took the context and gave it back.
+    restored(): Opened;
+}
