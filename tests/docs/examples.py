@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info"}
+SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info", "web"}
 FENCE = re.compile(r"^```[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)
 SPAN = re.compile(r"`(snell [^`…]*\.glib[^`…]*)`")
 
