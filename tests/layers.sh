@@ -26,6 +26,9 @@ complain "no shell is called" "$(find parser src -name '*.h' -o -name '*.cpp' | 
 complain "the parser is the C++ standard library only" \
   "$(find parser -name '*.h' -o -name '*.cpp' | xargs grep -nE '#include <(fmt|glm|nlohmann|filesystem|fstream|iostream)|#include "src/|\b(printf|fprintf|puts|fopen|exit|abort)\(')"
 
+complain "libc++ lacks std::ranges and std::bit_cast where the browser's program is built: parser/text/ranges.h, src/content/bits.h" \
+  "$(find parser src -name '*.h' -o -name '*.cpp' | xargs grep -nE 'std::(ranges::|views::|bit_cast\b)|#include <ranges>')"
+
 # folder: the folders that it may include
 allow() {
   local folder=$1 pattern=$2

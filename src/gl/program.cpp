@@ -1,9 +1,10 @@
 #include "src/gl/program.h"
 
-#include <algorithm>
 #include <array>
 #include <iterator>
 #include <utility>
+
+#include "parser/text/ranges.h"
 
 namespace snell::gl {
 
@@ -230,7 +231,7 @@ void set_floats(GLenum type, GLint location, GLsizei count, const float* values)
 }
 
 std::string_view type_name(GLenum type) {
-    const auto* found = std::ranges::find(type_names, type, &std::pair<GLenum, std::string_view>::first);
+    const auto* found = ranges::find(type_names, type, &std::pair<GLenum, std::string_view>::first);
     return found == std::end(type_names) ? std::string_view{} : found->second;
 }
 

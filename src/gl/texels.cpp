@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "parser/text/ranges.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"
 
@@ -33,8 +34,7 @@ constexpr std::array<Kind, 4> kinds_of_texture{
       "    return textureLod(texels, way, float(level));"}}};
 
 std::size_t kind_of(GLenum target) {
-    return static_cast<std::size_t>(std::ranges::find(kinds_of_texture, target, &Kind::target) -
-                                    kinds_of_texture.begin());
+    return static_cast<std::size_t>(ranges::find(kinds_of_texture, target, &Kind::target) - kinds_of_texture.begin());
 }
 
 // `size` is that of the plane.

@@ -214,9 +214,9 @@ void reset(Control& control) {
 // The components share one range, so it keeps its room for those that are not reset.
 void reset(Control& control, std::size_t component) {
     control.value[component] = control.initial[component];
-    const auto [least, most] = std::ranges::minmax(control.value);
-    control.min = std::min(control.initial_min, least);
-    control.max = std::max(control.initial_max, most);
+    const auto [lowest, highest] = std::minmax_element(control.value.begin(), control.value.end());
+    control.min = std::min(control.initial_min, *lowest);
+    control.max = std::max(control.initial_max, *highest);
 }
 
 }  // namespace snell

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <set>
 
+#include "parser/text/ranges.h"
+
 namespace snell::runtime {
 
 namespace {
@@ -143,7 +145,7 @@ std::vector<const Control*> without_effect(const LinkRequest& request, std::vect
     general.settle = [](const auto&) { return std::vector<glsl::Settled>(); };
     const glsl::Translation translation = translate(general, unheard);
     std::erase_if(sliders, [&](const Control* slider) {
-        const auto declared = std::ranges::find(translation.declared, slider->name, &glsl::DeclaredUniform::name);
+        const auto declared = ranges::find(translation.declared, slider->name, &glsl::DeclaredUniform::name);
         return declared == translation.declared.end() || declared->use == glsl::DeclaredUniform::Use::sure;
     });
     if (sliders.empty() || sliders.size() > most_sliders) return {};

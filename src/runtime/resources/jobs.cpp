@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "parser/text/ranges.h"
 #include "src/content/parallel.h"
 
 namespace snell::runtime {
@@ -35,7 +36,7 @@ public:
         std::size_t told = 0;
         std::unique_lock lock(mutex_);
         while (true) {
-            const auto first = std::ranges::find(done_, false);
+            const auto first = ranges::find(done_, false);
             const std::string_view name =
                 first == done_.end() ? ""
                                      : std::string_view(jobs_[static_cast<std::size_t>(first - done_.begin())].name);
@@ -61,9 +62,8 @@ private:
 
 void say_once(const Diagnostics& said, Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : said.items())
-        if (std::ranges::none_of(diagnostics.items(), [&](const Diagnostic& other) {
-                return other.is_at(diagnostic.code, diagnostic.span);
-            }))
+        if (ranges::none_of(diagnostics.items(),
+                            [&](const Diagnostic& other) { return other.is_at(diagnostic.code, diagnostic.span); }))
             diagnostics.add(diagnostic);
 }
 
