@@ -74,6 +74,7 @@ Run add_web(CLI::App& command) {
         ->check(CLI::Range(2, static_cast<int>(most_baked)));
     add_size(command, page.size, "WIDTHxHEIGHT of baked pictures (default: the scene's)");
     command.add_option("--samples", page.samples, "samples per pixel of baked pictures")->check(CLI::Range(1, 64));
+    command.add_flag("--lossless", page.lossless, "store baked pictures exactly, which takes five times as much");
     add_time(command, page.time);
     add_context(command, page.context);
     add_access(command, page.access);

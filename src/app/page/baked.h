@@ -16,6 +16,7 @@ struct Baking {
     int steps = 0;                     // of each slider that holds fractions; 0: default_steps()
     int width = 0, height = 0, samples = 1;
     double time = 0;
+    bool lossless = false;  // PNG, otherwise WebP, which takes a fifth
 };
 
 int default_steps(std::size_t sliders);

@@ -21,14 +21,6 @@ std::optional<gl::Caps> current_caps(std::unique_ptr<HeadlessContext>& context, 
     return gl::query_caps();
 }
 
-// Without the folder, whose name would tell of the author's machine.
-std::string short_text(const Diagnostic& error, const Sources& sources) {
-    if (!error.has_span) return utf8::printable(error.message);
-    const Position at = sources.position(error.span.file, error.span.begin);
-    const std::string name = std::filesystem::path(sources.name(error.span.file)).filename().string();
-    return utf8::printable(fmt::format("{}:{}:{}: {}", name, at.line, at.column, error.message));
-}
-
 }  // namespace
 
 std::optional<gl::Caps> PageContexts::web() {
@@ -71,6 +63,13 @@ OpenedScene opened_scene(const std::string& scene, const Start& start, const gl:
         opened.first_error = short_text(*error, document.sources);
     }
     return opened;
+}
+
+std::string short_text(const Diagnostic& error, const Sources& sources) {
+    if (!error.has_span) return utf8::printable(error.message);
+    const Position at = sources.position(error.span.file, error.span.begin);
+    const std::string name = std::filesystem::path(sources.name(error.span.file)).filename().string();
+    return utf8::printable(fmt::format("{}:{}:{}: {}", name, at.line, at.column, error.message));
 }
 
 StartTexts start_texts(const Document& document, const View& view) {

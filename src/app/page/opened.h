@@ -45,6 +45,9 @@ struct OpenedScene {
 };
 OpenedScene opened_scene(const std::string& scene, const Start& start, const gl::Caps& caps, const Access& access);
 
+// The diagnostic in one line, without the folder, whose name would tell of the author's machine.
+std::string short_text(const Diagnostic& diagnostic, const Sources& sources);
+
 // Values, rungs and view that differ from the scene's own, as Engine::open of web/page/engine.ts takes them.
 struct StartTexts {
     std::vector<std::string> values, rungs;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <utility>
 
 #include "parser/text/utf8.h"
 #include "src/app/page/html.h"
@@ -62,7 +64,7 @@ PageParts baked_parts(const PageOptions& options, const gl::Caps& caps, OpenedSc
                       Deadline& deadline) {
     const Scene& scene = opened.document->scene();
     const auto [width, height] = options.size.value_or(std::pair(scene.window_size[0], scene.window_size[1]));
-    const Baking baking{options.baked, options.steps, width, height, options.samples, options.time};
+    const Baking baking{options.baked, options.steps, width, height, options.samples, options.time, options.lossless};
     Baked pictures = baked(*opened.document, opened.view, baking, caps, access.limits, deadline);
     PageParts parts{title_for(options.scene, options.title), {}, {}, sizes_of(pictures.pictures), pictures.error};
     if (!parts.error.empty()) return parts;
@@ -102,6 +104,7 @@ std::optional<PageParts> parts_of_page(const PageOptions& options, const Access&
         status = report_unfit(options, contexts, opened, access);
         return std::nullopt;
     }
+    if (opened.fits && live) opened.text += unfit_rungs(*opened.document);
     fmt::print(stderr, "{}", opened.text);
     if (!opened.fits) return std::nullopt;
     return live ? page_parts(options.scene, options.title, options.link, opened, access)
@@ -128,6 +131,26 @@ std::string unfit_statements(const Document& document) {
                             {},
                             true});
     return snell::render(found, document.sources);
+}
+
+std::string unfit_rungs(Document& document) {
+    const Scene& scene = document.scene();
+    const Rungs begin = document.runtime->rungs();
+    std::string text;
+    for (std::size_t ladder = 0; ladder < scene.ladders.size(); ++ladder)
+        for (std::size_t rung = 0; rung < scene.ladders[ladder].rungs.size(); ++rung) {
+            Rungs rungs = begin;
+            if (std::exchange(rungs[ladder], rung) == rung) continue;
+            document.runtime->choose(rungs);
+            const auto& found = document.runtime->ladder_problems().items();
+            const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
+            if (error == found.end()) continue;
+            text += fmt::format("snell: warning: with {}={} a browser cannot draw the scene: {}\n",
+                                scene.ladders[ladder].name, scene.ladders[ladder].rungs[rung],
+                                short_text(*error, document.sources));
+        }
+    document.runtime->choose(begin);
+    return text;
 }
 
 PageParts page_parts(const std::string& scene, const std::string& title, const std::string& link,

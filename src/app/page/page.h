@@ -20,6 +20,7 @@ struct PageOptions {
     int steps = 0;
     std::optional<std::pair<int, int>> size;  // of baked pictures; nullopt: the scene's
     int samples = 4;
+    bool lossless = false;
     double time = 0;
     std::string context;  // for baked pictures, as for `snell render`
     Access access;
@@ -42,6 +43,9 @@ PageParts page_parts(const std::string& scene, const std::string& title, const s
 
 // Statements that a page cannot carry out, with their places, as errors; "" if there are none.
 std::string unfit_statements(const Document& document);
+
+// Warnings about rungs that a browser cannot draw, each tried alone; "" if there are none. Compiles programs.
+std::string unfit_rungs(Document& document);
 
 // "1.5 MB".
 std::string size_text(std::uintmax_t bytes);
