@@ -1,4 +1,5 @@
-// std::bit_cast, which not every standard library that builds snell has yet (libc++ only since version 14).
+// The bits of a value as another type. C++20 has it as bit_cast, but not every standard library that builds snell does
+// yet (libc++ only since version 14).
 #pragma once
 
 #include <cstring>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "parser/text/ranges.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"
 
@@ -34,7 +33,9 @@ constexpr std::array<Kind, 4> kinds_of_texture{
       "    return textureLod(texels, way, float(level));"}}};
 
 std::size_t kind_of(GLenum target) {
-    return static_cast<std::size_t>(ranges::find(kinds_of_texture, target, &Kind::target) - kinds_of_texture.begin());
+    const auto same = [&](const Kind& kind) { return kind.target == target; };
+    return static_cast<std::size_t>(std::find_if(kinds_of_texture.begin(), kinds_of_texture.end(), same) -
+                                    kinds_of_texture.begin());
 }
 
 // `size` is that of the plane.

@@ -53,7 +53,7 @@ std::string check_count(const Shots& shots) {
 
 std::string check_names(const std::vector<Axis>& axes) {
     for (auto axis = axes.begin(); axis != axes.end(); ++axis)
-        if (ranges::find(axes.begin(), axis, axis->name, &Axis::name) != axis)
+        if (std::any_of(axes.begin(), axis, [&](const Axis& other) { return other.name == axis->name; }))
             return fmt::format("'{}' varies twice", axis->name);
     return {};
 }

@@ -2,12 +2,12 @@
 // driver leaves out what they switch off.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "parser/text/ranges.h"
+#include "parser/text/real.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/run/folding.h"
@@ -150,10 +150,8 @@ void unify_uniforms(Program& program) {
 namespace {
 
 template <class Real>
-std::string real_text(double value, std::string_view suffix) {
-    std::array<char, 64> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<Real>(value)).ptr;
-    std::string text(digits.data(), end);
+std::string literal(double value, std::string_view suffix) {
+    std::string text = real_text(static_cast<Real>(value));
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text + std::string(suffix);
 }
@@ -179,10 +177,10 @@ std::string component_text(Base base, double value) {
             return value >= 0 && value <= Uint::max() ? std::to_string(static_cast<std::uint32_t>(value)) + "u" : "";
         case Base::real:
             return std::abs(value) <= std::numeric_limits<float>::max() && exact<float>(value)
-                       ? real_text<float>(value, "")
+                       ? literal<float>(value, "")
                        : "";
         case Base::dreal:
-            return exact<double>(value) ? real_text<double>(value, "lf") : "";
+            return exact<double>(value) ? literal<double>(value, "lf") : "";
         default:
             return "";
     }

@@ -5,10 +5,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 
 #include "parser/text/ranges.h"
-#include "src/content/parallel.h"
+#include "src/content/workers.h"
 
 namespace snell::runtime {
 
@@ -58,6 +57,14 @@ private:
     std::size_t count_ = 0;
 };
 
+void work_alone(const std::vector<Job>& jobs, const Watcher& watcher) {
+    for (std::size_t done = 0; done < jobs.size(); ++done) {
+        watcher({LoadProgress::Stage::files, jobs[done].name, done, jobs.size()});
+        jobs[done].work();
+    }
+    watcher({LoadProgress::Stage::files, "", jobs.size(), jobs.size()});
+}
+
 }  // namespace
 
 void say_once(const Diagnostics& said, Diagnostics& diagnostics) {
@@ -73,12 +80,18 @@ void run(const std::vector<Job>& jobs, const Watcher& watcher) {
         return;
     }
     Board board(jobs);
-    const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1U);
-    const std::size_t count = std::min(cores, jobs.size());
+    const std::size_t count = std::min(content::cores(), jobs.size());
     // The thread that reports progress does no jobs, unless no other thread could be started.
-    const auto threads = content::start_threads(watcher ? count : count - 1, [&board] { board.work(); });
-    if (!watcher || threads.empty()) board.work();
-    if (watcher) board.watch(watcher);
+    content::work_beside(
+        watcher ? count : count - 1, [&] { board.work(); },
+        [&](std::size_t started) {
+            if (!watcher)
+                board.work();
+            else if (started > 0)
+                board.watch(watcher);
+            else
+                work_alone(jobs, watcher);
+        });
 }
 
 }  // namespace snell::runtime
