@@ -52,6 +52,8 @@ test('damaged lists are refused', () => {
     const one = { name: 'a', size: 0, decoded: false };
     assert.throws(() => filesOf(archive([one, one])), /twice/);
     assert.throws(() => filesOf(archive([{ ...one, decoded: true }])), /twice/);
+    assert.throws(() => filesOf(archive([one, { ...one, name: 'a/b' }])), /folder/);
+    assert.throws(() => filesOf(archive([{ ...one, name: 'x/a/b' }, { ...one, name: 'x' }])), /folder/);
     const many = Array.from({ length: mostFiles + 1 }, (_, i) => ({ ...one, name: `f${i}` }));
     assert.throws(() => filesOf(archive(many)), /more than/);
 });

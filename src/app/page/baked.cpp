@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/app/open/progress.h"
 #include "src/app/picture/picture.h"
@@ -65,7 +66,7 @@ std::vector<double> values_of(const snell::Control& control, int steps) {
         values.push_back(whole ? std::round(value) : k + 1 == count ? control.max : value);
     }
     values.push_back(control.value[0]);
-    std::ranges::sort(values);
+    ranges::sort(values);
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/app/page/gallery_index.h"
@@ -36,6 +37,7 @@ struct Exhibit {
 
 // Sorted by name, so that the index does not depend on the file system.
 bool find_scenes(const std::vector<std::string>& folders, std::vector<Exhibit>& exhibits) {
+    std::set<fs::path> known;  // folders may be within each other
     for (const std::string& folder : folders) {
         std::error_code error;
         const std::size_t first = exhibits.size();
@@ -45,6 +47,7 @@ bool find_scenes(const std::vector<std::string>& folders, std::vector<Exhibit>& 
         for (; !error && entry != end; entry.increment(error)) {
             const fs::path& path = entry->path();
             if (!same_word(path.extension().string(), ".glib") || !entry->is_regular_file(error)) continue;
+            if (!known.insert(fs::weakly_canonical(path, error)).second) continue;
             exhibits.push_back({path.lexically_normal().string(), folder, {}});
         }
         std::sort(exhibits.begin() + static_cast<std::ptrdiff_t>(first), exhibits.end(),
@@ -199,7 +202,7 @@ Exit make_gallery(const GalleryOptions& options) {
     error = content::replace_file((folder / "runtime.js").string(), runtime);
     if (error.empty()) error = content::replace_file((folder / "index.html").string(), gallery_index(gallery.rows()));
     if (!error.empty()) return wrong(error) ? exit_fine : exit_input;
-    const auto pages = std::ranges::count_if(gallery.rows(), [](const GalleryRow& row) { return row.error.empty(); });
+    const auto pages = ranges::count_if(gallery.rows(), [](const GalleryRow& row) { return row.error.empty(); });
     fmt::print("{}: {} of {} scenes have pages\n", utf8::printable((folder / "index.html").string()), pages,
                gallery.rows().size());
     return exit_fine;

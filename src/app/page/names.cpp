@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/content/replace.h"
@@ -66,7 +67,7 @@ std::optional<Way> way_to(const std::string& path, const std::string& folder, co
 
 std::string lower_name(const std::string& path) {
     std::string name = fs::path(path).filename().string();
-    std::ranges::transform(name, name.begin(), lower);
+    ranges::transform(name, name.begin(), lower);
     return name;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
@@ -57,7 +58,7 @@ OpenedScene opened_scene(const std::string& scene, const Start& start, const gl:
     for (const Diagnostic& diagnostic : problems.items())
         if (diagnostic.severity != Severity::note) shown.add(diagnostic);
     opened.text = snell::render(shown, document.sources);
-    const auto error = std::ranges::find(problems.items(), Severity::error, &Diagnostic::severity);
+    const auto error = ranges::find(problems.items(), Severity::error, &Diagnostic::severity);
     opened.fits = error == problems.items().end();
     if (!opened.fits) {
         opened.first_error = short_text(*error, document.sources);

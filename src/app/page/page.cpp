@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/app/page/html.h"
 #include "src/app/page/scene_files.h"
@@ -104,7 +105,10 @@ std::optional<PageParts> parts_of_page(const PageOptions& options, const Access&
         status = report_unfit(options, contexts, opened, access);
         return std::nullopt;
     }
-    if (opened.fits && live) opened.text += unfit_rungs(*opened.document);
+    if (opened.fits && live) {
+        deadline.begin(fmt::format("compiling the rungs of '{}'", options.scene));
+        opened.text += unfit_rungs(*opened.document);
+    }
     fmt::print(stderr, "{}", opened.text);
     if (!opened.fits) return std::nullopt;
     return live ? page_parts(options.scene, options.title, options.link, opened, access)
@@ -143,7 +147,7 @@ std::string unfit_rungs(Document& document) {
             if (std::exchange(rungs[ladder], rung) == rung) continue;
             document.runtime->choose(rungs);
             const auto& found = document.runtime->ladder_problems().items();
-            const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
+            const auto error = ranges::find(found, Severity::error, &Diagnostic::severity);
             if (error == found.end()) continue;
             text += fmt::format("snell: warning: with {}={} a browser cannot draw the scene: {}\n",
                                 scene.ladders[ladder].name, scene.ladders[ladder].rungs[rung],
