@@ -101,7 +101,7 @@ Json control_json(const Document& document, const BakedAxis& axis, std::size_t i
             {"value", control.value},
             {"initialMin", control.min},
             {"initialMax", control.max},
-            {"initial", control.initial},
+            {"initial", control.value},
             {"active", true}};
 }
 

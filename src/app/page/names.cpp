@@ -80,22 +80,27 @@ bool plain(std::string_view name) {
     return true;
 }
 
+std::string shown(const std::string& path) { return utf8::printable(fs::path(path).lexically_normal().string()); }
+
+std::string one_name(const std::string& a, const std::string& b) {
+    return fmt::format(
+        "'{}' and '{}' have one name, and a page has all files that are not near the scene in the scene's folder: "
+        "rename "
+        "one of them",
+        shown(a), shown(b));
+}
+
 // Two of the files on the disk that a page could not tell apart; "" where there are none.
 std::string confused(const std::vector<NamedFile>& files, const std::set<std::string>& moved) {
     std::map<std::string, std::string> known;
     for (const NamedFile& file : files) {
         if (!plain(file.name))
-            return fmt::format("'{}' has a name that a page cannot hold: rename it", utf8::printable(file.path));
-        const std::string last = lower_name(file.path);
-        const auto [other, is_new] = known.emplace(last, file.path);
-        if (is_new || (!moved.contains(file.path) && !moved.contains(other->second))) continue;
+            return fmt::format("'{}' has a name that a page cannot hold: rename it", shown(file.path));
+        const auto [other, is_new] = known.emplace(lower_name(file.path), file.path);
         std::error_code error;
-        if (fs::equivalent(other->second, file.path, error)) continue;
-        return fmt::format(
-            "'{}' and '{}' have one name, and in a page all files that are not near the scene are in its folder: "
-            "rename "
-            "one of them",
-            utf8::printable(other->second), utf8::printable(file.path));
+        const bool near = !moved.contains(file.path) && !moved.contains(other->second);
+        if (!is_new && !near && !fs::equivalent(other->second, file.path, error))
+            return one_name(other->second, file.path);
     }
     return {};
 }
@@ -136,11 +141,10 @@ PageNames page_names(const std::string& scene, const std::vector<std::string>& p
         const std::string name = joined(place, root);
         if (!ways[i]) moved.insert(paths[i]);
         const auto [other, is_new] = known.emplace(name, paths[i]);
-        if (is_new) names.files.push_back({paths[i], name});
-        // Links may lead from one name to two files.
+        if (is_new)
+            names.files.push_back({paths[i], name});
         else if (content::whole_file(other->second) != content::whole_file(paths[i]))
-            names.error = fmt::format("'{}' and '{}' would be one file in a page", utf8::printable(other->second),
-                                      utf8::printable(paths[i]));
+            names.error = one_name(other->second, paths[i]);
     }
     if (names.error.empty()) names.error = confused(names.files, moved);
     return names;

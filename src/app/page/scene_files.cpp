@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <set>
 
 #include "parser/text/utf8.h"
@@ -23,11 +24,16 @@ struct Used {
     std::string error;
 };
 
+// Without the mark of marked_path().
+std::string shown_path(const std::string& path) {
+    return utf8::printable(std::filesystem::path(path).lexically_normal().string());
+}
+
 Used used_by(const std::string& scene, Files& files) {
     Sources sources;
     Diagnostics unheard(files.limits());  // these are reported when the scene is opened
     auto parsed = parse_document(scene, files, sources, unheard);
-    if (!parsed) return {{}, {}, fmt::format("cannot read '{}'", utf8::printable(scene))};
+    if (!parsed) return {{}, {}, fmt::format("cannot read '{}'", shown_path(scene))};
     const Plan plan = make_plan(std::move(parsed->scene), files, sources, unheard);
     Used used{used_files(plan, sources, files), {}, {}};
     for (Index i = 0; i < plan.scene.textures.size(); ++i)
@@ -76,7 +82,7 @@ SceneFiles scene_files(const std::string& scene, const Access& access) {
         std::string error;
         auto bytes = files.read(named.path, error);
         if (!bytes) {
-            found.error = fmt::format("cannot read '{}': {}", utf8::printable(named.path), error);
+            found.error = fmt::format("cannot read '{}': {}", shown_path(named.path), error);
             return found;
         }
         found.files.push_back({named.name, std::move(*bytes)});
