@@ -155,7 +155,7 @@ protected:
         save("page.html",
              "<title>snell</title><script type=\"application/json\" id=\"scene\">null</script>"
              "<script type=\"text/plain\" id=\"archive\"></script>");
-        setenv("SNELL_WEB", folder_.path().c_str(), 1);
+        setenv("SNELL_WEB", file("").c_str(), 1);
         save("scene.glib", "Fragment paint.frag\nProgram Paint uRed <0. .25 1.>\nSphere 1\n");
         save("paint.frag", "uniform float uRed;\nvoid main() { gl_FragColor = vec4(uRed, .5, 0., 1.); }\n");
     }
