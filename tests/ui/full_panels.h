@@ -248,6 +248,10 @@ public:
         memory_.save_as.existing = long_path;
         memory_.save_as.error = "the scene would not find " + long_path + ", " + long_path + " from there";
     }
+    void save_page() {
+        open_save_as(memory_.save_page, "room.html");
+        memory_.save_page.error = "another page is being saved";
+    }
     // With what is below it in sight, each of the toolbar's menus.
     void open_menu() {
         programs();

@@ -114,6 +114,21 @@ TEST_F(UiKeep, TheNameOfAnotherSceneIsAskedFor) {
     EXPECT_FALSE(memory_.save_as.open);
 }
 
+TEST_F(UiKeep, TheNameOfAPageIsAskedForByItself) {
+    EXPECT_TRUE(clicked("page", {}, "save").save_page);
+    frame({key(Key::escape, true)});
+    frame({key(Key::escape, false)});
+    open_save_as(memory_.save_page, "room.html");
+    frame();
+    EXPECT_FALSE(has("save as save"));
+    const Requests saved = clicked("save page save");
+    EXPECT_TRUE(saved.save_page_now);
+    EXPECT_FALSE(saved.save_as_now);
+    EXPECT_FALSE(pressed(Key::z, {.ctrl = true}).undo) << "keys are the dialog's";
+    clicked("save page cancel");
+    EXPECT_FALSE(memory_.save_page.open);
+}
+
 TEST_F(UiKeep, TheMenuOfANameMakesASliderLogarithmic) {
     add_slider("uEta", .01, 1, 100);
     const auto at_half = [&] {

@@ -66,6 +66,7 @@ const Panel panels[] = {
     {"frame-cost", "frame cost.plot", &Screens::frame_cost},
     {"picture", "picture save", &Screens::picture},
     {"save-as", "save as save", &Screens::save_as},
+    {"save-page", "save page save", &Screens::save_page},
     {"keys", "close keys", &Screens::keys},
     {"open-menu", "open", &Screens::open_menu},
     {"save-menu", "sequence", &Screens::save_menu},
