@@ -14,8 +14,9 @@ export interface EditorHost {
     scene: string;
     // Undefined where there is no engine for the worker (ready pictures).
     checker: Checker | undefined;
-    // The author edited a file. The page draws it again, and calls show() with what the engine says.
-    changed(name: string, text: string): void;
+    // The author edited a file, and these are its bytes now: not every file is UTF-8, and line ends are the author's.
+    // The page puts them into `files`, draws again, and calls show() with what the engine says.
+    changed(name: string, bytes: Uint8Array): void;
     // Another scene takes the place of this one: dropped, or chosen among the examples.
     openScene(name: string, files: Map<string, Uint8Array>): void;
     // A message for the page's live region, such as why a dropped file cannot be opened.
