@@ -14,8 +14,8 @@ export function cleanName(raw: string): { name: string } | { error: string } {
     return { name };
 }
 
-// What systems and programs leave in folders, which is no part of a scene.
-export function isJunk(name: string): boolean {
+// What systems and programs leave in folders, which is not part of a scene.
+function isJunk(name: string): boolean {
     return name.split('/').some((part) => part.startsWith('.') || /^(__MACOSX|Thumbs\.db|desktop\.ini)$/i.test(part));
 }
 
@@ -23,6 +23,15 @@ export function isJunk(name: string): boolean {
 export class Names {
     readonly #files = new Set<string>();
     readonly #folders = new Set<string>();
+
+    // The name to use, or why the file is left out; neither for junk.
+    clean(raw: string): { name?: string; error?: string } {
+        const clean = cleanName(raw);
+        if ('error' in clean) return clean;
+        if (isJunk(clean.name)) return {};
+        const error = this.take(clean.name);
+        return error ? { error } : clean;
+    }
 
     // Returns why the name cannot be taken, or ''.
     take(name: string): string {

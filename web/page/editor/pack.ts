@@ -6,7 +6,8 @@ const packedAlready = /\.(png|jpe?g|gif|webp|zip)$/i;
 
 export function zip(files: ReadonlyMap<string, Uint8Array>): Uint8Array<ArrayBuffer> {
     const sorted = [...files].sort(([a], [b]) => (a < b ? -1 : a > b ? 1 : 0));
-    const entries: Zippable = {};
+    // Without a prototype, '__proto__' is a name like any other.
+    const entries = Object.create(null) as Zippable;
     for (const [name, bytes] of sorted) entries[name] = [bytes, { level: packedAlready.test(name) ? 0 : 6 }];
     // A local time, because an archive stores local times without their zone.
     return zipSync(entries, { mtime: new Date(1980, 0, 1) });

@@ -1,7 +1,7 @@
 // Reads .zip archives that anyone may have made: sizes are not believed, and names are checked.
 import { Inflate } from 'fflate';
 import { Budget } from './limits.ts';
-import { cleanName, isJunk, Names } from './names.ts';
+import { Names } from './names.ts';
 
 export interface Unpacked {
     files: Map<string, Uint8Array>;
@@ -140,18 +140,15 @@ export async function unzip(bytes: Uint8Array, budget = new Budget()): Promise<U
     let rested = Date.now();
     for (const entry of entriesOf(bytes, view)) {
         budget.file();
-        if (entry.link || /[\\/]$/.test(entry.name) || isJunk(entry.name.replaceAll('\\', '/').replace(/^\.\.?\//, ''))) continue;
-        const clean = cleanName(entry.name);
-        const why = 'error' in clean ? clean.error : names.take(clean.name);
-        if (why !== '' || 'error' in clean) {
-            messages.push(`'${entry.name}' is left out: ${why}.`);
-            continue;
-        }
+        if (entry.link || /[\\/]$/.test(entry.name)) continue;
+        const { name, error } = names.clean(entry.name);
+        if (error) messages.push(`'${entry.name}' is left out: ${error}.`);
+        if (!name) continue;
         try {
-            files.set(clean.name, unpacked(bytes, view, entry, clean.name, budget));
+            files.set(name, unpacked(bytes, view, entry, name, budget));
         } catch (error) {
             if (!(error instanceof BadArchive)) throw error;
-            messages.push(`'${clean.name}' is left out: ${error.message}.`);
+            messages.push(`'${name}' is left out: ${error.message}.`);
         }
         if (Date.now() - rested > 50) {
             await new Promise((resolve) => setTimeout(resolve));
