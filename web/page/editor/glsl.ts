@@ -1,6 +1,7 @@
 // Highlighting and completion of shaders.
 import { completeAnyWord, type Completion, type CompletionContext, type CompletionResult } from '@codemirror/autocomplete';
-import { StreamLanguage, type StreamParser } from '@codemirror/language';
+import { indentService, StreamLanguage, type StreamParser } from '@codemirror/language';
+import { countColumn } from '@codemirror/state';
 import { variables } from './words.ts';
 
 const list = (text: string) => text.trim().split(/\s+/);
@@ -68,18 +69,20 @@ const parser: StreamParser<State> = {
         commentTokens: { line: '//', block: { open: '/*', close: '*/' } },
         indentOnInput: /^\s*[{}]$/,
     },
-    indent(state, textAfter, context) {
-        if (state.comment) return null;
-        const broken = context.simulatedBreak === context.pos;
-        if (!broken && context.pos === 0) return 0;
-        const above = broken ? context.lineAt(context.pos, -1) : context.state.doc.lineAt(context.pos - 1);
-        const indent = /^\s*/.exec(above.text)![0].length;
-        const opened = /[{(]\s*(\/\/.*)?$/.test(above.text) ? context.unit : 0;
-        return Math.max(0, indent + opened - (/^\s*[})]/.test(textAfter) ? context.unit : 0));
-    },
 };
 
-export const glsl = StreamLanguage.define(parser);
+// As the line above, deeper after an open brace.
+const indent = indentService.of((context, position) => {
+    const broken = context.simulatedBreak === position;
+    if (!broken && position === 0) return 0;
+    const above = broken ? context.lineAt(position, -1) : context.state.doc.lineAt(position - 1);
+    const opened = /[{(]\s*(\/\/.*)?$/.test(above.text) ? context.unit : 0;
+    const closes = /^\s*[})]/.test(context.textAfterPos(position)) ? context.unit : 0;
+    const width = countColumn(/^\s*/.exec(above.text)![0], context.state.tabSize);
+    return Math.max(0, width + opened - closes);
+});
+
+export const glsl = [StreamLanguage.define(parser), indent];
 
 const options: Completion[] = [
     ...variables.map(({ name, type, doc }) => ({ label: name, type: 'variable', detail: type, info: doc })),

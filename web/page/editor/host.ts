@@ -36,7 +36,7 @@ export interface Editor {
     welcome: HTMLElement;
     show(problems: Problem[]): void;
     goTo(place: Place): void;
-    // host.files and host.scene are others now.
+    // host.files and host.scene are others now. The page calls show() afterwards.
     opened(): void;
     // Puts a text in place of a file's, as one step that can be undone: values that the page writes into the scene. Only
     // the lines that differ are edited.
