@@ -71,10 +71,13 @@ function(snell_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# snell_library(NAME libraries…): every .cpp of the calling folder and its rooms.
+# snell_library(NAME libraries…): every .cpp of the calling folder and its rooms, without those whose names SNELL_WITHOUT
+# (regular expressions) lists.
 function(snell_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
-  list(FILTER sources EXCLUDE REGEX "(^|/)(main|oiio)\\.cpp$")
+  foreach(pattern "(^|/)(main|oiio)\\.cpp$" ${SNELL_WITHOUT})
+    list(FILTER sources EXCLUDE REGEX "${pattern}")
+  endforeach()
   add_library(${name} STATIC ${sources})
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${name} PUBLIC snell_options ${ARGN})

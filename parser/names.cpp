@@ -1,8 +1,8 @@
 #include "parser/names.h"
 
-#include <algorithm>
 #include <array>
 
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell {
@@ -32,7 +32,7 @@ int find_choice(std::string_view choices, std::string_view word) {
         if (word == "0" || same_word(word, "false")) return 1;
     }
     const std::vector<std::string_view> words = split(choices, '/');
-    const auto found = std::ranges::find_if(words, [&](std::string_view w) { return same_word(w, word); });
+    const auto found = ranges::find_if(words, [&](std::string_view w) { return same_word(w, word); });
     return found == words.end() ? -1 : static_cast<int>(found - words.begin());
 }
 

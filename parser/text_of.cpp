@@ -1,11 +1,11 @@
 #include "parser/text_of.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "parser/names.h"
 #include "parser/text/number.h"
+#include "parser/text/real.h"
 
 namespace snell::text_of {
 namespace {
@@ -42,11 +42,7 @@ std::string statement(std::string_view command, Numbers... values) {
 }  // namespace
 
 std::string number(double value, bool integral) {
-    std::array<char, 64> buffer;
-    const auto end = integral
-                         ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
-                         : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    std::string text(buffer.data(), end.ptr);
+    std::string text = integral ? fixed_text(value) : real_text(value);
     if (!integral && text.find_first_of(".e") == std::string::npos) text += '.';
     return text;
 }

@@ -23,8 +23,19 @@ complain "files are written by src/content/replace.cpp only, and by OpenImageIO 
   "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/content/(replace.cpp|oiio/oiio.cpp)$' |
      xargs grep -nE '\b(ofstream|fopen|freopen|mkstemp|creat)\b|\bO_(WRONLY|RDWR|CREAT)\b')"
 complain "no shell is called" "$(find parser src -name '*.h' -o -name '*.cpp' | xargs grep -nE '\b(system|popen|execl|execlp|execle|wordexp)\(|/bin/sh')"
-complain "the parser is the C++ standard library only" \
-  "$(find parser -name '*.h' -o -name '*.cpp' | xargs grep -nE '#include <(fmt|glm|nlohmann|filesystem|fstream|iostream)|#include "src/|\b(printf|fprintf|puts|fopen|exit|abort)\(')"
+complain "the parser is the C++ standard library only, but for how doubles are read and written (parser/text/real.cpp)" \
+  "$(find parser -name '*.h' -o -name '*.cpp' | grep -vxF parser/text/real.cpp |
+     xargs grep -nE '#include <(fmt|fast_float|glm|nlohmann|filesystem|fstream|iostream)|#include "src/|\b(printf|fprintf|puts|fopen|exit|abort)\(')"
+complain "doubles are read and written by parser/text/real.h, in every locale" \
+  "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^(parser/text/real\.|src/app/(batch|commands|window)/)' |
+     xargs grep -nE '\bstd::(to_chars|strto(d|f|ld)|sto(d|f|ld)|atof|sscanf)\(|#include <fast_float')"
+
+complain "libc++ lacks std::ranges and std::bit_cast where the browser's program is built: parser/text/ranges.h, src/content/bits.h" \
+  "$(find parser src -name '*.h' -o -name '*.cpp' | xargs grep -nE 'std::(ranges::|views::|bit_cast\b)|#include <ranges>')"
+
+complain "threads are started by src/content/workers.cpp, which a platform without any replaces, and by the program" \
+  "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(content/workers.cpp|app/)' |
+     xargs grep -nE 'std::(j?thread|async)\b|#include <(thread|future|stop_token)>')"
 
 # folder: the folders that it may include
 allow() {
@@ -41,7 +52,7 @@ allow src/lint 'parser|src/content|src/glsl|src/plan|src/lint'
 allow src/gl 'src/gl'
 allow src/runtime 'parser|shaders|src/content|src/glsl|src/plan|src/gl|src/runtime'
 allow src/accuracy 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/accuracy'
-allow src/platform 'src/gl|src/platform'
+allow src/platform 'src/gl|src/platform|src/content'
 allow src/ui 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/platform|src/ui'
 
 complain "the program must not link OpenImageIO: it costs start-up" "$(ldd "$bin/snell" | grep -i openimageio)"

@@ -1,10 +1,10 @@
 #include "parser/commands/elsewhere.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "parser/commands/commands.h"
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell {
@@ -108,7 +108,7 @@ constexpr auto words = std::to_array<Entry>({
 
 template <std::size_t N>
 std::string_view find(const std::array<Entry, N>& entries, std::string_view word) {
-    const auto same = std::ranges::find_if(entries, [&](const Entry& entry) { return same_word(entry.first, word); });
+    const auto same = ranges::find_if(entries, [&](const Entry& entry) { return same_word(entry.first, word); });
     return same == entries.end() ? std::string_view() : same->second;
 }
 

@@ -1,20 +1,20 @@
 // Ladders: methods to choose from when programs are compiled.
-#include <algorithm>
 
 #include "parser/commands/handlers.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
+#include "parser/text/ranges.h"
 
 namespace snell {
 namespace {
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 bool name_part(char c) { return digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool whole_number(std::string_view text) { return std::ranges::all_of(text, digit); }
+bool whole_number(std::string_view text) { return ranges::all_of(text, digit); }
 
 // This is an identifier of the preprocessor, which reserves two underscores in a row.
 bool identifier(std::string_view text) {
-    return !text.empty() && std::ranges::all_of(text, name_part) && !digit(text.front());
+    return !text.empty() && ranges::all_of(text, name_part) && !digit(text.front());
 }
 
 // These words are common in shaders, or reserved by GLSL.
@@ -31,7 +31,7 @@ bool reserved(std::string_view name) {
     const auto is_type = [&](std::string_view type) {
         return name.size() > type.size() && name.starts_with(type) && digit(name[type.size()]);
     };
-    return std::ranges::find(words, name) != std::end(words) || std::ranges::any_of(types, is_type) ||
+    return ranges::find(words, name) != std::end(words) || ranges::any_of(types, is_type) ||
            name.starts_with("sampler") || name.starts_with("gl_") || name.starts_with("GL_") ||
            name.starts_with("snell_") || name.find("__") != std::string_view::npos;
 }
@@ -71,13 +71,13 @@ private:
         const std::string_view rung = lexer_.text(token);
         const Span span = lexer_.span(token);
         const bool good =
-            std::ranges::all_of(rung, name_part) && !rung.starts_with('_') && rung.find("__") == std::string_view::npos;
+            ranges::all_of(rung, name_part) && !rung.starts_with('_') && rung.find("__") == std::string_view::npos;
         if (!good) {
             report_.error("ladder-rung", span, quoted(rung) + " cannot be part of a macro's name",
                           "a rung is a word of letters, digits and underscores, or a whole number");
             return ladder_.rungs.size();
         }
-        const auto same = std::ranges::find(ladder_.rungs, rung);
+        const auto same = ranges::find(ladder_.rungs, rung);
         if (same != ladder_.rungs.end()) {
             const auto place = static_cast<std::size_t>(same - ladder_.rungs.begin());
             report_
@@ -121,7 +121,7 @@ bool macros_differ(const Ladder& ladder, const std::vector<Ladder>& others, Repo
     for (const Ladder& other : others) {
         if (other.name == ladder.name) continue;
         for (const std::string& name : macros(other)) {
-            if (std::ranges::find(mine, name) == mine.end()) continue;
+            if (ranges::find(mine, name) == mine.end()) continue;
             report
                 .error("ladder-clash", ladder.name_span,
                        "this ladder and '" + other.name + "' both define " + snell::quoted(name), "choose another name")
@@ -134,7 +134,7 @@ bool macros_differ(const Ladder& ladder, const std::vector<Ladder>& others, Repo
 
 }  // namespace
 
-bool Ladder::numeric() const { return std::ranges::all_of(rungs, whole_number); }
+bool Ladder::numeric() const { return ranges::all_of(rungs, whole_number); }
 
 void handle::ladder(Builder& b, const Arguments& a) {
     Ladder ladder;
@@ -150,7 +150,7 @@ void handle::ladder(Builder& b, const Arguments& a) {
     }
     std::vector<Ladder>& ladders = b.scene().ladders;
     if (!macros_differ(ladder, ladders, b.report())) return;
-    const auto same = std::ranges::find(ladders, ladder.name, &Ladder::name);
+    const auto same = ranges::find(ladders, ladder.name, &Ladder::name);
     if (same == ladders.end()) {
         ladders.push_back(std::move(ladder));
         return;

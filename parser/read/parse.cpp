@@ -6,6 +6,7 @@
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
 #include "parser/read/uniforms.h"
+#include "parser/text/ranges.h"
 
 namespace snell {
 namespace {
@@ -210,8 +211,7 @@ private:
     // A scene that is being read cannot be the one that was meant.
     std::string suggested(std::string_view nearest) const {
         const auto last = [](std::string_view path) { return path.substr(path.rfind('/') + 1); };
-        const bool open =
-            std::ranges::any_of(open_, [&](const OpenText& text) { return last(text.name) == last(nearest); });
+        const bool open = ranges::any_of(open_, [&](const OpenText& text) { return last(text.name) == last(nearest); });
         return nearest.empty() || open ? std::string() : "did you mean '" + std::string(nearest) + "'?";
     }
 

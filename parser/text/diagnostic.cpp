@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell {
@@ -80,7 +81,7 @@ Diagnostic& Diagnostics::warning(std::string_view code, std::string message, std
 }
 
 void Diagnostics::add_once(Diagnostic diagnostic) {
-    const auto same = std::ranges::find_if(items_, [&](const Diagnostic& d) {
+    const auto same = ranges::find_if(items_, [&](const Diagnostic& d) {
         return d.has_span && d.span.file == diagnostic.span.file && d.code == diagnostic.code &&
                d.message == diagnostic.message && d.help == diagnostic.help;
     });

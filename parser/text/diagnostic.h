@@ -2,12 +2,12 @@
 // prints.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "parser/text/limits.h"
+#include "parser/text/ranges.h"
 #include "parser/text/source.h"
 
 namespace snell {
@@ -32,7 +32,7 @@ struct Diagnostic {
     std::vector<Span> also = {};  // further places in the same text with the same defect
 
     bool is_at(std::string_view what, const Span& place) const {
-        return has_span && code == what && (span == place || std::ranges::find(also, place) != also.end());
+        return has_span && code == what && (span == place || ranges::find(also, place) != also.end());
     }
 };
 

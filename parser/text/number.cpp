@@ -1,11 +1,11 @@
 #include "parser/text/number.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "parser/text/real.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 
@@ -30,7 +30,7 @@ bool odd_minus(std::string_view text) {
            (c.code == 0x2212 || (c.code >= 0x2010 && c.code <= 0x2014) || c.code == 0xFE63 || c.code == 0xFF0D);
 }
 
-// A number that from_chars finds out of range is either too large or vanishingly small: which of them follows
+// A number that read_real finds out of range is either too large or vanishingly small: which of them follows
 // from where its first digit that counts stands.
 bool vanishes(std::string_view text) {
     std::size_t i = 0;
@@ -63,7 +63,7 @@ NumberFault fault_of_rest(std::string_view number, std::string_view rest) {
 }
 
 // Plain decimals of few digits, which nearly all numbers are: a whole number below 2^53 divided by a power of ten
-// that a double holds exactly is rounded once, and so is what from_chars gives (Clinger 1990). Nothing for others.
+// that a double holds exactly is rounded once, and so is what read_real gives (Clinger 1990). Nothing for others.
 std::optional<double> plain_decimal(std::string_view text) {
     constexpr std::array<double, 16> powers{1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                             1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
@@ -105,7 +105,7 @@ Number read_number(std::string_view text) {
     }
     Number number;
     const char* const end = digits.data() + digits.size();
-    const auto [stop, error] = std::from_chars(digits.data(), end, number.value);
+    const auto [stop, error] = read_real(digits.data(), end, number.value);
     const std::string_view read(digits.data(), static_cast<std::size_t>(stop - digits.data()));
     if (error == std::errc::result_out_of_range) {
         number.value = 0;

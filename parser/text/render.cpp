@@ -4,6 +4,7 @@
 
 #include "parser/text/diagnostic.h"
 #include "parser/text/finding.h"
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 
 namespace snell {
@@ -76,7 +77,7 @@ std::string other_lines(const Diagnostic& diagnostic, const Sources& sources) {
     constexpr std::size_t most = 6;
     std::vector<int> lines;
     for (const Span& span : diagnostic.also) lines.push_back(sources.position(span.file, span.begin).line);
-    std::ranges::sort(lines);
+    ranges::sort(lines);
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     std::erase(lines, sources.position(diagnostic.span.file, diagnostic.span.begin).line);
     if (lines.empty()) return {};

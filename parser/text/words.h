@@ -17,7 +17,8 @@ constexpr bool same_word(std::string_view a, std::string_view b) {
 }
 
 constexpr bool contains(std::string_view text, std::string_view part) {
-    return part.empty() || !std::ranges::search(text, part, {}, lower, lower).empty();
+    const auto same = [](char a, char b) { return lower(a) == lower(b); };
+    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end() || part.empty();
 }
 
 // The parts between separators; of an empty text there are none.

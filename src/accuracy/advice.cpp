@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "parser/text/ranges.h"
+
 namespace snell::accuracy {
 
 namespace {
@@ -58,7 +60,7 @@ std::vector<Rungs> neighbours(const Scene& scene, const Rungs& centre) {
 // Makes a sweep against the reference, with ratios to `base`; both are added if they are missing.
 Sweep sweep_of(const Scene& scene, std::vector<Rungs> all, const Rungs& base) {
     const auto place = [&](const Rungs& rungs) {
-        const auto found = std::ranges::find(all, rungs);
+        const auto found = ranges::find(all, rungs);
         const auto at = static_cast<std::size_t>(found - all.begin());
         if (found == all.end()) all.push_back(rungs);
         return at;
@@ -129,7 +131,7 @@ private:
             if (!best || sweep.interrupted) break;
             const Rungs& found = sweep.sweep.rungs[*best].variant.rungs;
             // Noise may lead the search in a circle; a combination that was visited before is as good.
-            if (found == centre || std::ranges::find(seen, found) != seen.end()) return conclude(wish, false, true);
+            if (found == centre || ranges::find(seen, found) != seen.end()) return conclude(wish, false, true);
             if (left() <= end) break;
             seen.push_back(centre);
             centre = found;
@@ -159,14 +161,14 @@ std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish) {
     const auto cost = [&](std::size_t i) { return rung(i).ratio.middle; };
     const auto those = [](const Places& of, auto which) {
         Places found;
-        std::ranges::copy_if(of, std::back_inserter(found), which);
+        ranges::copy_if(of, std::back_inserter(found), which);
         return found;
     };
     // Of those whose errors are equal, the one that is nearest to the last rungs: a picture may hide what they do.
     const auto most_exact = [&](const Places& of) {
-        const double least = error(*std::ranges::min_element(of, {}, error));
+        const double least = error(*ranges::min_element(of, {}, error));
         const Places alike = those(of, [&](std::size_t i) { return error(i) <= least * as_exact; });
-        return *std::ranges::max_element(
+        return *ranges::max_element(
             alike, {}, [&](std::size_t i) { return std::reduce(rung(i).steps.begin(), rung(i).steps.end()); });
     };
     Places all;
@@ -175,13 +177,13 @@ std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish) {
     if (all.empty() || !sweep.cannot_say.empty()) return std::nullopt;
     const Places exact = those(all, [&](std::size_t i) { return exact_enough(sweep, rung(i), wish); });
     const Places good = those(exact, [&](std::size_t i) { return quick_enough(rung(i), wish); });
-    if (good.empty()) return exact.empty() ? most_exact(all) : *std::ranges::min_element(exact, {}, cost);
+    if (good.empty()) return exact.empty() ? most_exact(all) : *ranges::min_element(exact, {}, cost);
     Places wanted = good;
     if (wish.milliseconds) {
-        const double least = error(*std::ranges::min_element(good, {}, error));
+        const double least = error(*ranges::min_element(good, {}, error));
         wanted = those(good, [&](std::size_t i) { return error(i) <= least * as_exact; });
     }
-    const RungResult& cheapest = rung(*std::ranges::min_element(wanted, {}, cost));
+    const RungResult& cheapest = rung(*ranges::min_element(wanted, {}, cost));
     return most_exact(those(wanted, [&](std::size_t i) { return cost_the_same(rung(i), cheapest); }));
 }
 

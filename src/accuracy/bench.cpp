@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/clock.h"
 #include "src/accuracy/sample_mean.h"
 #include "src/gl/present.h"
@@ -30,8 +31,8 @@ bool names(std::string_view text, std::string_view word) {
 
 bool any_stage_names(const PlannedProgram& program, const Sources& sources, const Files& files, std::string_view word) {
     Files reader(files.folder(), files.access());
-    return std::ranges::any_of(shader_texts(program, sources, reader),
-                               [&](const ShaderText& shader) { return names(shader.text, word); });
+    return ranges::any_of(shader_texts(program, sources, reader),
+                          [&](const ShaderText& shader) { return names(shader.text, word); });
 }
 
 // Adds a ladder for the kind of output before the scene's own, which every program then sees.
@@ -84,8 +85,8 @@ struct Bench::Stage {
 
 Bench::Bench(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, BenchSettings settings)
     : plan_(std::move(plan)), files_(&files), sources_(&sources), caps_(caps), settings_(std::move(settings)) {
-    directions_ = std::ranges::any_of(
-        plan_.programs, [&](const PlannedProgram& p) { return any_stage_names(p, sources, files, output); });
+    directions_ = ranges::any_of(plan_.programs,
+                                 [&](const PlannedProgram& p) { return any_stage_names(p, sources, files, output); });
 }
 
 Bench::~Bench() = default;
@@ -100,7 +101,7 @@ std::vector<bool> Bench::draws_of(std::size_t ladder) const {
 }
 
 Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
-    const auto found = std::ranges::find_if(stages_, [&](const auto& stage) { return stage->knobs == knobs; });
+    const auto found = ranges::find_if(stages_, [&](const auto& stage) { return stage->knobs == knobs; });
     if (found != stages_.end()) return found->get();
     if (stages_.size() >= most_stages) stages_.erase(stages_.begin());
     Plan plan = with_knobs(plan_, knobs);
@@ -113,7 +114,7 @@ Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
         };
     stages_.push_back(std::make_unique<Stage>(knobs, std::move(plan), *files_, *sources_, caps_, how));
     for (const Diagnostic& diagnostic : stages_.back()->diagnostics.items())
-        if (std::ranges::none_of(problems_.items(), [&](const Diagnostic& other) {
+        if (ranges::none_of(problems_.items(), [&](const Diagnostic& other) {
                 return other.code == diagnostic.code && other.span == diagnostic.span;
             }))
             problems_.add(diagnostic);
@@ -121,7 +122,7 @@ Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
 }
 
 gl::ExactTarget* Bench::target(int multisample) {
-    const auto found = std::ranges::find(targets_, multisample, [](const auto& target) { return target.first; });
+    const auto found = ranges::find(targets_, multisample, [](const auto& target) { return target.first; });
     if (found != targets_.end()) return found->second.get();
     targets_.emplace_back(multisample,
                           std::make_unique<gl::ExactTarget>(settings_.width, settings_.height, multisample, caps_.es));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/metrics.h"
 #include "src/content/image/image.h"
 
@@ -177,7 +178,7 @@ std::array<Plane, 3> opponent_planes(const Picture& picture) {
 }
 
 bool finite(const Picture& picture, std::size_t pixel) {
-    return std::ranges::all_of(std::span(picture.rgba).subspan(4 * pixel, 3), [](float v) { return std::isfinite(v); });
+    return ranges::all_of(std::span(picture.rgba).subspan(4 * pixel, 3), [](float v) { return std::isfinite(v); });
 }
 
 // Large colour differences, which are all equally bad, are compressed to the last twentieth of the scale.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/text/ranges.h"
+
 namespace snell::accuracy {
 
 namespace {
@@ -10,7 +12,7 @@ namespace {
 constexpr double same_error = 1e-3, better_error = 1e-2, same_cost = 1.03, widest_control = .05;
 
 bool measured(const Point& point) {
-    return point.error >= 0 && std::ranges::any_of(point.times, [](double t) { return t > 0; });
+    return point.error >= 0 && ranges::any_of(point.times, [](double t) { return t > 0; });
 }
 
 // The costs of all pairs.

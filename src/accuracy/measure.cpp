@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "parser/text/ranges.h"
+
 namespace snell::accuracy {
 
 namespace {
@@ -25,7 +27,7 @@ const std::vector<double>& times_of(const RungResult& rung, ClockKind clock) {
 
 std::vector<double> taken(const std::vector<double>& times) {
     std::vector<double> result;
-    std::ranges::copy_if(times, std::back_inserter(result), [](double t) { return t > 0; });
+    ranges::copy_if(times, std::back_inserter(result), [](double t) { return t > 0; });
     return result;
 }
 
@@ -41,8 +43,8 @@ std::vector<Point> points_of(const SweepResult& result) {
 
 // If directions are far off, RMSE no longer ranks; angles do, if all rungs have directions.
 void choose_metric(SweepResult& result) {
-    const bool all_known = std::ranges::all_of(
-        result.rungs, [](const RungResult& rung) { return !rung.drawn || rung.degrees.has_value(); });
+    const bool all_known =
+        ranges::all_of(result.rungs, [](const RungResult& rung) { return !rung.drawn || rung.degrees.has_value(); });
     bool far = false;
     for (RungResult& rung : result.rungs) {
         const bool by_angle = rung.degrees && rung.degrees->pixels > 0;
@@ -116,7 +118,7 @@ private:
             const std::vector<bool> own = bench_.draws_of(ladder);
             for (std::size_t i = 0; i < own.size(); ++i) hidden[i] = hidden[i] || own[i];
         }
-        if (std::ranges::find(hidden, true) == hidden.end()) return {};
+        if (ranges::find(hidden, true) == hidden.end()) return {};
         const auto without =
             bench_.picture({variant(result_.sweep.reference).rungs, reference.knobs}, &hidden, options_.stop);
         if (!without) return {};
@@ -338,7 +340,7 @@ void conclude_times(SweepResult& result, std::span<const double> base_again, std
         rung.ratio = paired_ratio(times, base, seed);
     }
     const std::vector<Point> points = points_of(result);
-    const auto timed = std::ranges::count_if(result.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+    const auto timed = ranges::count_if(result.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
     result.few_rounds = result.rungs[result.sweep.current].rounds <
                         std::max(fewest_rounds, rounds_for(static_cast<std::size_t>(timed)));
     const std::vector<Verdict> verdicts = pareto_front(points);

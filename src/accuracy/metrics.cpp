@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "parser/text/ranges.h"
+
 namespace snell::accuracy {
 
 namespace {
@@ -75,7 +77,7 @@ Region where_different(const Picture& a, const Picture& b, float threshold) {
 }
 
 std::size_t count(const Region& region) {
-    return static_cast<std::size_t>(std::ranges::count_if(region, [](std::uint8_t in) { return in != 0; }));
+    return static_cast<std::size_t>(ranges::count_if(region, [](std::uint8_t in) { return in != 0; }));
 }
 
 double psnr(double rmse) { return rmse == 0 ? infinite : -20 * std::log10(rmse); }
@@ -141,7 +143,7 @@ Degrees compare_directions(const Picture& picture, const Picture& reference, con
     if (one_sided) result.mean = result.p99 = result.max = infinite;
     if (angles.empty() || one_sided) return result;
     for (double angle : angles) result.mean += angle / static_cast<double>(angles.size());
-    std::ranges::sort(angles);
+    ranges::sort(angles);
     result.max = angles.back();
     result.p99 = angles[std::min(angles.size() - 1, angles.size() * 99 / 100)];
     return result;

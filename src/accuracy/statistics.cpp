@@ -6,6 +6,8 @@
 #include <numeric>
 #include <random>
 
+#include "parser/text/ranges.h"
+
 namespace snell::accuracy {
 
 namespace {
@@ -48,7 +50,7 @@ double variation(std::span<const double> values) {
 Interval bootstrap_median(std::span<const double> values, std::uint64_t seed, int resamples) {
     const double middle = median(values);
     if (values.empty()) return {middle, middle, middle};
-    if (values.size() < few) return {std::ranges::min(values) / apart, middle, std::ranges::max(values) * apart};
+    if (values.size() < few) return {ranges::min(values) / apart, middle, ranges::max(values) * apart};
     std::mt19937_64 random(seed);
     std::vector<double> drawn(values.size()), medians;
     for (int i = 0; i < resamples; ++i) {
@@ -56,7 +58,7 @@ Interval bootstrap_median(std::span<const double> values, std::uint64_t seed, in
         for (double& value : drawn) value = values[random() % values.size()];
         medians.push_back(median_in_place(drawn));
     }
-    std::ranges::sort(medians);
+    ranges::sort(medians);
     const auto at = [&](double quantile) {
         return medians[static_cast<std::size_t>(quantile * static_cast<double>(medians.size() - 1) + .5)];
     };
@@ -75,9 +77,9 @@ Interval paired_ratio(std::span<const double> a, std::span<const double> b, std:
 }
 
 double chance_of_signs(std::span<const double> ratios) {
-    if (!ratios.empty() && (std::ranges::max(ratios) < 1 / apart || std::ranges::min(ratios) > apart)) return 0;
-    const auto below = std::ranges::count_if(ratios, [](double r) { return r < 1; });
-    const auto above = std::ranges::count_if(ratios, [](double r) { return r > 1; });
+    if (!ratios.empty() && (ranges::max(ratios) < 1 / apart || ranges::min(ratios) > apart)) return 0;
+    const auto below = ranges::count_if(ratios, [](double r) { return r < 1; });
+    const auto above = ranges::count_if(ratios, [](double r) { return r > 1; });
     const auto n = static_cast<double>(below + above), fewer = static_cast<double>(std::min(below, above));
     double sum = 0;
     for (double k = 0; k <= fewer; ++k)
@@ -88,7 +90,7 @@ double chance_of_signs(std::span<const double> ratios) {
 std::vector<bool> holm(std::span<const double> chances, double level) {
     std::vector<std::size_t> order(chances.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, [&](std::size_t i) { return chances[i]; });
+    ranges::sort(order, {}, [&](std::size_t i) { return chances[i]; });
     std::vector<bool> sure(chances.size(), false);
     for (std::size_t k = 0; k < order.size(); ++k) {
         if (!(chances[order[k]] <= level / static_cast<double>(order.size() - k))) break;

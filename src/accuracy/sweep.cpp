@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
+
 namespace snell::accuracy {
 
 namespace {
@@ -19,7 +21,7 @@ std::vector<std::size_t> find_ladders(const Scene& scene, const std::vector<std:
     if (names.empty())
         for (std::size_t i = 0; i < known.size(); ++i) found.push_back(i);
     for (const std::string& name : names) {
-        const auto at = std::ranges::find(known, name);
+        const auto at = ranges::find(known, name);
         if (at == known.end()) {
             const std::string_view near = nearest(name, known);
             diagnostics.error("unknown-ladder", fmt::format("there is no ladder '{}'", name),
@@ -29,7 +31,7 @@ std::vector<std::size_t> find_ladders(const Scene& scene, const std::vector<std:
             continue;
         }
         const auto index = static_cast<std::size_t>(at - known.begin());
-        if (std::ranges::find(found, index) == found.end()) found.push_back(index);
+        if (ranges::find(found, index) == found.end()) found.push_back(index);
     }
     return found;
 }
@@ -78,7 +80,7 @@ std::vector<Setting> tessellation_settings() {
 // Filters approximate the picture that many samples of the finest texels give.
 std::vector<Setting> filter_settings(const Scene& scene, bool software) {
     using Mode = Filter::Mode;
-    const auto first = std::ranges::find_if(scene.textures, [](const Texture& t) { return !t.files.empty(); });
+    const auto first = ranges::find_if(scene.textures, [](const Texture& t) { return !t.files.empty(); });
     const bool anisotropic = !software || !has_cube_maps(scene);
     Mode now = first == scene.textures.end() ? Mode::linear : first->filter.mode;
     if (now == Mode::anisotropic && !anisotropic) now = Mode::mipmap;
@@ -177,7 +179,7 @@ std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::
                                bool software, Diagnostics& diagnostics) {
     std::vector<Sweep> sweeps;
     for (const std::string& name : names) {
-        if (std::ranges::find(knob_names, name) == knob_names.end()) {
+        if (ranges::find(knob_names, name) == knob_names.end()) {
             diagnostics.error("unknown-knob", fmt::format("there is no knob '{}'", name),
                               fmt::format("available knobs: {}", fmt::join(knob_names, ", ")));
             continue;

@@ -44,7 +44,8 @@ GLenum target_of(std::string_view sampler) {
                                   {"Buffer", GL_TEXTURE_BUFFER}};
     sampler.remove_prefix(std::min(sampler.size(), sampler.find("sampler") + 7));
     if (sampler.ends_with("Shadow")) sampler.remove_suffix(6);
-    const auto* found = std::ranges::find(kinds, sampler, &Kind::name);
+    const auto* found =
+        std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& kind) { return kind.name == sampler; });
     return found == std::end(kinds) ? GL_TEXTURE_2D : found->target;
 }
 

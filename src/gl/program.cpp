@@ -230,7 +230,8 @@ void set_floats(GLenum type, GLint location, GLsizei count, const float* values)
 }
 
 std::string_view type_name(GLenum type) {
-    const auto* found = std::ranges::find(type_names, type, &std::pair<GLenum, std::string_view>::first);
+    const auto* found = std::find_if(std::begin(type_names), std::end(type_names),
+                                     [&](const auto& known) { return known.first == type; });
     return found == std::end(type_names) ? std::string_view{} : found->second;
 }
 

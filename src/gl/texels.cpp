@@ -33,7 +33,8 @@ constexpr std::array<Kind, 4> kinds_of_texture{
       "    return textureLod(texels, way, float(level));"}}};
 
 std::size_t kind_of(GLenum target) {
-    return static_cast<std::size_t>(std::ranges::find(kinds_of_texture, target, &Kind::target) -
+    const auto same = [&](const Kind& kind) { return kind.target == target; };
+    return static_cast<std::size_t>(std::find_if(kinds_of_texture.begin(), kinds_of_texture.end(), same) -
                                     kinds_of_texture.begin());
 }
 

@@ -1,7 +1,7 @@
 // Expressions: what is known of a result, given what is known of the operands.
 #include <algorithm>
-#include <charconv>
 
+#include "parser/text/real.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
@@ -291,7 +291,7 @@ Walker::Expr Walker::number() {
     const std::string_view t = text();
     const bool whole = token().kind == Kind::integer;
     double v = 0;
-    std::from_chars(t.data(), t.data() + t.size(), v);
+    read_real(t.data(), t.data() + t.size(), v);
     e.v.type = glsl::make_type(whole ? Base::integer : Base::real);
     e.v.range = exactly(v);
     e.v.space = Space::any;

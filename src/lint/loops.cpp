@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
+#include "parser/text/real.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
@@ -62,7 +62,9 @@ double Walker::step_of(std::string_view name, int first, int last) const {
     if (last - first != 2 || word(first) != name || (word(first + 1) != "+=" && word(first + 1) != "-=")) return 0;
     const glsl::Token& by = u_.at(last);
     if (by.kind != Kind::integer && by.kind != Kind::real) return 0;
-    return sign(word(first + 1)) * std::strtod(std::string(by.text).c_str(), nullptr);
+    double step = 0;
+    read_real(by.text.data(), by.text.data() + by.text.size(), step);
+    return sign(word(first + 1)) * step;
 }
 
 // The same of a loop's body, as far as it is done in every round.

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
@@ -103,7 +104,7 @@ private:
         for (const Texture& texture : scene_.textures) {
             if (texture.computed == Computed::no) continue;
             const Texture& source = scene_.textures[texture.source];
-            if (source.encoding || source.files.empty() || std::ranges::any_of(source.files, holds_light)) continue;
+            if (source.encoding || source.files.empty() || ranges::any_of(source.files, holds_light)) continue;
             Diagnostic* d = report(Rule::encoded_light, texture.span,
                                    "this is the mean of the pictures' numbers, which are not proportional to light");
             if (d) d->notes.push_back({source.span, "the pictures"});

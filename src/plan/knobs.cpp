@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/text/ranges.h"
+
 namespace snell {
 
 namespace {
@@ -40,19 +42,18 @@ Plan with_knobs(Plan plan, const PlanKnobs& knobs) {
 }
 
 bool has_round_shapes(const Scene& scene) {
-    return std::ranges::any_of(scene.draws, [](const Draw& draw) {
+    return ranges::any_of(scene.draws, [](const Draw& draw) {
         Shape shape = draw.shape;
         return scale(shape, 1);
     });
 }
 
 bool has_textures(const Scene& scene) {
-    return std::ranges::any_of(scene.textures, [](const Texture& texture) { return !texture.files.empty(); });
+    return ranges::any_of(scene.textures, [](const Texture& texture) { return !texture.files.empty(); });
 }
 
 bool has_cube_maps(const Scene& scene) {
-    return std::ranges::any_of(scene.textures,
-                               [](const Texture& texture) { return texture.target == TextureTarget::cube; });
+    return ranges::any_of(scene.textures, [](const Texture& texture) { return texture.target == TextureTarget::cube; });
 }
 
 }  // namespace snell

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "parser/text/ranges.h"
 #include "src/content/cube/convolve.h"
 #include "src/content/image/noise.h"
 #include "src/content/parallel.h"
@@ -124,7 +123,7 @@ Image to_upload(Image image) {
 
 // Converts the faces to one format, because GL requires that all six have the same, with the top row first.
 void make_alike(CubeFaces& faces) {
-    const bool same_type = std::ranges::all_of(faces, [&](const Image& face) { return face.type == faces[0].type; });
+    const bool same_type = ranges::all_of(faces, [&](const Image& face) { return face.type == faces[0].type; });
     for (Image& face : faces) {
         face = content::to_rgba(std::move(face));
         if (!same_type || (face.srgb && face.type != PixelType::u8)) face = content::to_half(face);

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
+#include "parser/text/ranges.h"
 #include "src/content/cube/cubemap.h"
 
 namespace snell {
@@ -13,7 +13,7 @@ namespace {
 using Extensions = std::vector<std::string_view>;
 
 bool said(const Diagnostics& diagnostics, std::string_view code, const Span& span) {
-    return std::ranges::any_of(diagnostics.items(), [&](const Diagnostic& d) { return d.is_at(code, span); });
+    return ranges::any_of(diagnostics.items(), [&](const Diagnostic& d) { return d.is_at(code, span); });
 }
 
 // Scenes name one file in many statements.
@@ -118,7 +118,7 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
     for (const FileName& file : texture.files) {
         Resolved resolved = resolve(file, file.name, image_extensions(), files);
         // posx.bmp is not a slip for posy.bmp, which is one of the other five.
-        const bool other = std::ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end();
+        const bool other = ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end();
         if (other) resolved.nearest.clear();
         result.push_back({file.name, accept(file, resolved, diagnostics), file.span});
     }

@@ -2,10 +2,10 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <map>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/plan/identity.h"
 #include "src/plan/plan.h"
 
@@ -54,7 +54,7 @@ bool flat_picture(const Scene& scene) {
 Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object) {
     if (object >= from.size()) return none;
     if (from.size() == to.size()) return object;
-    const auto same = std::ranges::find(to, from[object]);
+    const auto same = ranges::find(to, from[object]);
     return same == to.end() ? none : static_cast<Index>(same - to.begin());
 }
 

@@ -1,9 +1,9 @@
 #include "src/plan/similar.h"
 
-#include <algorithm>
 #include <span>
 
 #include "parser/text/diagnostic.h"
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell {
@@ -16,7 +16,7 @@ std::string_view extension_of(std::string_view file) {
 }
 
 bool among(std::string_view word, std::span<const std::string_view> words) {
-    return std::ranges::any_of(words, [&](std::string_view other) { return same_word(word, other); });
+    return ranges::any_of(words, [&](std::string_view other) { return same_word(word, other); });
 }
 
 // Extensions that tell what a file is.
@@ -46,14 +46,14 @@ bool same_kind(std::string_view file, std::string_view asked, const std::vector<
 std::string_view nearest_file(std::string_view asked, const std::vector<std::string_view>& files) {
     const std::string_view stem = stem_of(asked);
     const auto alike = [&](std::string_view file) { return same_word(stem_of(file), stem); };
-    if (const auto same = std::ranges::find_if(files, alike); same != files.end()) return *same;
+    if (const auto same = ranges::find_if(files, alike); same != files.end()) return *same;
     std::vector<std::string_view> stems(files.size());
-    std::ranges::transform(files, stems.begin(), stem_of);
+    ranges::transform(files, stems.begin(), stem_of);
     const std::string_view near = nearest(stem, stems);
     const std::size_t most = stem.size() <= 4 ? 1 : stem.size() <= 8 ? 2 : 3;
     if (near.empty() || edit_distance(stem, near) > static_cast<int>(most)) return {};
     const auto has_extension = [&](std::string_view extension) {
-        return std::ranges::find_if(files, [&](std::string_view file) {
+        return ranges::find_if(files, [&](std::string_view file) {
             return stem_of(file) == near && (extension.empty() || same_word(extension_of(file), extension));
         });
     };

@@ -1,6 +1,7 @@
 // Draws that differ only in their matrices are drawn by one call, as instances in the same order.
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -57,7 +58,7 @@ void Runtime::Impl::find_batches(Index pass) {
 // Returns false if some of the draws are hidden: the caller then draws them one by one.
 bool Runtime::Impl::draw_batch(Index pass, Batch& batch, const Frame& frame, PassView& view) {
     const auto items = std::span(passes[pass].items).subspan(batch.first, batch.count);
-    if (std::ranges::any_of(items, [&](const auto& item) { return hidden(frame, item->draw); })) return false;
+    if (ranges::any_of(items, [&](const auto& item) { return hidden(frame, item->draw); })) return false;
     const ReadyDraw& ready = *items.front();
     const runtime::Instancing& instancing = *ready.program->instancing;
     std::vector<runtime::DrawContext>& contexts = batch.contexts;

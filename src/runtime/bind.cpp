@@ -1,6 +1,7 @@
 // Finds and binds what each draw reads: textures by the units of its samplers, noise, harmonics.
 #include <fmt/format.h>
 
+#include "parser/text/ranges.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -95,9 +96,8 @@ std::vector<Index> Runtime::Impl::spared_by(const Draw& draw, const LinkedProgra
 
 bool Runtime::Impl::spares_harmonics(const Draw& draw, const LinkedProgram& program) const {
     return !program.reads(glsl::System::harmonics) &&
-           std::ranges::any_of(active[draw.program], [](const ActiveUniform& uniform) {
-               return uniform.system && uniform.name == "uHarmonics";
-           });
+           ranges::any_of(active[draw.program],
+                          [](const ActiveUniform& uniform) { return uniform.system && uniform.name == "uHarmonics"; });
 }
 
 std::vector<Index> Runtime::Impl::read_by(const Draw& draw, std::span<const SamplerUniform> samplers) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -97,7 +98,7 @@ std::shared_ptr<LinkedProgram> Runtime::Impl::compile(Index program, const runti
         return runtime::link_builtin(variant, caps, from, counters);
     if (!plan.programs[program].readable) return nullptr;
     const bool another =
-        std::ranges::any_of(programs, [&](const auto& other) { return other.first.first == program && other.second; });
+        ranges::any_of(programs, [&](const auto& other) { return other.first.first == program && other.second; });
     const std::uint64_t compiled = counters.programs_compiled;
     auto linked = runtime::link_program(
         {plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders, variant, caps, loading.files,
@@ -195,8 +196,8 @@ std::vector<bool> Runtime::Impl::live_passes(Loading& loading, bool of_dormant) 
             const Draw& draw = scene.draws[item.index];
             const LinkedProgram* program = link(draw.program, variant_of(pass, draw), loading);
             if (!program) continue;
-            std::ranges::for_each(read_by(draw, *program), read);
-            if (of_dormant) std::ranges::for_each(spared_by(draw, *program), read);
+            ranges::for_each(read_by(draw, *program), read);
+            if (of_dormant) ranges::for_each(spared_by(draw, *program), read);
         }
     }
     return live;

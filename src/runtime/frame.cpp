@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/gl/exact_target.h"
 #include "src/plan/lens.h"
 #include "src/plan/objects.h"
@@ -209,7 +210,7 @@ std::vector<double> Runtime::Impl::seen_by(Index pass, const Frame& frame) const
 bool Runtime::Impl::reads(const ReadyDraw& draw, Index rendered) const {
     const auto* gpu = textures.find(rendered);
     const auto same = [&](const runtime::BoundTexture& texture) { return texture.texture == gpu->texture.get(); };
-    return (gpu && std::ranges::any_of(draw.textures, same)) || std::ranges::count(draw.sources, rendered) > 0;
+    return (gpu && ranges::any_of(draw.textures, same)) || ranges::count(draw.sources, rendered) > 0;
 }
 
 // If a pass reads other passes, seen_by() does not tell whether its picture changed.

@@ -1,15 +1,16 @@
 // Changes rungs while a scene runs. What a rung needs is compiled and loaded when it is first chosen, and kept.
-#include <algorithm>
 
 #include "src/runtime/impl.h"
+
+#include "parser/text/ranges.h"
 
 namespace snell {
 
 namespace {
 
 bool exist(const Rungs& rungs, const std::vector<Ladder>& ladders) {
-    return std::ranges::equal(rungs, ladders,
-                              [](std::size_t rung, const Ladder& ladder) { return rung < ladder.rungs.size(); });
+    return ranges::equal(rungs, ladders,
+                         [](std::size_t rung, const Ladder& ladder) { return rung < ladder.rungs.size(); });
 }
 
 bool same(const Diagnostic& a, const Diagnostic& b) {
@@ -28,8 +29,7 @@ bool Runtime::Impl::choose(const Rungs& rungs) {
     problems = {};
     for (const Diagnostic& diagnostic : all.items()) {
         const auto known = [&](const Diagnostic& other) { return same(diagnostic, other); };
-        if (std::ranges::none_of(said, known) && std::ranges::none_of(problems.items(), known))
-            problems.add(diagnostic);
+        if (ranges::none_of(said, known) && ranges::none_of(problems.items(), known)) problems.add(diagnostic);
     }
     return true;
 }
@@ -71,7 +71,7 @@ void Runtime::Impl::take_parts(bool wanted) {
     parts = wanted;
     forget_forms();
     const auto reads_place = [](const auto& program) { return program.second && program.second->reads_place; };
-    if (std::ranges::none_of(programs, reads_place)) return;
+    if (ranges::none_of(programs, reads_place)) return;
     Diagnostics heard_before;
     textures.resume(heard_before);
     prepare(heard_before);

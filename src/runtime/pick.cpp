@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "parser/text/ranges.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"
 #include "src/runtime/impl.h"
@@ -213,7 +214,7 @@ std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height
 
 void Runtime::Impl::outline(const Frame& frame, const Surface& surface, Index draw, float line) {
     const auto draws = window_draws();
-    const auto found = std::ranges::find(draws, draw, &runtime::ReadyDraw::draw);
+    const auto found = ranges::find(draws, draw, &runtime::ReadyDraw::draw);
     if (found == draws.end() || !ready_picker(surface.width, surface.height)) return;
     const int before = picker->programs();
     picker->whole();

@@ -1,8 +1,8 @@
 #include "src/runtime/runtime.h"
 
-#include <algorithm>
 #include <bit>
 
+#include "parser/text/ranges.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -11,7 +11,7 @@ namespace {
 
 std::optional<Runtime::Held> held_of(const runtime::GpuTexture* gpu) {
     if (!gpu) return std::nullopt;
-    const int longest = *std::ranges::max_element(gpu->size);
+    const int longest = *ranges::max_element(gpu->size);
     const int levels = gpu->mipmapped ? std::bit_width(static_cast<unsigned>(longest)) : gpu->levels;
     return Runtime::Held{{gpu->texture.get(), gpu->target, gpu->size}, levels, gpu->pixels};
 }
@@ -63,8 +63,8 @@ std::optional<Runtime::Held> Runtime::texture(Index texture) const {
     if (!held) return held;
     const Index source = impl_->plan.scene.textures[texture].source;
     const Index drawn = source == none ? texture : source;
-    held->changes = std::ranges::any_of(impl_->plan.scene.passes,
-                                        [&](const Pass& pass) { return std::ranges::count(pass.textures, drawn) > 0; });
+    held->changes = ranges::any_of(impl_->plan.scene.passes,
+                                   [&](const Pass& pass) { return ranges::count(pass.textures, drawn) > 0; });
     return held;
 }
 std::optional<Runtime::Held> Runtime::noise(int dimensions) const {

@@ -1,6 +1,7 @@
 // Programs for the values that their uniforms have: which values these are, and what they switch off.
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/runtime/impl.h"
 #include "src/runtime/resources/effect.h"
 
@@ -21,10 +22,10 @@ bool of(const ActiveUniform& uniform, const glsl::DeclaredUniform& declared) {
 // Drivers list the uniforms of different forms of a program in different orders.
 std::vector<ActiveUniform> as_declared(std::vector<ActiveUniform> uniforms, const LinkedProgram& linked) {
     const auto rank = [&](const ActiveUniform& uniform) {
-        return std::ranges::find_if(linked.declared, [&](const auto& declared) { return of(uniform, declared); }) -
+        return ranges::find_if(linked.declared, [&](const auto& declared) { return of(uniform, declared); }) -
                linked.declared.begin();
     };
-    std::ranges::stable_sort(uniforms, {}, [&](const ActiveUniform& uniform) {
+    ranges::stable_sort(uniforms, {}, [&](const ActiveUniform& uniform) {
         return std::pair(rank(uniform), std::string_view(uniform.name));
     });
     return uniforms;
@@ -55,7 +56,7 @@ std::vector<ActiveUniform> Runtime::Impl::general_uniforms(Index program, const 
     std::vector<ActiveUniform> uniforms = linked.active;
     if (linked.settled.empty()) return as_declared(std::move(uniforms), linked);
     const auto is_active = [&](const glsl::DeclaredUniform& declared) {
-        return std::ranges::any_of(linked.active, [&](const ActiveUniform& uniform) { return of(uniform, declared); });
+        return ranges::any_of(linked.active, [&](const ActiveUniform& uniform) { return of(uniform, declared); });
     };
     for (const glsl::DeclaredUniform& declared : linked.declared) {
         // Of an array or a structure, a program for values may need fewer elements or members.
@@ -76,7 +77,7 @@ std::vector<ActiveUniform> Runtime::Impl::general_uniforms(Index program, const 
 
 void Runtime::Impl::find_dormant(Index program, const LinkedProgram& linked) {
     for (const ActiveUniform& uniform : active[program]) {
-        const auto live = std::ranges::find(linked.samplers, uniform.name, &SamplerUniform::name);
+        const auto live = ranges::find(linked.samplers, uniform.name, &SamplerUniform::name);
         const int elements = live == linked.samplers.end() ? 0 : live->size;
         if (uniform.type != ValueType::sampler || elements >= uniform.array_size) continue;
         SamplerUniform sampler{
@@ -108,8 +109,8 @@ void Runtime::Impl::note_dormant() {
             const Draw& draw = plan.scene.draws[item.index];
             const LinkedProgram* linked = program_of(pass, draw);
             if (!linked) continue;
-            std::ranges::for_each(spared_by(draw, *linked), note);
-            if (!passes[pass].live) std::ranges::for_each(read_by(draw, *linked), note);
+            ranges::for_each(spared_by(draw, *linked), note);
+            if (!passes[pass].live) ranges::for_each(read_by(draw, *linked), note);
         }
     counters.images_spared = 0;
     for (const Index texture : dormant_textures) counters.images_spared += plan.scene.textures[texture].files.size();
@@ -140,7 +141,7 @@ bool Runtime::Impl::link_alone() {
             LinkedProgram* const linked = program_of(pass, draw);
             if (!linked || linked->alone.size() == linked->settled.size()) continue;
             const glsl::Settled& settled = linked->settled[linked->alone.size()];
-            const bool read = std::ranges::count(active[draw.program], settled.name, &ActiveUniform::name) > 0;
+            const bool read = ranges::count(active[draw.program], settled.name, &ActiveUniform::name) > 0;
             const auto alone = read ? link_for(pass, draw, settled) : nullptr;
             std::vector<std::string>& names = linked->alone.emplace_back();
             // Without it, as where a driver refuses the constant, nothing is known to be left out.
@@ -188,8 +189,8 @@ void Runtime::Impl::find_stand() {
 }
 
 bool Runtime::Impl::stands(const Controls& controls) const {
-    return std::ranges::all_of(
-        stand, [&](const runtime::Settled& one) { return controls.items[one.control].value == one.values; });
+    return ranges::all_of(stand,
+                          [&](const runtime::Settled& one) { return controls.items[one.control].value == one.values; });
 }
 
 // ---- forms, for windows -----------------------------------------------------------------------------------
@@ -212,13 +213,13 @@ void Runtime::Impl::exchange(runtime::Form& other) {
 
 bool Runtime::Impl::take_form(const Controls& controls) {
     const auto fits = [&](const runtime::Form& form) {
-        return form.settled_values != 0 && std::ranges::all_of(form.stand, [&](const runtime::Settled& one) {
+        return form.settled_values != 0 && ranges::all_of(form.stand, [&](const runtime::Settled& one) {
                    return controls.items[one.control].value == one.values;
                });
     };
-    auto found = std::ranges::find_if(forms, fits);
+    auto found = ranges::find_if(forms, fits);
     if (found == forms.end() && settled_values == 0) return true;
-    if (found == forms.end()) found = std::ranges::find(forms, 0, &runtime::Form::settled_values);
+    if (found == forms.end()) found = ranges::find(forms, 0, &runtime::Form::settled_values);
     if (found == forms.end()) return false;
     exchange(*found);
     std::rotate(forms.begin(), found, found + 1);
@@ -227,7 +228,7 @@ bool Runtime::Impl::take_form(const Controls& controls) {
 
 // Back to programs for any values alone.
 void Runtime::Impl::forget_forms() {
-    const auto any = std::ranges::find(forms, 0, &runtime::Form::settled_values);
+    const auto any = ranges::find(forms, 0, &runtime::Form::settled_values);
     if (any != forms.end()) exchange(*any);
     forms.clear();
     std::erase_if(programs, [&](const auto& entry) {
@@ -305,8 +306,8 @@ bool Runtime::Impl::link_next() {
 
 // The one that was not used for the longest time.
 void Runtime::Impl::drop_form() {
-    const auto oldest = std::ranges::find_if(forms.rbegin(), forms.rend(),
-                                             [](const runtime::Form& form) { return form.settled_values != 0; });
+    const auto oldest =
+        std::find_if(forms.rbegin(), forms.rend(), [](const runtime::Form& form) { return form.settled_values != 0; });
     if (oldest == forms.rend()) return;
     const int number = oldest->settled_values;
     forms.erase(std::next(oldest).base());
@@ -321,7 +322,7 @@ void Runtime::Impl::warm_next(const Frame& frame, const Surface& surface) {
     const auto is_new = [&](std::size_t i) {
         const auto before = std::span(all).first(i);
         return !all[i]->program->settled.empty() &&
-               std::ranges::count(before, all[i]->program, &runtime::ReadyDraw::program) == 0;
+               ranges::count(before, all[i]->program, &runtime::ReadyDraw::program) == 0;
     };
     while (making.drawn < all.size() && !is_new(making.drawn)) ++making.drawn;
     if (making.drawn < all.size()) {

@@ -1,9 +1,9 @@
 // Where meshes lie in the view: near and far planes that fit the scene, so that surfaces that nearly touch do not fight
 // over pixels, and draws that are outside of the frustum, which are not handed to the driver.
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/plan/lens.h"
 #include "src/runtime/impl.h"
 
@@ -118,7 +118,7 @@ std::vector<runtime::Reader> Runtime::Impl::readers_of(Index pass) const {
         for (Index other = 0; other < passes.size(); ++other) {
             if (!passes[other].live) continue;
             // Textures that two passes draw to hold what both left there.
-            if (other != pass && std::ranges::count(passes[other].textures, rendered) > 0) readers.push_back({pass, 0});
+            if (other != pass && ranges::count(passes[other].textures, rendered) > 0) readers.push_back({pass, 0});
             const auto& items = passes[other].items;
             for (std::size_t item = 0; item < items.size(); ++item)
                 if (items[item] && reads(*items[item], rendered)) readers.push_back({other, item});
@@ -131,7 +131,7 @@ void Runtime::Impl::find_needed(const Frame& frame, const PassView& window) {
         ReadyPass& ready = passes[pass];
         if (!savings || !ready.live || plan.scene.passes[pass].kind == Pass::Kind::window) continue;
         if (!ready.readers) ready.readers = readers_of(pass);
-        ready.needed = std::ranges::any_of(*ready.readers, [&](const runtime::Reader& reader) {
+        ready.needed = ranges::any_of(*ready.readers, [&](const runtime::Reader& reader) {
             if (reader.pass <= pass) return true;  // it reads what the frame before has left
             if (plan.scene.passes[reader.pass].kind != Pass::Kind::window) return passes[reader.pass].needed;
             const std::vector<bool>* out = out_of_view(reader.pass, frame, window);

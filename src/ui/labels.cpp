@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/ui/kit/text.h"
 
 namespace snell::ui {
@@ -48,7 +49,7 @@ void value_labels(const Facts& facts, const Controls& controls, const Rect& scen
     const auto labelled = [](const Control& c) { return c.listed && c.active && c.widget != Widget::none; };
     const float size = fonts.mono->FontSize, line = std::round(size * 1.25F), margin = std::round(size * .6F);
     const float room = (scene.width - 2 * margin) / fonts.mono->CalcTextSizeA(size, FLT_MAX, 0, "M").x;
-    const auto count = static_cast<float>(std::ranges::count_if(controls.items, labelled));
+    const auto count = static_cast<float>(ranges::count_if(controls.items, labelled));
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({scene.x, scene.y}, {scene.x + scene.width, scene.y + scene.height});
     float y = scene.y + scene.height - margin - count * line;

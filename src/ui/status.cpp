@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "parser/text/ranges.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
@@ -119,7 +120,7 @@ bool collect(const Facts& facts, const Memory& memory, Parts& parts) {
     file.dim = false;
     const auto count = [&](Severity severity) {
         return static_cast<std::size_t>(
-            std::ranges::count(facts.problems, severity, [](const Problem& p) { return p.finding.severity; }));
+            ranges::count(facts.problems, severity, [](const Problem& p) { return p.finding.severity; }));
     };
     const std::size_t errors = count(Severity::error), warnings = count(Severity::warning);
     if (errors + warnings > 0) {

@@ -9,6 +9,7 @@
 #include "src/content/image/noise.h"
 #include "src/plan/plan.h"
 #include "src/runtime/resources/jobs.h"
+#include "tests/no_more_threads.h"
 #include "tests/scratch.h"
 
 namespace snell {
@@ -134,6 +135,21 @@ TEST_F(LoadingAtOnce, AsTheRuntimeLoads) {
                     }));
     EXPECT_GT(looks, count());
     EXPECT_EQ(done, count());
+}
+
+// As in a browser: progress is reported before each job, and at the end.
+TEST(Jobs, AreDoneAndWatchedWithoutThreads) {
+    const NoMoreThreads here;
+    std::vector<std::string> seen;
+    std::vector<runtime::Job> jobs;
+    for (const char* name : {"a", "b", "c"}) jobs.push_back({name, [&seen, name] { seen.push_back(name); }});
+    runtime::run(jobs, nullptr);
+    EXPECT_EQ(seen, (std::vector<std::string>{"a", "b", "c"}));
+    seen.clear();
+    runtime::run(jobs, [&](const LoadProgress& now) {
+        seen.push_back(std::to_string(now.done) + "/" + std::to_string(now.of) + std::string(now.what));
+    });
+    EXPECT_EQ(seen, (std::vector<std::string>{"0/3a", "a", "1/3b", "b", "2/3c", "c", "3/3"}));
 }
 
 // However few cores there are.

@@ -1,36 +1,14 @@
 // Work on all cores, and on a machine that gives no more threads.
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "src/content/parallel.h"
+#include "tests/no_more_threads.h"
 
 namespace snell::content {
 namespace {
-
-// While it lives no thread can be started: none has room for its stack.
-class NoMoreThreads {
-public:
-    NoMoreThreads() {
-        pthread_attr_t wide;
-        pthread_attr_init(&wide);
-        pthread_getattr_default_np(&before_);
-        pthread_attr_setstacksize(&wide, std::size_t{1} << 47);
-        pthread_setattr_default_np(&wide);
-        pthread_attr_destroy(&wide);
-    }
-    ~NoMoreThreads() {
-        pthread_setattr_default_np(&before_);
-        pthread_attr_destroy(&before_);
-    }
-    NoMoreThreads(const NoMoreThreads&) = delete;
-    NoMoreThreads& operator=(const NoMoreThreads&) = delete;
-
-private:
-    pthread_attr_t before_{};
-};
 
 std::vector<int> visits(std::size_t count) {
     std::vector<int> result(count);
@@ -45,9 +23,10 @@ TEST(Parallel, EverythingIsDoneOnce) {
 }
 
 TEST(Parallel, AndSoItIsWithoutThreads) {
-    EXPECT_EQ(start_threads(3, [] {}).size(), 3U);
+    const auto nothing = [] {};
+    work_beside(3, nothing, [](std::size_t started) { EXPECT_EQ(started, 3U); });
     const NoMoreThreads here;
-    EXPECT_TRUE(start_threads(3, [] {}).empty());
+    work_beside(3, nothing, [](std::size_t started) { EXPECT_EQ(started, 0U); });
     EXPECT_EQ(visits(1000), std::vector<int>(1000, 1));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/image/image.h"
@@ -129,7 +130,7 @@ std::string pictures(const SweepResult& sweep) {
 }
 
 std::string table(const SweepResult& sweep) {
-    const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
+    const bool degrees = ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     std::string out =
         "<div class=\"scroll\"><table><tr><th>rung</th><th>ms</th><th>95 %</th><th>relative to "
         "current</th><th>RMSE</th><th>PSNR, dB</th><th>maximum</th><th>mean</th><th>RMSE of display</th><th>PSNR of "
@@ -163,7 +164,7 @@ std::string table(const SweepResult& sweep) {
 }
 
 std::string section(const SweepResult& sweep) {
-    const bool timed = std::ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+    const bool timed = ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
     std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", escaped(sweep.sweep.name),
                                   escaped(in_words(sweep)));
     if (timed) out += "<div class=\"scroll\">" + plot_svg(sweep) + "</div>";

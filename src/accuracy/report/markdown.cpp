@@ -1,9 +1,9 @@
 // The report as a page of Markdown.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
 
@@ -25,7 +25,7 @@ std::string row(const SweepResult& sweep, std::size_t index, bool degrees) {
 }
 
 std::string part(const SweepResult& sweep, const std::string& plot) {
-    const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
+    const bool degrees = ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     const bool timed = sweep.rungs[sweep.sweep.current].rounds > 0;
     std::string text = fmt::format("\n## {}: {}\n\n{}\n", escaped(sweep.scene), sweep.sweep.name, in_words(sweep));
     text += fmt::format("\nErrors over the {}; {}.{}\n",

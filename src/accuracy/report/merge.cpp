@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/json.h"
@@ -120,7 +121,7 @@ std::vector<std::string> all_rungs(const std::vector<const OnMachine*>& on) {
     std::vector<std::string> rungs;
     for (const OnMachine* machine : on)
         for (const std::string& rung : machine->order)
-            if (std::ranges::find(rungs, rung) == rungs.end()) rungs.push_back(rung);
+            if (ranges::find(rungs, rung) == rungs.end()) rungs.push_back(rung);
     return rungs;
 }
 
@@ -142,7 +143,7 @@ std::string notes_text(const std::vector<const OnMachine*>& on, bool comparable)
 std::string ladder_text(const std::vector<const OnMachine*>& on) {
     const std::vector<std::string> rungs = all_rungs(on);
     const bool comparable =
-        std::ranges::all_of(on, [&](const OnMachine* machine) { return machine->size == on.front()->size; });
+        ranges::all_of(on, [&](const OnMachine* machine) { return machine->size == on.front()->size; });
     std::string text = notes_text(on, comparable);
     std::size_t width = 8;
     for (const std::string& rung : rungs) width = std::max(width, rung.size());

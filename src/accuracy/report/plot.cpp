@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
@@ -179,10 +180,9 @@ private:
     std::vector<Mark> front() const {
         std::vector<Mark> front;
         if (!sweep_.trusted()) return front;
-        std::ranges::copy_if(marks_, std::back_inserter(front), [&](const Mark& mark) {
-            return sweep_.rungs[mark.rung].verdict.standing == Standing::front;
-        });
-        std::ranges::sort(front, {}, &Mark::x);
+        ranges::copy_if(marks_, std::back_inserter(front),
+                        [&](const Mark& mark) { return sweep_.rungs[mark.rung].verdict.standing == Standing::front; });
+        ranges::sort(front, {}, &Mark::x);
         return front;
     }
 
@@ -246,7 +246,7 @@ private:
     void labels() {
         std::vector<Box> taken = obstacles();
         std::vector<Mark> order = marks_;
-        std::ranges::stable_sort(
+        ranges::stable_sort(
             order, {}, [&](const Mark& m) { return sweep_.rungs[m.rung].verdict.standing == Standing::front ? 0 : 1; });
         for (const Mark& m : order) {
             const RungResult& rung = sweep_.rungs[m.rung];
@@ -268,8 +268,7 @@ private:
                     const Box box{x, y - 7, x + w, y + 6};
                     const bool inside =
                         box.x0 > left && box.x1 < width - 2 && box.y0 > 2 && box.y1 < height - bottom + 2;
-                    if (!inside || std::ranges::any_of(taken, [&](const Box& other) { return box.meets(other); }))
-                        continue;
+                    if (!inside || ranges::any_of(taken, [&](const Box& other) { return box.meets(other); })) continue;
                     best = box;
                     break;
                 }

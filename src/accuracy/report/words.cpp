@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
@@ -202,7 +203,7 @@ std::string header_text(const Report& report) {
 std::string table_text(const SweepResult& sweep) {
     std::size_t width = 8;
     for (const RungResult& rung : sweep.rungs) width = std::max(width, rung.name.size());
-    const bool degrees = std::ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
+    const bool degrees = ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     std::string text = fmt::format("\n{}", sweep.sweep.name);
     text += sweep.own_pixels > 0 ? fmt::format(", over the {} that its draws cover", pixels_text(sweep.own_pixels))
                                  : ", over the whole picture";

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/app/open/in_view.h"
 #include "src/app/open/quality.h"
@@ -179,10 +180,10 @@ RuntimeOptions Batch::runtime_options() const {
 void Batch::find_roles(Open& open) const {
     const std::vector<Ladder>& ladders = open.document->scene().ladders;
     for (const Axis& axis : shots_.axes)
-        open.roles.push_back(axis.frames                                                             ? Role::frame
-                             : axis.name == "time"                                                   ? Role::time
-                             : std::ranges::find(ladders, axis.name, &Ladder::name) != ladders.end() ? Role::ladder
-                                                                                                     : Role::uniform);
+        open.roles.push_back(axis.frames                                                        ? Role::frame
+                             : axis.name == "time"                                              ? Role::time
+                             : ranges::find(ladders, axis.name, &Ladder::name) != ladders.end() ? Role::ladder
+                                                                                                : Role::uniform);
 }
 
 // Values are checked before the first picture, so that a wrong one does not cost a rendering.

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "parser/text/diagnostic.h"
+#include "parser/text/ranges.h"
 
 namespace snell::app {
 
@@ -56,7 +57,7 @@ std::optional<Pattern> Pattern::parse(std::string_view text, const std::vector<s
         }
         const std::string_view inside = text.substr(i + 1, end - i - 1);
         const std::size_t colon = std::min(inside.find(':'), inside.size());
-        const auto name = std::ranges::find(names, inside.substr(0, colon));
+        const auto name = ranges::find(names, inside.substr(0, colon));
         if (name == names.end()) {
             error = unknown_name(inside.substr(0, colon), names);
             return std::nullopt;
@@ -83,7 +84,7 @@ std::optional<std::string> Pattern::expand(const std::vector<AxisValue>& values,
             return std::nullopt;
         }
         // A slash in a value must not name a folder.
-        std::ranges::replace(*shown, '/', '_');
+        std::replace(shown->begin(), shown->end(), '/', '_');
         text += *shown;
     }
     return text;

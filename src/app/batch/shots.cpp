@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "parser/text/ranges.h"
 #include "src/app/batch/pattern.h"
 
 namespace snell::app {
@@ -31,7 +32,8 @@ std::string check_distinct(const Shots& shots) {
         if (first.scene != second.scene && first.at == second.at)
             return fmt::format("the pictures of '{}' and '{}' would both be '{}'", shots.scenes[first.scene],
                                shots.scenes[second.scene], shots.files[i]);
-        const auto differs = std::ranges::mismatch(first.at, second.at).in1 - first.at.begin();
+        const auto differs = std::mismatch(first.at.begin(), first.at.end(), second.at.begin(), second.at.end()).first -
+                             first.at.begin();
         return fmt::format("pictures {} and {} would both be '{}': {{{}}} or {{index}} in the name tells them apart",
                            first.index, second.index, shots.files[i],
                            shots.axes[static_cast<std::size_t>(differs)].name);
@@ -51,7 +53,7 @@ std::string check_count(const Shots& shots) {
 
 std::string check_names(const std::vector<Axis>& axes) {
     for (auto axis = axes.begin(); axis != axes.end(); ++axis)
-        if (std::ranges::find(axes.begin(), axis, axis->name, &Axis::name) != axis)
+        if (std::any_of(axes.begin(), axis, [&](const Axis& other) { return other.name == axis->name; }))
             return fmt::format("'{}' varies twice", axis->name);
     return {};
 }
@@ -101,7 +103,7 @@ std::optional<Shots> plan_shots(std::vector<std::string> scenes, std::vector<Axi
     if (error = check_names(shots.axes); error.empty()) error = check_count(shots);
     if (!error.empty()) return std::nullopt;
     const bool frames =
-        std::ranges::any_of(shots.axes, [](const Axis& axis) { return axis.frames && axis.values.size() > 1; });
+        ranges::any_of(shots.axes, [](const Axis& axis) { return axis.frames && axis.values.size() > 1; });
     const bool told = pattern.find("{frame") != std::string::npos || pattern.find("{index") != std::string::npos;
     std::vector<std::string> names{"stem", "index"};
     for (const Axis& axis : shots.axes) names.push_back(axis.name);

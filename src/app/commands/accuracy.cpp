@@ -14,6 +14,7 @@
 #include <memory>
 #include <thread>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/report.h"
 #include "src/app/commands/accuracy_files.h"
@@ -246,8 +247,8 @@ bool note_problems(const Bench& bench, const Subject& subject, Report& report) {
 
 // True, with a message, if there is nothing in the report because the budget was too small.
 bool note_nothing_drawn(const Report& report) {
-    const bool drawn = std::ranges::any_of(report.sweeps, [](const SweepResult& sweep) {
-        return sweep.interrupted || std::ranges::any_of(sweep.rungs, &RungResult::drawn);
+    const bool drawn = ranges::any_of(report.sweeps, [](const SweepResult& sweep) {
+        return sweep.interrupted || ranges::any_of(sweep.rungs, &RungResult::drawn);
     });
     if (drawn || report.sweeps.empty()) return false;
     fmt::print(stderr, "snell: error: no rung was drawn: the time was up; give more --budget, or a smaller --size\n");
@@ -312,7 +313,7 @@ std::string check_finite(const std::string& text) {
 // Not by CLI11's excludes(), which --help would print next to every option.
 bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fitting) {
     for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || std::ranges::find(fitting, option) != fitting.end()) continue;
+        if (option->count() == 0 || ranges::find(fitting, option) != fitting.end()) continue;
         fmt::print(stderr, "snell: error: --merge excludes {}: it compares reports and measures nothing\n",
                    option->get_name());
         return false;

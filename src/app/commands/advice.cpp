@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/quality.h"
 #include "src/app/open/quality.h"
@@ -58,7 +58,7 @@ std::string advice_text(const std::string& path, const Scene& scene, const Advic
 }
 
 bool save_presets(const std::string& path, const Scene& scene, const Counsel& counsel, const Circumstances& where) {
-    if (!std::ranges::all_of(counsel.advice, &Advice::known)) {
+    if (!ranges::all_of(counsel.advice, &Advice::known)) {
         fmt::print(stderr, "snell: error: there are no presets for '{}': nothing can be said of its rungs\n",
                    utf8::printable(path));
         return false;
@@ -96,7 +96,7 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
         return false;
     }
     std::vector<Wish> wishes;
-    if (options.save_quality) std::ranges::copy(quality_wishes(), std::back_inserter(wishes));
+    if (options.save_quality) ranges::copy(quality_wishes(), std::back_inserter(wishes));
     if (options.within || options.error) wishes.push_back({options.within, options.error});
     Counsel counsel = advise(bench, now, wishes, measuring);
     for (SweepResult& sweep : counsel.sweeps) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/clock.h"
 #include "src/accuracy/statistics.h"
 #include "src/app/commands/explain.h"
@@ -83,8 +84,7 @@ std::vector<Timed> timed_parts(Explanation& explanation, Runtime& runtime, std::
     for (const Paid& paid : explanation.paid)
         if (paid.kept) kept.insert(paid.draws.begin(), paid.draws.end());
     for (Paid& paid : explanation.paid) {
-        if (paid.draws.empty() || std::ranges::any_of(paid.draws, [&](Index draw) { return kept.contains(draw); }))
-            continue;
+        if (paid.draws.empty() || ranges::any_of(paid.draws, [&](Index draw) { return kept.contains(draw); })) continue;
         std::vector<bool> hidden(runtime.scene().draws.size(), false);
         for (const Index draw : paid.draws) hidden[draw] = true;
         parts.push_back({&runtime, std::move(hidden), &paid.frame, false});

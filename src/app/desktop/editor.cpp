@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 
 extern char** environ;
@@ -113,8 +114,8 @@ EditorCommand editor_command(std::string_view editor, const std::string& file, i
     EditorCommand command{split(editor)};
     if (command.words.empty()) return command;
     const std::string program = fs::path(command.words[0]).filename().string();
-    const auto found = std::ranges::find_if(
-        known, [&](const Known& row) { return std::ranges::count(split(row.programs), program) > 0; });
+    const auto found =
+        ranges::find_if(known, [&](const Known& row) { return ranges::count(split(row.programs), program) > 0; });
     bool named = false;
     if (found != known.end()) {
         command.terminal = found->terminal;
@@ -129,7 +130,7 @@ EditorCommand editor_command(std::string_view editor, const std::string& file, i
         }
     }
     if (program == "emacs" || program == "emacsclient")
-        command.terminal = std::ranges::any_of(
+        command.terminal = ranges::any_of(
             command.words, [](const std::string& word) { return word == "-nw" || word == "-t" || word == "-tty"; });
     if (!named) command.words.push_back(file);
     return command;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/ui/panels/panels.h"
@@ -128,7 +128,7 @@ ui::Listing list_folder(const std::string& folder, bool all) {
              date_of(status.st_mtime)});
         if (error) break;
     }
-    std::ranges::sort(listing.entries, [](const ui::Entry& a, const ui::Entry& b) {
+    ranges::sort(listing.entries, [](const ui::Entry& a, const ui::Entry& b) {
         return a.folder != b.folder ? a.folder : before(a.name, b.name);
     });
     return listing;

@@ -1,6 +1,5 @@
 #include "src/app/desktop/kept_scenes.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/app/desktop/named_by.h"
 #include "src/content/json.h"
@@ -80,7 +80,7 @@ void remove_oldest(const std::string& folder) {
         if (!gone && entry->path().extension() == ".json") files.emplace_back(time, entry->path());
     }
     if (files.size() <= most_kept_scenes) return;
-    std::ranges::sort(files);
+    ranges::sort(files);
     files.resize(files.size() - most_kept_scenes);
     for (const auto& [time, path] : files) fs::remove(path, error);
 }

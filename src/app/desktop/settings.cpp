@@ -1,11 +1,11 @@
 #include "src/app/desktop/settings.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/content/json.h"
 #include "src/content/replace.h"
@@ -33,7 +33,7 @@ ui::Theme theme(const Json& json) {
     const auto found = json.find("theme");
     if (found == json.end() || !found->is_string())
         return flag(json, "dark", false) ? ui::Theme::dark : ui::Theme::light;
-    const auto name = std::ranges::find(ui::theme_names, found->get<std::string>());
+    const auto name = ranges::find(ui::theme_names, found->get<std::string>());
     return name == ui::theme_names.end() ? ui::Theme::light : static_cast<ui::Theme>(name - ui::theme_names.begin());
 }
 
@@ -78,7 +78,7 @@ std::string write_settings(const std::string& file, const Settings& settings) {
     std::filesystem::create_directories(std::filesystem::path(file).parent_path(), error);
     std::vector<std::string> recent = settings.recent;
     for (const std::string& scene : read_settings(file).recent)
-        if (std::ranges::find(recent, scene) == recent.end() && recent.size() < most_recent) recent.push_back(scene);
+        if (ranges::find(recent, scene) == recent.end() && recent.size() < most_recent) recent.push_back(scene);
     const Json json{{"theme", ui::theme_names[static_cast<std::size_t>(settings.theme)]},
                     {"zoom", settings.zoom},
                     {"panel", settings.panel},

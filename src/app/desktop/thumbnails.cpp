@@ -1,11 +1,11 @@
 #include "src/app/desktop/thumbnails.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/app/desktop/named_by.h"
 #include "src/content/replace.h"
 
@@ -42,7 +42,7 @@ void keep_thumbnail(const std::string& folder, const std::string& scene, const c
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (entry->path().extension() == ".png") found.push_back(entry->path());
     for (const fs::path& path : found)
-        if (std::ranges::find(wanted, path) == wanted.end()) fs::remove(path, error);
+        if (ranges::find(wanted, path) == wanted.end()) fs::remove(path, error);
 }
 
 std::optional<content::Image> read_thumbnail(const std::string& folder, const std::string& scene) {

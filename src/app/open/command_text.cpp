@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
 #include "src/app/open/view_text.h"
 
 namespace snell {
@@ -13,7 +13,7 @@ namespace {
 
 // Leaves out the program's name if no other program has a uniform of this name.
 std::string option_name(const Document& document, const Control& control) {
-    const auto same = std::ranges::count(document.controls.items, control.name, &Control::name);
+    const auto same = ranges::count(document.controls.items, control.name, &Control::name);
     return same == 1 ? control.name
                      : fmt::format("{}.{}", document.scene().programs[control.program].name, control.name);
 }

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/quality.h"
 
@@ -44,7 +44,7 @@ void print_rungs(const RungWishes& wishes, const Scene& scene, const accuracy::S
     std::vector<std::string> choices = accuracy::choices(scene, drawn);
     bool other = drawn != measured;
     for (std::size_t i = 0; i < choices.size(); ++i)
-        if (std::ranges::find(wishes.swept, scene.ladders[i].name) != wishes.swept.end()) {
+        if (ranges::find(wishes.swept, scene.ladders[i].name) != wishes.swept.end()) {
             choices[i] = scene.ladders[i].name + " varies";
             other = true;
         }

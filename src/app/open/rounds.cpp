@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/text/ranges.h"
 #include "src/lint/lint.h"
 #include "src/runtime/resources/program.h"
 
@@ -30,8 +31,8 @@ bool has_loop(std::string_view text) {
 
 bool may_go_round(const Plan& plan, const Document& document, const gl::Caps& caps) {
     if (caps.renderer.find("llvmpipe") == std::string::npos) return false;
-    return std::ranges::any_of(plan.programs, [&](const PlannedProgram& program) {
-        return std::ranges::any_of(
+    return ranges::any_of(plan.programs, [&](const PlannedProgram& program) {
+        return ranges::any_of(
             program.stages, [&](const glsl::StageInput& stage) { return has_loop(document.sources.text(stage.file)); });
     });
 }
@@ -60,7 +61,7 @@ void Reach::narrow(Plan& plan) const {
         if (control.value.size() != 1 || control.type == ValueType::sampler) continue;
         std::vector<UniformValue>& uniforms = plan.scene.programs[control.program].uniforms;
         const double low = control.value[0], high = high_.items[i].value[0];
-        auto uniform = std::ranges::find(uniforms, control.name, &UniformValue::name);
+        auto uniform = ranges::find(uniforms, control.name, &UniformValue::name);
         if (uniform == uniforms.end()) uniform = uniforms.insert(uniform, UniformValue{.name = control.name});
         uniform->kind = UniformValue::Kind::range;
         uniform->values = {low, low, high};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "parser/read/parse.h"
+#include "parser/text/ranges.h"
 #include "src/content/replace.h"
 
 namespace snell {
@@ -82,7 +83,7 @@ Saved saved_values(const Document& document) {
     const std::size_t changed = changed_values(document);
     saved.values = changed - std::min(changed, saved.unwritten.size());
     for (FileId file = 0; file < document.sources.size(); ++file) {
-        const auto edits = std::ranges::count(back.edits, file, [](const Edit& edit) { return edit.span.file; });
+        const auto edits = ranges::count(back.edits, file, [](const Edit& edit) { return edit.span.file; });
         if (edits == 0) continue;
         const std::string_view before = document.sources.text(file);
         saved.files.push_back(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/plan/plan.h"
 
 namespace snell {
@@ -15,17 +16,17 @@ bool about_unsampled(const Document& document, const Diagnostic& diagnostic) {
     const auto& textures = document.scene().textures;
     const auto unsampled = [&](const Span& span) {
         for (Index i = 0; i < textures.size(); ++i)
-            if (std::ranges::find(textures[i].files, span, &FileName::span) != textures[i].files.end() &&
+            if (ranges::find(textures[i].files, span, &FileName::span) != textures[i].files.end() &&
                 !document.runtime->sampled(i))
                 return true;
         return false;
     };
-    return unsampled(diagnostic.span) && std::ranges::all_of(diagnostic.also, unsampled);
+    return unsampled(diagnostic.span) && ranges::all_of(diagnostic.also, unsampled);
 }
 
 bool known(const Diagnostics& diagnostics, const Diagnostic& diagnostic) {
-    return std::ranges::any_of(diagnostics.items(),
-                               [&](const Diagnostic& other) { return other.is_at(diagnostic.code, diagnostic.span); });
+    return ranges::any_of(diagnostics.items(),
+                          [&](const Diagnostic& other) { return other.is_at(diagnostic.code, diagnostic.span); });
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "parser/text/real.h"
+
 namespace snell {
 
 namespace {
@@ -54,7 +56,7 @@ std::string parse_one(std::string_view text, View& view) {
     const std::size_t begin = dot == text.npos ? 0 : dot + 1;
     const std::string_view name = text.substr(begin, equals - begin), number = text.substr(equals + 1);
     double value = 0;
-    const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    const auto [stop, error] = read_real(number.data(), number.data() + number.size(), value);
     if (error != std::errc() || stop != number.data() + number.size() || !std::isfinite(value))
         return fmt::format("'{}' is no number", number);
     if (text.substr(0, equals) == "background") {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <unordered_map>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/content/replace.h"
 
@@ -35,7 +35,7 @@ private:
 }  // namespace
 
 bool replace_a_file(std::span<const std::string> outputs) {
-    return std::ranges::any_of(outputs, [](const std::string& file) {
+    return ranges::any_of(outputs, [](const std::string& file) {
         std::error_code error;
         return !file.empty() && fs::is_regular_file(file, error);
     });

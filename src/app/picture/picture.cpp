@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell::app {
@@ -95,7 +96,7 @@ content::Image drawn(Runtime& runtime, Frame frame, const Surface& surface, bool
 
 std::string extension_of(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), lower);
+    ranges::transform(extension, extension.begin(), lower);
     return extension;
 }
 

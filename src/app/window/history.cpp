@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "parser/text/diagnostic.h"
+#include "parser/text/ranges.h"
 #include "src/app/open/view_text.h"
 #include "src/plan/objects.h"
 #include "src/ui/kit/numbers.h"
@@ -72,8 +73,8 @@ std::size_t History::Step::bytes() const {
 bool History::Step::extends(const Step& last) const {
     const auto same = [](const auto& a, const auto& b) { return a.name == b.name; };
     return presses == last.presses && time < last.time + one_gesture && last.snapshot == 0 &&
-           view.has_value() == last.view.has_value() && std::ranges::equal(values, last.values, same) &&
-           std::ranges::equal(rungs, last.rungs, same);
+           view.has_value() == last.view.has_value() && ranges::equal(values, last.values, same) &&
+           ranges::equal(rungs, last.rungs, same);
 }
 
 bool History::Step::merge(Step&& later) {
@@ -82,7 +83,7 @@ bool History::Step::merge(Step&& later) {
     for (std::size_t i = 0; i < rungs.size(); ++i) rungs[i].after = std::move(later.rungs[i].after);
     if (view) view->after = std::move(later.view->after);
     time = later.time;
-    return std::ranges::any_of(values, moved) || std::ranges::any_of(rungs, moved) || (view && moved(*view));
+    return ranges::any_of(values, moved) || ranges::any_of(rungs, moved) || (view && moved(*view));
 }
 
 void History::begin(const Scene& scene, const Controls& controls, const View& view) {
@@ -111,7 +112,7 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
     Controls now = controls;
     const std::vector<std::string> names = control_names(scene, controls);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto found = std::ranges::find(names_, names[i]);
+        const auto found = ranges::find(names_, names[i]);
         if (found == names_.end()) continue;
         const Control& old = controls_.items[static_cast<std::size_t>(found - names_.begin())];
         Control& control = now.items[i];
@@ -138,7 +139,7 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
 
 std::size_t History::old_index(std::size_t index, const std::vector<std::string>& names) const {
     if (names.empty()) return index;
-    return static_cast<std::size_t>(std::ranges::find(names_, names[index]) - names_.begin());
+    return static_cast<std::size_t>(ranges::find(names_, names[index]) - names_.begin());
 }
 
 void History::rest(const Scene& scene, Controls& controls, std::span<const Animated> moving) const {
@@ -282,7 +283,7 @@ std::string History::apply_values(const Step& step, const UserState& state, bool
     if (step.values.empty()) return said;
     const std::vector<std::string> names = control_names(state.scene, state.controls);
     for (const auto& change : step.values) {
-        const auto found = std::ranges::find(names, change.name);
+        const auto found = ranges::find(names, change.name);
         if (found == names.end()) continue;
         Control& control = state.controls.items[static_cast<std::size_t>(found - names.begin())];
         const State& wanted = change.at(forward);
@@ -300,7 +301,7 @@ std::string History::apply_values(const Step& step, const UserState& state, bool
 }
 
 History& Histories::use(const std::string& scene) {
-    const auto found = std::ranges::find(used_, scene, &std::pair<std::string, History>::first);
+    const auto found = ranges::find(used_, scene, &std::pair<std::string, History>::first);
     if (found == used_.end())
         used_.emplace_front(scene, History{});
     else

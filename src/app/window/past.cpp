@@ -1,8 +1,8 @@
 #include "src/app/window/past.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/app/open/view_text.h"
 #include "src/plan/objects.h"
 
@@ -23,7 +23,7 @@ Controls as_written(const Controls& controls, const Rungs& rungs) {
 }
 
 bool same_values(const Controls& a, const Controls& b) {
-    return a.rungs == b.rungs && std::ranges::equal(a.items, b.items, {}, &Control::value, &Control::value);
+    return a.rungs == b.rungs && ranges::equal(a.items, b.items, {}, &Control::value, &Control::value);
 }
 
 // Sets the view that was kept. Objects are found again by their names.
@@ -36,7 +36,7 @@ void set_view(const KeptScene& kept, const Scene& scene, View& view) {
     for (const auto& [index, transformation] : objects) {
         const auto name = kept.objects.find(index);
         if (name == kept.objects.end()) continue;
-        const auto there = std::ranges::find(names, name->second);
+        const auto there = ranges::find(names, name->second);
         if (there != names.end()) found.objects[static_cast<unsigned>(there - names.begin())] = transformation;
     }
     view = std::move(found);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/app/batch/shots.h"
 #include "src/runtime/resources/uniforms.h"
@@ -37,7 +38,7 @@ Picture wanted(const Picture& shown, const ui::PictureMemory& picture) {
 // A sequence of one whole period of the slowest slider repeats without a jump.
 void offer_period(const std::vector<Animated>& animated, ui::PictureMemory& picture) {
     picture.from = 0;
-    picture.to = std::ranges::max(animated, {}, &Animated::period).period;
+    picture.to = ranges::max(animated, {}, &Animated::period).period;
 }
 
 // The files are named as `snell render -o` names them.
@@ -106,8 +107,7 @@ std::string PictureSaver::begin(const Document& document, const Picture& shown, 
         for (const std::string& read : document.files->read_paths())
             if (fs::equivalent(file, read, none))
                 return "'" + file + "' is read by the scene, and would be overwritten";
-    const auto there =
-        std::ranges::find_if(work->files, [&](const std::string& file) { return fs::exists(file, none); });
+    const auto there = ranges::find_if(work->files, [&](const std::string& file) { return fs::exists(file, none); });
     picture.there = replace || there == work->files.end() ? "" : picture.file.data();
     if (!picture.there.empty()) {
         picture.existing = utf8::printable(fs::path(*there).filename().string());

@@ -1,8 +1,8 @@
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
+#include "src/content/bits.h"
 #include "src/content/image/image.h"
 
 namespace snell::content {
@@ -11,16 +11,16 @@ float half_to_float(std::uint16_t half) {
     const std::uint32_t sign = static_cast<std::uint32_t>(half & 0x8000u) << 16;
     const std::uint32_t magnitude = half & 0x7fffu;
     if (magnitude >= 0x7c00u) {  // infinity or NaN
-        return std::bit_cast<float>(sign | 0x7f800000u | (magnitude & 0x3ffu) << 13);
+        return bits_as<float>(sign | 0x7f800000u | (magnitude & 0x3ffu) << 13);
     }
     // After the shift the exponent has the wrong bias. Multiplication by 2^112 corrects normal and subnormal numbers
     // alike, exactly.
-    const float unbiased = std::bit_cast<float>(magnitude << 13) * 0x1p112f;
-    return std::bit_cast<float>(sign | std::bit_cast<std::uint32_t>(unbiased));
+    const float unbiased = bits_as<float>(magnitude << 13) * 0x1p112f;
+    return bits_as<float>(sign | bits_as<std::uint32_t>(unbiased));
 }
 
 std::uint16_t float_to_half(float value) {
-    const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
+    const std::uint32_t bits = bits_as<std::uint32_t>(value);
     const auto sign = static_cast<std::uint16_t>(bits >> 16 & 0x8000u);
     const std::uint32_t magnitude = bits & 0x7fffffffu;
     if (magnitude > 0x7f800000u) return static_cast<std::uint16_t>(sign | 0x7e00u);   // NaN
@@ -28,8 +28,8 @@ std::uint16_t float_to_half(float value) {
     if (magnitude < 0x38800000u) {
         // For subnormal results, adding 1/2 makes the floating-point unit round to a multiple of 2^-24, to nearest
         // even.
-        const float shifted = std::bit_cast<float>(magnitude) + 0.5f;
-        return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(shifted) - 0x3f000000u));
+        const float shifted = bits_as<float>(magnitude) + 0.5f;
+        return static_cast<std::uint16_t>(sign | (bits_as<std::uint32_t>(shifted) - 0x3f000000u));
     }
     const std::uint32_t odd = magnitude >> 13 & 1u;
     return static_cast<std::uint16_t>(sign | (magnitude - 0x38000000u + 0xfffu + odd) >> 13);

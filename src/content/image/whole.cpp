@@ -2,8 +2,7 @@
 
 #include <zlib.h>
 
-#include <algorithm>
-
+#include "parser/text/ranges.h"
 #include "src/content/image/formats.h"
 
 namespace snell::content {
@@ -36,14 +35,14 @@ bool has_whole_chunks(std::string_view bytes) {
 
 bool is_whole(const std::string& path, std::string_view bytes, const ImageLimits& limits) {
     const std::string_view format = format_of_extension(extension_of(path));
-    if (std::ranges::find(provable, format) == std::end(provable)) return false;
+    if (ranges::find(provable, format) == std::end(provable)) return false;
     if (sniff(bytes) != (format == "targa" ? "" : format)) return false;  // TGA has no signature
     if (format == "png") return has_whole_chunks(bytes);
     if (format == "jpeg" && !bytes.ends_with("\xff\xd9")) return false;
     if (format == "targa" && !bytes.ends_with("TRUEVISION-XFILE.\0"sv)) return false;
     if (format == "bmp" && (bytes.size() < 6 || read_u32(bytes, 2) != bytes.size())) return false;
     const ImageResult result = decode_image(path, bytes, limits);
-    return result.image && std::ranges::none_of(result.issues, [](const ImageIssue& issue) {
+    return result.image && ranges::none_of(result.issues, [](const ImageIssue& issue) {
                return issue.code == "image-truncated" || issue.code == "image-damaged";
            });
 }

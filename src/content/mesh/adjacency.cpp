@@ -48,7 +48,8 @@ std::vector<std::uint32_t> with_adjacency(std::span<const std::uint32_t> triangl
     for (auto begin = halves.begin(); begin != halves.end();) {
         const auto end = std::find_if(begin, halves.end(), [&](const Half& h) { return h.edge != begin->edge; });
         const auto split = std::find_if(begin, end, [](const Half& h) { return h.reversed; });
-        const std::span<const Half> along(begin, split), against(split, end);
+        const std::span<const Half> along(&*begin, static_cast<std::size_t>(split - begin));
+        const std::span<const Half> against(along.data() + along.size(), static_cast<std::size_t>(end - split));
         for (std::size_t k = 0; k < along.size(); ++k)
             result[2 * along[k].corner + 1] = triangles[far_corner(partner(along, against, k).corner)];
         for (std::size_t k = 0; k < against.size(); ++k)

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "parser/text/ranges.h"
+
 namespace snell::content {
 namespace {
 
@@ -72,9 +74,8 @@ Frame frame_of(const Bounds& box) {
 }
 
 bool usable(const Mesh& mesh, const Corners& corners) {
-    return std::ranges::all_of(corners, [&](std::uint32_t v) {
-        return v < mesh.positions.size() &&
-               std::ranges::all_of(point(mesh, v), [](float x) { return std::isfinite(x); });
+    return ranges::all_of(corners, [&](std::uint32_t v) {
+        return v < mesh.positions.size() && ranges::all_of(point(mesh, v), [](float x) { return std::isfinite(x); });
     });
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "src/content/bits.h"
+
 namespace snell::content {
 namespace {
 
@@ -16,7 +18,7 @@ std::uint64_t mix(std::uint64_t x) {  // the finaliser of splitmix64
 
 std::uint64_t hash(const Float3& p) {
     // Adding 0 turns -0 into 0.
-    const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.f)}; };
+    const auto bits = [](float x) { return std::uint64_t{bits_as<std::uint32_t>(x + 0.f)}; };
     return mix(mix(bits(p[0]) | bits(p[1]) << 32) ^ bits(p[2]));
 }
 

@@ -1,7 +1,8 @@
 // OpenGL ES before 3.2 passes no blocks between shaders: their members become variables of their own.
-#include <algorithm>
 
 #include "src/glsl/translate/program.h"
+
+#include "parser/text/ranges.h"
 
 namespace snell::glsl {
 
@@ -36,7 +37,7 @@ void declare(const Program& program, Unit& u, const Block& b, int first, int las
     u.edit(type).before += interpolation + auxiliary + (b.qualifiers.storage == Storage::in ? "in " : "out ");
     for (int i = type + 1; i < last; ++i) {
         const std::string_view next = u.at(i + 1).text;
-        const bool name = std::ranges::find(b.members, u.at(i).text, &Member::name) != b.members.end();
+        const bool name = ranges::find(b.members, u.at(i).text, &Member::name) != b.members.end();
         if (name && (next == "," || next == ";" || next == "["))
             u.replace(i, variable_of(program, b.name, u.at(i).text));
     }
@@ -56,8 +57,8 @@ void flatten(const Program& program, Unit& u, const Block& b) {
 
 // An input block that no stage writes is not passed at all: it reads as zero.
 bool is_written(const Program& program, const Block& b) {
-    return b.qualifiers.storage == Storage::out || std::ranges::any_of(program.units, [&](const Unit& u) {
-               return std::ranges::any_of(u.blocks, [&](const Block& other) {
+    return b.qualifiers.storage == Storage::out || ranges::any_of(program.units, [&](const Unit& u) {
+               return ranges::any_of(u.blocks, [&](const Block& other) {
                    return other.name == b.name && other.qualifiers.storage == Storage::out;
                });
            });

@@ -1,7 +1,8 @@
 // Where a fragment is in a picture that is drawn part by part.
-#include <algorithm>
 
 #include "src/glsl/translate/program.h"
+
+#include "parser/text/ranges.h"
 
 namespace snell::glsl {
 
@@ -10,7 +11,7 @@ bool place_in_picture(Program& program) {
     if (!fragment) return false;
     Unit& u = *fragment;
     std::string_view offset = "snell_Place.xy";
-    const auto declared = std::ranges::find(u.globals, "gl_FragCoord", &Global::name);
+    const auto declared = ranges::find(u.globals, "gl_FragCoord", &Global::name);
     const int name = declared == u.globals.end() ? -1 : declared->name_token;
     if (name >= 0)
         for (const LayoutItem& item : declared->qualifiers.layout)

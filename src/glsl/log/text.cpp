@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/lexer.h"
 
@@ -114,7 +115,7 @@ std::vector<Word> words(std::string_view original) {
         const Trivia trivia = skip_trivia(text, at);
         at = trivia.end;
         line_start = line_start || trivia.line_end;
-        line += static_cast<int>(std::ranges::count(text.substr(from, at - from), '\n'));
+        line += static_cast<int>(ranges::count(text.substr(from, at - from), '\n'));
         if (at >= text.size()) return words;
         if (line_start && text[at] == '#') directive_until = directive_end(text, at);
         line_start = false;
@@ -144,7 +145,7 @@ std::span<const Word> Texts::on_line(FileId file, int line) {
     const auto not_after = [line](const Word& w) { return w.line <= line; };
     const auto first = std::partition_point(all.begin(), all.end(), before);
     const auto last = std::partition_point(first, all.end(), not_after);
-    return {first, last};
+    return {all.data() + (first - all.begin()), static_cast<std::size_t>(last - first)};
 }
 
 const std::vector<Declared>& Texts::declared(FileId file) {

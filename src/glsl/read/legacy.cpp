@@ -1,9 +1,9 @@
 #include "src/glsl/read/legacy.h"
 
-#include <algorithm>
 #include <iterator>
 #include <unordered_map>
 
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell::glsl {
@@ -110,12 +110,12 @@ constexpr GstapName gstap[] = {
 
 std::string_view gstap_meaning(std::string_view name, Stage stage) {
     if (!name.starts_with('u') && (!name.starts_with('a') || stage != Stage::vertex)) return {};
-    const auto* found = std::ranges::find(gstap, name, &GstapName::name);
+    const auto* found = ranges::find(gstap, name, &GstapName::name);
     return found == std::end(gstap) ? std::string_view() : found->meaning;
 }
 
 std::string_view gstap_name(std::string_view gl_name) {
-    const auto* found = std::ranges::find(gstap, gl_name, &GstapName::meaning);
+    const auto* found = ranges::find(gstap, gl_name, &GstapName::meaning);
     return found == std::end(gstap) ? std::string_view() : found->name;
 }
 

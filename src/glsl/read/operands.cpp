@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "parser/text/real.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
@@ -156,7 +157,7 @@ Expression Parser::number() {
     } else {
         e.type = make_type(t.ends_with("lf") || t.ends_with("LF") ? Base::dreal : Base::real);
         double v = 0;
-        std::from_chars(t.data(), t.data() + t.size(), v);
+        read_real(t.data(), t.data() + t.size(), v);
         e.value = {v};
     }
     emit(Op::number, 0, {}, e.type, e.value.front());

@@ -1,8 +1,7 @@
 // Declarations outside functions.
 #include "src/glsl/read/parse.h"
 
-#include <algorithm>
-
+#include "parser/text/ranges.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
@@ -193,7 +192,7 @@ std::optional<Type> Parser::legacy_structure(std::string_view declaration) {
 }
 
 std::optional<Type> Parser::structure_named(std::string_view name) const {
-    const auto found = std::ranges::find(u_.structs, name, &Struct::name);
+    const auto found = ranges::find(u_.structs, name, &Struct::name);
     if (found == u_.structs.end()) return std::nullopt;
     Type type;
     type.base = Base::structure;

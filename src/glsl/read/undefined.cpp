@@ -1,9 +1,10 @@
 // Drivers fold constants by other rules than they compute by: where GLSL leaves a result undefined, the two differ.
 // Operands that could be such constants are marked here, if the program asks for results as at run time; the functions
 // that keep them from being folded there are written by provide_helpers.
-#include <algorithm>
 
 #include "src/glsl/read/parse.h"
+
+#include "parser/text/ranges.h"
 
 namespace snell::glsl {
 
@@ -18,11 +19,11 @@ bool marked_type(const Type& t) {
 bool from_source(const Expression& e) { return e.constant || e.first < 0 || e.last < e.first; }
 
 bool zero(const Expression& e) {
-    return e.value.empty() || std::ranges::any_of(e.value, [](double v) { return v == 0; });
+    return e.value.empty() || ranges::any_of(e.value, [](double v) { return v == 0; });
 }
 
 bool positive(const Expression& e) {
-    return !e.value.empty() && std::ranges::all_of(e.value, [](double v) { return v > 0; });
+    return !e.value.empty() && ranges::all_of(e.value, [](double v) { return v > 0; });
 }
 
 }  // namespace

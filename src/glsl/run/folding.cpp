@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "parser/text/ranges.h"
+
 namespace snell::glsl::run {
 
 namespace {
@@ -230,8 +232,8 @@ private:
             "fract", "floor", "ceil", "round",          "roundEven",       "trunc",       "mod",
             "modf",  "sign",  "step", "floatBitsToInt", "floatBitsToUint", "packHalf2x16"};
         constexpr std::string_view waves[] = {"sin", "cos", "tan"};
-        const bool wave = std::ranges::count(waves, i.text) > 0 && !given.empty() && given[0].fold.gain >= much;
-        if (wave || std::ranges::count(jumps, i.text) > 0) touch(given);
+        const bool wave = ranges::count(waves, i.text) > 0 && !given.empty() && given[0].fold.gain >= much;
+        if (wave || ranges::count(jumps, i.text) > 0) touch(given);
         if (given.size() == 2) operands_[step] = {given[0].fold, given[1].fold};
         if (i.text == "dot" || i.text == "cross" || i.text == "matrixCompMult") return push(all_of(given, true));
         Fold result = all_of(given);
@@ -242,7 +244,7 @@ private:
         }
         constexpr std::string_view keep_zero[] = {"abs", "sqrt", "min",     "max",    "clamp",
                                                   "mix", "sign", "radians", "degrees"};
-        result.zero = !is_live(result) && (result.zero || std::ranges::count(keep_zero, i.text) == 0);
+        result.zero = !is_live(result) && (result.zero || ranges::count(keep_zero, i.text) == 0);
         push(result);
     }
 
@@ -321,7 +323,7 @@ std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_v
         return is_settled(fold) && (fold.zero || mark.function != divisor_mark);
     };
     std::vector<bool> stay;
-    std::ranges::transform(unit.marks, std::back_inserter(stay), stays);
+    ranges::transform(unit.marks, std::back_inserter(stay), stays);
     return stay;
 }
 

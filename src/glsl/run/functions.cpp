@@ -3,6 +3,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/run/machine.h"
 
 namespace snell::glsl::run {
@@ -120,7 +121,7 @@ const BuiltIn& find_built_in(std::string_view name) {
         return t;
     }();
     if (const auto found = table.find(name); found != table.end()) return *found->second;
-    const auto* family = std::ranges::find_if(families, [&](const BuiltIn& f) { return name.starts_with(f.name); });
+    const auto* family = ranges::find_if(families, [&](const BuiltIn& f) { return name.starts_with(f.name); });
     return family == std::end(families) ? other : *family;
 }
 
@@ -274,8 +275,7 @@ Value Machine::built_in(const Instruction& i, std::span<const Value> given) {
     };
     using enum BuiltIn::Kind;
     if (f->kind == texture) return sampled(given, type);
-    if (f->kind == noise && !std::ranges::all_of(given, whole))
-        return sampled(given, type);  // else at a lattice point: 0
+    if (f->kind == noise && !ranges::all_of(given, whole)) return sampled(given, type);  // else at a lattice point: 0
     if (f->kind == stop) return Machine::stop(End::unknown), unknown(type);
     if (f->kind == stop || f->kind == noise || f->kind == none || given.empty()) return unknown(type);
     if (f->kind == derivative) return differences(given[0]);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
+
 namespace snell::glsl::run {
 
 int count(const Unit& unit, const Type& type) {
@@ -73,8 +75,7 @@ Machine::End Machine::run(int lanes, int neighbour, std::uint64_t& alive, int& b
     statement_ = {};
     statement_stack_ = 0;
     execute(0);
-    const auto main =
-        std::ranges::find_if(u_.functions, [](const Function& f) { return f.name == "main" && f.code >= 0; });
+    const auto main = ranges::find_if(u_.functions, [](const Function& f) { return f.name == "main" && f.code >= 0; });
     if (main == u_.functions.end()) return End::unknown;
     if (end_ == End::running) execute(main->code);
     stop(End::done);
@@ -125,7 +126,7 @@ Value Machine::load(int n) {
     v.variable = n;
     if (v.size > 16) return v;  // nothing assigns it while an expression reads an element
     v.data = arena_.take(from.data.size());
-    std::ranges::copy(from.data, v.data);
+    ranges::copy(from.data, v.data);
     return v;
 }
 
@@ -293,7 +294,7 @@ const Function* Machine::find_function(const Instruction& i, std::span<const Val
 }
 
 Value Machine::call_user(const Function& f, std::span<const Value> given) {
-    if (std::ranges::find(calling_, &f) != calling_.end()) {
+    if (ranges::find(calling_, &f) != calling_.end()) {
         stop(End::unknown);
         return unknown(f.result);
     }

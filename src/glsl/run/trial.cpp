@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/run/machine.h"
 
@@ -78,7 +79,7 @@ struct Place {
 };
 
 bool derives(const Unit& u) {
-    return std::ranges::any_of(u.code.steps, [](const Instruction& i) {
+    return ranges::any_of(u.code.steps, [](const Instruction& i) {
         return i.op == Op::built_in && (i.text.starts_with("dF") || i.text.starts_with("fwidth"));
     });
 }
@@ -192,8 +193,7 @@ void Trial::give_built_in(Machine& m, Machine* before, std::string_view name, in
     const bool uniform = legacy && legacy->kind == LegacyKind::uniform;
     constexpr std::array<std::string_view, 5> inputs = {"gl_FragCoord", "gl_FrontFacing", "gl_PointCoord",
                                                         "gl_VertexID", "gl_InstanceID"};
-    if (!uniform && !(legacy && legacy->kind == LegacyKind::attribute) &&
-        std::ranges::find(inputs, name) == inputs.end())
+    if (!uniform && !(legacy && legacy->kind == LegacyKind::attribute) && ranges::find(inputs, name) == inputs.end())
         return unknown();
     const bool varies = neighbour_ >= 0 && !uniform;
     m.set(n, varies ? lanes_ : 1, [&](int k, int l) {
@@ -227,7 +227,7 @@ void Trial::give_interface(Machine& m, Machine& before) {
         }
     for (const Block& b : u.blocks) {
         if (b.qualifiers.storage != Storage::in || b.variable < 0) continue;
-        const auto source = std::ranges::find_if(from.blocks, [&](const Block& o) {
+        const auto source = ranges::find_if(from.blocks, [&](const Block& o) {
             return o.qualifiers.storage == Storage::out && o.name == b.name && o.members.size() == b.members.size();
         });
         for (std::size_t k = 0; k < b.members.size(); ++k) {
@@ -241,7 +241,7 @@ void Trial::give_interface(Machine& m, Machine& before) {
 }
 
 void Trial::give_uniform(Machine& m, int n, std::string_view name, int changed) {
-    const auto lane = static_cast<int>(std::ranges::find(lane_names_, name) - lane_names_.begin());
+    const auto lane = static_cast<int>(ranges::find(lane_names_, name) - lane_names_.begin());
     const bool changes = lane < static_cast<int>(lane_names_.size()), own = changes && changed < 0;
     m.set(n, own ? lanes_ : 1, [&](int k, int l) {
         const bool other = changes && (changed < 0 ? l == lane + 1 : lane == changed);
@@ -351,7 +351,7 @@ std::set<std::string_view> Trial::run() {
     budget_ = 2000 + 5 * tokens_;
     const auto open = [&](const Tried& t) { return t.wanted && !found_.contains(t.name); };
     for (round_ = 0; round_ < most_rounds && budget_ > 0; ++round_) {
-        if (round_ > 0 && std::ranges::none_of(uniforms_, open)) break;
+        if (round_ > 0 && ranges::none_of(uniforms_, open)) break;
 
         try_values();
     }

@@ -1,6 +1,7 @@
 // Operators, conversions, and what is selected from values.
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/run/machine.h"
 
 namespace snell::glsl::run {
@@ -63,7 +64,7 @@ Operator operator_of(std::string_view op, bool whole) {
     };
     if (op == "/" && whole) return [](double a, double b) { return finite(std::trunc(a / b)); };
     if (op == "/") return [](double a, double b) { return finite(a / b); };
-    const auto* found = std::ranges::find(rows, op, &Row::op);
+    const auto* found = ranges::find(rows, op, &Row::op);
     return found == std::end(rows) ? [](double, double) { return nothing; } : found->f;
 }
 

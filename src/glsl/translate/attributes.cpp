@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 
@@ -132,7 +133,7 @@ void give_colors(Unit& u, const std::vector<Global*>& outputs, int targets) {
     if (outputs.size() == 1 && !outputs.front()->written)
         at_main_start(u, std::string(u.now(outputs.front()->name_token)) + " = " + zero(outputs.front()->type) + ";");
     for (int n = 0; n < targets; ++n) {
-        const bool there = std::ranges::any_of(outputs, [&](const Global* g) {
+        const bool there = ranges::any_of(outputs, [&](const Global* g) {
             return std::max(location_of(*g), 0) == n && (g->written || outputs.size() == 1);
         });
         const std::string name = "snell_Unwritten" + std::to_string(n);

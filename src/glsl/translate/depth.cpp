@@ -4,6 +4,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::glsl {
@@ -66,7 +67,7 @@ namespace {
 const Global* used_at(const Unit& u, std::size_t at, Storage storage) {
     for (const Global& g : u.globals)
         if (g.qualifiers.storage == storage && !g.written && g.type.base == Base::real && g.type.dims == 0 &&
-            std::ranges::count(g.uses, static_cast<int>(at)) > 0)
+            ranges::count(g.uses, static_cast<int>(at)) > 0)
             return &g;
     return nullptr;
 }
@@ -82,7 +83,7 @@ std::string declared_position(const Unit& u, std::size_t at) {
     const Global* matrix = used_at(u, at + 2, Storage::uniform);
     if (!matrix || matrix->type.rows != 4 || matrix->type.cols != 4) return {};
     static const std::vector<SystemName> names = system_names();
-    if (std::ranges::none_of(names, [&](const SystemName& name) {
+    if (ranges::none_of(names, [&](const SystemName& name) {
             return name.system == System::model_view_projection && name.name == matrix->name;
         }))
         return {};

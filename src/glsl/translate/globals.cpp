@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
@@ -79,8 +80,7 @@ void adjust_interface(const Target& target, const Unit& u, Global& g) {
 void keep_binding(Program& program, const Global& g) {
     if (g.type.base != Base::sampler || g.removed) return;
     const int first = g.qualifiers.layout_number("binding");
-    if (first < 0 || std::ranges::find(program.defaults, g.name, &UniformDefault::name) != program.defaults.end())
-        return;
+    if (first < 0 || ranges::find(program.defaults, g.name, &UniformDefault::name) != program.defaults.end()) return;
     UniformDefault units{std::string(g.name), {}};
     for (int n = 0; n < (g.type.dims ? std::max(g.type.size, 1) : 1); ++n) units.values.push_back(first + n);
     program.defaults.push_back(std::move(units));
@@ -145,7 +145,7 @@ void rewrite(Unit& u, const Group& group) {
 void write_invariants(const Target& target, Unit& u, int first, int last) {
     const auto stays = [&](std::string_view name) {
         if (const LegacyName* legacy = legacy_name(name)) return legacy->kind == LegacyKind::core;
-        const auto global = std::ranges::find(u.globals, name, &Global::name);
+        const auto global = ranges::find(u.globals, name, &Global::name);
         if (global == u.globals.end() || global->qualifiers.storage == Storage::out) return true;
         return global->qualifiers.storage == Storage::in && !target.es && target.version < 420;
     };

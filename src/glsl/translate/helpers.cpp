@@ -1,8 +1,9 @@
 // Functions that core profiles lack, or leave undefined where a result is expected: declared where they are called.
 // A text that was translated before declares them already.
-#include <algorithm>
 
 #include "src/glsl/translate/program.h"
+
+#include "parser/text/ranges.h"
 
 namespace snell::glsl {
 
@@ -88,7 +89,7 @@ std::string undefined_functions() {
 }
 
 bool has_doubles(const Unit& u) {
-    return std::ranges::any_of(u.tokens, [](const Token& t) {
+    return ranges::any_of(u.tokens, [](const Token& t) {
         return t.text == "double" || t.text.starts_with("dvec") || t.text.ends_with("lf") || t.text.ends_with("LF");
     });
 }

@@ -1,6 +1,7 @@
 // Inputs of each stage are matched by name with the outputs of the stage before.
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 
@@ -165,7 +166,7 @@ void match_interfaces(Program& program) {
         if (!from) continue;
         turn_around(program, *from, u);
         for (Block& b : u.blocks) {
-            const bool given = std::ranges::any_of(
+            const bool given = ranges::any_of(
                 from->blocks, [&](const Block& o) { return o.qualifiers.storage == Storage::out && o.name == b.name; });
             if (b.qualifiers.storage == Storage::in && !given && !b.name.starts_with("gl_"))
                 read_as_zero(program, u, b, *from);
@@ -198,7 +199,7 @@ namespace {
 // token i and `=` follows. What is already translated has it in snell_main.
 template <class Assigns>
 bool always_written(const Unit& u, Assigns assigns) {
-    const auto wrapped = std::ranges::find(u.functions, "snell_main", &Function::name);
+    const auto wrapped = ranges::find(u.functions, "snell_main", &Function::name);
     const auto written_in = [&](const Function& f) {
         int depth = 0;
         for (int i = f.open; i < f.close; ++i) {
@@ -219,8 +220,7 @@ bool always_written(const Unit& u, Assigns assigns) {
 }
 
 bool always_written(const Unit& u, const Global& g) {
-    return always_written(
-        u, [&](int i) { return u.at(i + 1).text == "=" && std::ranges::find(g.uses, i) != g.uses.end(); });
+    return always_written(u, [&](int i) { return u.at(i + 1).text == "=" && ranges::find(g.uses, i) != g.uses.end(); });
 }
 
 void give(Unit& u, const Global& g) {

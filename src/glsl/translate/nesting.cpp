@@ -1,7 +1,8 @@
 // Drivers walk the syntax tree of a shader by recursion: a tree that is too deep ends the process.
-#include <algorithm>
 
 #include "src/glsl/translate/program.h"
+
+#include "parser/text/ranges.h"
 
 namespace snell::glsl {
 
@@ -13,7 +14,7 @@ bool closes(std::string_view t) { return t == ")" || t == "]" || t == "}"; }
 // What may have a tree of its own below it: operators, brackets, and statements that contain statements.
 bool deepens(const Token& t) {
     constexpr std::string_view words[] = {"if", "else", "for", "while", "do", "switch"};
-    if (t.kind == Kind::identifier) return std::ranges::find(words, t.text) != std::end(words);
+    if (t.kind == Kind::identifier) return ranges::find(words, t.text) != std::end(words);
     return t.kind == Kind::punct && t.text != ";" && t.text != "," && !closes(t.text);
 }
 

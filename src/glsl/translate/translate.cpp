@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
@@ -97,7 +98,7 @@ void give_point_size(Unit& vertex) {
 void refuse_late_features(const Program& program) {
     if (!program.target().es || program.target().version >= 320) return;
     for (const Unit& u : program.units) {
-        const auto buffer = std::ranges::find_if(u.tokens, [](const Token& t) { return t.text == "samplerBuffer"; });
+        const auto buffer = ranges::find_if(u.tokens, [](const Token& t) { return t.text == "samplerBuffer"; });
         if (buffer != u.tokens.end())
             program.diagnostics.error("unsupported-type", u.span(static_cast<int>(buffer - u.tokens.begin())),
                                       "OpenGL ES 3.0 has no texture buffers (samplerBuffer), which <snell/mesh.glsl> "

@@ -2,11 +2,12 @@
 // driver leaves out what they switch off.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "parser/text/ranges.h"
+#include "parser/text/real.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/run/folding.h"
@@ -149,10 +150,8 @@ void unify_uniforms(Program& program) {
 namespace {
 
 template <class Real>
-std::string real_text(double value, std::string_view suffix) {
-    std::array<char, 64> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<Real>(value)).ptr;
-    std::string text(digits.data(), end);
+std::string literal(double value, std::string_view suffix) {
+    std::string text = real_text(static_cast<Real>(value));
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text + std::string(suffix);
 }
@@ -178,10 +177,10 @@ std::string component_text(Base base, double value) {
             return value >= 0 && value <= Uint::max() ? std::to_string(static_cast<std::uint32_t>(value)) + "u" : "";
         case Base::real:
             return std::abs(value) <= std::numeric_limits<float>::max() && exact<float>(value)
-                       ? real_text<float>(value, "")
+                       ? literal<float>(value, "")
                        : "";
         case Base::dreal:
-            return exact<double>(value) ? real_text<double>(value, "lf") : "";
+            return exact<double>(value) ? literal<double>(value, "lf") : "";
         default:
             return "";
     }
@@ -199,7 +198,7 @@ std::string constant_text(const Type& type, const std::vector<double>& values) {
 }
 
 std::string scene_name(const Program& program, const Global& g) {
-    const auto renamed = std::ranges::find(program.renamed, g.name, &RenamedUniform::shader_name);
+    const auto renamed = ranges::find(program.renamed, g.name, &RenamedUniform::shader_name);
     return renamed == program.renamed.end() ? std::string(g.name) : renamed->name;
 }
 
@@ -222,7 +221,7 @@ std::map<std::string_view, run::Fold> folds(const Program& program) {
     std::map<std::string_view, run::Fold> settled;
     for (std::size_t n = 0; n < program.settled.size(); ++n) {
         const Settled& one = program.settled[n];
-        run::Fold& fold = settled[one.name] = {Kind::settled, std::ranges::count(one.values, 0.) > 0};
+        run::Fold& fold = settled[one.name] = {Kind::settled, ranges::count(one.values, 0.) > 0};
         if (one.values.size() == 1) fold.value = one.values[0];
         for (const double value : one.values) fold.gain = std::max(fold.gain, std::abs(value));
         fold.from = std::uint64_t{1} << std::min<std::size_t>(n, 63);
@@ -252,8 +251,7 @@ void choose_settled(Program& program) {
     std::set<std::string> unfit;  // types differ between stages, or the initial value is not known here
     for (const Unit& u : program.units)
         for (const Global& g : u.globals) {
-            const bool known =
-                g.init_first < 0 || std::ranges::count(program.defaults, g.name, &UniformDefault::name) > 0;
+            const bool known = g.init_first < 0 || ranges::count(program.defaults, g.name, &UniformDefault::name) > 0;
             const bool held = g.type.base != Base::dreal || program.target().fp64;
             if (is_uniform(g) && (!g.new_type.empty() || !known || !held)) unfit.insert(scene_name(program, g));
         }
@@ -262,7 +260,7 @@ void choose_settled(Program& program) {
         if (declared.simple && !unfit.contains(declared.name)) fit.push_back(declared);
     program.settled = program.options.settle(fit);
     std::erase_if(program.settled, [&](const Settled& settled) {
-        if (std::ranges::find(fit, settled.name, &DeclaredUniform::name) == fit.end()) return true;
+        if (ranges::find(fit, settled.name, &DeclaredUniform::name) == fit.end()) return true;
         const Global* g = declaration(program, settled.name);
         return !g || constant_text(g->type, settled.values).empty();
     });
@@ -283,14 +281,14 @@ void resolve_marks(Program& program) {
             }
         for (std::size_t n = 0; n < stay.size(); ++n)
             if (stay[n] && u.marks[n].call >= 0) u.replace(u.marks[n].call, u.marks[n].function);
-        if (std::ranges::count(stay, true) > 0) provide_marks(u);
+        if (ranges::count(stay, true) > 0) provide_marks(u);
     }
 }
 
 void settle_uniforms(const Program& program, Unit& u) {
     for (Global& g : u.globals) {
         if (!is_uniform(g) || program.settled.empty()) continue;
-        const auto settled = std::ranges::find(program.settled, scene_name(program, g), &Settled::name);
+        const auto settled = ranges::find(program.settled, scene_name(program, g), &Settled::name);
         if (settled == program.settled.end()) continue;
         // Constants that index an array out of its bounds, or divide by zero, would be errors.
         g.qualifiers.storage = g.type.integral() ? Storage::plain : Storage::constant;

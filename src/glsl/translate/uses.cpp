@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/run/trial.h"
 #include "src/glsl/translate/program.h"
@@ -32,9 +33,9 @@ std::set<std::string_view> reachable(const Unit& u) {
 
 // Whether code that runs names the variable.
 bool named(const Unit& u, const std::set<std::string_view>& running, const Global& g) {
-    return std::ranges::any_of(g.uses, [&](int token) {
+    return ranges::any_of(g.uses, [&](int token) {
         const auto around =
-            std::ranges::find_if(u.functions, [&](const Function& f) { return f.open < token && token < f.close; });
+            ranges::find_if(u.functions, [&](const Function& f) { return f.open < token && token < f.close; });
         return around == u.functions.end() || running.contains(around->name);
     });
 }
@@ -44,10 +45,10 @@ void note_functions(const Unit& u, const Global& g, std::vector<std::string>& fu
                                                      "geometry", "fragment"};  // as Stage
     for (const Function& function : u.functions) {
         const auto within = [&](int use) { return use > function.open && use < function.close; };
-        if (!std::ranges::any_of(g.uses, within)) continue;
+        if (!ranges::any_of(g.uses, within)) continue;
         std::string name(function.name);
         name.append(" (").append(stages[static_cast<std::size_t>(u.stage)]).append(")");
-        if (std::ranges::count(functions, name) == 0) functions.push_back(std::move(name));  // overloaded
+        if (ranges::count(functions, name) == 0) functions.push_back(std::move(name));  // overloaded
     }
 }
 
@@ -62,7 +63,7 @@ DeclaredUniform described(const Program& program, const Global& g) {
     d.glsl_type = g.new_type.empty() ? own : g.new_type;
     d.array_size = g.type.dims > 0 ? std::max(g.type.size, 0) : 0;
     d.simple = g.type.dims == 0 && g.type.basic();
-    const auto initial = std::ranges::find(program.defaults, g.name, &UniformDefault::name);
+    const auto initial = ranges::find(program.defaults, g.name, &UniformDefault::name);
     if (initial != program.defaults.end()) d.initial = initial->values;
     return d;
 }
@@ -76,7 +77,7 @@ std::vector<DeclaredUniform> declared_uniforms(Program& program) {
         const std::set<std::string_view> running = reachable(u);
         for (const Global& g : u.globals) {
             if (g.qualifiers.storage != Storage::uniform || g.name.starts_with("gl_")) continue;
-            auto known = std::ranges::find(declared, g.name, &DeclaredUniform::name);
+            auto known = ranges::find(declared, g.name, &DeclaredUniform::name);
             if (known == declared.end()) {
                 declared.push_back(described(program, g));
                 candidates.emplace_back();
@@ -95,7 +96,7 @@ std::vector<DeclaredUniform> declared_uniforms(Program& program) {
                 DeclaredUniform d{before + std::string(m.name), std::string(m.type.name)};
                 d.array_size = m.type.dims > 0 ? std::max(m.type.size, 0) : 0;
                 d.simple = false;
-                if (std::ranges::find(declared, d.name, &DeclaredUniform::name) != declared.end()) continue;
+                if (ranges::find(declared, d.name, &DeclaredUniform::name) != declared.end()) continue;
                 declared.push_back(std::move(d));
                 candidates.push_back({false, true, true});
             }

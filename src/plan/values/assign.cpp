@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "parser/text/real.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/values/fit.h"
 
@@ -33,7 +33,7 @@ std::optional<double> number(std::string_view text) {
     if (word == "false" || word == "off" || word == "no") return 0;
     if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = read_real(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
     return value;
 }
@@ -214,9 +214,9 @@ void reset(Control& control) {
 // The components share one range, so it keeps its room for those that are not reset.
 void reset(Control& control, std::size_t component) {
     control.value[component] = control.initial[component];
-    const auto [least, most] = std::ranges::minmax(control.value);
-    control.min = std::min(control.initial_min, least);
-    control.max = std::max(control.initial_max, most);
+    const auto [lowest, highest] = std::minmax_element(control.value.begin(), control.value.end());
+    control.min = std::min(control.initial_min, *lowest);
+    control.max = std::max(control.initial_max, *highest);
 }
 
 }  // namespace snell

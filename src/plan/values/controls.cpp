@@ -8,6 +8,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "parser/text/ranges.h"
 #include "parser/text_of.h"
 #include "src/plan/values/fit.h"
 #include "src/plan/values/remembered.h"
@@ -148,8 +149,8 @@ private:
     }
 
     bool is_listed(Index program, std::string_view name) const {
-        return std::ranges::any_of(scene_.programs[program].uniforms,
-                                   [&](const UniformValue& value) { return base_name(value.name) == name; });
+        return ranges::any_of(scene_.programs[program].uniforms,
+                              [&](const UniformValue& value) { return base_name(value.name) == name; });
     }
 
     // Guesses the type of a value in a program whose uniforms are unknown.
@@ -305,7 +306,7 @@ private:
     void warn_order(const UniformValue& written, const Range& range) {
         UniformValue meant = written;
         meant.values = {range.min, range.current, range.max};
-        std::ranges::sort(meant.values);
+        ranges::sort(meant.values);
         diagnostics_.warning(
             "range-order", written.span,
             fmt::format("range of '{}': its numbers are <min current max>, and the current one, {}, is {}",
@@ -361,7 +362,7 @@ Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveU
 }
 
 bool same_uniforms(const Controls& a, const Controls& b) {
-    return std::ranges::equal(a.items, b.items, [](const Control& x, const Control& y) {
+    return ranges::equal(a.items, b.items, [](const Control& x, const Control& y) {
         return x.program == y.program && x.name == y.name && x.active == y.active && x.value.size() == y.value.size();
     });
 }

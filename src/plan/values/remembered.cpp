@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/plan/values/fit.h"
 
 namespace snell {
@@ -79,14 +80,14 @@ void take_value(const RememberedValue& from, Control& control, Follow follow) {
     control.value = from.value;
     if (control.widget != Widget::slider) return;
     const bool same_range = from.initial_min == control.initial_min && from.initial_max == control.initial_max;
-    const auto [least, most] = std::ranges::minmax(control.value);
+    const auto [lowest, highest] = std::minmax_element(control.value.begin(), control.value.end());
     control.min = control.initial_min;
     control.max = control.initial_max;
     if (!same_range && follow == Follow::text) {
         for (double& value : control.value) value = std::clamp(value, control.min, control.max);
-    } else if (least < control.min || most > control.max) {
-        control.min = std::min({control.min, same_range ? from.min : least, least});
-        control.max = std::max({control.max, same_range ? from.max : most, most});
+    } else if (*lowest < control.min || *highest > control.max) {
+        control.min = std::min({control.min, same_range ? from.min : *lowest, *lowest});
+        control.max = std::max({control.max, same_range ? from.max : *highest, *highest});
     }
 }
 
@@ -107,7 +108,7 @@ bool recall(const Remembered& memory, const Scene& scene, Rungs& rungs, Follow f
         const auto found = memory.rungs.find(ladder.name);
         if (found == memory.rungs.end()) continue;
         if (follow == Follow::text && found->second.initial != ladder.rungs[ladder.current]) continue;
-        const auto rung = std::ranges::find(ladder.rungs, found->second.rung);
+        const auto rung = ranges::find(ladder.rungs, found->second.rung);
         const auto index = static_cast<std::size_t>(rung - ladder.rungs.begin());
         if (rung == ladder.rungs.end() || rungs[i] == index) continue;
         rungs[i] = index;

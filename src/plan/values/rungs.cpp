@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "parser/text/ranges.h"
 
 namespace snell {
 namespace {
@@ -41,7 +41,7 @@ bool choose_rung(Rungs& rungs, const Scene& scene, std::string_view assignment, 
                           "write LADDER=rung");
         return false;
     }
-    const auto ladder = std::ranges::find(scene.ladders, name, &Ladder::name);
+    const auto ladder = ranges::find(scene.ladders, name, &Ladder::name);
     if (ladder == scene.ladders.end()) {
         std::vector<std::string_view> names;
         for (const Ladder& other : scene.ladders) names.push_back(other.name);
@@ -52,7 +52,7 @@ bool choose_rung(Rungs& rungs, const Scene& scene, std::string_view assignment, 
         return false;
     }
     const std::string_view wanted = assignment.substr(equals + 1);
-    const auto rung = std::ranges::find(ladder->rungs, wanted);
+    const auto rung = ranges::find(ladder->rungs, wanted);
     if (rung == ladder->rungs.end()) {
         diagnostics.error("unknown-rung", fmt::format("ladder '{}' has no rung '{}'", name, wanted),
                           did_you_mean(wanted, {ladder->rungs.begin(), ladder->rungs.end()}));
@@ -67,10 +67,10 @@ void carry_over(const Rungs& from, const Scene& from_scene, Rungs& to, const Sce
     if (from.size() != from_scene.ladders.size()) return;
     for (std::size_t i = 0; i < to.size(); ++i) {
         const Ladder& ladder = to_scene.ladders[i];
-        const auto old = std::ranges::find(from_scene.ladders, ladder.name, &Ladder::name);
+        const auto old = ranges::find(from_scene.ladders, ladder.name, &Ladder::name);
         if (old == from_scene.ladders.end() || old->rungs[old->current] != ladder.rungs[ladder.current]) continue;
         const std::string& chosen = old->rungs[from[static_cast<std::size_t>(old - from_scene.ladders.begin())]];
-        const auto rung = std::ranges::find(ladder.rungs, chosen);
+        const auto rung = ranges::find(ladder.rungs, chosen);
         if (rung != ladder.rungs.end()) to[i] = static_cast<std::size_t>(rung - ladder.rungs.begin());
     }
 }

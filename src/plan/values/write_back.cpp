@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "parser/text/number.h"
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "parser/text_of.h"
 
@@ -41,7 +42,7 @@ std::string value_text(double value, std::string_view like) {
     const auto capital = [](char c) { return c >= 'A' && c <= 'Z'; };
     const auto raise = [](char& c) { c = static_cast<char>(c - 'a' + 'A'); };
     if (capital(like[1])) {
-        std::ranges::for_each(text, raise);
+        ranges::for_each(text, raise);
     } else if (capital(like[0])) {
         raise(text[0]);
     }
@@ -174,7 +175,7 @@ std::vector<Part> parts_of(const Scene& scene, const Controls& controls, Index p
     std::map<const Control*, std::vector<std::size_t>> giver;
     for (std::size_t u = 0; u < uniforms.size(); ++u) {
         Part& part = parts[u];
-        const auto own = std::ranges::find_if(controls.items, [&](const Control& control) {
+        const auto own = ranges::find_if(controls.items, [&](const Control& control) {
             return control.program == program && control.listed && control.uniform == u;
         });
         if (own != controls.items.end()) {
@@ -206,7 +207,7 @@ std::string file_of(FileId file, const Sources& sources) {
 }
 
 bool same_change(const Rewritten& a, const Rewritten& b) {
-    return std::ranges::equal(a.edits, b.edits, [](const Edit& x, const Edit& y) {
+    return ranges::equal(a.edits, b.edits, [](const Edit& x, const Edit& y) {
         return x.span.begin == y.span.begin && x.span.end == y.span.end && x.text == y.text;
     });
 }
@@ -224,8 +225,8 @@ public:
         refuse_unlisted();
         for (std::size_t i = 0; i < scene_.ladders.size() && i < controls_.rungs.size(); ++i) ladder(i);
         for (Edit& edit : result_.edits) edit.span.file = first_reading(edit.span.file);
-        std::ranges::stable_sort(result_.edits, {},
-                                 [](const Edit& e) { return std::tuple(e.span.file, e.span.begin, e.span.end); });
+        ranges::stable_sort(result_.edits, {},
+                            [](const Edit& e) { return std::tuple(e.span.file, e.span.begin, e.span.end); });
         return std::move(result_);
     }
 
@@ -256,7 +257,7 @@ private:
 
     // A scene that is included twice has two programs for one place in the text; both must change it in the same way.
     void agree(std::vector<Reading>& readings) {
-        const bool same = std::ranges::all_of(
+        const bool same = ranges::all_of(
             readings, [&](const Reading& r) { return same_change(r.rewritten, readings.front().rewritten); });
         if (!same) {
             const Reading& first = readings.front();
@@ -266,7 +267,7 @@ private:
         }
         for (const Reading& reading : readings)
             result_.programs[reading.program].uniforms[reading.uniform] = reading.rewritten.uniform;
-        std::ranges::copy(readings.front().rewritten.edits, std::back_inserter(result_.edits));
+        ranges::copy(readings.front().rewritten.edits, std::back_inserter(result_.edits));
     }
 
     void refuse_unlisted() {
@@ -340,13 +341,13 @@ bool reads_back(const WriteBack& write_back, const Scene& scene) {
         return a.name == b.name && a.values == b.values;
     };
     const auto same_program = [&](const Program& a, const Program& b) {
-        return a.name == b.name && std::ranges::equal(a.uniforms, b.uniforms, same_uniform);
+        return a.name == b.name && ranges::equal(a.uniforms, b.uniforms, same_uniform);
     };
     const auto same_ladder = [](const Ladder& a, const Ladder& b) {
         return a.name == b.name && a.rungs == b.rungs && a.current == b.current;
     };
-    return std::ranges::equal(write_back.programs, scene.programs, same_program) &&
-           std::ranges::equal(write_back.ladders, scene.ladders, same_ladder);
+    return ranges::equal(write_back.programs, scene.programs, same_program) &&
+           ranges::equal(write_back.ladders, scene.ladders, same_ladder);
 }
 
 std::string uniform_text(const Control& control) {

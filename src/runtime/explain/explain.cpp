@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <set>
 
+#include "parser/text/ranges.h"
 #include "parser/text_of.h"
 #include "src/runtime/explain/switched_off.h"
 #include "src/runtime/explain/words.h"
@@ -192,9 +192,9 @@ private:
 
     // Its files may be read all the same, for what is computed from them.
     bool sampled_for_other_values(Index texture) const {
-        return std::ranges::any_of(scene_.draws, [&](const Draw& draw) {
-            return draw.program != none && std::ranges::count(impl_.sampled_by(draw, impl_.dormant[draw.program]),
-                                                              texture, &runtime::Sampled::texture) > 0;
+        return ranges::any_of(scene_.draws, [&](const Draw& draw) {
+            return draw.program != none && ranges::count(impl_.sampled_by(draw, impl_.dormant[draw.program]), texture,
+                                                         &runtime::Sampled::texture) > 0;
         });
     }
 
@@ -209,8 +209,8 @@ private:
             if (!program_draws_.contains(i))
                 result_.unused.push_back({"Program " + program.name, "nothing is drawn with it", program.span});
             for (const UniformValue& uniform : program.uniforms)
-                if (std::ranges::none_of(impl_.active[i],
-                                         [&](const ActiveUniform& a) { return uniform.name.starts_with(a.name); }))
+                if (ranges::none_of(impl_.active[i],
+                                    [&](const ActiveUniform& a) { return uniform.name.starts_with(a.name); }))
                     result_.unused.push_back({fmt::format("{} of {}", uniform.name, program.name),
                                               "no stage reads it: it is not active", uniform.span});
         }
@@ -240,7 +240,7 @@ private:
 
     void unpaid() {
         const Counters& c = impl_.counters;
-        const auto has = [&](Kind kind) { return std::ranges::count(result_.paid, kind, &Paid::kind) > 0; };
+        const auto has = [&](Kind kind) { return ranges::count(result_.paid, kind, &Paid::kind) > 0; };
         say("Timer", impl_.animated, "inactive in every drawn program: drawn again when something changed");
         say("Noise2, Noise3", has(Kind::noise), "inactive");
         say("off-screen targets", has(Kind::target), "nothing is rendered to textures");

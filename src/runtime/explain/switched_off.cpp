@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "parser/text/ranges.h"
 #include "parser/text_of.h"
 #include "src/plan/identity.h"
 #include "src/runtime/explain/words.h"
@@ -68,8 +68,7 @@ private:
         const auto is_it = [&](Index drawn) { return drawn != none && impl_.textures.first(drawn) == texture; };
         for (Index i = 0; i < impl_.passes.size(); ++i) {
             const Pass& pass = scene_.passes[i];
-            if (impl_.passes[i].live || std::ranges::none_of(pass.textures, is_it) || !all.passes.insert(i).second)
-                continue;
+            if (impl_.passes[i].live || ranges::none_of(pass.textures, is_it) || !all.passes.insert(i).second) continue;
             for (const Draw* draw : programmed(pass)) {
                 reach(all, *draw, impl_.dormant[draw->program]);
                 if (const auto* linked = impl_.program_of(i, *draw)) reach(all, *draw, linked->samplers);
@@ -94,7 +93,7 @@ private:
             row.span = control && control->listed ? std::optional(control->span) : std::nullopt;
             const auto& active = linked.alone[i];
             const auto inactive =
-                off([&](const std::string& n) { return n == row.uniform || std::ranges::count(active, n) > 0; });
+                off([&](const std::string& n) { return n == row.uniform || ranges::count(active, n) > 0; });
             for (const ActiveUniform* uniform : inactive) told.insert(uniform->name);
             add_parts(row, linked, inactive);
         }
@@ -102,7 +101,7 @@ private:
         row.uniform = row.value = "";
         row.span = scene_.programs[program].span;
         add_parts(row, linked, off([&](const std::string& n) {
-                      return told.contains(n) || std::ranges::count(linked.active, n, &ActiveUniform::name) > 0;
+                      return told.contains(n) || ranges::count(linked.active, n, &ActiveUniform::name) > 0;
                   }));
     }
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <chrono>
 #include <set>
+
+#include "parser/text/ranges.h"
+#include "parser/text/real.h"
 
 namespace snell::runtime {
 
@@ -25,7 +27,7 @@ void each_number(std::string_view text, const Function& number) {
         if (!digit(at) && !(text[at] == '.' && digit(at + 1))) continue;
         if (at > 0 && in_name(text[at - 1])) continue;
         double value = 0;
-        const auto end = std::from_chars(text.data() + at, text.data() + text.size(), value).ptr;
+        const auto end = read_real(text.data() + at, text.data() + text.size(), value).ptr;
         at = std::max(at, static_cast<std::size_t>(end - text.data()) - 1);
         number(value);
     }
@@ -143,7 +145,7 @@ std::vector<const Control*> without_effect(const LinkRequest& request, std::vect
     general.settle = [](const auto&) { return std::vector<glsl::Settled>(); };
     const glsl::Translation translation = translate(general, unheard);
     std::erase_if(sliders, [&](const Control* slider) {
-        const auto declared = std::ranges::find(translation.declared, slider->name, &glsl::DeclaredUniform::name);
+        const auto declared = ranges::find(translation.declared, slider->name, &glsl::DeclaredUniform::name);
         return declared == translation.declared.end() || declared->use == glsl::DeclaredUniform::Use::sure;
     });
     if (sliders.empty() || sliders.size() > most_sliders) return {};

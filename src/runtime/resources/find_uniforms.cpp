@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/runtime/resources/program.h"
 #include "src/runtime/resources/tree.h"
 
@@ -56,7 +57,7 @@ std::vector<double> read_values(GLuint program, const gl::Uniform& uniform, cons
 }
 
 bool scene_sets(const Program& program, std::string_view name) {
-    return std::ranges::any_of(program.uniforms, [&](const UniformValue& u) { return u.name == name; });
+    return ranges::any_of(program.uniforms, [&](const UniformValue& u) { return u.name == name; });
 }
 
 const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, std::string_view name,
@@ -69,7 +70,7 @@ const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, 
 
 // Returns the name that the scene uses for a uniform that the translation had to rename.
 std::string scene_name(const std::string& shader_name, const glsl::Translation& translation) {
-    const auto renamed = std::ranges::find(translation.renamed, shader_name, &glsl::RenamedUniform::shader_name);
+    const auto renamed = ranges::find(translation.renamed, shader_name, &glsl::RenamedUniform::shader_name);
     return renamed == translation.renamed.end() ? shader_name : renamed->name;
 }
 

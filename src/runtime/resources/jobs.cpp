@@ -5,9 +5,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 
-#include "src/content/parallel.h"
+#include "parser/text/ranges.h"
+#include "src/content/workers.h"
 
 namespace snell::runtime {
 
@@ -35,7 +35,7 @@ public:
         std::size_t told = 0;
         std::unique_lock lock(mutex_);
         while (true) {
-            const auto first = std::ranges::find(done_, false);
+            const auto first = ranges::find(done_, false);
             const std::string_view name =
                 first == done_.end() ? ""
                                      : std::string_view(jobs_[static_cast<std::size_t>(first - done_.begin())].name);
@@ -57,13 +57,20 @@ private:
     std::size_t count_ = 0;
 };
 
+void work_alone(const std::vector<Job>& jobs, const Watcher& watcher) {
+    for (std::size_t done = 0; done < jobs.size(); ++done) {
+        watcher({LoadProgress::Stage::files, jobs[done].name, done, jobs.size()});
+        jobs[done].work();
+    }
+    watcher({LoadProgress::Stage::files, "", jobs.size(), jobs.size()});
+}
+
 }  // namespace
 
 void say_once(const Diagnostics& said, Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : said.items())
-        if (std::ranges::none_of(diagnostics.items(), [&](const Diagnostic& other) {
-                return other.is_at(diagnostic.code, diagnostic.span);
-            }))
+        if (ranges::none_of(diagnostics.items(),
+                            [&](const Diagnostic& other) { return other.is_at(diagnostic.code, diagnostic.span); }))
             diagnostics.add(diagnostic);
 }
 
@@ -73,12 +80,18 @@ void run(const std::vector<Job>& jobs, const Watcher& watcher) {
         return;
     }
     Board board(jobs);
-    const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1U);
-    const std::size_t count = std::min(cores, jobs.size());
+    const std::size_t count = std::min(content::cores(), jobs.size());
     // The thread that reports progress does no jobs, unless no other thread could be started.
-    const auto threads = content::start_threads(watcher ? count : count - 1, [&board] { board.work(); });
-    if (!watcher || threads.empty()) board.work();
-    if (watcher) board.watch(watcher);
+    content::work_beside(
+        watcher ? count : count - 1, [&] { board.work(); },
+        [&](std::size_t started) {
+            if (!watcher)
+                board.work();
+            else if (started > 0)
+                board.watch(watcher);
+            else
+                work_alone(jobs, watcher);
+        });
 }
 
 }  // namespace snell::runtime

@@ -1,8 +1,8 @@
 #include "src/runtime/resources/mesh.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/glsl.h"
 
 namespace snell::runtime {
@@ -48,7 +48,7 @@ GpuMesh upload(const content::Mesh& mesh) {
     gpu.has_w = !mesh.w.empty();
     gpu.min = mesh.min;
     gpu.max = mesh.max;
-    gpu.bounded = std::ranges::all_of(mesh.positions, [](const content::Float3& p) {
+    gpu.bounded = ranges::all_of(mesh.positions, [](const content::Float3& p) {
         return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
     });
     if (mesh.positions.empty() || mesh.indices.empty()) return gpu;

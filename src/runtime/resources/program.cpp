@@ -6,6 +6,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "parser/text/ranges.h"
 #include "shaders/embedded.h"
 #include "src/runtime/resources/stopwatch.h"
 
@@ -65,7 +66,7 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
     add(translation.placed_by);
     std::vector<std::string_view> names;
     for (const UniformValue& uniform : program.uniforms) names.push_back(uniform.name);
-    std::ranges::sort(names);
+    ranges::sort(names);
     for (const std::string_view name : names) add(name);
     return key;
 }
@@ -109,12 +110,12 @@ glsl::IncludeReader include_reader(Files& files) {
 }
 
 bool LinkedProgram::reads(glsl::System which) const {
-    return std::ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
+    return ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
 }
 
 std::vector<std::string> LinkedProgram::functions_naming(std::string_view uniform) const {
     const std::string_view name = uniform.substr(0, uniform.find_first_of(".["));
-    const auto found = std::ranges::find(declared, name, &glsl::DeclaredUniform::name);
+    const auto found = ranges::find(declared, name, &glsl::DeclaredUniform::name);
     return found == declared.end() ? std::vector<std::string>() : found->functions;
 }
 
@@ -181,7 +182,7 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     linked->opaque = !translation.uses_alpha;
     linked->plain_depth = translation.plain_depth;
     linked->in_place = !translation.placed_by.empty() &&
-                       std::ranges::count(request.program.uniforms, translation.placed_by, &UniformValue::name) == 0;
+                       ranges::count(request.program.uniforms, translation.placed_by, &UniformValue::name) == 0;
     linked->reads_place = translation.reads_place;
     linked->wide = request.variant.wide;
     linked->declared = translation.declared;
@@ -213,7 +214,7 @@ const Instancing* make_instancing(LinkedProgram& linked, const Program& program,
     find_uniforms(*many, program, {}, caps);
     // Both forms read the units that are bound for the draw.
     for (SamplerUniform& sampler : many->samplers) {
-        const auto same = std::ranges::find(linked.samplers, sampler.name, &SamplerUniform::name);
+        const auto same = ranges::find(linked.samplers, sampler.name, &SamplerUniform::name);
         if (same == linked.samplers.end() || same->size != sampler.size) return nullptr;
         sampler.first_unit = same->first_unit;
     }

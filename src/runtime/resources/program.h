@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "parser/text/diagnostic.h"
@@ -88,7 +89,14 @@ struct Variant {
     Rungs rungs;          // of the ladders that the program knows
     bool placed = false;  // for parts of pictures
     int settled = 0;      // 0: takes any values; else the number of the values that are constants in it
-    auto operator<=>(const Variant&) const = default;
+    bool operator==(const Variant&) const = default;
+    // Not by <=>, which not every standard library has for vectors yet (libc++ only since version 17).
+    bool operator<(const Variant& other) const {
+        const auto all = [](const Variant& v) {
+            return std::tie(v.flat, v.wide, v.outputs, v.rungs, v.placed, v.settled);
+        };
+        return all(*this) < all(other);
+    }
 };
 
 struct LinkRequest {

@@ -1,10 +1,12 @@
 #include "src/runtime/resources/store.h"
 
+#include "parser/text/ranges.h"
+
 namespace snell::runtime {
 
 void say_again(const Said& said, std::span<const Span> places, Diagnostics& diagnostics) {
     const auto moved = [&](const Span& span) {
-        const auto old = std::ranges::find(said.places, span);
+        const auto old = ranges::find(said.places, span);
         const auto at = static_cast<std::size_t>(old - said.places.begin());
         return at < std::min(said.places.size(), places.size()) ? places[at] : span;
     };

@@ -1,7 +1,6 @@
 // What was made, by what it was made of: a scene that is read again takes over what did not change.
 #pragma once
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <span>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "parser/text/diagnostic.h"
+#include "parser/text/ranges.h"
 #include "src/content/cube/convolve.h"
 #include "src/gl/handle.h"
 
@@ -40,7 +40,7 @@ public:
     void put(const std::string& key, const std::shared_ptr<Resource>& resource, std::span<const Span> places,
              const Diagnostics& diagnostics, std::size_t first) {
         const auto said = std::span(diagnostics.items()).subspan(first);
-        if (key.empty() || std::ranges::any_of(said, [](const Diagnostic& d) { return d.severity == Severity::error; }))
+        if (key.empty() || ranges::any_of(said, [](const Diagnostic& d) { return d.severity == Severity::error; }))
             return;
         entries_[key] = {resource, {{said.begin(), said.end()}, {places.begin(), places.end()}}};
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/content/image/image.h"
 #include "src/plan/identity.h"
 #include "src/runtime/resources/stopwatch.h"
@@ -61,7 +62,7 @@ GLenum gl_target(TextureTarget target, const gl::Caps& caps) {
 bool same_declaration(const Texture& a, const Texture& b) {
     return a.target == b.target && a.computed == b.computed && a.filter == b.filter && a.size == b.size &&
            a.source == b.source && (a.encoding == Encoding::srgb) == (b.encoding == Encoding::srgb) &&
-           std::ranges::equal(a.files, b.files, {}, &FileName::name, &FileName::name);
+           ranges::equal(a.files, b.files, {}, &FileName::name, &FileName::name);
 }
 
 // The smaller levels add a third.
@@ -92,7 +93,7 @@ Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Count
         if (!savings || (texture.files.empty() && !computed)) continue;
         auto& others = candidates[{static_cast<int>(texture.target), computed ? "" : texture.files[0].name}];
         const auto twin =
-            std::ranges::find_if(others, [&](Index other) { return same_declaration(scene.textures[other], texture); });
+            ranges::find_if(others, [&](Index other) { return same_declaration(scene.textures[other], texture); });
         if (twin != others.end())
             same_[i] = *twin;
         else
@@ -214,7 +215,7 @@ bool Textures::fits(const Texture& declared, std::array<int, 3> size) {
     int limit = caps_->max_texture;
     if (declared.target == TextureTarget::d3) limit = caps_->max_texture_3d;
     if (declared.target == TextureTarget::cube) limit = caps_->max_cube;
-    const int largest = std::ranges::max(size);
+    const int largest = ranges::max(size);
     if (largest <= limit) return true;
     diagnostics_->error(
         "texture-too-large", declared.span,

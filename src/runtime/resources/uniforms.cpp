@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "parser/text/ranges.h"
 #include "src/plan/plan.h"
 
 namespace snell::runtime {
@@ -94,7 +95,7 @@ constexpr MatrixUniform matrix_uniforms[]{
 };
 
 const MatrixUniform* matrix_uniform(System system) {
-    const auto* found = std::ranges::find(matrix_uniforms, system, &MatrixUniform::system);
+    const auto* found = ranges::find(matrix_uniforms, system, &MatrixUniform::system);
     return found == std::end(matrix_uniforms) ? nullptr : found;
 }
 
@@ -194,7 +195,7 @@ void converted(const std::vector<double>& values, const Upload& upload) {
     std::array<T, 16> few;  // what sliders have: no heap for them
     std::vector<T> many(values.size() > few.size() ? values.size() : 0);
     T* const v = many.empty() ? few.data() : many.data();
-    std::ranges::transform(values, v, [](double value) { return static_cast<T>(value); });
+    ranges::transform(values, v, [](double value) { return static_cast<T>(value); });
     upload(v);
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
 
@@ -103,7 +104,7 @@ void follow_tip(Tip& tip, Tip& next) {
     next.item = {};
     if (!same || (moved && !tip.shown)) tip.since = ImGui::GetTime();
     if (!same) tip.shown = tip.quiet = false;
-    tip.quiet |= std::ranges::any_of(io.MouseDown, [](bool down) { return down; });
+    tip.quiet |= ranges::any_of(io.MouseDown, [](bool down) { return down; });
     tip.shown = !(tip.item == Rect{}) && !tip.quiet && (tip.shown || tip_due() <= 0);
 }
 

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
+
+#include "parser/text/real.h"
 
 namespace snell::ui {
 
@@ -19,7 +20,7 @@ double read_back(double otherwise, fmt::format_string<Arguments...> format, Argu
     std::array<char, 64> text{};
     const auto written = fmt::format_to_n(text.data(), text.size(), format, std::forward<Arguments>(arguments)...);
     double value = otherwise;
-    std::from_chars(text.data(), text.data() + std::min(written.size, text.size()), value);
+    read_real(text.data(), text.data() + std::min(written.size, text.size()), value);
     return value;
 }
 
@@ -133,7 +134,7 @@ private:
         std::replace(digits.begin(), end_of_text, ',', '.');
         if (length == 0 || !((digits[0] >= '0' && digits[0] <= '9') || digits[0] == '.')) return failure;
         double value = 0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + length, value);
+        const auto [end, error] = read_real(digits.data(), digits.data() + length, value);
         if (error != std::errc()) return failure;
         rest_.remove_prefix(static_cast<std::size_t>(end - digits.data()));
         return value;

@@ -8,6 +8,7 @@
 #include <cfloat>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/state.h"
@@ -119,7 +120,7 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
         tip(Text("Median {} of drawing one sample per pixel, to compare rungs.", facts.clock).view());
     if (heading("error", layout)) tip(Text("{}.", error_meaning).view());
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
-        const auto point = std::ranges::find(facts.points, std::optional(i), &AccuracyPoint::rung);
+        const auto point = ranges::find(facts.points, std::optional(i), &AccuracyPoint::rung);
         const bool known = point != facts.points.end();
         const bool reference = i + 1 == ladder.rungs.size();
         ImGui::TableNextColumn();
@@ -222,7 +223,8 @@ Heat heat(double fraction) {
 void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
     if (memory.rungs == rungs) return;
     if (memory.rungs.size() == rungs.size())
-        memory.ladder = static_cast<std::size_t>(std::ranges::mismatch(rungs, memory.rungs).in1 - rungs.begin());
+        memory.ladder = static_cast<std::size_t>(std::mismatch(rungs.begin(), rungs.end(), memory.rungs.begin()).first -
+                                                 rungs.begin());
     memory.rungs = rungs;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "parser/text/ranges.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"
@@ -100,7 +101,7 @@ void front_line(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPo
     std::vector<ImVec2> corners;
     for (const AccuracyPoint& point : points)
         if (point.standing == Standing::front && point.milliseconds > 0) corners.push_back(plot.place(point));
-    std::ranges::sort(corners, {}, [](const ImVec2& p) { return p.x; });
+    ranges::sort(corners, {}, [](const ImVec2& p) { return p.x; });
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
         list.AddLine(corners[i], {corners[i + 1].x, corners[i].y}, pack(palette().filled), 2);
         list.AddLine({corners[i + 1].x, corners[i].y}, corners[i + 1], pack(palette().filled), 2);
@@ -149,7 +150,7 @@ void names(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPoint>&
               ImVec2(at.x - size.x / 2, at.y - size.y - off * .6F)}) {
             const Rect box{corner.x, corner.y, size.x, size.y};
             if (box.x < plot.min.x || box.x + box.width > plot.max.x || box.y < plot.min.y - em * .5F) continue;
-            if (std::ranges::any_of(taken, [&](const Rect& other) { return overlap(box, other); })) continue;
+            if (ranges::any_of(taken, [&](const Rect& other) { return overlap(box, other); })) continue;
             text_at(list, corner, point.chosen ? palette().text : palette().dim, name);
             taken.push_back(box);
             break;

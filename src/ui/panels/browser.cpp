@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/ui/kit/input.h"
@@ -157,7 +158,7 @@ bool choose_origin(const Listing& listing, Browser& browser) {
     if (browser.listed == listing.folder) return false;
     const std::string before = std::exchange(browser.listed, listing.folder) + "/";
     const auto leads_there = [&](const Entry& entry) { return before.starts_with(entry.path + "/"); };
-    const auto origin = std::ranges::find_if(listing.entries, leads_there);
+    const auto origin = ranges::find_if(listing.entries, leads_there);
     if (origin == listing.entries.end()) return false;
     browser.chosen = static_cast<std::size_t>(origin - listing.entries.begin());
     return true;

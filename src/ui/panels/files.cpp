@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/panels/panels.h"
@@ -35,7 +36,7 @@ bool no_scene(const Rect& scene, Layout& layout) {
 float next_zoom(float zoom, int way) {
     constexpr float near = 1.01F;
     if (way > 0) {
-        const auto next = std::ranges::find_if(zooms, [&](float z) { return z > zoom * near; });
+        const auto next = ranges::find_if(zooms, [&](float z) { return z > zoom * near; });
         return next == zooms.end() ? zooms.back() : *next;
     }
     const auto least = std::find_if(zooms.rbegin(), zooms.rend(), [&](float z) { return z * near < zoom; });

@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/style.h"
@@ -62,7 +63,7 @@ bool header(Controls& controls, Index index, const Section& section, bool open_a
     keep_in_view(open);
     const auto moved = [](const Control& c) { return c.value != c.initial; };
     const auto moving = [&](const Animated& motion) { return motion.program == index; };
-    if (any(controls, index, moved) || std::ranges::any_of(section.memory.animated, moving))
+    if (any(controls, index, moved) || ranges::any_of(section.memory.animated, moving))
         reset_button(controls, index, section, right);
     return open;
 }
@@ -109,7 +110,7 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
 void filter_row(const Controls& controls, Memory& memory, Layout& layout) {
     constexpr int few = 12;
     const auto slides = [](const Control& c) { return is_shown(c) && c.widget == Widget::slider; };
-    if (std::ranges::count_if(controls.items, slides) <= few) {
+    if (ranges::count_if(controls.items, slides) <= few) {
         memory.filter = {};
         return;
     }
@@ -122,7 +123,7 @@ void filter_row(const Controls& controls, Memory& memory, Layout& layout) {
     if (!filtered) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (button("\u00d7", layout, "filter.clear")) memory.filter = {};
-    if (std::ranges::none_of(controls.items, [&](const Control& c) { return is_shown(c) && passes(c, memory); }))
+    if (ranges::none_of(controls.items, [&](const Control& c) { return is_shown(c) && passes(c, memory); }))
         ImGui::TextDisabled("No name contains this text.");
 }
 

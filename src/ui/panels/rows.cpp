@@ -9,6 +9,7 @@
 #include <functional>
 #include <string_view>
 
+#include "parser/text/ranges.h"
 #include "src/plan/values/fit.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
@@ -57,7 +58,7 @@ std::string_view idle_reason(const Control& control, const Section& section) {
 
 Animated* motion_of(const Control& control, std::size_t component, Memory& memory) {
     const auto found =
-        std::ranges::find_if(memory.animated, [&](const Animated& motion) { return motion.moves(control, component); });
+        ranges::find_if(memory.animated, [&](const Animated& motion) { return motion.moves(control, component); });
     return found == memory.animated.end() ? nullptr : &*found;
 }
 

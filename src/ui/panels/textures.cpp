@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/state.h"
@@ -148,8 +149,8 @@ void zoom_row(const TextureFacts& facts, TextureMemory& memory, Layout& layout) 
 }  // namespace
 
 std::size_t chosen_row(std::span<const TextureRow> rows, const TextureMemory& memory) {
-    const auto found = std::ranges::find(rows, memory.chosen, &TextureRow::name);
-    return static_cast<std::size_t>((found != rows.end() ? found : std::ranges::find(rows, true, &TextureRow::loaded)) -
+    const auto found = ranges::find(rows, memory.chosen, &TextureRow::name);
+    return static_cast<std::size_t>((found != rows.end() ? found : ranges::find(rows, true, &TextureRow::loaded)) -
                                     rows.begin());
 }
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "parser/text/ranges.h"
+
 namespace snell {
 
 namespace {
@@ -18,7 +20,7 @@ std::byte byte_of(float value) {
 // As the screen shows it.
 std::vector<std::byte> bytes_of(const accuracy::Picture& picture) {
     std::vector<std::byte> bytes(picture.rgba.size());
-    std::ranges::transform(picture.rgba, bytes.begin(), byte_of);
+    ranges::transform(picture.rgba, bytes.begin(), byte_of);
     return bytes;
 }
 

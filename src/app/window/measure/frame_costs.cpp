@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/clock.h"
 #include "src/accuracy/statistics.h"
 #include "src/app/open/statement.h"
@@ -206,7 +207,7 @@ void FrameCosts::fill(Explanation& explanation) const {
         } else if (paid.kind == Explanation::Kind::program && !paid.draws.empty()) {
             double sum = 0;
             for (const auto& [key, times] : known_)
-                if (std::ranges::count(paid.draws, key.second)) sum += accuracy::median(times);
+                if (ranges::count(paid.draws, key.second)) sum += accuracy::median(times);
             paid.frame = cost(sum);
         }
     }

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/bench.h"
 #include "src/accuracy/statistics.h"
 
@@ -20,7 +20,7 @@ void choose_last(const Scene& scene, Rungs& rungs) {
 }
 
 std::string first_error(const Diagnostics& diagnostics) {
-    const auto error = std::ranges::find(diagnostics.items(), Severity::error, &Diagnostic::severity);
+    const auto error = ranges::find(diagnostics.items(), Severity::error, &Diagnostic::severity);
     return error == diagnostics.items().end() ? std::string() : error->message;
 }
 
@@ -29,7 +29,7 @@ std::string first_error(const Diagnostics& diagnostics) {
 Refinement::Refinement(std::string path, const gl::Caps& caps) : path_(std::move(path)), caps_(caps) {}
 
 std::size_t Refinement::level(int samples) {
-    return static_cast<std::size_t>(std::ranges::find(levels, samples) - levels.begin());
+    return static_cast<std::size_t>(ranges::find(levels, samples) - levels.begin());
 }
 
 void Refinement::open_reference() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/front.h"
 #include "src/accuracy/metrics.h"
 
@@ -163,7 +164,7 @@ std::vector<ui::AccuracyPoint> RungCosts::points(const Scene& scene, std::size_t
         others[ladder] = chosen[ladder];
         if (others == chosen) point.rung = rungs[ladder];
         point.chosen = rungs == chosen;
-        point.reference = std::ranges::equal(
+        point.reference = ranges::equal(
             rungs, scene.ladders, {}, [](std::size_t rung) { return rung + 1; },
             [](const Ladder& each) { return each.rungs.size(); });
         point.error = known.error;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/runtime/explain/words.h"
 
 namespace snell {
@@ -36,8 +37,8 @@ bool are_floats(gl::Pixels pixels) { return pixels == gl::Pixels::rgba16f || pix
 std::array<std::array<float, 3>, 4> marks() {
     std::array<std::array<float, 3>, 4> colors{};
     for (std::size_t flag = 0; flag < colors.size(); ++flag)
-        std::ranges::transform(color_of(static_cast<Flag>(flag + 1)), colors[flag].begin(),
-                               [](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
+        ranges::transform(color_of(static_cast<Flag>(flag + 1)), colors[flag].begin(),
+                          [](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
     return colors;
 }
 
@@ -102,7 +103,7 @@ bool TextureView::follow(const Document& shown, std::uint64_t revision, std::uin
 void TextureView::add(Source source, std::string name, std::string why, const std::optional<Runtime::Held>& held) {
     ui::TextureRow row;
     row.name = name;
-    for (int same = 2; std::ranges::count(rows_, row.name, &ui::TextureRow::name) > 0; ++same)
+    for (int same = 2; ranges::count(rows_, row.name, &ui::TextureRow::name) > 0; ++same)
         row.name = fmt::format("{} ({})", name, same);
     row.why = std::move(why);
     row.loaded = held.has_value();
@@ -128,7 +129,7 @@ void TextureView::list(const Document& shown) {
             add({paid.texture, 0}, runtime::title_of(textures[paid.texture]), paid.why, runtime.texture(paid.texture));
     for (Index i = 0; i < textures.size(); ++i) {
         if (runtime.texture(i)) continue;
-        const auto unused = std::ranges::find(explanation.unused, i, &Explanation::Unused::texture);
+        const auto unused = ranges::find(explanation.unused, i, &Explanation::Unused::texture);
         add({i, 0}, runtime::title_of(textures[i]),
             unused != explanation.unused.end() ? unused->why : "no program for these values reads it", std::nullopt);
     }
