@@ -1,5 +1,6 @@
 // Reads .zip archives that anyone may have made: sizes are not believed, and names are checked.
 import { Inflate } from 'fflate';
+import { crc32 } from './crc.ts';
 import { Budget } from './limits.ts';
 import { Names } from './names.ts';
 
@@ -105,18 +106,6 @@ function inflated(packed: Uint8Array, size: number): Uint8Array {
     }
     if (length !== size) throw new BadArchive('it is smaller than the archive says');
     return out;
-}
-
-const table = Uint32Array.from({ length: 256 }, (_, i) => {
-    let value = i;
-    for (let bit = 0; bit < 8; ++bit) value = value & 1 ? 0xedb88320 ^ (value >>> 1) : value >>> 1;
-    return value;
-});
-
-function crc32(bytes: Uint8Array): number {
-    let value = ~0;
-    for (const byte of bytes) value = table[(value ^ byte) & 0xff] ^ (value >>> 8);
-    return ~value >>> 0;
 }
 
 function unpacked(bytes: Uint8Array, view: DataView, entry: Entry, name: string, budget: Budget): Uint8Array {
