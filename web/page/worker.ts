@@ -3,8 +3,8 @@ import type { Problem } from './engine.ts';
 
 export interface Start {
     kind: 'start';
-    // Bytes of the runtime, or the runtime compiled.
-    runtime: WebAssembly.Module | Uint8Array;
+    // snell.wasm.
+    runtime: Uint8Array;
 }
 
 export type Job =
@@ -17,13 +17,13 @@ export type Answer =
     | { kind: 'checked'; id: number; problems: Problem[] }
     | { kind: 'decoded'; id: number; image?: Uint8Array };
 
-// What the worker needs of the engine.
+// What the worker needs of WasmEngine.
 export interface WorkerEngine {
     write(name: string, bytes: Uint8Array): void;
     remove(name: string): void;
     check(scene: string): Problem[];
-    // The decoded image ("SNELLIMG"), or undefined where the bytes cannot be decoded.
-    decode(name: string, bytes: Uint8Array): Uint8Array | undefined;
+    // The decoded image ("SNELLIMG"), or the error.
+    decode(name: string, bytes: Uint8Array): Uint8Array | string;
 }
 
 // What of a worker's global scope is used.
@@ -33,14 +33,17 @@ export interface Scope {
 }
 
 function answered(engine: WorkerEngine, job: Job): Answer {
-    if (job.kind === 'decode') return { kind: 'decoded', id: job.id, image: engine.decode(job.name, job.bytes) };
+    if (job.kind === 'decode') {
+        const image = engine.decode(job.name, job.bytes);
+        return { kind: 'decoded', id: job.id, image: typeof image === 'string' ? undefined : image };
+    }
     for (const name of job.removed) engine.remove(name);
     for (const [name, bytes] of job.changed) engine.write(name, bytes);
     return { kind: 'checked', id: job.id, problems: engine.check(job.scene) };
 }
 
 // Answers what the page asks. An exception of the runtime reaches the page as the worker's error, which starts it again.
-export function serve(scope: Scope, make: (runtime: Start['runtime']) => Promise<WorkerEngine>): void {
+export function serve(scope: Scope, make: (runtime: Uint8Array) => Promise<WorkerEngine>): void {
     let engine: WorkerEngine | undefined;
     scope.onmessage = ({ data }) => {
         if (data.kind === 'start') {

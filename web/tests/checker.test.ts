@@ -144,7 +144,7 @@ test('the worker answers with what its engine says', async () => {
         write: (name, bytes) => void held.set(name, bytes),
         remove: (name) => void held.delete(name),
         check: (scene) => [problem(`${scene} of ${[...held.keys()].join()}`)],
-        decode: () => undefined,
+        decode: () => 'no image',
     }));
     const send = (data: Start | Job) => scope.onmessage!({ data } as MessageEvent<Start | Job>);
     send({ kind: 'start', runtime: new Uint8Array() });

@@ -10,6 +10,17 @@ export interface Thread {
     onerror: ((event: ErrorEvent) => void) | null;
 }
 
+// A spawn() for the page's own bundle, whose text is `source`, and snell.wasm.
+export function pageWorker(source: string, runtime: Uint8Array): () => Thread {
+    let url: string | undefined;
+    return () => {
+        url ??= URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
+        const worker = new Worker(url);
+        worker.postMessage({ kind: 'start', runtime } satisfies Start);
+        return worker;
+    };
+}
+
 export interface WorkerChecker extends Checker {
     // Large images as decoded images ("SNELLIMG"); those that cannot be decoded are left out.
     decodeLarge(files: Files): Promise<Map<string, Uint8Array>>;
@@ -26,6 +37,13 @@ export interface CheckerOptions {
 
 export const largeImage = 256 << 10;
 const images = /\.(png|jpe?g|bmp|tga|gif|hdr|psd|pic|ppm|pgm|pnm)$/i;
+
+// A message takes the whole memory that an array is a part of, such as the archive's.
+function alone(job: Job): Job {
+    const own = (bytes: Uint8Array) => (bytes.byteLength < bytes.buffer.byteLength ? bytes.slice() : bytes);
+    if (job.kind === 'decode') return { ...job, bytes: own(job.bytes) };
+    return { ...job, changed: job.changed.map(([name, bytes]) => [name, own(bytes)]) };
+}
 
 interface Task {
     job: Job;
@@ -89,7 +107,7 @@ export function makeChecker({ spawn, say, milliseconds = 10_000 }: CheckerOption
             task.job.removed = [...known.keys()].filter((name) => !files.has(name));
             known = new Map(files);
         }
-        thread?.postMessage(task.job);
+        thread?.postMessage(alone(task.job));
         timer = setTimeout(late, milliseconds);
     };
 
