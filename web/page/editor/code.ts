@@ -25,9 +25,9 @@ export function isScene(name: string): boolean {
 }
 
 function language(name: string, neighbours: Neighbours): Extension {
-    if (sceneName.test(name)) return [glib, autocompletion({ override: [completeScene(neighbours)] })];
+    if (sceneName.test(name)) return [glib, autocompletion({ override: [completeScene(neighbours)], icons: false })];
     if (/\.(txt|md|json|csv)$/i.test(name)) return [];
-    return [glsl, autocompletion({ override: [completeShader] })];
+    return [glsl, autocompletion({ override: [completeShader], icons: false })];
 }
 
 // Indentation as most lines of the file have it.

@@ -6,7 +6,7 @@ import { isText, read, same, write, type Format } from './bytes.ts';
 import { stateOf } from './code.ts';
 import { endsField } from './ends.ts';
 import type { Files } from './host.ts';
-import { resolve } from './names.ts';
+import { folderOf, resolve } from './names.ts';
 import { rangeOf } from './places.ts';
 
 export interface Document {
@@ -41,9 +41,10 @@ export function isEdited(document: Document): boolean {
     return bytesOf(document) !== document.kept;
 }
 
-// The scene first, then scenes and includes, then shaders, each in the order of their names.
+// The scene first, then scenes and includes, then shaders; those in the scene's folder come before others.
 export function textFiles(scene: string, files: Files): string[] {
-    const rank = (name: string) => (name === scene ? 0 : /\.(glib|inc)$/i.test(name) ? 1 : /\.(txt|md)$/i.test(name) ? 3 : 2);
+    const kind = (name: string) => (/\.(glib|inc)$/i.test(name) ? 0 : /\.(txt|md)$/i.test(name) ? 2 : 1);
+    const rank = (name: string) => (name === scene ? -1 : 2 * kind(name) + Number(folderOf(name) !== folderOf(scene)));
     return [...files]
         .filter(([name, bytes]) => isText(name, bytes))
         .map(([name]) => name)

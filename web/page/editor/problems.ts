@@ -1,5 +1,6 @@
 // Problems from two sources, and their list.
 import type { Place, Problem } from '../engine.ts';
+import { resolve } from './names.ts';
 
 function key({ severity, code, message, at }: Problem): string {
     return JSON.stringify([severity, code, message, at?.file, at?.line, at?.column]);
@@ -40,7 +41,7 @@ function row(problem: Problem, goTo: (place: Place) => void): HTMLElement {
     button.className = `editor-problem ${problem.severity}`;
     const place = document.createElement('span');
     place.className = 'editor-place';
-    place.textContent = `${at ? `${at.file}:${at.line}:${at.column}: ` : ''}${problem.severity}: `;
+    place.textContent = `${at ? `${resolve('', at.file)}:${at.line}:${at.column}: ` : ''}${problem.severity}: `;
     button.append(place, problem.message);
     if (problem.help) {
         const help = document.createElement('span');
