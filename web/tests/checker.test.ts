@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
 import { makeChecker, type Thread } from '../page/editor/checker.ts';
 import { merged, summary } from '../page/editor/problems.ts';
-import { missingFiles, placed, plan } from '../page/editor/intake.ts';
+import { cannotAdd, missingFiles, placed, plan } from '../page/editor/intake.ts';
 import { serve, type Answer, type Job, type Scope, type Start } from '../page/worker.ts';
 import type { Problem } from '../page/engine.ts';
 
@@ -187,4 +187,14 @@ test('files without a scene go to where the scene misses them', () => {
     assert.equal(plan(new Map([['other.glib', utf8('')]]), open).kind, 'open');
     assert.equal(plan(dropped, { scene: '', files: new Map(), problems: [] }).kind, 'no scene');
     assert.equal(plan(new Map(), open).kind, 'nothing');
+});
+
+test('added files fit to those that are there', () => {
+    const there = new Map([['room/a.glib', utf8('')]]);
+    assert.equal(cannotAdd(new Map([['room/b.frag', utf8('')], ['room/a.glib', utf8('new')]]), there), '');
+    assert.match(cannotAdd(new Map([['room', utf8('')]]), there), /'room' cannot be added: a folder/);
+    assert.match(cannotAdd(new Map([['Room/A.glib', utf8('')]]), there), /upper and lower case/);
+    const half = new Uint8Array(60 << 20);
+    const many = new Map([1, 2, 3, 4, 5].map((i) => [`${i}`, half]));
+    assert.match(cannotAdd(many, there), /more than 256 MB together/);
 });

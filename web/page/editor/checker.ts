@@ -36,7 +36,7 @@ export interface CheckerOptions {
 }
 
 export const largeImage = 256 << 10;
-const images = /\.(png|jpe?g|bmp|tga|gif|hdr|psd|pic|ppm|pgm|pnm)$/i;
+const images = /\.(png|jpe?g|bmp|tga|gif|hdr|psd|ppm|pgm|pnm)$/i;
 
 // A message takes the whole memory that an array is a part of, such as the archive's.
 function alone(job: Job): Job {

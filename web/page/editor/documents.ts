@@ -1,6 +1,6 @@
 // The text files of a scene in the editor, each with its own undo history.
 import { forEachDiagnostic, type Diagnostic } from '@codemirror/lint';
-import type { ChangeSpec, EditorState, Extension, StateField } from '@codemirror/state';
+import type { ChangeSpec, EditorState, Extension, StateEffect, StateField } from '@codemirror/state';
 import type { Problem } from '../engine.ts';
 import { isText, read, same, write, type Format } from './bytes.ts';
 import { stateOf } from './code.ts';
@@ -14,6 +14,8 @@ export interface Document {
     format: Format;
     ends: StateField<readonly string[]>;
     state: EditorState;
+    // Where it was scrolled to when another file was chosen.
+    scroll?: StateEffect<unknown>;
     // As it was opened or downloaded last.
     kept: Uint8Array;
     // The bytes of `of`, which is the text of a state: an unedited text keeps its array.

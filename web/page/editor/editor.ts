@@ -13,7 +13,7 @@ import { Session } from './session.ts';
 import { makeTabs } from './tabs.ts';
 
 const help =
-    'Ctrl Space completes, Ctrl F searches, F8 goes to the next problem, Ctrl Z undoes. To leave the text by keyboard, press Esc and then Tab.';
+    'Ctrl Space completes, Ctrl F searches, F8 goes to the next problem, Ctrl Z undoes, Ctrl S downloads. To leave the text by keyboard, press Esc and then Tab.';
 
 function block(className: string): HTMLElement {
     const element = document.createElement('div');
@@ -101,6 +101,13 @@ export function makeEditor(host: EditorHost): Editor {
     hint.className = 'editor-fine-print';
     hint.textContent = help;
     element.append(bar, tabs.element, panel, list.element, hint, dialog);
+    // Captured, because keys do not leave the text field.
+    const saveKey = (event: KeyboardEvent) => {
+        if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey || event.key !== 's') return;
+        event.preventDefault();
+        save.all();
+    };
+    element.addEventListener('keydown', saveKey, { capture: true });
     element.addEventListener('focusin', () => session.warm(), { once: true });
     window.addEventListener('beforeunload', (event) => session.edited().length > 0 && event.preventDefault());
 

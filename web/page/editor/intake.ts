@@ -2,7 +2,8 @@
 import type { Problem } from '../engine.ts';
 import type { Files } from './host.ts';
 import { isScene } from './code.ts';
-import { baseOf, folderOf, resolve } from './names.ts';
+import { Budget, TooMuch } from './limits.ts';
+import { baseOf, folderOf, Names, resolve } from './names.ts';
 
 const missingCodes = new Set(['file-not-found', 'include-not-found', 'missing-include']);
 
@@ -27,6 +28,24 @@ export function placed(files: Files, scene: string, existing: Files, missing: re
         out.set(target ?? beside, bytes);
     }
     return out;
+}
+
+// Why the files cannot be added to those that are there, or ''.
+export function cannotAdd(added: Files, existing: Files): string {
+    const budget = new Budget();
+    const names = new Names();
+    try {
+        for (const [name, bytes] of new Map([...existing, ...added])) {
+            const error = names.take(name);
+            if (error !== '') return `'${name}' cannot be added: ${error}.`;
+            budget.file();
+            budget.bytes(name, bytes.length);
+        }
+    } catch (error) {
+        if (!(error instanceof TooMuch)) throw error;
+        return `Nothing was added: ${error.message}.`;
+    }
+    return '';
 }
 
 export type Plan =

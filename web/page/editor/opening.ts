@@ -4,7 +4,7 @@ import { ask } from './dialog.ts';
 import { chooseFiles, listenForDrops } from './drops.ts';
 import { newScene } from './examples.ts';
 import type { EditorHost } from './host.ts';
-import { plan } from './intake.ts';
+import { cannotAdd, plan } from './intake.ts';
 import { baseOf } from './names.ts';
 import type { Unpacked } from './unzip.ts';
 import { makeWelcome } from './welcome.ts';
@@ -57,6 +57,8 @@ async function take(author: Author, { files, messages }: Unpacked): Promise<void
     if (what.kind === 'nothing' && messages.length === 0) messages.push('There are no files to open.');
     sayAll(host, messages);
     if (what.kind === 'add') {
+        const error = cannotAdd(what.files, host.files);
+        if (error !== '') return host.say(error);
         author.add(what.files);
         if (messages.length === 0) host.say(`Added to the scene: ${[...what.files.keys()].map(baseOf).join(', ')}.`);
     } else if (what.kind === 'open') {
@@ -64,7 +66,7 @@ async function take(author: Author, { files, messages }: Unpacked): Promise<void
         const scene =
             choices.length === 1
                 ? what.scenes[0]
-                : await ask('Several scenes', `There are ${choices.length} scenes. Which one is to be opened?`, choices);
+                : await ask('Several scenes', `There are ${choices.length} scenes. Choose one.`, choices);
         if (scene !== undefined) await open(author, scene, what.files);
     }
 }

@@ -11,10 +11,13 @@ export function kind({ severity, code, message, at }: Problem): string {
     return JSON.stringify([severity, code, message, at?.file]);
 }
 
-// What the engine says, and what only the worker says.
+const order = { error: 0, warning: 1, note: 2 };
+
+// What the engine says, and what only the worker says; errors first.
 export function merged(full: readonly Problem[], quick: readonly Problem[]): Problem[] {
     const known = new Set(full.map(key));
-    return [...full, ...quick.filter((problem) => !known.has(key(problem)))];
+    const all = [...full, ...quick.filter((problem) => !known.has(key(problem)))];
+    return all.sort((a, b) => order[a.severity] - order[b.severity]);
 }
 
 function plural(count: number, word: string): string[] {

@@ -1,6 +1,7 @@
 // The files of one scene while they are edited: what is shown, what is checked, and what the page is told.
+import { isolateHistory } from '@codemirror/commands';
 import { setDiagnostics } from '@codemirror/lint';
-import { EditorState, type Extension } from '@codemirror/state';
+import { EditorState, type Extension, type TransactionSpec } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 import type { Place, Problem } from '../engine.ts';
 import { unwritable, type Format } from './bytes.ts';
@@ -58,8 +59,10 @@ export class Session {
     }
 
     choose(name: string): void {
+        if (this.#current) this.#current.scroll = this.view.scrollSnapshot();
         this.#current = this.#documents.get(name);
         this.view.setState(this.#current?.state ?? EditorState.create());
+        if (this.#current?.scroll) this.view.dispatch({ effects: this.#current.scroll });
         this.refresh();
     }
 
@@ -131,13 +134,13 @@ export class Session {
         const document = this.#documents.get(resolve('', name));
         if (!document) return;
         const changes = differences(document.state.doc, text.replace(/^\ufeff/, ''));
-        if (changes.length > 0) this.#dispatch(document, { changes, userEvent: 'input.values' });
+        if (changes.length > 0) this.#dispatch(document, { changes, annotations: isolateHistory.of('full') });
     }
 
-    #dispatch(document: Document, spec: Parameters<EditorView['dispatch']>[0] & object): void {
-        if (document === this.#current) return this.view.dispatch(spec as never);
+    #dispatch(document: Document, spec: TransactionSpec): void {
+        if (document === this.#current) return this.view.dispatch(spec);
         const before = document.state.doc;
-        document.state = document.state.update(spec as never).state;
+        document.state = document.state.update(spec).state;
         if (document.state.doc !== before) this.#edited();
     }
 
