@@ -73,7 +73,12 @@ export function stateOf(name: string, lines: readonly string[], neighbours: Neig
             common,
             language(name, neighbours),
             indentUnit.of(unit(doc)),
-            EditorView.contentAttributes.of({ 'aria-label': `Text of ${name}`, spellcheck: 'false', autocapitalize: 'off' }),
+            EditorView.contentAttributes.of({
+                'aria-label': `Text of ${name}`,
+                autocapitalize: 'off',
+                spellcheck: 'false',
+                tabindex: '0',
+            }),
             more,
         ],
     });

@@ -19,10 +19,11 @@ function label(short: string, { name, edited, errors, warnings }: Tab): string {
 }
 
 function fill(button: HTMLElement, short: string, tab: Tab, chosen: boolean): void {
-    const mark = document.createElement('span');
-    mark.className = tab.errors > 0 ? 'editor-count error' : 'editor-count warning';
-    mark.textContent = tab.errors + tab.warnings > 0 ? `${tab.errors || tab.warnings}` : '';
-    button.replaceChildren(tab.edited ? `${short} •` : short, mark);
+    button.textContent = short;
+    // Marks are drawn by the style sheet: the label says them in words.
+    button.dataset.edited = String(tab.edited);
+    button.dataset.count = tab.errors + tab.warnings > 0 ? `${tab.errors || tab.warnings}` : '';
+    button.dataset.worst = tab.errors > 0 ? 'error' : 'warning';
     button.title = tab.name;
     button.setAttribute('aria-label', label(short, tab));
     button.setAttribute('aria-selected', String(chosen));

@@ -22,6 +22,7 @@ const view = EditorView.theme({
     '.cm-panels-bottom': { borderTop: '1px solid var(--line)' },
     '.cm-panel.cm-search': { fontSize: '.875rem', padding: '6px 30px 6px 8px' },
     '.cm-panel.cm-search label': { fontSize: '.875rem' },
+    '.cm-panel.cm-search input, .cm-panel.cm-search button': { fontSize: 'inherit' },
     '.cm-textfield': { color: 'var(--text)', backgroundColor: 'var(--field)', border: '1px solid var(--line)' },
     '.cm-button': { color: 'var(--text)', backgroundImage: 'none', backgroundColor: 'var(--field)', border: '1px solid var(--line)' },
     '.cm-tooltip': { maxWidth: 'min(36rem, 90vw)' },
