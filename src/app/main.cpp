@@ -34,6 +34,7 @@ constexpr Subcommand subcommands[] = {
     {"explain", "report what a scene costs, and why", add_explain},
     {"accuracy", "measure the error and the cost of each rung", add_accuracy},
     {"save", "write values into a scene: only its numbers change", add_save},
+    {"web", "make a page for browsers of a scene, or a gallery of many", add_web},
     {"commands", "list the commands of the language", add_commands},
     {"info", "print the OpenGL version and renderer", add_info},
 };

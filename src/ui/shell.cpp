@@ -175,7 +175,7 @@ void overlays(const Facts& facts, const Rect& scene, const Controls& controls, c
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout) {
     layout.clear();
     Requests requests;
-    const bool dialog = memory.browser.open || memory.picture.open || memory.save_as.open ||
+    const bool dialog = memory.browser.open || memory.picture.open || memory.save_as.open || memory.save_page.open ||
                         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     if (!ImGui::GetIO().WantTextInput && !dialog) keys(facts, view, memory, requests);
     const Areas parts = areas(memory);
@@ -198,7 +198,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     texel_inspector(facts, memory.textures, fonts, layout);
     browser_window(facts, memory, requests, layout);
     picture_window(facts, memory, requests, layout);
-    save_as_window(memory, requests, layout);
+    save_as_windows(memory, requests, layout);
     if (memory.keys && help_panel(layout)) memory.keys = false;
     hint(parts.scene, memory, layout);
     const ImVec2 mouse = ImGui::GetIO().MousePos;

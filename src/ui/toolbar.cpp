@@ -74,6 +74,8 @@ void save_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
         requests.picture = PictureRequest::open;
         memory.picture.sequence = sequence;
     }
+    requests.save_page |= item({"Page\u2026", nullptr, "page"}, layout);
+    tip("Saves the scene as one file that every browser opens,\nwith its sliders and the current values");
     ImGui::Separator();
     requests.copy_command |= item({"Copy command", nullptr, "copy command"}, layout);
     tip("Copies the command for this view");

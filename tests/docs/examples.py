@@ -17,7 +17,10 @@ import subprocess
 import sys
 import tempfile
 
-SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info"}
+SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info", "web"}
+# What `snell web` fills in, in the place of the browser's part, which need not be built.
+PAGE = """<title>snell</title><script type="application/json" id="scene">null</script>
+<script type="text/plain" id="archive"></script>"""
 FENCE = re.compile(r"^```[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)
 SPAN = re.compile(r"`(snell [^`…]*\.glib[^`…]*)`")
 
@@ -67,7 +70,12 @@ def main():
     with tempfile.TemporaryDirectory(prefix="snell-examples-") as folder:
         shutil.copytree(root / "scenes", folder + "/scenes")
         os.mkdir(folder + "/out")
-        environment = {**os.environ, "PATH": f"{program.parent}{os.pathsep}{os.environ['PATH']}", "HOME": folder}
+        web = pathlib.Path(folder, "web")
+        web.mkdir()
+        for name in ("page.html", "gallery.html", "runtime.js"):
+            (web / name).write_text(PAGE)
+        environment = {**os.environ, "PATH": f"{program.parent}{os.pathsep}{os.environ['PATH']}", "HOME": folder,
+                       "SNELL_WEB": str(web)}
 
         def run(command):
             return subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,

@@ -84,6 +84,15 @@ function entriesOf(header: string): Entry[] {
     return list.map(entryOf);
 }
 
+// Names of which one is a folder of another have no place on a disk.
+function clash(names: Iterable<string>): string {
+    const all = new Set(names);
+    for (const name of all)
+        for (let at = name.indexOf('/'); at >= 0; at = name.indexOf('/', at + 1))
+            if (all.has(name.slice(0, at))) return name;
+    return '';
+}
+
 // The bytes of an archive, unpacked. Throws an Error for people if it is damaged or hostile.
 export function filesOf(archive: Uint8Array): Unpacked {
     const end = archive.subarray(0, mostHeaderBytes).indexOf(10);
@@ -101,6 +110,8 @@ export function filesOf(archive: Uint8Array): Unpacked {
         if (known) unpacked.originals.set(name, known);
         unpacked.files.set(name, bytes);
     }
+    const clashing = clash(unpacked.files.keys());
+    if (clashing !== '') throw new Error(`A folder of ${JSON.stringify(clashing)} is a file, too.`);
     if (at !== archive.length) throw new Error('The archive of this page is longer than its files.');
     return unpacked;
 }

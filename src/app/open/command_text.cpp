@@ -29,8 +29,26 @@ std::string shell_word(std::string_view word) {
 
 }  // namespace
 
-std::string render_command(const Document& document, const Picture& picture) {
+std::vector<std::string> value_options(const Document& document, const View& view) {
+    std::vector<std::string> words;
+    const auto add = [&words](const char* option, std::string value) {
+        words.insert(words.end(), {option, std::move(value)});
+    };
+    if (std::string text = view_text(view); !text.empty()) add("--view", std::move(text));
+    for (const Control& control : document.controls.items)
+        if (control.active && control.value != control.initial)
+            add("--set", fmt::format("{}={}", option_name(document, control), fmt::join(control.value, ",")));
     const Scene& scene = document.scene();
+    for (std::size_t i = 0; i < scene.ladders.size() && i < document.controls.rungs.size(); ++i) {
+        const Ladder& ladder = scene.ladders[i];
+        const std::size_t rung = document.controls.rungs[i];
+        if (rung != ladder.current && rung < ladder.rungs.size())
+            add("--ladder", ladder.name + "=" + ladder.rungs[rung]);
+    }
+    return words;
+}
+
+std::string render_command(const Document& document, const Picture& picture) {
     const std::string stem = std::filesystem::path(document.path).stem().string();
     const auto file = [](const std::string& name) { return name.starts_with('-') ? "./" + name : name; };
     std::string line = fmt::format("snell render {} -o {} --size {}x{}", shell_word(file(document.path)),
@@ -41,17 +59,7 @@ std::string render_command(const Document& document, const Picture& picture) {
     if (picture.frames > 0) line += fmt::format(" --frames {} --fps {}", picture.frames, picture.rate);
     if (picture.view.axes) line += " --axes";
     if (picture.time != 0) line += fmt::format(" --time {}", picture.time);
-    if (const std::string view = view_text(picture.view); !view.empty()) line += " --view " + shell_word(view);
-    for (const Control& control : document.controls.items)
-        if (control.active && control.value != control.initial)
-            line += " --set " +
-                    shell_word(fmt::format("{}={}", option_name(document, control), fmt::join(control.value, ",")));
-    for (std::size_t i = 0; i < scene.ladders.size() && i < document.controls.rungs.size(); ++i) {
-        const Ladder& ladder = scene.ladders[i];
-        const std::size_t rung = document.controls.rungs[i];
-        if (rung != ladder.current && rung < ladder.rungs.size())
-            line += " --ladder " + shell_word(ladder.name + "=" + ladder.rungs[rung]);
-    }
+    for (const std::string& word : value_options(document, picture.view)) line += ' ' + shell_word(word);
     return line;
 }
 

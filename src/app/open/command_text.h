@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "src/app/open/document.h"
 #include "src/plan/view.h"
@@ -17,6 +18,9 @@ struct Picture {
     int frames = 0;  // at `rate` per second; 0: one picture
     double rate = 25;
 };
+
+// The options of a command for what differs from the scene: --view, --set and --ladder, without quotes.
+std::vector<std::string> value_options(const Document& document, const View& view);
 
 // Returns a line for a POSIX shell that draws the same picture: the values and rungs that differ from the scene's, and
 // view, time and size. The syntax cannot distinguish programs of the same name: the value of the last one is used.

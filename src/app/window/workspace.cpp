@@ -7,6 +7,7 @@
 
 #include "parser/text/utf8.h"
 #include "src/app/desktop/folder.h"
+#include "src/app/open/command_text.h"
 #include "src/app/open/quality.h"
 
 namespace snell {
@@ -18,6 +19,31 @@ FirstRungs first_rungs(const WindowOptions& options) {
         app::choose_rungs(options.scene, {options.quality, options.ladders, {}}, options.access, scene, rungs,
                           diagnostics);
     };
+}
+
+// What `snell web` gets, so that it makes the page of what the window shows, under the same limits.
+std::vector<std::string> page_arguments(const Document& document, const View& view) {
+    std::vector<std::string> words = value_options(document, view);
+    const Access& access = document.files->access();
+    if (access.confine) words.insert(words.end(), {"--confine", *access.confine});
+    for (const LimitFacts& limit : limit_table())
+        if (access.limits.*limit.value != Limits{}.*limit.value)
+            words.insert(words.end(), {"--limit", fmt::format("{}={}", limit.name, access.limits.*limit.value)});
+    words.insert(words.end(), {"--", document.path});
+    return words;
+}
+
+// Returns the page's path if it may be written, or after the user confirmed that it may.
+std::string confirmed_page(const Document& document, ui::SaveAs& dialog) {
+    std::filesystem::path page = std::filesystem::path(document.path).parent_path() / dialog.file.data();
+    dialog.error = page.has_filename() ? "" : "the page needs a name";
+    if (!dialog.error.empty()) return {};
+    if (!page.has_extension()) page += ".html";
+    const bool replace = !dialog.there.empty() && dialog.there == dialog.file.data();
+    std::error_code error;
+    dialog.there = replace || !std::filesystem::exists(page, error) ? "" : dialog.file.data();
+    dialog.existing = utf8::printable(page.filename().string());
+    return dialog.there.empty() ? page.string() : "";
 }
 
 }  // namespace
@@ -56,7 +82,10 @@ void Workspace::begin(View& view, std::string& notice) {
 
 bool Workspace::look(const View& view, ui::Memory& memory) {
     past_.write(session_, view);
-    return opener_.look(memory);
+    std::string said = pages_.look();
+    const bool saved = !said.empty();
+    if (saved) memory.notice = std::move(said);
+    return opener_.look(memory) || saved;
 }
 
 std::optional<std::string> Workspace::new_title() {
@@ -127,8 +156,22 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
             return saved_as_ = served.saved_as;
         }
         saver_.serve(requests, *document(), shown, window, memory);
+        serve_page(requests, view, memory);
     }
     return opener_.serve(requests, session_.path(), memory);
+}
+
+void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::Memory& memory) {
+    ui::SaveAs& dialog = memory.save_page;
+    if (requests.save_page) ui::open_save_as(dialog, std::filesystem::path(session_.path()).stem().string() + ".html");
+    if (!requests.save_page_now) return;
+    const std::string page = confirmed_page(*document(), dialog);
+    if (page.empty()) return;
+    dialog.error =
+        pages_.busy() ? "another page is being saved" : pages_.start(page, page_arguments(*document(), view));
+    if (!dialog.error.empty()) return;
+    dialog.open = false;
+    memory.notice = fmt::format("saving {}\u2026", dialog.existing);
 }
 
 }  // namespace snell

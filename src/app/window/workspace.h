@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "src/app/desktop/page_maker.h"
 #include "src/app/window/opener.h"
 #include "src/app/window/past.h"
 #include "src/app/window/picture_saver.h"
@@ -75,11 +76,14 @@ public:
     void step(ui::Memory& memory) { saver_.step(document(), session_.revision(), memory); }
 
 private:
+    void serve_page(const ui::Requests& requests, const View& view, ui::Memory& memory);
+
     Past& past_;
     Session session_;
     Keeper keeper_;
     Opener opener_;
     PictureSaver saver_;
+    PageMaker pages_;
     std::string name_;      // of the scene's file
     std::string saved_as_;  // path of the scene under another name, until it is shown
     bool unsaved_ = false;

@@ -1,4 +1,4 @@
-// The dialog that saves the scene, with its current values, under another name.
+// The dialogs that ask for a name: to save the scene with its current values under another name, or as a page.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@ struct SaveAs {
     std::array<char, 2048> file{};  // relative to the scene's folder
     std::string there;              // the name that was given, if the user is asked to replace a file; empty if not
     std::string existing;           // that file
-    std::string error;              // why the scene was not saved; empty if there was no error
+    std::string error;              // why nothing was saved; empty if there was no error
 };
 
-// Opens the dialog with a name to begin with.
+// Opens a dialog with a name to begin with.
 void open_save_as(SaveAs& dialog, const std::string& name);
-// Draws the dialog while it is open.
-void save_as_window(Memory& memory, Requests& requests, Layout& layout);
+// Draws the dialogs while they are open.
+void save_as_windows(Memory& memory, Requests& requests, Layout& layout);
 
 }  // namespace snell::ui

@@ -131,7 +131,7 @@ struct Memory {
     bool keys = false;  // whether the list of keys is open
     Browser browser;
     PictureMemory picture;
-    SaveAs save_as;
+    SaveAs save_as, save_page;
     Rect scene;  // the scene's area in this frame
 };
 
@@ -140,6 +140,7 @@ struct Requests {
     bool reload = false;
     bool save = false, revert_save = false;
     bool save_as = false, save_as_now = false;  // opens the dialog; saves under the name in SaveAs
+    bool save_page = false, save_page_now = false;
     bool undo = false, redo = false;
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point

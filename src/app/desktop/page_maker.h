@@ -1,0 +1,33 @@
+// Makes pages by `snell web` in a process of its own, because a browser's OpenGL needs another context than the window.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace snell {
+
+class PageMaker {
+public:
+    PageMaker() = default;
+    // Ends the process if it runs: no part of a page is left.
+    ~PageMaker();
+    PageMaker(const PageMaker&) = delete;
+    PageMaker& operator=(const PageMaker&) = delete;
+
+    bool busy() const { return process_ > 0; }
+    // Starts it for a page, with these arguments, and those of the page, after `web`. Returns "" or the error.
+    std::string start(const std::string& page, const std::vector<std::string>& arguments);
+    // Call it regularly while busy(). Returns what the status line says once the process has ended, otherwise "".
+    std::string look();
+
+private:
+    void read();
+
+    pid_t process_ = 0;
+    int output_ = -1;
+    std::string page_, said_;
+};
+
+}  // namespace snell

@@ -1,0 +1,19 @@
+// The first page of a gallery.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace snell::app {
+
+struct GalleryRow {
+    std::string title;
+    std::string page;     // file name; empty if the scene has none
+    std::string picture;  // PNG; empty if there is none
+    std::string error;    // why there is no page
+};
+
+// A page that needs no other file but those that it links to.
+std::string gallery_index(const std::vector<GalleryRow>& rows);
+
+}  // namespace snell::app

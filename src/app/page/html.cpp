@@ -1,0 +1,85 @@
+#include "src/app/page/html.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "parser/text/utf8.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Puts `text` in the place of `mark`, if it occurs once; sets `good` to false otherwise.
+void put(std::string& page, std::string_view mark, std::string_view text, bool& good) {
+    const std::size_t at = page.find(mark);
+    if (at == page.npos || page.find(mark, at + mark.size()) != page.npos)
+        good = false;
+    else
+        page.replace(at, mark.size(), text);
+}
+
+std::string element(std::string_view begin, std::string_view text) { return fmt::format("{}{}</script>", begin, text); }
+
+constexpr std::string_view scene_begin = R"(<script type="application/json" id="scene">)";
+constexpr std::string_view archive_begin = R"(<script type="text/plain" id="archive">)";
+constexpr std::string_view runtime_begin = R"(<script type="text/plain" id="runtime">)";
+
+}  // namespace
+
+std::string web_file(const std::string& name, std::string& error) {
+    std::error_code none;
+    const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
+    std::vector<fs::path> folders{program / "../share/snell/web", program / "../../web"};
+    if (const char* own = std::getenv("SNELL_WEB"); own && *own) folders = {own};
+    for (const fs::path& folder : folders)
+        if (const fs::path file = (folder / name).lexically_normal(); fs::is_regular_file(file, none))
+            return content::whole_file(file.string());
+    error = fmt::format("the browser's part of snell is not there: there is no '{}'\n   help: './dev web' builds it",
+                        utf8::printable((folders.back() / name).lexically_normal().string()));
+    return {};
+}
+
+std::string html_text(std::string_view text) {
+    std::string safe;
+    for (const char c : text) {
+        if (c == '<')
+            safe += "&lt;";
+        else if (c == '>')
+            safe += "&gt;";
+        else if (c == '&')
+            safe += "&amp;";
+        else if (c == '"')
+            safe += "&quot;";
+        else if (c == '\'')
+            safe += "&#39;";
+        else
+            safe += c;
+    }
+    return safe;
+}
+
+std::string script_json(const nlohmann::ordered_json& json) {
+    std::string safe;
+    for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+        safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
+    return safe;
+}
+
+std::optional<std::string> filled_page(std::string_view page, const PageData& data) {
+    std::string text(page);
+    bool good = true;
+    put(text, "<title>snell</title>", fmt::format("<title>{}</title>", html_text(data.title)), good);
+    put(text, element(scene_begin, "null"), element(scene_begin, data.scene), good);
+    put(text, element(archive_begin, ""), element(archive_begin, data.archive), good);
+    if (const std::size_t at = text.find(runtime_begin); !data.runtime && at != text.npos)
+        text.erase(at + runtime_begin.size(), text.find("</script>", at) - at - runtime_begin.size());
+    return good ? std::optional(std::move(text)) : std::nullopt;
+}
+
+}  // namespace snell::app

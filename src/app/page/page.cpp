@@ -1,0 +1,193 @@
+#include "src/app/page/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <utility>
+
+#include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
+#include "src/app/page/html.h"
+#include "src/app/page/scene_files.h"
+#include "src/app/picture/outputs.h"
+#include "src/content/replace.h"
+#include "src/plan/identity.h"
+#include "src/plan/plan.h"
+
+namespace snell::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Exit refuse(const std::string& what, Exit status = exit_input) {
+    fmt::print(stderr, "snell: error: {}\n", what);
+    return status;
+}
+
+std::string title_for(const std::string& scene, const std::string& title) {
+    return utf8::printable(title.empty() ? std::filesystem::path(scene).stem().string() : title);
+}
+
+Json scene_json(const std::string& scene, const std::string& title, const std::string& link,
+                const OpenedScene& opened) {
+    const StartTexts texts = start_texts(*opened.document, opened.view);
+    Json json{{"scene", scene}, {"title", title}, {"values", texts.values}, {"rungs", texts.rungs}};
+    json["view"] = texts.view;
+    json["link"] = link;
+    return json;
+}
+
+std::vector<std::pair<std::string, std::size_t>> sizes_of(const std::vector<PackedFile>& files) {
+    std::vector<std::pair<std::string, std::size_t>> sizes;
+    for (const PackedFile& file : files)
+        if (!file.decoded) sizes.emplace_back(file.name, file.bytes.size());
+    return sizes;
+}
+
+// What a browser lacks is told apart from what is wrong everywhere.
+Exit report_unfit(const PageOptions& options, PageContexts& contexts, const OpenedScene& in_page,
+                  const Access& access) {
+    const auto caps = contexts.native();
+    if (!caps) return exit_graphics;
+    const OpenedScene native = opened_scene(options.scene, options.start, *caps, access);
+    fmt::print(stderr, "{}", native.fits ? in_page.text : native.text);
+    if (!native.fits) return exit_input;
+    return refuse(
+        fmt::format("a browser cannot draw '{}': it has WebGL 2, which lacks what the errors above name\n"
+                    "   help: --baked SLIDER makes a page of pictures instead",
+                    utf8::printable(options.scene)));
+}
+
+PageParts baked_parts(const PageOptions& options, const gl::Caps& caps, OpenedScene& opened, const Access& access,
+                      Deadline& deadline) {
+    const Scene& scene = opened.document->scene();
+    const auto [width, height] = options.size.value_or(std::pair(scene.window_size[0], scene.window_size[1]));
+    const Baking baking{options.baked, options.steps, width, height, options.samples, options.time, options.lossless};
+    Baked pictures = baked(*opened.document, opened.view, baking, caps, access.limits, deadline);
+    PageParts parts{title_for(options.scene, options.title), {}, {}, sizes_of(pictures.pictures), pictures.error};
+    if (!parts.error.empty()) return parts;
+    const std::string name = std::filesystem::path(options.scene).filename().string();
+    Json json = scene_json(name, parts.title, options.link, opened);
+    json["baked"] = std::move(pictures.json);
+    parts.scene = script_json(json);
+    parts.archive = base64(gzipped(archive(pictures.pictures)));
+    return parts;
+}
+
+void list_files(const PageOptions& options, const PageParts& parts, std::size_t bytes) {
+    const std::size_t all = std::accumulate(parts.files.begin(), parts.files.end(), std::size_t{0},
+                                            [](std::size_t sum, const auto& file) { return sum + file.second; });
+    fmt::print("{}: {}. It redistributes {} {} ({}):\n", utf8::printable(options.output), size_text(bytes),
+               parts.files.size(), parts.files.size() == 1 ? "file" : "files", size_text(all));
+    for (const auto& [name, size] : parts.files) fmt::print("{:>10}  {}\n", size_text(size), name);
+}
+
+// Returns nullopt after it printed why there are none; `status` is then the exit status.
+std::optional<PageParts> parts_of_page(const PageOptions& options, const Access& access, Deadline& deadline,
+                                       Exit& status) {
+    PageContexts contexts(options.context);
+    const bool live = options.baked.empty();
+    const auto caps = live ? contexts.web() : contexts.native();
+    status = exit_graphics;
+    if (!caps) return std::nullopt;
+    OpenedScene opened = opened_scene(options.scene, options.start, *caps, access);
+    status = exit_input;
+    if (live && opened.document->runtime) {
+        const std::string unfit = unfit_statements(*opened.document);
+        opened.fits = opened.fits && unfit.empty();
+        opened.text += unfit;
+    }
+    if (!opened.fits && live) {
+        opened.document.reset();
+        status = report_unfit(options, contexts, opened, access);
+        return std::nullopt;
+    }
+    if (opened.fits && live) {
+        deadline.begin(fmt::format("compiling the rungs of '{}'", options.scene));
+        opened.text += unfit_rungs(*opened.document);
+    }
+    fmt::print(stderr, "{}", opened.text);
+    if (!opened.fits) return std::nullopt;
+    return live ? page_parts(options.scene, options.title, options.link, opened, access)
+                : baked_parts(options, *caps, opened, access, deadline);
+}
+
+}  // namespace
+
+std::string size_text(std::uintmax_t bytes) {
+    const auto number = static_cast<double>(bytes);
+    if (bytes < 1000) return fmt::format("{} B", bytes);
+    return number < 1e6 ? fmt::format("{:.0f} kB", number / 1e3) : fmt::format("{:.1f} MB", number / 1e6);
+}
+
+std::string unfit_statements(const Document& document) {
+    Diagnostics found;
+    for (const Draw& draw : document.scene().draws)
+        if (std::holds_alternative<ShpFile>(draw.shape))
+            found.add_once({Severity::error,
+                            "page-shape-file",
+                            draw.span,
+                            "a page cannot read ESRI shape files",
+                            "an .obj file of the same lines can be in a page",
+                            {},
+                            true});
+    return snell::render(found, document.sources);
+}
+
+std::string unfit_rungs(Document& document) {
+    const Scene& scene = document.scene();
+    const Rungs begin = document.runtime->rungs();
+    std::string text;
+    for (std::size_t ladder = 0; ladder < scene.ladders.size(); ++ladder)
+        for (std::size_t rung = 0; rung < scene.ladders[ladder].rungs.size(); ++rung) {
+            Rungs rungs = begin;
+            if (std::exchange(rungs[ladder], rung) == rung) continue;
+            document.runtime->choose(rungs);
+            const auto& found = document.runtime->ladder_problems().items();
+            const auto error = ranges::find(found, Severity::error, &Diagnostic::severity);
+            if (error == found.end()) continue;
+            text += fmt::format("snell: warning: with {}={} a browser cannot draw the scene: {}\n",
+                                scene.ladders[ladder].name, scene.ladders[ladder].rungs[rung],
+                                short_text(*error, document.sources));
+        }
+    document.runtime->choose(begin);
+    return text;
+}
+
+PageParts page_parts(const std::string& scene, const std::string& title, const std::string& link,
+                     const OpenedScene& opened, const Access& access) {
+    const SceneFiles files = scene_files(scene, access);
+    PageParts parts{title_for(scene, title), {}, {}, sizes_of(files.files), files.error};
+    if (!parts.error.empty()) return parts;
+    parts.scene = script_json(scene_json(files.scene, parts.title, link, opened));
+    parts.archive = base64(gzipped(archive(files.files)));
+    return parts;
+}
+
+Exit make_page(const PageOptions& options) {
+    std::string error;
+    const std::string page = web_file("page.html", error);
+    if (!error.empty()) return refuse(error);
+    Deadline deadline(options.timeout);
+    deadline.begin(fmt::format("reading '{}'", options.scene));
+    const Access access = access_to(options.scene, options.access, options.grade);
+    std::vector<std::string> read = files_read_by(options.scene, access);
+    read.push_back(options.scene);
+    if (const Exit wrong = check_outputs(std::vector{options.output}, read); wrong != exit_fine) return wrong;
+    Exit status = exit_fine;
+    const std::optional<PageParts> parts = parts_of_page(options, access, deadline, status);
+    if (!parts) return status;
+    if (!parts->error.empty()) return refuse(parts->error);
+    deadline.begin("writing the page");
+    const auto text = filled_page(page, {parts->title, parts->scene, parts->archive, options.baked.empty()});
+    if (!text) return refuse("the browser's part of snell is of another version\n   help: './dev web' builds it");
+    if (error = content::replace_file(options.output, *text); !error.empty())
+        return refuse(fmt::format("cannot write '{}': {}", utf8::printable(options.output), error));
+    if (!content::is_stream(options.output)) list_files(options, *parts, text->size());
+    return exit_fine;
+}
+
+}  // namespace snell::app

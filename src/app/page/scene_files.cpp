@@ -1,0 +1,97 @@
+#include "src/app/page/scene_files.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "parser/text/utf8.h"
+#include "src/app/open/document.h"
+#include "src/app/page/names.h"
+#include "src/content/image/image.h"
+#include "src/plan/identity.h"
+#include "src/plan/plan.h"
+#include "src/plan/used_files.h"
+
+namespace snell::app {
+
+namespace {
+
+struct Used {
+    std::vector<std::string> paths;
+    std::set<std::string> images;
+    std::string error;
+};
+
+// Without the mark of marked_path().
+std::string shown_path(const std::string& path) {
+    return utf8::printable(std::filesystem::path(path).lexically_normal().string());
+}
+
+Used used_by(const std::string& scene, Files& files) {
+    Sources sources;
+    Diagnostics unheard(files.limits());  // these are reported when the scene is opened
+    auto parsed = parse_document(scene, files, sources, unheard);
+    if (!parsed) return {{}, {}, fmt::format("cannot read '{}'", shown_path(scene))};
+    const Plan plan = make_plan(std::move(parsed->scene), files, sources, unheard);
+    Used used{used_files(plan, sources, files), {}, {}};
+    for (Index i = 0; i < plan.scene.textures.size(); ++i)
+        for (std::string& path : texture_identity(plan.scene, i, files).files) used.images.insert(std::move(path));
+    return used;
+}
+
+// The formats that a page decodes, exactly as snell does. Raw textures and TGA have no signature.
+bool page_decodes(const std::string& path, std::string_view bytes) {
+    using namespace std::string_view_literals;
+    for (const std::string_view signature :
+         {"\x89PNG"sv, "BM"sv, "\xff\xd8\xff"sv, "GIF8"sv, "8BPS"sv, "#?RADIANCE"sv, "#?RGBE"sv, "P5"sv, "P6"sv})
+        if (bytes.starts_with(signature)) return true;
+    const auto header = content::read_header(bytes, bytes.size());
+    if (header) return header->format == "tex";
+    return path.ends_with(".tga") || path.ends_with(".TGA");
+}
+
+// Nothing where snell does not decode it either, which a page reports in the same way.
+std::optional<PackedFile> decoded(const PackedFile& file, const Limits& limits) {
+    const content::ImageLimits most{static_cast<int>(limits.texture_side), limits.texture_bytes};
+    const content::ImageResult read = content::decode_image(file.name, file.bytes, most);
+    if (!read.image) return std::nullopt;
+    return PackedFile{file.name, decoded_image(*read.image), true};
+}
+
+std::string too_much(const std::vector<PackedFile>& files) {
+    std::uint64_t bytes = 0;
+    for (const PackedFile& file : files) bytes += file.bytes.size();
+    if (bytes <= most_page_bytes && files.size() <= most_page_files) return {};
+    return fmt::format("the scene reads {} files of {} MB: a page holds at most {} files of {} MB", files.size(),
+                       bytes >> 20, most_page_files, most_page_bytes >> 20);
+}
+
+}  // namespace
+
+SceneFiles scene_files(const std::string& scene, const Access& access) {
+    const std::string marked = marked_path(scene);
+    Files files(scene_folder(marked), access);
+    const Used used = used_by(marked, files);
+    if (!used.error.empty()) return {{}, {}, used.error};
+    PageNames names = page_names(marked, used.paths);
+    SceneFiles found{names.scene, {}, names.error};
+    for (const NamedFile& named : names.files) {
+        if (!found.error.empty()) return found;
+        std::string error;
+        auto bytes = files.read(named.path, error);
+        if (!bytes) {
+            found.error = fmt::format("cannot read '{}': {}", shown_path(named.path), error);
+            return found;
+        }
+        found.files.push_back({named.name, std::move(*bytes)});
+        const PackedFile& file = found.files.back();
+        if (used.images.contains(named.path) && !page_decodes(named.name, file.bytes))
+            if (auto twin = decoded(file, access.limits)) found.files.push_back(std::move(*twin));
+        found.error = too_much(found.files);
+    }
+    return found;
+}
+
+}  // namespace snell::app

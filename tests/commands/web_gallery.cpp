@@ -1,0 +1,87 @@
+// Galleries: every scene is in the index, whatever is wrong with it.
+#include "tests/commands/web.h"
+
+namespace snell::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class WebGallery : public WebTest {
+protected:
+    void SetUp() override {
+        WebTest::SetUp();
+        if (IsSkipped()) return;
+        for (const std::string name : {"class/ann/", "class/bob/"}) {
+            folder.write(name + "ball.glib", plain);
+            folder.write(name + "paint.frag", bytes_of(at("paint.frag")));
+            folder.write(name + "wood.bmp", bytes_of(at("wood.bmp")));
+        }
+        folder.write("class/bob/broken<i>.glib", "Sphre 1\n");
+        folder.write("class/bob/Index.glib", "Sphere 1\n");
+        fs::copy(SNELL_ROOT "/tests/cases/Geometry.glib", at("class/geometry.glib"));
+        fs::copy(SNELL_ROOT "/tests/cases/shaders", at("class/shaders"), fs::copy_options::recursive);
+    }
+    std::size_t count(const std::string& page, const std::string& text) const {
+        std::size_t n = 0;
+        for (std::size_t i = page.find(text); i != std::string::npos; i = page.find(text, i + 1)) ++n;
+        return n;
+    }
+};
+
+TEST_F(WebGallery, EverySceneIsInTheIndex) {
+    const Outcome made = web("--gallery class -o out");
+    ASSERT_EQ(made.status, 0) << made.output;
+    EXPECT_TRUE(made.says("3 of 5 scenes")) << made.output;
+    std::set<std::string> found;
+    for (const auto& entry : fs::directory_iterator(at("out"))) found.insert(entry.path().filename().string());
+    EXPECT_EQ(found,
+              (std::set<std::string>{"index.html", "runtime.js", "ann-ball.html", "bob-ball.html", "index-2.html"}));
+    const std::string index = bytes_of(at("out/index.html"));
+    for (const char* link : {"href=\"ann-ball.html\"", "href=\"bob-ball.html\"", "href=\"index-2.html\""})
+        EXPECT_EQ(count(index, link), 1u) << link;
+    EXPECT_EQ(count(index, "<h2>"), 5u);
+    EXPECT_EQ(count(index, "<img alt=\"Picture of "), 4u) << "all but the broken one";
+    EXPECT_NE(index.find("broken&lt;i&gt;.glib:1:1: "), std::string::npos);
+    EXPECT_EQ(index.find("<i>"), std::string::npos);
+    EXPECT_NE(index.find("geometry.glib:5:10: "), std::string::npos);
+    EXPECT_NE(index.find("Content-Security-Policy"), std::string::npos);
+    EXPECT_EQ(index.find(folder.path()), std::string::npos);
+    EXPECT_EQ(bytes_of(at("out/runtime.js")), "// runtime\n");
+    EXPECT_EQ(unpack("out/bob-ball.html", "un")["scene"], "ball.glib");
+    EXPECT_EQ(bytes_of(at("un/wood.bmp")), bytes_of(at("wood.bmp")));
+    ASSERT_EQ(web("--gallery class -o again").status, 0);
+    for (const std::string& name : found) EXPECT_EQ(bytes_of(at("again/" + name)), bytes_of(at("out/" + name))) << name;
+}
+
+TEST_F(WebGallery, ItMayBeMadeAgainAndLeavesOtherFilesAlone) {
+    folder.write("out/notes.txt", "mine");
+    folder.write("out/index.html", "old");
+    ASSERT_EQ(web("--gallery class/ann class/bob -o out").status, 0);
+    EXPECT_EQ(bytes_of(at("out/notes.txt")), "mine");
+    EXPECT_NE(bytes_of(at("out/index.html")), "old");
+    const Outcome within = web("--gallery class/ann class ./class -o out");
+    EXPECT_TRUE(within.says("3 of 5 scenes")) << "each once: " << within.output;
+}
+
+TEST_F(WebGallery, ItOverwritesNoFileOfAScene) {
+    folder.write("class/ann/ball.html", "mine");
+    folder.write("class/ann/t.glib", "Texture2D 6 ball.html\n" + plain);
+    EXPECT_EQ(web("--gallery class/ann -o class/ann").status, 2);
+    EXPECT_EQ(bytes_of(at("class/ann/ball.html")), "mine");
+    EXPECT_FALSE(there("class/ann/index.html"));
+}
+
+TEST_F(WebGallery, FoldersWithoutScenesAndValuesAreRefused) {
+    fs::create_directories(at("empty"));
+    EXPECT_EQ(web("--gallery empty -o out").status, 1);
+    EXPECT_EQ(web("--gallery nowhere -o out").status, 1);
+    EXPECT_EQ(web("--gallery class -o out --set uRed=1").status, 2);
+    EXPECT_EQ(web("class/ann/ball.glib class/bob/ball.glib -o out").status, 2);
+    EXPECT_FALSE(there("out"));
+}
+
+}  // namespace
+
+}  // namespace snell::test
