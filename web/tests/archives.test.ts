@@ -80,19 +80,19 @@ test('links of Unix are ignored', async () => {
 });
 
 test('a bomb that says its size ends at the limit, before it is inflated', async () => {
-    const zeros = new Uint8Array(100_000_000);
-    await assert.rejects(unzip(archive({ bomb: zeros })), TooMuch);
+    const large = forged(archive({ bomb: 'x' }), (view, entry) => view.setUint32(entry + 24, 100_000_000, true));
+    await assert.rejects(unzip(large), TooMuch);
     await assert.rejects(unzip(archive({ bomb: new Uint8Array(601) }), small()), TooMuch);
     await assert.rejects(unzip(archive({ a: new Uint8Array(600), b: new Uint8Array(600) }), small()), TooMuch);
 });
 
 test('a bomb that says a smaller size ends at that size', async () => {
-    const lying = forged(archive({ bomb: new Uint8Array(50_000_000) }), (view, entry) => view.setUint32(entry + 24, 100, true));
+    const lying = forged(archive({ bomb: new Uint8Array(16_000_000) }), (view, entry) => view.setUint32(entry + 24, 100, true));
     const before = process.memoryUsage().arrayBuffers;
     const { files, messages } = await unzip(lying, small());
     assert.equal(files.size, 0);
     assert.match(messages[0], /larger than the archive says/);
-    assert.ok(process.memoryUsage().arrayBuffers - before < 20_000_000);
+    assert.ok(process.memoryUsage().arrayBuffers - before < 8_000_000);
 });
 
 test('entries that share their bytes count each time', async () => {
