@@ -70,7 +70,7 @@ test('the worker gets only the files that are new to it', async () => {
     threads[0].answer('');
     void checker.check('b.glib', new Map([['b.glib', utf8('')]]));
     const [one, two, three] = threads[0].jobs as Extract<Job, { kind: 'check' }>[];
-    assert.deepEqual(one.changed.map(([name]) => name), ['a.glib', 'image.png']);
+    assert.deepEqual(one.changed.map(([name, { length }]) => [name, length]), [['a.glib', 1], ['image.png', 0]]);
     assert.deepEqual(two.changed.map(([name]) => name), ['a.glib']);
     assert.deepEqual([three.changed.map(([name]) => name), three.removed], [['b.glib'], ['a.glib', 'image.png']]);
 });

@@ -72,9 +72,14 @@ export function same(a: Uint8Array, b: Uint8Array): boolean {
 // Extensions of files that are text but too large or of no use to edit, and of images, whose bytes may look like text.
 const notEdited = /\.(obj|mtl|shp|dbf|shx|ppm|pgm|pnm|hdr|exr|png|jpe?g|bmp|tga|gif|tiff?|psd|webp|tex|zip|pdf)$/i;
 
+// True for images, meshes and the like, by their names.
+export function isData(name: string): boolean {
+    return notEdited.test(name);
+}
+
 export const largestText = 1 << 20;
 
 // True for what the editor shows: text of at most `largestText` bytes.
 export function isText(name: string, bytes: Uint8Array): boolean {
-    return !notEdited.test(name) && bytes.length <= largestText && !bytes.includes(0);
+    return !isData(name) && bytes.length <= largestText && !bytes.includes(0);
 }

@@ -1,5 +1,6 @@
 // The page's side of the worker: one job at a time, and an end to jobs that take too long.
 import type { Answer, Job, Start } from '../worker.ts';
+import { isData } from './bytes.ts';
 import type { Checked, Checker, Files } from './host.ts';
 
 // What of a Worker is used.
@@ -38,11 +39,13 @@ export interface CheckerOptions {
 export const largeImage = 256 << 10;
 const images = /\.(png|jpe?g|bmp|tga|gif|hdr|psd|ppm|pgm|pnm)$/i;
 
-// A message takes the whole memory that an array is a part of, such as the archive's.
-function alone(job: Job): Job {
+// A message takes the whole memory that an array is a part of, such as the archive's. A check reads texts only: of images
+// and meshes it is enough that they are there.
+function sent(job: Job): Job {
     const own = (bytes: Uint8Array) => (bytes.byteLength < bytes.buffer.byteLength ? bytes.slice() : bytes);
     if (job.kind === 'decode') return { ...job, bytes: own(job.bytes) };
-    return { ...job, changed: job.changed.map(([name, bytes]) => [name, own(bytes)]) };
+    const changed = job.changed.map(([name, bytes]): [string, Uint8Array] => [name, isData(name) ? new Uint8Array() : own(bytes)]);
+    return { ...job, changed };
 }
 
 interface Task {
@@ -107,7 +110,7 @@ export function makeChecker({ spawn, say, milliseconds = 10_000 }: CheckerOption
             task.job.removed = [...known.keys()].filter((name) => !files.has(name));
             known = new Map(files);
         }
-        thread?.postMessage(alone(task.job));
+        thread?.postMessage(sent(task.job));
         timer = setTimeout(late, milliseconds);
     };
 

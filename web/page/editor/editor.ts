@@ -41,6 +41,7 @@ function makeCode(): { panel: HTMLElement; view: EditorView } {
 function makeOpenDialog(welcome: HTMLElement): { dialog: HTMLDialogElement; open(): void } {
     const dialog = document.createElement('dialog');
     dialog.className = 'editor-dialog';
+    dialog.setAttribute('aria-label', 'Open a scene');
     dialog.addEventListener('keydown', (event) => event.stopPropagation());
     const close = makeButton('Close', () => dialog.close());
     const open = () => {
