@@ -73,6 +73,7 @@ test('the worker gets only the files that are new to it', async () => {
     assert.deepEqual(one.changed.map(([name, { length }]) => [name, length]), [['a.glib', 1], ['image.png', 0]]);
     assert.deepEqual(two.changed.map(([name]) => name), ['a.glib']);
     assert.deepEqual([three.changed.map(([name]) => name), three.removed], [['b.glib'], ['a.glib', 'image.png']]);
+    checker.stop();
 });
 
 test('a worker without an answer is ended, said so, and started again with all files', async () => {
