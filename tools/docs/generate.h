@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace snell::docs {
@@ -13,6 +14,12 @@ struct Document {
 
 // docs/variables.md.
 std::string variables();
+
+// The name of a variable as authors write it; empty for names that only the translator writes.
+std::string written(std::string_view name);
+
+// web/page/editor/words.json.
+std::string page_words();
 
 // `intro` is the text before the commands.
 std::vector<Document> generate(const std::string& intro);

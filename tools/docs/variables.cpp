@@ -7,10 +7,8 @@
 #include "tools/docs/generate.h"
 
 namespace snell::docs {
-namespace {
 
-// snell_ModelViewMatrix is written gl_ModelViewMatrix, and its own name is the translator's. Empty for names that only
-// the translator writes.
+// snell_ModelViewMatrix is written gl_ModelViewMatrix, and its own name is the translator's.
 std::string written(std::string_view name) {
     if (!name.starts_with("snell_")) return std::string(name);
     std::string gl = "gl_" + std::string(name.substr(6));
@@ -18,6 +16,8 @@ std::string written(std::string_view name) {
     if (!legacy || legacy->kind == glsl::LegacyKind::core) return {};
     return legacy->size > 0 ? gl + "[" + std::to_string(legacy->size) + "]" : gl;
 }
+
+namespace {
 
 void add_name(std::string& names, const std::string& name) {
     if (!name.empty()) names += (names.empty() ? "`" : " `") + name + "`";

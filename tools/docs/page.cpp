@@ -1,0 +1,75 @@
+// web/page/editor/words.json: what the page's editor highlights and completes.
+#include <set>
+
+#include "parser/commands/commands.h"
+#include "parser/names.h"
+#include "parser/text/words.h"
+#include "src/glsl/glsl.h"
+#include "tools/docs/generate.h"
+
+namespace snell::docs {
+namespace {
+
+std::string quoted(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + "\"";
+}
+
+// One entry a line, so that a change of the table is a short difference.
+std::string lines(const std::vector<std::string>& entries) {
+    std::string out;
+    for (const std::string& entry : entries) out += (out.empty() ? "\n" : ",\n") + entry;
+    return "[" + out + "\n]";
+}
+
+std::vector<std::string> command_entries() {
+    std::vector<std::string> out;
+    for (const Command& c : commands()) {
+        std::string entry = "{\"name\": " + quoted(c.name);
+        if (!c.alias.empty()) entry += ", \"alias\": " + quoted(c.alias);
+        out.push_back(entry + ", \"signature\": " + quoted(c.signature.text) + ", \"doc\": " + quoted(c.doc) + "}");
+    }
+    return out;
+}
+
+std::vector<std::string> choice_entries() {
+    std::set<std::string_view> words;
+    for (const Command& c : commands())
+        for (const Parameter& p : c.signature.parameters)
+            for (const std::string_view word : split(p.choices, '/')) words.insert(word);
+    for (const std::string_view name : topology_names()) words.insert(name);
+    std::vector<std::string> out;
+    for (const std::string_view word : words) out.push_back(quoted(word));
+    return out;
+}
+
+template <typename Facts>
+std::string variable(std::string_view name, const Facts& facts) {
+    return "{\"name\": " + quoted(name) + ", \"type\": " + quoted(facts.type) + ", \"doc\": " + quoted(facts.doc) + "}";
+}
+
+std::vector<std::string> variable_entries() {
+    std::vector<std::string> out;
+    for (const glsl::SystemFacts& facts : glsl::system_facts())
+        for (const glsl::SystemName& name : glsl::system_names())
+            if (name.system == facts.system && !written(name.name).empty())
+                out.push_back(variable(written(name.name), facts));
+    for (const glsl::AttributeFacts& facts : glsl::attribute_facts())
+        for (const glsl::AttributeName& name : glsl::attribute_names())
+            if (name.attribute == facts.attribute && !written(name.name).empty())
+                out.push_back(variable(written(name.name), facts));
+    return out;
+}
+
+}  // namespace
+
+std::string page_words() {
+    return "{\"commands\": " + lines(command_entries()) + ",\n\"choices\": " + lines(choice_entries()) +
+           ",\n\"variables\": " + lines(variable_entries()) + "}\n";
+}
+
+}  // namespace snell::docs

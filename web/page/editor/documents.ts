@@ -1,0 +1,99 @@
+// The text files of a scene in the editor, each with its own undo history.
+import { forEachDiagnostic, type Diagnostic } from '@codemirror/lint';
+import type { ChangeSpec, EditorState, Extension, StateEffect, StateField } from '@codemirror/state';
+import type { Problem } from '../engine.ts';
+import { isText, read, same, write, type Format } from './bytes.ts';
+import { stateOf } from './code.ts';
+import { endsField } from './ends.ts';
+import type { Files } from './host.ts';
+import { folderOf, resolve } from './names.ts';
+import { rangeOf } from './places.ts';
+
+export interface Document {
+    name: string;
+    format: Format;
+    ends: StateField<readonly string[]>;
+    state: EditorState;
+    // Where it was scrolled to when another file was chosen.
+    scroll?: StateEffect<unknown>;
+    // As it was opened or downloaded last.
+    kept: Uint8Array;
+    // The bytes of `of`, which is the text of a state: an unedited text keeps its array.
+    bytes: Uint8Array;
+    of: EditorState['doc'];
+}
+
+export function makeDocument(name: string, bytes: Uint8Array, names: () => string[], more: (format: Format) => Extension): Document {
+    const { format, lines, ends } = read(bytes);
+    const field = endsField(ends);
+    const state = stateOf(name, lines, { names }, [field, more(format)]);
+    return { name, format, ends: field, state, kept: bytes, bytes, of: state.doc };
+}
+
+export function bytesOf(document: Document): Uint8Array {
+    const { state, format } = document;
+    if (document.of === state.doc) return document.bytes;
+    const bytes = write({ format, lines: state.doc.toJSON(), ends: [...state.field(document.ends)] });
+    document.bytes = same(bytes, document.kept) ? document.kept : bytes;
+    document.of = state.doc;
+    return document.bytes;
+}
+
+export function isEdited(document: Document): boolean {
+    return bytesOf(document) !== document.kept;
+}
+
+// The scene first, then scenes and includes, then shaders; those in the scene's folder come before others.
+export function textFiles(scene: string, files: Files): string[] {
+    const kind = (name: string) => (/\.(glib|inc)$/i.test(name) ? 0 : /\.(txt|md)$/i.test(name) ? 2 : 1);
+    const rank = (name: string) => (name === scene ? -1 : 2 * kind(name) + Number(folderOf(name) !== folderOf(scene)));
+    return [...files]
+        .filter(([name, bytes]) => isText(name, bytes))
+        .map(([name]) => name)
+        .sort((a, b) => rank(a) - rank(b) || (a < b ? -1 : 1));
+}
+
+const severities = { error: 'error', warning: 'warning', note: 'info' } as const;
+
+// A mark in the text, which moves with edits.
+export interface Mark extends Diagnostic {
+    problem: Problem;
+}
+
+// The marks of a file's problems, by their places in its text.
+export function marksOf(document: Document, problems: readonly Problem[]): Mark[] {
+    return problems.flatMap((problem) => {
+        if (!problem.at || resolve('', problem.at.file) !== document.name) return [];
+        const range = rangeOf(problem.at, document.state.doc, document.format);
+        const message = problem.help ? `${problem.message}\n${problem.help}` : problem.message;
+        return [{ ...range, severity: severities[problem.severity], message, source: problem.code, problem }];
+    });
+}
+
+// The marks of these problems where they are now, after edits.
+export function movedMarks(document: Document, problems: ReadonlySet<Problem>): Mark[] {
+    const out: Mark[] = [];
+    forEachDiagnostic(document.state, (diagnostic, from, to) => {
+        if (problems.has((diagnostic as Mark).problem)) out.push({ ...(diagnostic as Mark), from, to });
+    });
+    return out;
+}
+
+// The edits that make one text of another line by line, or as a whole where lines were added or removed.
+export function differences(doc: EditorState['doc'], text: string): ChangeSpec[] {
+    const lines = text.split(/\r\n|\r|\n/);
+    if (lines.length !== doc.lines) return [trimmed(0, doc.toString(), lines.join('\n'))];
+    return lines.flatMap((line, i) => {
+        const old = doc.line(i + 1);
+        return old.text === line ? [] : [trimmed(old.from, old.text, line)];
+    });
+}
+
+function trimmed(at: number, old: string, text: string): { from: number; to: number; insert: string } {
+    let begin = 0;
+    while (begin < Math.min(old.length, text.length) && old[begin] === text[begin]) ++begin;
+    let end = 0;
+    const most = Math.min(old.length, text.length) - begin;
+    while (end < most && old[old.length - 1 - end] === text[text.length - 1 - end]) ++end;
+    return { from: at + begin, to: at + old.length - end, insert: text.slice(begin, text.length - end) };
+}

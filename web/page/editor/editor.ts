@@ -1,0 +1,126 @@
+// The editor: the scene's files as tabs, their text and problems, and ways to open and to download scenes.
+import { redo, undo } from '@codemirror/commands';
+import { openSearchPanel } from '@codemirror/search';
+import { EditorView } from '@codemirror/view';
+import { bytesOf } from './documents.ts';
+import { makeButton } from './dialog.ts';
+import type { Editor, EditorHost } from './host.ts';
+import { baseOf } from './names.ts';
+import { makeOpening } from './opening.ts';
+import { download, zip } from './pack.ts';
+import { makeProblemList } from './problems.ts';
+import { Session } from './session.ts';
+import { makeTabs } from './tabs.ts';
+
+const help =
+    'Ctrl Space completes, Ctrl F searches, F8 goes to the next problem, Ctrl Z undoes, Ctrl S downloads. To leave the text by keyboard, press Esc and then Tab.';
+
+function block(className: string): HTMLElement {
+    const element = document.createElement('div');
+    element.className = className;
+    return element;
+}
+
+// The text field is in a shadow tree: there, CodeMirror's styles are constructed style sheets, which the page's
+// Content-Security-Policy allows.
+function makeCode(): { panel: HTMLElement; view: EditorView } {
+    const panel = block('editor-code');
+    panel.id = 'editor-code';
+    panel.setAttribute('role', 'tabpanel');
+    panel.setAttribute('aria-label', 'Text');
+    const root = panel.attachShadow({ mode: 'open' });
+    const view = new EditorView({ root });
+    root.append(view.dom);
+    // Keys that are typed are none of the page's shortcuts.
+    for (const type of ['keydown', 'keypress', 'keyup'])
+        panel.addEventListener(type, (event) => /^F\d+$/.test((event as KeyboardEvent).key) || event.stopPropagation());
+    return { panel, view };
+}
+
+// The same element is on the page while there is no scene.
+function makeOpenDialog(welcome: HTMLElement): { dialog: HTMLDialogElement; open(): void } {
+    const dialog = document.createElement('dialog');
+    dialog.className = 'editor-dialog';
+    dialog.setAttribute('aria-label', 'Open a scene');
+    dialog.addEventListener('keydown', (event) => event.stopPropagation());
+    const close = makeButton('Close', () => dialog.close());
+    const open = () => {
+        dialog.replaceChildren(welcome, close);
+        dialog.showModal();
+    };
+    return { dialog, open };
+}
+
+function downloads(host: EditorHost, session: Session) {
+    const all = () => {
+        const files = session.files();
+        download(`${baseOf(host.scene).replace(/\.glib$/i, '')}.zip`, zip(files), 'application/zip');
+        session.kept(files.keys());
+    };
+    const one = () => {
+        const shown = session.current;
+        if (!shown) return;
+        download(baseOf(shown.name), new Uint8Array(bytesOf(shown)), 'application/octet-stream');
+        session.kept([shown.name]);
+    };
+    return { all, one };
+}
+
+export function makeEditor(host: EditorHost): Editor {
+    const element = document.createElement('section');
+    element.className = 'editor';
+    element.setAttribute('aria-label', 'Editor');
+    const { panel, view } = makeCode();
+    const goTo: Editor['goTo'] = (place) => {
+        if (!session.goTo(place)) host.say(`'${place.file}' is not one of the scene's texts.`);
+    };
+    const tabs = makeTabs(panel, (name) => session.choose(name));
+    const list = makeProblemList(goTo);
+    const session = new Session(host, view, () => {
+        tabs.show(session.tabs(), session.current?.name ?? '');
+        list.show(session.problems);
+    });
+    const save = downloads(host, session);
+    const opening = makeOpening({
+        host,
+        problems: () => session.problems,
+        edited: () => session.edited(),
+        download: save.all,
+        add: (files) => session.add(files),
+    });
+    const { dialog, open } = makeOpenDialog(opening.welcome);
+    const bar = block('editor-buttons');
+    bar.append(
+        makeButton('Open…', open),
+        makeButton('Download .zip', save.all),
+        makeButton('Download this file', save.one),
+        makeButton('Undo', () => undo(view)),
+        makeButton('Redo', () => redo(view)),
+        makeButton('Find', () => openSearchPanel(view)),
+    );
+    const hint = document.createElement('p');
+    hint.className = 'editor-fine-print';
+    hint.textContent = help;
+    element.append(bar, tabs.element, panel, list.element, hint, dialog);
+    // Captured, because keys do not leave the text field.
+    const saveKey = (event: KeyboardEvent) => {
+        if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey || event.key !== 's') return;
+        event.preventDefault();
+        save.all();
+    };
+    element.addEventListener('keydown', saveKey, { capture: true });
+    element.addEventListener('focusin', () => session.warm(), { once: true });
+    window.addEventListener('beforeunload', (event) => session.edited().length > 0 && event.preventDefault());
+
+    return {
+        element,
+        welcome: opening.welcome,
+        show: (problems) => session.show(problems),
+        goTo,
+        opened: () => {
+            dialog.close();
+            session.open();
+        },
+        replace: (files) => files.forEach(({ name, text }) => session.replace(name, text)),
+    };
+}

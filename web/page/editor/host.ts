@@ -1,0 +1,44 @@
+// What the editor and the page around it know of each other.
+import type { Place, Problem } from '../engine.ts';
+
+export type Files = ReadonlyMap<string, Uint8Array>;
+
+export type Checked =
+    | { state: 'done'; problems: Problem[] }
+    // replaced: a later call has taken the place of this one. stopped: no answer within the time limit. absent: there is
+    // no worker, so that nobody knows.
+    | { state: 'replaced' | 'stopped' | 'absent' };
+
+// Reports problems without graphics, off the main thread (checker.ts).
+export interface Checker {
+    check(scene: string, files: Files): Promise<Checked>;
+}
+
+export interface EditorHost {
+    // The files of the scene, as the page has them now: the author's bytes, not decoded images.
+    files: Map<string, Uint8Array>;
+    // The name of the scene's .glib among them; '' while the page shows no scene.
+    scene: string;
+    // Undefined where there is no engine for the worker (ready pictures).
+    checker: Checker | undefined;
+    // These files were edited or added, and these are their bytes: not every file is UTF-8, and line ends are the
+    // author's. The page puts them into `files`, draws again, and calls show() with what the engine says.
+    changed(files: Files): void;
+    // Another scene takes the place of this one: dropped, or chosen among the examples. The page calls opened().
+    openScene(name: string, files: Map<string, Uint8Array>): void;
+    // A message for the page's live region, such as why a dropped file cannot be opened.
+    say(message: string): void;
+}
+
+export interface Editor {
+    element: HTMLElement;
+    // What the page shows while it has no scene: how to open one, the examples, and a new scene.
+    welcome: HTMLElement;
+    show(problems: Problem[]): void;
+    goTo(place: Place): void;
+    // host.files and host.scene are others now. The page calls show() afterwards.
+    opened(): void;
+    // Puts a text in place of a file's, as one step that can be undone: values that the page writes into the scene. Only
+    // the lines that differ are edited.
+    replace(files: { name: string; text: string }[]): void;
+}
