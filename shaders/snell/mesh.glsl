@@ -5,13 +5,15 @@
 // itself, to the triangles of each draw's own mesh, where a program reads them. All positions and directions are
 // those of the model, before any transformation: directions of light keep their angles under rotations, moves and
 // even scales, and so does what is found here. A vertex shader that moves vertices does not move these triangles.
-// Needs texture buffers: OpenGL 3.1, or OpenGL ES 3.2.
 
-uniform samplerBuffer snellMeshNodes, snellMeshTriangles, snellMeshNormals;
+// Lists of texels, which fill one row of a texture after the other.
+uniform sampler2D snellMeshNodes, snellMeshTriangles, snellMeshNormals;
 
 // Which side of a triangle a ray may meet. Outside is where corners are counter-clockwise.
 const int SNELL_FRONT = 1, SNELL_BACK = -1, SNELL_BOTH = 0;
 const int SNELL_MESH_DEPTH = 32;  // of the tree, at most
+const int SNELL_MESH_ROW = 10;    // a row has 2 to the power of this many texels
+const int SNELL_MESH_ROOT = 1;    // the number of the first node: the tree's frame has the place of node 0
 
 struct SnellMeshHit {
     float distance;  // along the ray
@@ -20,10 +22,13 @@ struct SnellMeshHit {
     bool front;      // met from outside
 };
 
+// Where the texel of a list lies.
+ivec2 snellMeshAt(int texel) { return ivec2(texel & ((1 << SNELL_MESH_ROW) - 1), texel >> SNELL_MESH_ROW); }
+
 // The tree has coordinates of its own, in which the mesh lies around the origin and has a size near 1: roundings are
 // then a share of the mesh's size, wherever in the model it lies. xyz: the tree's origin in the model, w: the scale, a
 // power of two.
-vec4 snellMeshFrame() { return texelFetch(snellMeshNodes, textureSize(snellMeshNodes) - 1); }
+vec4 snellMeshFrame() { return texelFetch(snellMeshNodes, ivec2(0), 0); }
 
 vec3 snellMeshFromModel(vec3 position) {
     vec4 frame = snellMeshFrame();
@@ -36,7 +41,9 @@ vec3 snellMeshToModel(vec3 position) {
 }
 
 // In the tree's coordinates.
-vec3 snellMeshCorner(int triangle, int corner) { return texelFetch(snellMeshTriangles, 3 * triangle + corner).xyz; }
+vec3 snellMeshCorner(int triangle, int corner) {
+    return texelFetch(snellMeshTriangles, snellMeshAt(3 * triangle + corner), 0).xyz;
+}
 
 // In the model's coordinates. By the corners rather than along the ray, so that the error is independent of the
 // distance that the ray came: at most 5 EPSILON of the mesh's size, and the rounding of the result.
@@ -54,8 +61,8 @@ vec3 snellMeshFaceNormal(int triangle) {
 }
 
 vec3 snellMeshVertexNormal(int triangle, int corner) {
-    int vertex = int(texelFetch(snellMeshTriangles, 3 * triangle + corner).w);
-    return (vertex < textureSize(snellMeshNormals)) ? texelFetch(snellMeshNormals, vertex).xyz : vec3(0.0);
+    int vertex = int(texelFetch(snellMeshTriangles, snellMeshAt(3 * triangle + corner), 0).w);
+    return (vertex >= 0) ? texelFetch(snellMeshNormals, snellMeshAt(vertex), 0).xyz : vec3(0.0);
 }
 
 // The mesh's normals, interpolated; unit length. A mesh without them: the triangle's.
@@ -65,10 +72,14 @@ vec3 snellMeshNormal(int triangle, vec3 weights) {
     return snellNormalize(n, snellMeshFaceNormal(triangle));
 }
 
+// Opposite corners of the mesh's box, in the tree's coordinates.
+vec3 snellMeshLow() { return texelFetch(snellMeshNodes, ivec2(2 * SNELL_MESH_ROOT, 0), 0).xyz; }
+vec3 snellMeshHigh() { return texelFetch(snellMeshNodes, ivec2(2 * SNELL_MESH_ROOT + 1, 0), 0).xyz; }
+
 // The largest error of a point of the mesh, in the tree's coordinates: 5 EPSILON of the largest one by its corners;
 // and seen from a ray's origin, 8 of their distance by the shear.
 float snellMeshSlack(vec3 origin) {
-    vec3 size = max(abs(texelFetch(snellMeshNodes, 0).xyz), abs(texelFetch(snellMeshNodes, 1).xyz)) + abs(origin);
+    vec3 size = max(abs(snellMeshLow()), abs(snellMeshHigh())) + abs(origin);
     return 16.0 * SNELL_EPSILON * max(max(size.x, size.y), size.z);
 }
 
@@ -148,9 +159,11 @@ bool snellMeshFind(vec3 origin, vec3 direction, int side, out SnellMeshHit hit) 
     bool usable = ray.along != 0.0 && ray.slack < far;
     vec3 inverse = 1.0 / mix(ray.direction, vec3(1.0e-18), lessThan(abs(ray.direction), vec3(1.0e-18)));
     int waiting[SNELL_MESH_DEPTH];
-    int count = 0, node = usable ? 0 : -1;
+    int count = 0, node = usable ? SNELL_MESH_ROOT : -1;
     while (node >= 0) {
-        vec4 low = texelFetch(snellMeshNodes, 2 * node), high = texelFetch(snellMeshNodes, 2 * node + 1);
+        // Rows have an even number of texels, so that both are in one.
+        ivec2 at = snellMeshAt(2 * node);
+        vec4 low = texelFetch(snellMeshNodes, at, 0), high = texelFetch(snellMeshNodes, at + ivec2(1, 0), 0);
         // Boxes are larger by the slack, and their far sides farther by the roundings of a distance.
         vec3 a = (low.xyz - ray.slack - origin) * inverse, b = (high.xyz + ray.slack - origin) * inverse;
         vec3 first = min(a, b), last = max(a, b);
@@ -226,7 +239,7 @@ SnellMesh snellMeshBegin(vec3 origin, vec3 direction, float n1, float n2, bool i
     s.n2 = n2;
     s.interpolated = interpolated;
     // Not from the eye itself: from near the mesh, where floats are dense.
-    vec3 low = texelFetch(snellMeshNodes, 0).xyz, high = texelFetch(snellMeshNodes, 1).xyz;
+    vec3 low = snellMeshLow(), high = snellMeshHigh();
     vec3 from = snellMeshFromModel(origin), to = 0.5 * low + 0.5 * high - from;
     float skip = dot(to, s.direction) - length(high - low);
     s.outFrom = (skip > 0.0 && skip < 3.0e38) ? from + skip * s.direction : from;

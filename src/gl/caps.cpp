@@ -56,7 +56,6 @@ Caps query_caps() {
     caps.max_texture = integer(GL_MAX_TEXTURE_SIZE);
     caps.max_texture_3d = integer(GL_MAX_3D_TEXTURE_SIZE);
     caps.max_cube = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
-    if (!caps.es || version >= 32) caps.max_texture_buffer = integer(GL_MAX_TEXTURE_BUFFER_SIZE);
     caps.max_samples = integer(GL_MAX_SAMPLES);
     caps.max_draw_buffers = std::min(integer(GL_MAX_DRAW_BUFFERS), integer(GL_MAX_COLOR_ATTACHMENTS));
     caps.max_line_width = range_end(GL_ALIASED_LINE_WIDTH_RANGE);

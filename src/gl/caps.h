@@ -15,7 +15,6 @@ struct Caps {
     bool program_interface_query = false;
     int max_viewport = 0;
     int max_texture = 0, max_texture_3d = 0, max_cube = 0;
-    int max_texture_buffer = 0;  // in texels; 0 if the context has no buffer textures
     int max_samples = 0, max_draw_buffers = 0;
     float max_line_width = 1, max_point_size = 1;
 };

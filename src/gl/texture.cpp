@@ -73,18 +73,6 @@ Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampli
     return make_texture(target, {&texels, 1}, sampling);
 }
 
-BufferTexture make_buffer_texture(const void* texels, std::size_t count) {
-    BufferTexture made{Buffer(make(glGenBuffers)), Texture(make(glGenTextures))};
-    glBindBuffer(GL_TEXTURE_BUFFER, made.buffer.get());
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(count * texel_bytes(Pixels::rgba32f)), texels,
-                 GL_STATIC_DRAW);
-    glBindTexture(GL_TEXTURE_BUFFER, made.texture.get());
-    beyond::buffer_texels(internal_format(Pixels::rgba32f), made.buffer.get());
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
-    glBindBuffer(GL_TEXTURE_BUFFER, 0);
-    return made;
-}
-
 namespace {
 
 void upload_levels(const std::vector<std::array<Texels, 6>>& levels, bool fresh) {

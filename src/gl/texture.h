@@ -44,14 +44,6 @@ void replace_cube_levels(GLuint texture, const std::vector<std::array<Texels, 6>
 std::array<std::vector<std::byte>, 6> read_cube(GLuint texture, int size);
 void generate_mipmaps(GLenum target, GLuint texture);
 
-// A buffer texture of RGBA32F texels, for a samplerBuffer. `count` must be at least 1.
-struct BufferTexture {
-    Buffer buffer;
-    Texture texture;
-};
-// `texels` points to `count` texels of four floats.
-BufferTexture make_buffer_texture(const void* texels, std::size_t count);
-
 // A sampler object keeps wrapping apart from the texture, so that one texture can be clamped in one draw and repeated
 // in the next.
 inline void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }

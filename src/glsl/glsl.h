@@ -237,6 +237,10 @@ struct SystemName {
 };
 std::vector<SystemName> system_names();
 
+// The samplers of <snell/mesh.glsl>, for the triangles of the mesh that is drawn. All are sampler2D.
+inline constexpr std::array<std::string_view, 3> mesh_samplers{"snellMeshNodes", "snellMeshTriangles",
+                                                               "snellMeshNormals"};
+
 // Documented defaults of gl_LightSource, gl_FrontMaterial, gl_Fog, gl_LightModel …: the name of each active
 // uniform ("snell_LightSource[0].position") and its value.
 std::vector<UniformDefault> fixed_function_defaults();

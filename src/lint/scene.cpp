@@ -208,7 +208,7 @@ private:
         for (const Unit& unit : units)
             for (const Global& g : unit.globals) {
                 if (g.type.base != Base::sampler || g.type.dims > 0 || g.uses.empty()) continue;
-                const auto target = sampler_target(g.type.name);
+                const auto target = sampler_target(g.name, g.type.name);
                 const auto known = [&](const Sampler& s) { return s.global->name == g.name; };
                 const bool noise = g.name == "Noise2" || g.name == "Noise3";  // where nothing stands, snell's own
                 if (!target || noise || std::any_of(found.begin(), found.end(), known)) continue;

@@ -103,8 +103,9 @@ content::Image load_noise(int dimensions, int size, Files& files, Diagnostics& d
 // `none` if the scene never binds one.
 Index find_texture(const Scene& scene, const Draw& draw, int unit, TextureTarget target);
 
-// The kind of texture that a sampler of that GLSL type reads; nullopt if scenes have no such textures.
-std::optional<TextureTarget> sampler_target(std::string_view type);
+// The kind of the scene's textures that a sampler of that GLSL type reads; nullopt if scenes have none of it, or the
+// sampler reads the mesh that is drawn.
+std::optional<TextureTarget> sampler_target(std::string_view name, std::string_view type);
 
 // Returns an error (feedback-loop) if `draw`, in `pass`, samples `texture` while that pass renders to it.
 std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index draw, Index texture);

@@ -262,7 +262,7 @@ void Runtime::Impl::load_all(Loading& loading) {
     Diagnostics heard_before;
     for (const auto& pass : passes)
         for (const auto& ready : pass.items)
-            if (ready && caps.max_texture_buffer > 0)
+            if (ready)
                 make_tree(*trees[ready->mesh], load_mesh(plan, ready->mesh, loading.files, heard_before), all,
                           ready->draw, unheard);
 }

@@ -19,12 +19,8 @@ std::array<bool, tree_parts> parts_read(const LinkedProgram& program) {
     return read;
 }
 
-std::size_t texels_of(const content::Tree& tree, const content::Mesh& mesh) {
-    return std::max({tree.nodes.size(), tree.triangles.size(), mesh.positions.size()});
-}
-
 // Returns the texels in the order of TreePart. A tree without triangles gets one texel, because shaders cannot read
-// empty buffers.
+// empty textures.
 std::array<std::vector<content::Float4>, tree_parts> texels(content::Tree tree, const content::Mesh& mesh, bool empty) {
     if (tree.triangles.empty()) tree.triangles.push_back({0, 0, 0, 0});
     return {std::move(tree.nodes), std::move(tree.triangles),
@@ -69,7 +65,7 @@ void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* me
     const auto read = runtime::parts_read(*ready.program);
     runtime::GpuTree& tree = *trees[ready.mesh];
     bool missing = false;
-    for (std::size_t i = 0; i < read.size(); ++i) missing = missing || (read[i] && !tree.parts[i].texture);
+    for (std::size_t i = 0; i < read.size(); ++i) missing = missing || (read[i] && !tree.parts[i]);
     if (missing) {
         Diagnostics unheard;
         const content::Mesh again = mesh ? content::Mesh{} : load_mesh(plan, ready.mesh, loading.files, unheard);
@@ -78,43 +74,43 @@ void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* me
     for (const runtime::SamplerUniform& sampler : ready.program->samplers)
         if (const auto part = runtime::tree_part(sampler.name, sampler.type))
             ready.textures.push_back(
-                {sampler.first_unit, GL_TEXTURE_BUFFER, tree.parts[static_cast<std::size_t>(*part)].texture.get(), 0});
+                {sampler.first_unit, GL_TEXTURE_2D, tree.parts[static_cast<std::size_t>(*part)].get(), 0});
 }
 
 void Runtime::Impl::make_tree(runtime::GpuTree& tree, const content::Mesh& mesh,
                               const std::array<bool, runtime::tree_parts>& read, Index draw, Diagnostics& diagnostics) {
     const runtime::Stopwatch watch;
-    content::Tree made = content::make_tree(mesh);
-    const bool too_large = made.too_large;
+    const std::size_t limit = content::limit_of_rows(static_cast<std::size_t>(caps.max_texture));
+    content::Tree made = content::make_tree(mesh, limit);
+    const bool unfit = made.too_large;
     const Span span = plan.scene.draws[draw].span;
-    const auto limit = static_cast<std::size_t>(caps.max_texture_buffer);
-    const std::size_t needed = runtime::texels_of(made, mesh);
-    const bool unfit = too_large || needed > limit;
     if (!tree.built && unfit)
         diagnostics.error(
             "mesh-tree-too-large", span,
-            too_large ? fmt::format("rays cannot be traced through a mesh of {} triangles or more", content::tree_limit)
-                      : fmt::format("rays through this mesh need {} texels, more than this OpenGL's "
-                                    "GL_MAX_TEXTURE_BUFFER_SIZE ({})",
-                                    needed, limit),
+            fmt::format("rays cannot be traced through a mesh of {} or more triangles or vertices{}", limit,
+                        limit < content::tree_limit
+                            ? fmt::format(", because this OpenGL's GL_MAX_TEXTURE_SIZE is {}", caps.max_texture)
+                            : ""),
             "use a coarser mesh; until then rays meet nothing");
     else if (!tree.built && made.triangles.empty())
         diagnostics.warning("mesh-tree-empty", span,
                             "the program traces rays through what it draws, but this draws no triangles",
                             "rays meet nothing");
-    if (unfit) made = content::make_tree({});
     tree.at_fault = unfit || made.triangles.empty();
     counters.trees += tree.built ? 0 : 1;
     tree.built = true;
-    const auto all = runtime::texels(std::move(made), mesh, unfit);
+    auto all = runtime::texels(std::move(made), mesh, unfit);
     for (std::size_t i = 0; i < read.size(); ++i) {
-        if (!read[i] || tree.parts[i].texture) continue;
-        tree.parts[i] = gl::make_buffer_texture(all[i].data(), all[i].size());
+        if (!read[i] || tree.parts[i]) continue;
+        const auto [width, height] = content::fill_rows(all[i]);
+        const auto* data = reinterpret_cast<const std::byte*>(all[i].data());
+        tree.parts[i] = gl::make_texture(GL_TEXTURE_2D, {gl::Pixels::rgba32f, width, height, 1, data},
+                                         {gl::Sampling::Mode::nearest, 1, true});
         const std::size_t bytes = all[i].size() * sizeof(content::Float4);
         tree.bytes += bytes;
         counters.bytes_uploaded += bytes;
         counters.gpu_bytes += bytes;
-        counters.buffers += 1;
+        ++counters.textures;
     }
     tree.load_ms += watch.milliseconds();
 }

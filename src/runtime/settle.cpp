@@ -60,7 +60,8 @@ std::vector<ActiveUniform> Runtime::Impl::general_uniforms(Index program, const 
     };
     for (const glsl::DeclaredUniform& declared : linked.declared) {
         // Of an array or a structure, a program for values may need fewer elements or members.
-        const bool whole = declared.simple || (declared.array_size == 0 && sampler_target(declared.glsl_type));
+        const bool whole =
+            declared.simple || (declared.array_size == 0 && sampler_target(declared.name, declared.glsl_type));
         if (declared.use == glsl::DeclaredUniform::Use::none || (whole && is_active(declared))) continue;
         if (declared.use == glsl::DeclaredUniform::Use::sure && whole) {
             uniforms.push_back(runtime::described(plan.scene.programs[program], declared));
@@ -80,8 +81,13 @@ void Runtime::Impl::find_dormant(Index program, const LinkedProgram& linked) {
         const auto live = ranges::find(linked.samplers, uniform.name, &SamplerUniform::name);
         const int elements = live == linked.samplers.end() ? 0 : live->size;
         if (uniform.type != ValueType::sampler || elements >= uniform.array_size) continue;
-        SamplerUniform sampler{
-            uniform.name, uniform.glsl_type, sampler_target(uniform.glsl_type), -1, 0, uniform.array_size, {}};
+        SamplerUniform sampler{uniform.name,
+                               uniform.glsl_type,
+                               sampler_target(uniform.name, uniform.glsl_type),
+                               -1,
+                               0,
+                               uniform.array_size,
+                               {}};
         sampler.first_unit = elements;  // the first element that is dormant: it has no unit of OpenGL
         for (const double unit : uniform.initial) sampler.initial.push_back(static_cast<int>(unit));
         dormant[program].push_back(std::move(sampler));

@@ -2,9 +2,11 @@
 
 drivers.py compare REFERENCE OUT NAME    what draw.sh left in OUT for the driver NAME, against the folder REFERENCE
 drivers.py quick BIN                     softpipe and a few small scenes: the test of every run
+drivers.py es30 BIN                      OpenGL ES 3.0 and every scene: the test of every run
 drivers.py all BIN PAGE                  every driver that starts, the tests of OpenGL on some, and the page about it
 """
 import fnmatch
+import glob
 import os
 import re
 import subprocess
@@ -12,7 +14,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from table import BUGS, DRIVERS, EXCEPTIONS, QUICK, TESTS
+from table import BUGS, DRIVERS, EXCEPTIONS, QUICK, REFUSED_BY_ES30, RUNGS, TESTS
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ALLOWED = .001  # of the pixels may differ by more than 2 of 255
@@ -99,6 +101,74 @@ def quick(bin_folder):
         return int(counts["failed"] > 0 or counts["same"] < len(QUICK) / 2)
 
 
+class Drawing:
+    """One process that draws the scenes, and those with other rungs."""
+
+    def __init__(self, name, program, out, scenes, rungs=None):
+        self.scenes, self.log = scenes, f"{out}/{'log' if rungs is None else rungs}.txt"
+        driver = DRIVERS[name]
+        context = ["--context", driver["context"]] if "context" in driver else []
+        stem = "{stem}" if rungs is None else "{stem} " + rungs
+        os.makedirs(out, exist_ok=True)
+        with open(self.log, "w", encoding="utf-8") as log:
+            self.process = subprocess.Popen(
+                [program, "render", *scenes, "-o", f"{out}/{stem}.png", "--size", "100x100", *context]
+                + (["--ladder", rungs] if rungs else []),
+                env={**os.environ, **driver["environment"], "LP_NUM_THREADS": "0"}, stdout=log, stderr=log)
+
+    def messages(self):
+        """Of each scene, and those that are no scene's own."""
+        self.process.wait()
+        own, others = {scene: "" for scene in self.scenes}, ""
+        for line in read(self.log).splitlines():
+            scene = line.split(":")[0]
+            if scene in own:
+                own[scene] += line + "\n"
+            elif "error:" in line:
+                others += line + "\n"
+        return own, others
+
+
+def name_of(scene, rungs=""):
+    return f"{os.path.basename(scene).removesuffix('.glib')}{rungs and ' ' + rungs}"
+
+
+def es30(bin_folder):
+    """Status 77 where no driver can be held to OpenGL ES 3.0."""
+    driver, program = DRIVERS["es30"], f"{bin_folder}/snell"
+    info = subprocess.run([program, "info", "--context", driver["context"]], check=False, capture_output=True, text=True,
+                          env={**os.environ, **driver["environment"]}).stdout
+    if driver["renderer"] not in info:
+        print("SKIP: no OpenGL ES 3.0:\n" + info)
+        return 77
+    scenes = sorted(glob.glob("tests/cases/*.glib")) + sorted(glob.glob("scenes/**/*.glib", recursive=True))
+    assert len({name_of(scene) for scene in scenes}) == len(scenes), "two scenes have one name"
+    with tempfile.TemporaryDirectory() as folder:
+        runs = [[Drawing(name, program, f"{folder}/{name}", *what) for name in ("llvmpipe", "es30")]
+                for what in [(scenes,), *(([scene], rungs) for scene, rungs in RUNGS)]]
+        said, failed = {}, []
+        for (core, es), rungs in zip(runs, ["", *(rungs for _, rungs in RUNGS)]):
+            core.messages()
+            own, others = es.messages()
+            failed += others.splitlines()
+            said |= {name_of(scene, rungs): text for scene, text in own.items()}
+        found = differences(bin_folder, f"{folder}/llvmpipe", f"{folder}/es30")
+    failed += [complaint for name, text in said.items() if (complaint := es30_complaint(name, text, found.get(name)))]
+    print(f"{len(said)} pictures", *failed, sep="\n")
+    return int(bool(failed))
+
+
+def es30_complaint(name, messages, difference):
+    """What is not as it should be: pictures are the same, or REFUSED_BY_ES30 says why not."""
+    code = REFUSED_BY_ES30.get(name)
+    kind, why = verdict("es30", name, int("error:" in messages), messages, difference)
+    if code is None:
+        return None if kind == "same" else f"{name}: {why}"
+    if kind != "said" or f"[{code}]" not in messages:
+        return f"{name}: {code} was to be said, and is not needed or not said: {why}"
+    return None
+
+
 def run_tests(bin_folder, name):
     """Lines for the page, and the failures that no exception names."""
     lines, unexplained = [], []
@@ -175,6 +245,8 @@ def main(arguments):
         return int(report(judge("build/release/bin", *arguments[1:]))["failed"] > 0)
     if len(arguments) == 2 and arguments[0] == "quick":
         return quick(arguments[1])
+    if len(arguments) == 2 and arguments[0] == "es30":
+        return es30(arguments[1])
     if len(arguments) == 3 and arguments[0] == "all":
         return every(*arguments[1:])
     print(__doc__, file=sys.stderr)

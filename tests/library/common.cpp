@@ -43,7 +43,7 @@ namespace {
 constexpr int width = 256;
 constexpr std::string_view precisions =
     "\n#ifdef GL_ES\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-    "precision highp samplerCube;\n#if __VERSION__ >= 320\nprecision highp samplerBuffer;\n#endif\n#endif\n";
+    "precision highp samplerCube;\n#endif\n";
 
 gl::Texture upload(const std::vector<glm::vec4>& values, int height) {
     return gl::make_texture(GL_TEXTURE_2D,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "shaders/embedded.h"
 #include "src/content/mesh/tree.h"
 #include "tests/hard_case.h"
 #include "tests/library/common.h"
@@ -20,18 +21,21 @@ protected:
     void use(const content::Mesh& mesh, bool in_model_coordinates = false) {
         content::Tree tree = content::make_tree(mesh);
         if (in_model_coordinates) unframe(tree);
-        const auto normals = content::tree_normals(mesh);
-        parts[0] = gl::make_buffer_texture(tree.nodes.data(), tree.nodes.size());
-        parts[1] = gl::make_buffer_texture(tree.triangles.data(), tree.triangles.size());
-        parts[2] = gl::make_buffer_texture(normals.data(), normals.size());
+        parts = {upload(std::move(tree.nodes)), upload(std::move(tree.triangles)), upload(content::tree_normals(mesh))};
+    }
+    static gl::Texture upload(std::vector<content::Float4> texels) {
+        const auto [width, height] = content::fill_rows(texels);
+        return gl::make_texture(
+            GL_TEXTURE_2D, {gl::Pixels::rgba32f, width, height, 1, reinterpret_cast<const std::byte*>(texels.data())},
+            {gl::Sampling::Mode::nearest, 1, true});
     }
     static void unframe(content::Tree& tree) {
-        const content::Float4 frame = tree.nodes.back();
-        tree.nodes.back() = {0, 0, 0, 1};
+        const content::Float4 frame = tree.nodes.front();
+        tree.nodes.front() = {0, 0, 0, 1};
         const auto move = [&frame](content::Float4& p) {
             for (std::size_t k = 0; k < 3; ++k) p[k] = frame[k] + p[k] / frame[3];
         };
-        std::for_each(tree.nodes.begin(), tree.nodes.end() - 1, move);
+        std::for_each(tree.nodes.begin() + 2, tree.nodes.end(), move);
         std::ranges::for_each(tree.triangles, move);
     }
     void use(const Shape& shape) {
@@ -47,12 +51,12 @@ protected:
         constexpr std::array<const char*, 3> names = {"snellMeshNodes", "snellMeshTriangles", "snellMeshNormals"};
         for (std::size_t i = 0; i < names.size(); ++i) {
             glActiveTexture(GL_TEXTURE4 + static_cast<GLenum>(i));
-            glBindTexture(GL_TEXTURE_BUFFER, parts[i].texture.get());
+            glBindTexture(GL_TEXTURE_2D, parts[i].get());
             glUniform1i(glGetUniformLocation(program, names[i]), 4 + static_cast<GLint>(i));
         }
     }
 
-    std::array<gl::BufferTexture, 3> parts;
+    std::array<gl::Texture, 3> parts;
     std::vector<glm::dvec3> corners, directions;
     std::vector<std::uint32_t> indices;
 };
@@ -343,6 +347,12 @@ TEST_P(LibraryMesh, SpecialValuesGiveDirections) {
     mesh.indices = {0, 1, 2, 0, 3, 4, 0, 2, 5};
     use(mesh);
     EXPECT_TRUE(finite(run(include, body, one)[0]));
+}
+
+TEST(MeshRows, AreAsLongAsTheTexturesAreWide) {
+    const std::string name = "const int SNELL_MESH_ROW = ", text(embedded_shader("snell/mesh.glsl"));
+    ASSERT_NE(text.find(name), std::string::npos);
+    EXPECT_EQ(std::size_t{1} << std::stoul(text.substr(text.find(name) + name.size())), content::tree_row);
 }
 
 SNELL_IN_ALL_DIALECTS(LibraryMesh);

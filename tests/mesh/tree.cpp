@@ -49,7 +49,7 @@ std::pair<Float3, Float3> walk(const Tree& tree, std::size_t node, std::size_t d
 
 Walked walk(const Tree& tree) {
     Walked out;
-    walk(tree, 0, 1, out);
+    walk(tree, 1, 1, out);
     return out;
 }
 
@@ -97,7 +97,7 @@ std::multiset<float> met(const Tree& tree, bool by_boxes, const std::array<doubl
         try_all(0, tree.triangle_count());
         return found;
     }
-    std::vector<std::size_t> waiting{0};
+    std::vector<std::size_t> waiting{1};
     while (!waiting.empty()) {
         EXPECT_LE(waiting.size(), tree_depth);
         const std::size_t node = waiting.back();
@@ -115,7 +115,7 @@ std::multiset<float> met(const Tree& tree, bool by_boxes, const std::array<doubl
 }
 
 Float3 in_model(const Tree& tree, const Float4& corner) {
-    const Float4& frame = tree.nodes.back();
+    const Float4& frame = tree.nodes.front();
     Float3 out;
     for (std::size_t k = 0; k < 3; ++k) out[k] = frame[k] + corner[k] / frame[3];
     return out;
@@ -139,7 +139,7 @@ TEST(MeshTree, LiesAroundItsOwnOrigin) {
         }
     for (const Mesh& mesh : {shape(Teapot{}), shape(Sphere{}), shape(Torus{})}) {
         const Tree tree = make_tree(mesh);
-        EXPECT_EQ((Float3{tree.nodes.back()[0], tree.nodes.back()[1], tree.nodes.back()[2]}), (Float3{}))
+        EXPECT_EQ((Float3{tree.nodes[0][0], tree.nodes[0][1], tree.nodes[0][2]}), (Float3{}))
             << "a mesh around the model's origin keeps its digits";
     }
 }
@@ -203,6 +203,7 @@ TEST(MeshTree, IsNeverDeeperThanItSays) {
 TEST(MeshTree, ReadsEveryKindOfTriangle) {
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}, {1, 2, 0}, {5, 5, 5}, {6, 6, 6}};
+    mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
     const auto corners = [&](Topology topology, std::vector<std::uint32_t> indices) {
         mesh.topology = topology;
         mesh.indices = std::move(indices);
@@ -231,9 +232,46 @@ TEST(MeshTree, ReadsEveryKindOfTriangle) {
     mesh.w = {1, 2, 1, 1, 1, 1, 1, 1};
     mesh.indices = {0, 1, 2};
     const Tree halved = make_tree(mesh);
-    EXPECT_EQ(halved.nodes[1][0] / halved.nodes.back()[3], 0.5F);
+    EXPECT_EQ(halved.nodes[3][0] / halved.nodes[0][3], 0.5F);
     mesh.w[1] = 0;  // infinitely far
     EXPECT_EQ(make_tree(mesh).triangle_count(), 0U);
+}
+
+// A mesh whose vertices have no normals says so in its triangles, and one that is too large has no tree.
+TEST(MeshTree, KnowsItsNormalsAndItsLimit) {
+    Mesh box = shape(Box{});
+    const std::size_t count = box.indices.size() / 3, most = std::max(count, box.positions.size());
+    EXPECT_FALSE(make_tree(box, most + 1).too_large);
+    const Tree refused = make_tree(box, most);
+    EXPECT_TRUE(refused.too_large);
+    EXPECT_EQ(refused.triangle_count(), 0U);
+    box.normals.clear();
+    for (const Float4& corner : make_tree(box).triangles) EXPECT_EQ(corner[3], -1);
+}
+
+// Whatever a mesh is like, its tree fits into the textures that its limit is for.
+TEST(MeshTree, FillsRows) {
+    Mesh scattered;  // one triangle a leaf, at worst
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> any(-1, 1);
+    for (std::uint32_t i = 0; i < 3 * 1023; ++i) {
+        scattered.positions.push_back({any(random), any(random), any(random)});
+        scattered.indices.push_back(i);
+    }
+    for (const Mesh& mesh : {scattered, shape(Teapot{}), shape(Sphere{}), Mesh{}}) {
+        Tree tree = make_tree(mesh);
+        const std::size_t rows = 1 + 4 * std::max(tree.triangle_count(), mesh.positions.size()) / tree_row;
+        EXPECT_GE(limit_of_rows(rows), tree.triangle_count());
+        for (std::vector<Float4>* list : {&tree.nodes, &tree.triangles}) {
+            const std::vector<Float4> before = *list;
+            const auto [width, height] = fill_rows(*list);
+            EXPECT_EQ(list->size(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+            EXPECT_LT(list->size(), before.size() + tree_row);
+            EXPECT_LE(static_cast<std::size_t>(height), rows);
+            EXPECT_TRUE(height == 1 || static_cast<std::size_t>(width) == tree_row);
+            EXPECT_TRUE(std::equal(before.begin(), before.end(), list->begin()));
+        }
+    }
 }
 
 TEST(MeshTree, IsBuiltQuickly) {

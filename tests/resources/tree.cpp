@@ -35,6 +35,11 @@ protected:
                "Program Glass\n" +
                std::string(draws);
     }
+    static std::string message(const Document& document, std::string_view code) {
+        const auto& items = document.diagnostics.items();
+        const auto found = std::ranges::find(items, code, &Diagnostic::code);
+        return found == items.end() ? "" : found->message;
+    }
 };
 
 class RuntimeTreeEverywhere : public RuntimeTree, public testing::WithParamInterface<ContextRequest> {
@@ -88,7 +93,8 @@ TEST_F(RuntimeTree, IsMadeOncePerMeshAndOnlyWhereItIsRead) {
     draw(*with);
     const Counters& some = with->runtime->counters();
     EXPECT_EQ(some.trees, 1U);
-    EXPECT_EQ(some.buffers, 4U + 3U);
+    EXPECT_EQ(some.buffers, none.buffers);
+    EXPECT_EQ(some.textures, none.textures + 3U);
     const std::uint64_t triangles = 2 * 20 * 19, bytes = some.bytes_uploaded - none.bytes_uploaded;
     EXPECT_GE(bytes, triangles * 3 * 16);
     EXPECT_LE(bytes, triangles * (3 + 4 + 2) * 16);
@@ -103,21 +109,41 @@ TEST_F(RuntimeTree, WhatIsNoSurfaceIsMetByNoRay) {
 }
 
 TEST_F(RuntimeTree, AMeshThatIsTooLargeSaysWhy) {
-    caps.max_texture_buffer = 65536;
-    expect_clean(*open(scene("Sphere 1 100 100\n")));
-    auto document = open(scene("Sphere 1 110 110\n"));
+    caps.max_texture = 64;
+    expect_clean(*open(scene("Sphere 1 90 90\n")));  // 16,020 triangles
+    auto document = open(scene("Sphere 1 92 92\n"));
     ASSERT_TRUE(has(*document, "mesh-tree-too-large"));
-    const auto& items = document->diagnostics.items();
-    const auto found = std::ranges::find(items, "mesh-tree-too-large", &Diagnostic::code);
-    EXPECT_NE(found->message.find("GL_MAX_TEXTURE_BUFFER_SIZE (65536)"), std::string::npos) << found->message;
+    const std::string said = message(*document, "mesh-tree-too-large");
+    EXPECT_NE(said.find("16384 or more triangles"), std::string::npos) << said;
+    EXPECT_NE(said.find("GL_MAX_TEXTURE_SIZE is 64"), std::string::npos) << said;
     EXPECT_TRUE(near(draw(*document).center(), {255, 255, 255, 255})) << "rays pass by: one exit";
 }
 
-TEST_F(RuntimeTree, WithoutTextureBuffersThereIsAnError) {
-    caps.es = true;
-    caps.glsl = 300;
+class RuntimeTreeEs30 : public RuntimeTree {
+protected:
+    RuntimeTreeEs30() { request = {30, true}; }
+    void SetUp() override {
+        RuntimeTree::SetUp();
+        caps.glsl = 300;
+    }
+};
+
+TEST_F(RuntimeTreeEs30, NeedsNoTextureBuffers) {
+    auto document = open(scene("Sphere 1 80 80\n"));
+    expect_clean(*document);
+    const Pixel middle = draw(*document).center();
+    EXPECT_LT(middle[0], 12);
+    EXPECT_NEAR(middle[1], 255 * .96 * .96, 3);
+    EXPECT_NEAR(middle[2], 255 * .04, 2);
+}
+
+TEST_F(RuntimeTreeEs30, RefusesTextureBuffersOfTheScene) {
+    folder.write("glass.frag",
+                 "#version 330 compatibility\nuniform samplerBuffer list;\nvoid main() { gl_FragColor = "
+                 "texelFetch(list, 0); }\n");
     auto document = open(scene("Sphere\n"));
-    EXPECT_TRUE(has(*document, "unsupported-type"));
+    ASSERT_TRUE(has(*document, "unsupported-type"));
+    EXPECT_NE(message(*document, "unsupported-type").find("samplerBuffer"), std::string::npos);
 }
 
 }  // namespace

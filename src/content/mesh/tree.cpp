@@ -136,13 +136,14 @@ public:
 
     Tree build() {
         tree_.nodes.reserve(triangles_.size() * 2);
-        split(0, triangles_.size(), 1);
         tree_.nodes.push_back({frame_.origin[0], frame_.origin[1], frame_.origin[2], frame_.scale});
+        tree_.nodes.push_back({0, 0, 0, 0});
+        split(0, triangles_.size(), 1);
         tree_.triangles.reserve(triangles_.size() * 3);
         for (std::uint32_t t : order_)
             for (std::uint32_t v : triangles_[t]) {
                 const Float3 p = frame_.from_model(point(mesh_, v));
-                tree_.triangles.push_back({p[0], p[1], p[2], static_cast<float>(v)});
+                tree_.triangles.push_back({p[0], p[1], p[2], v < mesh_.normals.size() ? static_cast<float>(v) : -1});
             }
         return std::move(tree_);
     }
@@ -234,9 +235,9 @@ private:
 
 }  // namespace
 
-Tree make_tree(const Mesh& mesh) {
+Tree make_tree(const Mesh& mesh, std::size_t limit) {
     std::vector<Corners> triangles = triangles_of(mesh);
-    const bool large = mesh.positions.size() >= tree_limit || triangles.size() >= tree_limit;
+    const bool large = mesh.positions.size() >= limit || triangles.size() >= limit;
     if (large) triangles.clear();
     Tree tree = Builder(mesh, std::move(triangles)).build();
     tree.too_large = large;
@@ -249,6 +250,13 @@ std::vector<Float4> tree_normals(const Mesh& mesh) {
     out.reserve(mesh.normals.size());
     for (const Float3& n : mesh.normals) out.push_back({n[0], n[1], n[2], 0});
     return out;
+}
+
+std::array<int, 2> fill_rows(std::vector<Float4>& texels) {
+    const std::size_t width = std::clamp<std::size_t>(texels.size(), 1, tree_row);
+    const std::size_t height = std::max<std::size_t>(1, (texels.size() + width - 1) / width);
+    texels.resize(width * height, {0, 0, 0, 0});
+    return {static_cast<int>(width), static_cast<int>(height)};
 }
 
 }  // namespace snell::content

@@ -101,8 +101,7 @@ void refuse_late_features(const Program& program) {
         const auto buffer = ranges::find_if(u.tokens, [](const Token& t) { return t.text == "samplerBuffer"; });
         if (buffer != u.tokens.end())
             program.diagnostics.error("unsupported-type", u.span(static_cast<int>(buffer - u.tokens.begin())),
-                                      "OpenGL ES 3.0 has no texture buffers (samplerBuffer), which <snell/mesh.glsl> "
-                                      "needs",
+                                      "OpenGL ES 3.0 has no texture buffers (samplerBuffer)",
                                       "they are in OpenGL 3.1 and OpenGL ES 3.2");
         if (u.stage != Stage::vertex && u.stage != Stage::fragment)
             program.diagnostics.error("unsupported-stage", u.reference,

@@ -94,7 +94,7 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
         const bool ours = uniform.name.starts_with("snell_");
         uniform.name = active.name = scene_name(uniform.name, translation);
         if (active.type == ValueType::sampler) {
-            SamplerUniform sampler{uniform.name, type, sampler_target(type), uniform.location, next_unit,
+            SamplerUniform sampler{uniform.name, type, sampler_target(uniform.name, type), uniform.location, next_unit,
                                    uniform.size, {}};
             for (double unit : active.initial) sampler.initial.push_back(static_cast<int>(unit));
             next_unit += uniform.size;

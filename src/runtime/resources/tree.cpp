@@ -1,13 +1,15 @@
 #include "src/runtime/resources/tree.h"
 
+#include <algorithm>
+
+#include "src/glsl/glsl.h"
+
 namespace snell::runtime {
 
 std::optional<TreePart> tree_part(std::string_view sampler, std::string_view type) {
-    if (type != "samplerBuffer") return std::nullopt;
-    if (sampler == "snellMeshNodes") return TreePart::nodes;
-    if (sampler == "snellMeshTriangles") return TreePart::triangles;
-    if (sampler == "snellMeshNormals") return TreePart::normals;
-    return std::nullopt;
+    const auto* found = std::ranges::find(glsl::mesh_samplers, sampler);
+    if (type != "sampler2D" || found == glsl::mesh_samplers.end()) return std::nullopt;
+    return static_cast<TreePart>(found - glsl::mesh_samplers.begin());
 }
 
 }  // namespace snell::runtime

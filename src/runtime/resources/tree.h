@@ -10,7 +10,7 @@
 
 namespace snell::runtime {
 
-enum class TreePart { nodes, triangles, normals };
+enum class TreePart { nodes, triangles, normals };  // as glsl::mesh_samplers
 inline constexpr std::size_t tree_parts = 3;
 
 // Which part the sampler of this name and type reads; none: it is the scene's own.
@@ -18,7 +18,7 @@ std::optional<TreePart> tree_part(std::string_view sampler, std::string_view typ
 
 // By TreePart; empty handles where no program has read the part yet.
 struct GpuTree {
-    std::array<gl::BufferTexture, tree_parts> parts;
+    std::array<gl::Texture, tree_parts> parts;
     bool built = false;
     std::size_t bytes = 0;
     double load_ms = 0;
