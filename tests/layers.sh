@@ -12,8 +12,13 @@ complain() {
 }
 code() { find parser src tools -name '*.h' -o -name '*.cpp' | sort; }
 
-complain "OpenGL is called in src/gl and src/runtime only" \
-  "$(code | grep -vE '^src/(gl|runtime)/' | xargs grep -nE '\bgl[A-Z][A-Za-z0-9]*\(|#include <epoxy/gl.h>')"
+complain "OpenGL is called in src/gl and src/runtime only, and where a platform provides it" \
+  "$(code | grep -vE '^src/(gl|runtime|platform/epoxy|platform/web)/' |
+     xargs grep -nE '\bgl[A-Z][A-Za-z0-9]*\(|#include <(epoxy/gl.h|snell_opengl.h|GLES)')"
+complain "libepoxy is one platform's: src/gl/api.h and driver.h stand for it" \
+  "$(code | grep -vE '^src/platform/' | xargs grep -nE '\bepoxy_|#include <epoxy')"
+complain "calls that OpenGL ES 3.0 lacks go through src/gl/beyond.h" \
+  "$(code | grep -vE '^src/platform/' | xargs grep -nE '\bgl(PolygonMode|PointSize|PatchParameteri|Tex(Image|Storage)(1D|[23]DMultisample)|TexBuffer|Uniform[1-4]dv?|GetProgramResource[a-z]*|QueryCounter|GetQueryObject(i|u?i64)v|DebugMessage[A-Z][a-z]*|GetGraphicsResetStatus|MapBuffer|GetTexImage|DrawBuffer|ClearDepth)\(')"
 complain "EGL and GLFW belong to src/platform" \
   "$(code | grep -vE '^src/platform/' | xargs grep -nE '#include <(epoxy/egl|EGL/|GLFW/)' | grep -vE '^src/ui/')"
 complain "OpenImageIO belongs to src/content/oiio" \
@@ -33,6 +38,16 @@ complain "doubles are read and written by parser/text/real.h, in every locale" \
 complain "libc++ lacks std::ranges and std::bit_cast where the browser's program is built: parser/text/ranges.h, src/content/bits.h" \
   "$(find parser src -name '*.h' -o -name '*.cpp' | xargs grep -nE 'std::(ranges::|views::|bit_cast\b)|#include <ranges>')"
 
+complain "the files of a scene are opened by src/content/regular_file.cpp, which a browser replaces" \
+  "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |
+     grep -vE '^src/content/(regular_file.cpp|replace.cpp|image/module.cpp|oiio/)' |
+     xargs grep -nE '\bO_(PATH|RDONLY)\b|/proc/self|#include <(fcntl|unistd|sys/mman)')"
+complain "libraries that a browser lacks have units of their own, which src/platform/web replaces or does without" \
+  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/content/(image/(png_(read|write)|whole|module)|mesh/shp)\.' |
+     xargs grep -nE '#include <(png|zlib|shapefil|dlfcn)')"
+complain "no #ifdef in what every platform builds" \
+  "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |
+     grep -v '^src/content/oiio/' | xargs grep -nE '^ *# *(if|ifdef|ifndef|elif|else)\b')"
 complain "threads are started by src/content/workers.cpp, which a platform without any replaces, and by the program" \
   "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(content/workers.cpp|app/)' |
      xargs grep -nE 'std::(j?thread|async)\b|#include <(thread|future|stop_token)>')"
@@ -51,6 +66,7 @@ allow src/plan 'parser|src/content|src/glsl|src/plan'
 allow src/lint 'parser|src/content|src/glsl|src/plan|src/lint'
 allow src/gl 'src/gl'
 allow src/runtime 'parser|shaders|src/content|src/glsl|src/plan|src/gl|src/runtime'
+allow src/document 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/document'
 allow src/accuracy 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/accuracy'
 allow src/platform 'src/gl|src/platform|src/content'
 allow src/ui 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/platform|src/ui'

@@ -5,8 +5,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 namespace snell::content {
 
@@ -138,11 +136,6 @@ std::string replace_file(const std::string& path, std::string_view bytes) {
     if (std::string wrong = replacement.check(); !wrong.empty()) return wrong;
     const std::string wrong = write_file(replacement.path(), bytes);
     return wrong.empty() ? replacement.take_place() : path + ": " + wrong;
-}
-
-std::string whole_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace snell::content

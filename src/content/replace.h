@@ -63,7 +63,4 @@ std::string check_place(const std::string& path);
 // True for terminals, pipes and other files that are written to directly, so that nothing in them is lost.
 bool is_stream(const std::string& path);
 
-// Returns the file's current bytes; empty if it cannot be read.
-std::string whole_file(const std::string& path);
-
 }  // namespace snell::content

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "src/gl/beyond.h"
+
 namespace snell::gl {
 
 namespace {
@@ -54,7 +56,7 @@ void fill(GLenum target, const Format& f) {
     const std::array<std::array<std::uint8_t, 4>, 6> faces{f.texel, f.texel, f.texel, f.texel, f.texel, f.texel};
     switch (target) {
         case GL_TEXTURE_1D:
-            return glTexImage1D(target, 0, f.internal, 1, 0, f.external, f.type, texel);
+            return beyond::image_1d(f.internal, 1, f.external, f.type, texel);
         case GL_TEXTURE_3D:
         case GL_TEXTURE_2D_ARRAY:
             return glTexImage3D(target, 0, f.internal, 1, 1, 1, 0, f.external, f.type, texel);
@@ -71,15 +73,10 @@ void fill(GLenum target, const Format& f) {
 
 // Texels of several samples can't be uploaded: they are cleared.
 void fill_samples(GLenum target, GLuint texture, const Format& f) {
-    const bool layers = target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY, desktop = epoxy_is_desktop_gl();
-    const auto internal = static_cast<GLenum>(f.internal);
-    if (desktop && layers) glTexImage3DMultisample(target, 1, internal, 1, 1, 1, GL_TRUE);
-    if (desktop && !layers) glTexImage2DMultisample(target, 1, internal, 1, 1, GL_TRUE);
-    if (!desktop && layers) glTexStorage3DMultisample(target, 1, internal, 1, 1, 1, GL_TRUE);
-    if (!desktop && !layers) glTexStorage2DMultisample(target, 1, internal, 1, 1, GL_TRUE);
+    beyond::image_of_samples(target, static_cast<GLenum>(f.internal));
     const Framebuffer framebuffer(make(glGenFramebuffers));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-    if (layers)
+    if (target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
         glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, 0, 0);
     else
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, texture, 0);
@@ -98,7 +95,7 @@ void fill_buffer(GLuint buffer, const Format& f) {
     constexpr std::array<std::uint32_t, 4> zeros{};
     glBindBuffer(GL_TEXTURE_BUFFER, buffer);
     glBufferData(GL_TEXTURE_BUFFER, sizeof zeros, zeros.data(), GL_STATIC_DRAW);
-    glTexBuffer(GL_TEXTURE_BUFFER, f.buffer, buffer);
+    beyond::buffer_texels(f.buffer, buffer);
     glBindBuffer(GL_TEXTURE_BUFFER, 0);
 }
 

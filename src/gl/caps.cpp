@@ -1,10 +1,11 @@
 #include "src/gl/caps.h"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <array>
 #include <string_view>
+
+#include "src/gl/api.h"
+#include "src/gl/driver.h"
 
 namespace snell::gl {
 
@@ -39,8 +40,8 @@ Caps query_caps() {
     caps.renderer = text(GL_RENDERER);
     caps.vendor = text(GL_VENDOR);
     caps.version = text(GL_VERSION);
-    const int version = epoxy_gl_version();
-    caps.es = !epoxy_is_desktop_gl();
+    const int version = gl::version();
+    caps.es = !is_desktop();
     caps.glsl = glsl_version(version, caps.es);
     for (std::string_view name : {"llvmpipe", "softpipe", "SwiftShader", "swrast"})
         caps.software = caps.software || caps.renderer.find(name) != std::string::npos;
@@ -48,7 +49,7 @@ Caps query_caps() {
     caps.geometry = !caps.es || version >= 32;
     caps.tessellation = caps.es ? version >= 32 : version >= 40;
     caps.program_interface_query =
-        caps.es ? version >= 31 : version >= 43 || epoxy_has_gl_extension("GL_ARB_program_interface_query");
+        caps.es ? version >= 31 : version >= 43 || has_extension("GL_ARB_program_interface_query");
     std::array<GLint, 2> viewport{};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
     caps.max_viewport = std::min(viewport[0], viewport[1]);

@@ -1,20 +1,10 @@
 #include "src/gl/debug.h"
 
-#include <epoxy/gl.h>
+#include "src/gl/api.h"
 
 namespace snell::gl {
 
 namespace {
-
-bool bad(GLenum type, GLenum severity) {
-    return type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
-           severity == GL_DEBUG_SEVERITY_HIGH;
-}
-
-void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
-                           const void* report) {
-    if (bad(type, severity)) (*static_cast<const MessageReport*>(report))(message);
-}
 
 const char* error_name(GLenum error) {
     switch (error) {
@@ -36,15 +26,6 @@ const char* error_name(GLenum error) {
 }
 
 }  // namespace
-
-void watch_messages(const MessageReport& report) {
-    const bool available = epoxy_is_desktop_gl() ? epoxy_gl_version() >= 43 || epoxy_has_gl_extension("GL_KHR_debug")
-                                                 : epoxy_gl_version() >= 32;
-    if (!available) return;
-    glEnable(GL_DEBUG_OUTPUT);
-    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(on_message, &report);
-}
 
 std::vector<std::string> take_errors() {
     std::vector<std::string> errors;

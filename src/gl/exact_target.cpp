@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "src/gl/beyond.h"
+#include "src/gl/driver.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"
 
@@ -66,7 +68,7 @@ void ExactTarget::add(float weight) const {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
-    if (epoxy_is_desktop_gl()) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (is_desktop()) beyond::polygon_mode(GL_FILL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
@@ -85,7 +87,7 @@ std::vector<float> ExactTarget::read(bool sum) const {
 }
 
 TimerQuery::TimerQuery() {
-    if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 33) return;
+    if (!is_desktop() || version() < 33) return;
     GLint bits = 0;
     glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
     if (bits > 0) query_ = Query(make(glGenQueries));
@@ -95,9 +97,7 @@ void TimerQuery::begin() const { glBeginQuery(GL_TIME_ELAPSED, query_.get()); }
 
 double TimerQuery::end() const {
     glEndQuery(GL_TIME_ELAPSED);
-    GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(query_.get(), GL_QUERY_RESULT, &nanoseconds);
-    return static_cast<double>(nanoseconds) / 1e6;
+    return static_cast<double>(beyond::nanoseconds(query_.get())) / 1e6;
 }
 
 }  // namespace snell::gl

@@ -1,9 +1,9 @@
 // Owners of GL objects: move-only. Each deletes its object, so its context must still be current then.
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include <utility>
+
+#include "src/gl/api.h"
 
 namespace snell::gl {
 

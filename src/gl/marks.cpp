@@ -1,11 +1,14 @@
 #include "src/gl/marks.h"
 
+#include "src/gl/beyond.h"
+#include "src/gl/driver.h"
+
 namespace snell::gl {
 
 bool Marks::available() {
     if (known_ == Known::not_yet) {
         GLint bits = 0;
-        if (epoxy_is_desktop_gl() && epoxy_gl_version() >= 33) glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+        if (is_desktop() && version() >= 33) glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
         known_ = bits > 0 ? Known::yes : Known::no;
     }
     return known_ == Known::yes;
@@ -13,15 +16,14 @@ bool Marks::available() {
 
 void Marks::mark() {
     if (used_ == queries_.size()) queries_.emplace_back(make(glGenQueries));
-    glQueryCounter(queries_[used_++].get(), GL_TIMESTAMP);
+    beyond::mark_time(queries_[used_++].get());
 }
 
 std::span<const double> Marks::take() {
     times_.clear();
-    GLuint64 before = 0;
+    std::uint64_t before = 0;
     for (std::size_t i = 0; i < used_; ++i) {
-        GLuint64 now = 0;
-        glGetQueryObjectui64v(queries_[i].get(), GL_QUERY_RESULT, &now);
+        const std::uint64_t now = beyond::nanoseconds(queries_[i].get());
         if (i > 0) times_.push_back(now > before ? static_cast<double>(now - before) / 1e6 : 0);
         before = now;
     }

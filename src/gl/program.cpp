@@ -5,6 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "src/gl/beyond.h"
+#include "src/gl/driver.h"
+
 namespace snell::gl {
 
 namespace {
@@ -98,10 +101,9 @@ bool is_referenced(GLuint program, GLuint index) {
                                                GL_REFERENCED_BY_GEOMETRY_SHADER, GL_REFERENCED_BY_TESS_CONTROL_SHADER,
                                                GL_REFERENCED_BY_TESS_EVALUATION_SHADER};
     // Asking for a stage that the context lacks is an error. OpenGL 3.3 has geometry and no tessellation.
-    const int version = epoxy_gl_version();
-    const int asked = epoxy_is_desktop_gl() ? (version >= 40 ? 5 : 3) : (version >= 32 ? 5 : 2);
+    const std::size_t asked = is_desktop() ? (version() >= 40 ? 5 : 3) : (version() >= 32 ? 5 : 2);
     std::array<GLint, 5> values{};
-    glGetProgramResourceiv(program, GL_UNIFORM, index, asked, properties.data(), asked, nullptr, values.data());
+    beyond::properties_of(program, index, std::span(properties).first(asked), values);
     for (GLint value : values)
         if (value) return true;
     return false;
@@ -141,8 +143,7 @@ Linked link(const std::vector<const Shader*>& shaders, const std::vector<Attribu
 }
 
 bool gives_binaries() {
-    const bool known =
-        !epoxy_is_desktop_gl() || epoxy_gl_version() >= 41 || epoxy_has_gl_extension("GL_ARB_get_program_binary");
+    const bool known = !is_desktop() || version() >= 41 || has_extension("GL_ARB_get_program_binary");
     GLint formats = 0;
     if (known) glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
     return formats > 0;

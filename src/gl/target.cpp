@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "src/gl/driver.h"
+
 namespace snell::gl {
 
 namespace {
@@ -113,7 +115,7 @@ void settle() {
     glDeleteSync(drawn);
 }
 
-Encoded::Encoded(bool on) : on_(on && epoxy_is_desktop_gl()) {
+Encoded::Encoded(bool on) : on_(on && is_desktop()) {
     if (on_) glEnable(GL_FRAMEBUFFER_SRGB);
 }
 

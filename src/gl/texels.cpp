@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "src/gl/beyond.h"
+#include "src/gl/driver.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"
 
@@ -214,7 +216,7 @@ bool TexelViewer::shoot(const Plane& plane, const TexelLook& look, bool exact, i
     if (!program) return false;
     glViewport(0, 0, width, height);
     for (const GLenum test : {GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE, GL_BLEND}) glDisable(test);
-    if (epoxy_is_desktop_gl()) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (is_desktop()) beyond::polygon_mode(GL_FILL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glUseProgram(program.get());
     set(program.get(), plane, look, exact);

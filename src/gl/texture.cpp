@@ -1,5 +1,6 @@
 #include "src/gl/texture.h"
 
+#include "src/gl/beyond.h"
 #include "src/gl/target.h"
 
 namespace snell::gl {
@@ -33,7 +34,7 @@ void upload(GLenum target, const Texels& texels) {
     const GLenum type = format_of(texels.type).component;
     switch (target) {
         case GL_TEXTURE_1D:
-            glTexImage1D(target, 0, internal, texels.width, 0, GL_RGBA, type, texels.data);
+            beyond::image_1d(internal, texels.width, GL_RGBA, type, texels.data);
             break;
         case GL_TEXTURE_3D:
             glTexImage3D(target, 0, internal, texels.width, texels.height, texels.depth, 0, GL_RGBA, type, texels.data);
@@ -78,7 +79,7 @@ BufferTexture make_buffer_texture(const void* texels, std::size_t count) {
     glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(count * texel_bytes(Pixels::rgba32f)), texels,
                  GL_STATIC_DRAW);
     glBindTexture(GL_TEXTURE_BUFFER, made.texture.get());
-    glTexBuffer(GL_TEXTURE_BUFFER, internal_format(Pixels::rgba32f), made.buffer.get());
+    beyond::buffer_texels(internal_format(Pixels::rgba32f), made.buffer.get());
     glBindTexture(GL_TEXTURE_BUFFER, 0);
     glBindBuffer(GL_TEXTURE_BUFFER, 0);
     return made;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
@@ -243,11 +244,12 @@ void Walker::finish() {
     }
     // With conditionals, another rung or macro may read the variable.
     if (u_.has_conditionals) return;
-    for (const auto& [name, made] : made_)
-        if (std::count_if(u_.tokens.begin(), u_.tokens.end(),
-                          [&](const glsl::Token& t) { return t.text == u_.at(name).text; }) == 1)
+    for (const auto& [name, made] : made_) {
+        const std::string_view text = u_.at(name).text;
+        if (ranges::count(u_.tokens, text, &glsl::Token::text) == 1)
             report(Rule::never_read, name, name,
-                   fmt::format("nothing reads '{}', made of '{}'", u_.at(name).text, words(made.first, made.last)));
+                   fmt::format("nothing reads '{}', made of '{}'", text, words(made.first, made.last)));
+    }
 }
 
 }  // namespace snell::lint

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
+#include "src/gl/beyond.h"
 #include "src/gl/exact_target.h"
 #include "src/plan/lens.h"
 #include "src/plan/objects.h"
@@ -355,7 +356,7 @@ void Runtime::Impl::count_draw(Topology topology, std::uint32_t count, std::uint
 void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
     LinkedProgram& program = *ready.program;
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];
-    if (ready.mode == GL_PATCHES) glPatchParameteri(GL_PATCH_VERTICES, ready.patch_vertices);
+    if (ready.mode == GL_PATCHES) gl::beyond::patch_vertices(ready.patch_vertices);
     const auto elements = [&](std::uint32_t first, std::uint32_t count) {
         glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/gl/driver.h"
+
 namespace snell {
 
 namespace {
@@ -78,7 +80,7 @@ void FloatPicture::inspect(Runtime& runtime, const Frame& frame, int x, int y, i
     found.depth.reset();
     found.distance.reset();
     const PixelRect middle{x, height - 1 - y, 1, 1};
-    if (epoxy_is_desktop_gl()) {  // OpenGL ES reads no depths
+    if (gl::is_desktop()) {  // OpenGL ES reads no depths
         read(middle, GL_DEPTH_COMPONENT, rows_);
         found.depth = rows_[0];
     }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "parser/text/ranges.h"
+#include "src/gl/beyond.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"
 #include "src/runtime/impl.h"
@@ -96,7 +97,7 @@ void Picker::pass(GLuint program) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    if (!es_) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (!es_) gl::beyond::polygon_mode(GL_FILL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glUniform1i(glGetUniformLocation(program, "cover"), 0);
     gl::draw_covering(cover_.get(), nothing_.get());

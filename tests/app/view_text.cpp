@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "src/app/open/view_text.h"
+#include "src/document/view_text.h"
 
 namespace snell {
 namespace {

@@ -1,7 +1,7 @@
 // Frames of documents, to be timed.
 #pragma once
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/gl/target.h"
 #include "tests/bench/bounds.h"
 

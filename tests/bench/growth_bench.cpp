@@ -1,7 +1,7 @@
 // What grows with a scene: objects and textures. Twice as much should take twice as long, no more.
 #include <string>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "tests/bench/context.h"
 #include "tests/bench/drawing.h"
 #include "tests/scratch.h"

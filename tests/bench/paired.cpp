@@ -15,7 +15,7 @@
 #include <span>
 
 #include "src/accuracy/statistics.h"
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"
 #include "src/platform/headless.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/gl/target.h"
 #include "src/platform/headless.h"
 #include "tests/bench/handwritten/room.h"

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/gl/target.h"
 #include "src/plan/plan.h"
 #include "tests/bench/bounds.h"

@@ -1,8 +1,9 @@
 // Values that are kept: round trips, odd names, and files that are not as we wrote them.
 #include <nlohmann/json.hpp>
 
-#include "src/app/open/save_values.h"
 #include "src/app/open/snapshots.h"
+#include "src/app/open/write_saved.h"
+#include "src/document/save_values.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"
 

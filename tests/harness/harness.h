@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/gl/debug.h"
 #include "src/gl/target.h"
 #include "src/plan/view.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "src/content/image/whole.h"
-#include "src/content/replace.h"
+#include "src/content/whole_file.h"
 #include "tests/scratch.h"
 
 namespace snell::content {

@@ -15,10 +15,11 @@
 #include <thread>
 
 #include "src/app/desktop/settings.h"
-#include "src/app/open/save_values.h"
 #include "src/app/open/snapshots.h"
+#include "src/app/open/write_saved.h"
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
+#include "src/document/save_values.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"
 

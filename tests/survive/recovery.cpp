@@ -5,10 +5,10 @@
 #include <chrono>
 
 #include "src/app/open/snapshots.h"
-#include "src/app/open/view_text.h"
 #include "src/app/window/session.h"
 #include "src/app/window/survive/recovery.h"
 #include "src/app/window/survive/restart.h"
+#include "src/document/view_text.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {

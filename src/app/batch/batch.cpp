@@ -11,11 +11,12 @@
 #include "src/app/open/in_view.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/rounds.h"
-#include "src/app/open/view_text.h"
 #include "src/app/picture/painting.h"
 #include "src/app/picture/picture.h"
 #include "src/content/image/whole.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
+#include "src/document/view_text.h"
 #include "src/runtime/resources/stopwatch.h"
 #include "src/runtime/resources/uniforms.h"
 

@@ -13,13 +13,13 @@
 #include "src/app/batch/render.h"
 #include "src/app/batch/shots.h"
 #include "src/app/open/deadline.h"
-#include "src/app/open/document.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/loss.h"
 #include "src/app/open/progress.h"
 #include "src/app/picture/non_finite.h"
 #include "src/app/picture/tiles.h"
 #include "src/app/picture/writer.h"
+#include "src/document/document.h"
 #include "src/gl/target.h"
 
 namespace snell::app {

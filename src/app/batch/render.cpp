@@ -10,11 +10,11 @@
 #include "src/app/batch/render.h"
 #include "src/app/batch/reports.h"
 #include "src/app/open/deadline.h"
-#include "src/app/open/document.h"
 #include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
+#include "src/document/document.h"
 
 namespace snell::app {
 

@@ -22,10 +22,10 @@
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/deadline.h"
-#include "src/app/open/document.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
+#include "src/document/document.h"
 #include "src/plan/used_files.h"
 
 namespace snell::app {

@@ -4,7 +4,7 @@
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/exit_status.h"
-#include "src/app/open/view_text.h"
+#include "src/document/view_text.h"
 
 namespace snell::app {
 

@@ -9,8 +9,9 @@
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
-#include "src/app/open/save_values.h"
+#include "src/app/open/write_saved.h"
 #include "src/content/replace.h"
+#include "src/document/save_values.h"
 
 namespace snell::app {
 

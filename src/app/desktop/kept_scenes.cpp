@@ -13,6 +13,7 @@
 #include "src/app/desktop/named_by.h"
 #include "src/content/json.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
 
 namespace snell {
 

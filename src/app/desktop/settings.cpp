@@ -9,6 +9,7 @@
 #include "parser/text/utf8.h"
 #include "src/content/json.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
 
 namespace snell {
 

@@ -8,6 +8,7 @@
 #include "parser/text/ranges.h"
 #include "src/app/desktop/named_by.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
 
 namespace snell {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "src/app/open/view_text.h"
+#include "src/document/view_text.h"
 
 namespace snell {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/plan/view.h"
 
 namespace snell {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "src/app/open/view_text.h"
+#include "src/document/view_text.h"
 #include "src/gl/target.h"
 #include "src/plan/show.h"
 

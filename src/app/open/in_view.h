@@ -1,7 +1,7 @@
 // What a picture that shows nothing of its scene should say.
 #pragma once
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 
 namespace snell::app {
 

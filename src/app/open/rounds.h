@@ -1,7 +1,7 @@
 // Finds loops that Mesa's llvmpipe would silently end early.
 #pragma once
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/gl/caps.h"
 #include "src/plan/plan.h"
 

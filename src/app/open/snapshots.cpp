@@ -7,9 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "src/app/open/save_values.h"
 #include "src/content/json.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
+#include "src/document/save_values.h"
 
 namespace snell {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {

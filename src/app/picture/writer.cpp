@@ -4,7 +4,7 @@
 
 #include "src/app/picture/sha256.h"
 #include "src/app/picture/sheet.h"
-#include "src/content/replace.h"
+#include "src/content/whole_file.h"
 #include "src/runtime/resources/stopwatch.h"
 
 namespace snell::app {

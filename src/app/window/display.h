@@ -6,11 +6,11 @@
 #include <functional>
 #include <vector>
 
-#include "src/app/open/document.h"
 #include "src/app/open/loss.h"
 #include "src/app/window/coarse.h"
 #include "src/app/window/measure/refine.h"
 #include "src/content/image/image.h"
+#include "src/document/document.h"
 #include "src/gl/present.h"
 #include "src/platform/window.h"
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/app/open/save_values.h"
+#include "src/document/save_values.h"
 #include "src/plan/values/animate.h"
 #include "src/plan/values/remembered.h"
 #include "src/plan/view.h"

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/app/open/document.h"
 #include "src/app/window/measure/refine.h"
+#include "src/document/document.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "src/app/desktop/watch.h"
-#include "src/app/open/document.h"
 #include "src/app/window/survive/recovery.h"
+#include "src/document/document.h"
 #include "src/plan/values/remembered.h"
 #include "src/ui/panels/state.h"
 

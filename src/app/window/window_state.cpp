@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "src/app/open/view_text.h"
 #include "src/content/replace.h"
+#include "src/document/view_text.h"
 #include "src/gl/debug.h"
 #include "src/runtime/inspect.h"
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -100,6 +101,20 @@ Image to_half(const Image& image) {
     for (std::size_t i = 0; i < result.pixels.size() / 2; ++i) {
         const std::uint16_t half = float_to_half(value_at(image, i));
         std::memcpy(result.pixels.data() + 2 * i, &half, 2);
+    }
+    return result;
+}
+
+Image to_bytes(const Image& image) {
+    if (image.type == PixelType::u8) return image;
+    Image result = image;
+    result.type = PixelType::u8;
+    result.srgb = false;
+    result.pixels.resize(result.bytes());
+    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
+        const float value = value_at(image, i);
+        const float clamped = value > 0 ? std::min(value, 1.0f) : 0.0f;
+        result.pixels[i] = static_cast<std::byte>(std::lround(clamped * 255.0f));
     }
     return result;
 }

@@ -108,6 +108,12 @@ std::optional<ImageHeader> psd_header(std::string_view b) {
 
 }  // namespace
 
+std::optional<ImageHeader> png_header(std::string_view first_bytes) {
+    if (first_bytes.size() < 24 || sniff(first_bytes) != "png") return std::nullopt;
+    return ImageHeader{"png", static_cast<int>(read_big_u32(first_bytes, 16)),
+                       static_cast<int>(read_big_u32(first_bytes, 20)), 1};
+}
+
 std::optional<ImageHeader> read_header(std::string_view first_bytes, std::size_t file_size) {
     const std::string_view format = sniff(first_bytes);
     if (format.empty()) return tex_header(first_bytes, file_size);

@@ -35,7 +35,7 @@ struct Image {
 
 struct ImageLimits {
     int side = static_cast<int>(Limits{}.texture_side);
-    std::size_t bytes = Limits{}.texture_bytes;
+    std::uint64_t bytes = Limits{}.texture_bytes;
 };
 
 struct ImageIssue {

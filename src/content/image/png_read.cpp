@@ -11,8 +11,6 @@
 namespace snell::content {
 namespace {
 
-constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
-
 // Data that must survive libpng's longjmp after an error is kept here, outside of the functions that call setjmp.
 struct Reader {
     std::string_view bytes;
@@ -95,12 +93,6 @@ ImageResult unreadable(const Reader& reader) {
 }
 
 }  // namespace
-
-std::optional<ImageHeader> png_header(std::string_view first_bytes) {
-    if (first_bytes.size() < 24 || !first_bytes.starts_with(signature)) return std::nullopt;
-    return ImageHeader{"png", static_cast<int>(read_big_u32(first_bytes, 16)),
-                       static_cast<int>(read_big_u32(first_bytes, 20)), 1};
-}
 
 ImageResult decode_png(std::string_view bytes, const ImageLimits& limits) {
     if (const auto header = png_header(bytes)) {

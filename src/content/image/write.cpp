@@ -1,26 +1,9 @@
 // Writes images to files.
-#include <algorithm>
-#include <cmath>
-
 #include "src/content/image/formats.h"
 #include "src/content/image/png_write.h"
 #include "src/content/image/rows.h"
 
 namespace snell::content {
-
-Image to_bytes(const Image& image) {
-    if (image.type == PixelType::u8) return image;
-    Image result = image;
-    result.type = PixelType::u8;
-    result.srgb = false;
-    result.pixels.resize(result.bytes());
-    for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-        const float value = value_at(image, i);
-        const float clamped = value > 0 ? std::min(value, 1.0f) : 0.0f;
-        result.pixels[i] = static_cast<std::byte>(std::lround(clamped * 255.0f));
-    }
-    return result;
-}
 
 std::string encode_png(const Image& image) {
     if (image.width <= 0 || image.height <= 0 || image.pixels.size() != image.bytes()) return {};

@@ -57,8 +57,8 @@ void fit(const std::array<int*, N>& counts, const MeshLimits& limits, Issues& is
     };
     const double asked = product();
     // Indices must fit in 32 bits, with at most six for each vertex.
-    const std::size_t limit = quads ? std::min(limits.vertices, limits.sub_quads) : limits.vertices;
-    const double most = static_cast<double>(std::clamp<std::size_t>(limit, 1024, 500'000'000));
+    const std::uint64_t limit = quads ? std::min(limits.vertices, limits.sub_quads) : limits.vertices;
+    const double most = static_cast<double>(std::clamp<std::uint64_t>(limit, 1024, 500'000'000));
     while (product() > most) {
         int* largest = *std::max_element(counts.begin(), counts.end(), [](int* a, int* b) { return *a < *b; });
         *largest /= 2;

@@ -50,9 +50,9 @@ struct MeshIssue {
 };
 
 struct MeshLimits {
-    std::size_t vertices = Limits{}.vertices;
-    std::size_t file_bytes = Limits{}.file_bytes;
-    std::size_t sub_quads = Limits{}.sub_quads;
+    std::uint64_t vertices = Limits{}.vertices;
+    std::uint64_t file_bytes = Limits{}.file_bytes;
+    std::uint64_t sub_quads = Limits{}.sub_quads;
 };
 
 struct MeshResult {

@@ -85,7 +85,7 @@ struct Trouble {
 struct Reader {
     Lines& lines;
     ObjData& data;
-    std::size_t limit;
+    std::uint64_t limit;
     std::vector<bool> unusable;  // positions that are not finite
     bool too_many = false;
 

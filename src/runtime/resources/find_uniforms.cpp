@@ -80,6 +80,7 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
     const GLuint id = linked.program.get();
     const auto names = glsl::system_names();
     int next_unit = 0;
+    glUseProgram(id);  // Emscripten reads the values of the program in use, whatever program it is asked for
     for (gl::Uniform& uniform : gl::active_uniforms(id, caps.program_interface_query)) {
         const std::string_view type = gl::type_name(uniform.type);
         if (type.empty()) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "src/gl/beyond.h"
 #include "src/glsl/glsl.h"
 
 namespace snell::runtime {
@@ -72,7 +73,7 @@ bool State::raster(const RasterState& wanted, bool opaque) {
         ++changes_;
     }
     if ((all || old.wireframe != wanted.wireframe) && !caps_->es) {
-        glPolygonMode(GL_FRONT_AND_BACK, wanted.wireframe ? GL_LINE : GL_FILL);
+        gl::beyond::polygon_mode(wanted.wireframe ? GL_LINE : GL_FILL);
         ++changes_;
     }
     if (all || old.line_width != wanted.line_width) {
@@ -81,7 +82,8 @@ bool State::raster(const RasterState& wanted, bool opaque) {
     }
     if ((all || old.point_size != wanted.point_size || old.point_size_mode != wanted.point_size_mode) && !caps_->es) {
         toggle(GL_PROGRAM_POINT_SIZE, wanted.point_size_mode);
-        glPointSize(std::clamp(static_cast<float>(wanted.point_size), 1.0F, std::max(1.0F, caps_->max_point_size)));
+        gl::beyond::point_size(
+            std::clamp(static_cast<float>(wanted.point_size), 1.0F, std::max(1.0F, caps_->max_point_size)));
         ++changes_;
     }
     raster_ = wanted;

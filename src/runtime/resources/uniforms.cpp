@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "parser/text/ranges.h"
+#include "src/gl/beyond.h"
 #include "src/plan/plan.h"
 
 namespace snell::runtime {
@@ -217,7 +218,7 @@ void upload(const UserUniform& uniform, const std::vector<double>& values) {
         case ValueType::uint_:
             return converted<GLuint>(values, set(glUniform1uiv, glUniform2uiv, glUniform3uiv, glUniform4uiv));
         case ValueType::double_:
-            return converted<GLdouble>(values, set(glUniform1dv, glUniform2dv, glUniform3dv, glUniform4dv));
+            return gl::beyond::uniform(uniform.location, uniform.components, uniform.size, values.data());
         case ValueType::sampler:
             return;  // bound once for all
     }

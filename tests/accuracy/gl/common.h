@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "src/accuracy/measure.h"
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {

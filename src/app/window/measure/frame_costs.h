@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/app/open/document.h"
 #include "src/app/window/measure/refine.h"
+#include "src/document/document.h"
 #include "src/gl/marks.h"
 #include "src/ui/panels/frame_cost.h"
 

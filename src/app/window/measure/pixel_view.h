@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "src/app/open/document.h"
 #include "src/app/window/measure/refine.h"
+#include "src/document/document.h"
 #include "src/gl/still.h"
 #include "src/runtime/inspect.h"
 #include "src/ui/panels/pixels.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "src/accuracy/metrics.h"
-#include "src/app/open/document.h"
 #include "src/app/window/measure/rung_costs.h"
+#include "src/document/document.h"
 
 namespace snell {
 

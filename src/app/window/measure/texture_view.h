@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/gl/texels.h"
 #include "src/runtime/inspect.h"
 #include "src/ui/panels/state.h"

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "src/app/open/write_saved.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
 #include "src/ui/kit/numbers.h"
 
 namespace snell {

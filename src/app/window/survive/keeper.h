@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "src/app/open/command_text.h"
-#include "src/app/open/document.h"
-#include "src/app/open/save_values.h"
 #include "src/app/open/snapshots.h"
+#include "src/document/document.h"
+#include "src/document/save_values.h"
 #include "src/platform/window.h"
 #include "src/ui/panels/state.h"
 

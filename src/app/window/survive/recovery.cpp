@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "src/app/open/loss.h"
-#include "src/app/open/view_text.h"
+#include "src/document/view_text.h"
 
 namespace snell {
 

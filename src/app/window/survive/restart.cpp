@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-#include "src/content/replace.h"
+#include "src/content/whole_file.h"
 
 namespace snell {
 

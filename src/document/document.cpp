@@ -1,4 +1,4 @@
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "parser/read/parse.h"
 #include "parser/text/utf8.h"
-#include "src/app/open/unsampled.h"
+#include "src/document/unsampled.h"
 #include "src/gl/debug.h"
 #include "src/plan/plan.h"
 #include "src/plan/used_files.h"

@@ -1,4 +1,4 @@
-#include "src/app/open/save_values.h"
+#include "src/document/save_values.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 #include "parser/read/parse.h"
 #include "parser/text/ranges.h"
-#include "src/content/replace.h"
+#include "src/content/whole_file.h"
 
 namespace snell {
 
@@ -30,21 +30,6 @@ Scene read_again(const Document& document, const std::vector<SavedFile>& files) 
     Sources sources;
     const FileId file = sources.add(document.path, std::string(texts[document.path]));
     return parse(file, sources, include).scene;
-}
-
-// Replaces `now` by `next` in all files or in none.
-std::string exchange(const std::vector<SavedFile>& files, std::string SavedFile::*now, std::string SavedFile::*next) {
-    for (const SavedFile& file : files)
-        if (content::whole_file(file.path) != file.*now)
-            return file.path + " was changed meanwhile: it is left as it is";
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        std::string error = content::replace_file(files[i].path, files[i].*next);
-        if (error.empty()) continue;
-        if (!error.starts_with(files[i].path)) error = files[i].path + ": " + error;
-        while (i-- > 0) content::replace_file(files[i].path, files[i].*now);
-        return error;
-    }
-    return {};
 }
 
 // Returns the files of the scene that it would not find from another folder.
@@ -121,14 +106,6 @@ SavedAs saved_as(const Document& document, const std::string& name) {
     const std::string lost = as.error.empty() ? not_found_from(folder, document) : "";
     if (!lost.empty()) as.error = "the scene would not find " + lost + " from there";
     return as;
-}
-
-std::string write_saved(const std::vector<SavedFile>& files) {
-    return exchange(files, &SavedFile::before, &SavedFile::after);
-}
-
-std::string revert_saved(const std::vector<SavedFile>& files) {
-    return exchange(files, &SavedFile::after, &SavedFile::before);
 }
 
 }  // namespace snell

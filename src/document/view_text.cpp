@@ -1,4 +1,4 @@
-#include "src/app/open/view_text.h"
+#include "src/document/view_text.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "src/app/open/unsampled.h"
+#include "src/document/unsampled.h"
 
 #include <algorithm>
 #include <utility>

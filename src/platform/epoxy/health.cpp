@@ -2,14 +2,14 @@
 
 #include <epoxy/gl.h>
 
+#include "src/gl/driver.h"
+
 namespace snell::gl {
 
 namespace {
 
 // GL 4.5, ES 3.2 and KHR_robustness share the name glGetGraphicsResetStatus.
-bool can_ask() {
-    return epoxy_gl_version() >= (epoxy_is_desktop_gl() ? 45 : 32) || epoxy_has_gl_extension("GL_KHR_robustness");
-}
+bool can_ask() { return version() >= (is_desktop() ? 45 : 32) || has_extension("GL_KHR_robustness"); }
 
 }  // namespace
 

@@ -1,11 +1,11 @@
-// Saves the current values to the files of a scene.
+// What saving the current values would write to the files of a scene.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/plan/values/write_back.h"
 
 namespace snell {
@@ -39,10 +39,5 @@ struct SavedAs {
 // folders from which the scene's files would not be found, and values that belong to another file, which the scene
 // includes.
 SavedAs saved_as(const Document& document, const std::string& name);
-
-// Writes all files or none; each must still have the text `before`. Returns "" or the error.
-std::string write_saved(const std::vector<SavedFile>& files);
-// Restores the previous texts if the files are still as saved. Returns "" or the error.
-std::string revert_saved(const std::vector<SavedFile>& files);
 
 }  // namespace snell

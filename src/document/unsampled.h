@@ -1,7 +1,7 @@
 // Problems with files of textures that nothing samples, so that the picture does not depend on them.
 #pragma once
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 
 namespace snell {
 
