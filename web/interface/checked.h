@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 
 namespace snell::web {
 

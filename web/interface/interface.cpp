@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "src/app/open/save_values.h"
-#include "src/app/open/view_text.h"
 #include "src/content/json.h"
+#include "src/document/save_values.h"
+#include "src/document/view_text.h"
 #include "src/plan/hand/gesture.h"
 #include "web/interface/checked.h"
 #include "web/interface/decoded.h"
-#include "web/interface/stage.h"
+#include "web/interface/drawing.h"
 #include "web/interface/text.h"
 
 namespace {
@@ -21,13 +21,13 @@ using namespace snell::web;
 // The page holds one, and passes it to every function.
 struct Engine {
     OpenScene scene;
-    Stage stage;
+    Drawing drawing;
     std::string canvas;
     HoldMemory hold;
     std::string answer;            // of the last call that returned a text
     std::vector<std::byte> bytes;  // of the last picture
 
-    bool draws() { return scene.document() && scene.document()->runtime && stage.ready(); }
+    bool draws() { return scene.document() && scene.document()->runtime && drawing.ready(); }
     Control* control(int index) {
         if (!scene.document() || index < 0) return nullptr;
         std::vector<Control>& items = scene.document()->controls.items;
@@ -37,7 +37,7 @@ struct Engine {
         answer = std::move(text);
         return answer.c_str();
     }
-    const char* say(const Json& json) { return say(content::json_text(json)); }
+    const char* tell(const Json& json) { return say(content::json_text(json)); }
 };
 
 Settings settings_of(const char* text) {
@@ -68,35 +68,35 @@ EMSCRIPTEN_KEEPALIVE Engine* snell_new() { return new Engine; }
 // `canvas`: see CanvasContext. Returns "" or why there are no graphics.
 EMSCRIPTEN_KEEPALIVE const char* snell_start(Engine* engine, const char* canvas) {
     engine->canvas = canvas;
-    return engine->say(engine->stage.start(canvas));
+    return engine->say(engine->drawing.start(canvas));
 }
 
 EMSCRIPTEN_KEEPALIVE const char* snell_driver(Engine* engine) {
-    const gl::Caps& caps = engine->stage.caps();
-    return engine->say(Json{{"renderer", caps.renderer},
-                            {"vendor", caps.vendor},
-                            {"version", caps.version},
-                            {"maxTexture", caps.max_texture},
-                            {"maxViewport", caps.max_viewport},
-                            {"maxSamples", caps.max_samples},
-                            {"maxPointSize", caps.max_point_size},
-                            {"maxLineWidth", caps.max_line_width}});
+    const gl::Caps& caps = engine->drawing.caps();
+    return engine->tell(Json{{"renderer", caps.renderer},
+                             {"vendor", caps.vendor},
+                             {"version", caps.version},
+                             {"maxTexture", caps.max_texture},
+                             {"maxViewport", caps.max_viewport},
+                             {"maxSamples", caps.max_samples},
+                             {"maxPointSize", caps.max_point_size},
+                             {"maxLineWidth", caps.max_line_width}});
 }
 
 EMSCRIPTEN_KEEPALIVE const char* snell_open(Engine* engine, const char* scene, const char* settings) {
     const double began = emscripten_get_now();
-    if (!engine->stage.ready())
-        return engine->say(Json{{"ok", false}, {"problems", Json::array()}, {"milliseconds", 0}});
-    const Reading reading = engine->scene.open(scene, settings_of(settings), engine->stage.caps());
+    if (!engine->drawing.ready())
+        return engine->tell(Json{{"ok", false}, {"problems", Json::array()}, {"milliseconds", 0}});
+    const Reading reading = engine->scene.open(scene, settings_of(settings), engine->drawing.caps());
     const Document& read = reading.shown ? *engine->scene.document() : *reading.refused;
     Diagnostics found = read.diagnostics;
     found.append(reading.settings);
-    return engine->say(opened_json(*engine, reading.shown, found, read.sources, began));
+    return engine->tell(opened_json(*engine, reading.shown, found, read.sources, began));
 }
 
 EMSCRIPTEN_KEEPALIVE const char* snell_check(Engine* engine, const char* scene) {
     const Document document = checked(scene);
-    return engine->say(problems_json(document.diagnostics, document.sources));
+    return engine->tell(problems_json(document.diagnostics, document.sources));
 }
 
 EMSCRIPTEN_KEEPALIVE void snell_set(Engine* engine, int index, int component, double value) {
@@ -121,9 +121,9 @@ EMSCRIPTEN_KEEPALIVE void snell_reset(Engine* engine, int index) {
 
 EMSCRIPTEN_KEEPALIVE const char* snell_choose(Engine* engine, int ladder, int rung) {
     const double began = emscripten_get_now();
-    if (!engine->draws()) return engine->say(Json{{"ok", false}, {"problems", Json::array()}, {"milliseconds", 0}});
+    if (!engine->draws()) return engine->tell(Json{{"ok", false}, {"problems", Json::array()}, {"milliseconds", 0}});
     const Diagnostics& found = engine->scene.choose(static_cast<std::size_t>(ladder), static_cast<std::size_t>(rung));
-    return engine->say(opened_json(*engine, !found.has_errors(), found, engine->scene.document()->sources, began));
+    return engine->tell(opened_json(*engine, !found.has_errors(), found, engine->scene.document()->sources, began));
 }
 
 // What differs from the scene's text.
@@ -133,7 +133,7 @@ EMSCRIPTEN_KEEPALIVE const char* snell_state(Engine* engine) {
         json["values"] = values_json(*engine->scene.document());
         json["rungs"] = rungs_json(*engine->scene.document());
     }
-    return engine->say(json);
+    return engine->tell(json);
 }
 
 EMSCRIPTEN_KEEPALIVE const char* snell_set_view(Engine* engine, const char* text) {
@@ -165,12 +165,12 @@ EMSCRIPTEN_KEEPALIVE void snell_zoom(Engine* engine, double factor) {
 
 EMSCRIPTEN_KEEPALIVE void snell_draw(Engine* engine, double time, int width, int height, double split, double mouse_x,
                                      double mouse_y) {
-    if (engine->draws()) engine->stage.draw(engine->scene, {time, width, height, split, mouse_x, mouse_y});
+    if (engine->draws()) engine->drawing.draw(engine->scene, {time, width, height, split, mouse_x, mouse_y});
 }
 
 EMSCRIPTEN_KEEPALIVE int snell_settle(Engine* engine, double time, int width, int height, double split, double mouse_x,
                                       double mouse_y) {
-    return engine->draws() && engine->stage.settle(engine->scene, {time, width, height, split, mouse_x, mouse_y});
+    return engine->draws() && engine->drawing.settle(engine->scene, {time, width, height, split, mouse_x, mouse_y});
 }
 
 // Returns "" or the error; snell_bytes has the picture.
@@ -179,7 +179,7 @@ EMSCRIPTEN_KEEPALIVE const char* snell_picture(Engine* engine, double time, int 
     if (!engine->draws()) return engine->say("there is no picture yet");
     std::string error;
     engine->bytes =
-        engine->stage.picture(engine->scene, {time, width, height, split, mouse_x, mouse_y}, samples, error);
+        engine->drawing.picture(engine->scene, {time, width, height, split, mouse_x, mouse_y}, samples, error);
     return engine->say(std::move(error));
 }
 
@@ -197,22 +197,22 @@ EMSCRIPTEN_KEEPALIVE void snell_free_bytes(Engine* engine) { engine->bytes = {};
 
 EMSCRIPTEN_KEEPALIVE const char* snell_saved(Engine* engine) {
     Json json{{"files", Json::array()}, {"error", ""}};
-    if (!engine->draws()) return engine->say(json);
+    if (!engine->draws()) return engine->tell(json);
     const Saved saved = saved_values(*engine->scene.document());
     json["error"] = saved.error;
     for (const SavedFile& file : saved.files) json["files"].push_back({{"name", file.path}, {"text", file.after}});
-    return engine->say(json);
+    return engine->tell(json);
 }
 
 // Takes the canvas up again after the browser took its context and gave it back.
 EMSCRIPTEN_KEEPALIVE const char* snell_restored(Engine* engine) {
     const double began = emscripten_get_now();
     engine->scene.release();
-    const std::string error = engine->stage.start(engine->canvas);
+    const std::string error = engine->drawing.start(engine->canvas);
     Diagnostics found;
     if (!error.empty()) found.error("no-graphics", error);
-    if (error.empty()) engine->scene.restore(engine->stage.caps());
-    return engine->say(opened_json(*engine, error.empty(), found, {}, began));
+    if (error.empty()) engine->scene.restore(engine->drawing.caps());
+    return engine->tell(opened_json(*engine, error.empty(), found, {}, began));
 }
 
 }  // extern "C"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/app/open/view_text.h"
+#include "src/document/view_text.h"
 #include "src/lint/lint.h"
 #include "src/plan/objects.h"
 #include "src/runtime/resources/program.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "src/app/open/document.h"
+#include "src/document/document.h"
 #include "src/gl/caps.h"
 #include "src/plan/values/remembered.h"
 #include "src/plan/view.h"

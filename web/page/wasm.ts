@@ -95,7 +95,7 @@ export class WasmEngine implements Engine {
         const files = this.program.FS;
         if (files.analyzePath(name).exists && sameBytes(files.readFile(name), bytes)) return;
         const slash = name.lastIndexOf('/');
-        if (slash > 0) files.mkdirTree(name.slice(0, slash));
+        if (slash > 0) files.mkdirTree(`${folder}/${name.slice(0, slash)}`); // it takes every name as from the root
         files.writeFile(name, bytes);
         const time = 1000 * ++this.writes;
         files.utime(name, time, time);

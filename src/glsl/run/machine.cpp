@@ -42,7 +42,8 @@ double* Arena::take(std::size_t size) {
             return blocks_[at_.block].data.get() + at_.used - size;
         }
     const std::size_t whole = std::max(size, std::size_t{2048} << std::min<std::size_t>(blocks_.size(), 8));
-    blocks_.push_back({std::make_unique_for_overwrite<double[]>(whole), whole});
+    // Not by make_unique_for_overwrite, which libc++ lacks before version 16.
+    blocks_.push_back({std::unique_ptr<double[]>(new double[whole]), whole});
     at_.used = size;
     return blocks_.back().data.get();
 }

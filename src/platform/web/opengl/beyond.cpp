@@ -2,6 +2,7 @@
 #include "src/gl/beyond.h"
 
 #include <stdexcept>
+#include <string>
 
 namespace snell::gl::beyond {
 

@@ -1,4 +1,4 @@
-#include "web/interface/stage.h"
+#include "web/interface/drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ void draw_both(OpenScene& scene, const gl::Caps& caps, const Moment& moment, boo
 
 }  // namespace
 
-std::string Stage::start(const std::string& canvas) {
+std::string Drawing::start(const std::string& canvas) {
     canvas_ = {};
     context_.reset();
     std::string error;
@@ -48,7 +48,7 @@ std::string Stage::start(const std::string& canvas) {
     return error;
 }
 
-void Stage::draw(OpenScene& scene, const Moment& moment) {
+void Drawing::draw(OpenScene& scene, const Moment& moment) {
     const gl::Pixels pixels = scene.document()->runtime->display_pixels();
     if (!canvas_.resize(moment.width, moment.height, samples_shown, pixels)) return;
     context_->resize(moment.width, moment.height);
@@ -57,7 +57,7 @@ void Stage::draw(OpenScene& scene, const Moment& moment) {
     show_encoded(canvas_, moment.width, moment.height, pixels);
 }
 
-bool Stage::settle(OpenScene& scene, const Moment& moment) {
+bool Drawing::settle(OpenScene& scene, const Moment& moment) {
     Runtime& runtime = *scene.document()->runtime;
     if (!runtime.settled()) {  // faces of a cube map are behind
         draw(scene, moment);
@@ -70,7 +70,7 @@ bool Stage::settle(OpenScene& scene, const Moment& moment) {
         {canvas_.framebuffer(), moment.width, moment.height});
 }
 
-std::vector<std::byte> Stage::picture(OpenScene& scene, const Moment& moment, int samples, std::string& error) {
+std::vector<std::byte> Drawing::picture(OpenScene& scene, const Moment& moment, int samples, std::string& error) {
     const app::PictureSize size{moment.width, moment.height, samples};
     const app::Tiling tiling = app::tile(size, scene.document()->files->limits(), caps_);
     error = tiling.error;

@@ -21,7 +21,7 @@ struct Moment {
     double mouse_x = 0, mouse_y = 0;  // in pixels from the bottom left
 };
 
-class Stage {
+class Drawing {
 public:
     // Returns "" or why the page has no graphics. Also takes the canvas up again after the context was lost: call
     // OpenScene::release before.
