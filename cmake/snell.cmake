@@ -1,6 +1,9 @@
+# For the native program and for the browser's, whose CMakeLists.txt say where the libraries are.
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH SNELL_ROOT)
+
 # Warnings and sanitizers for every target of ours.
 add_library(snell_options INTERFACE)
-target_include_directories(snell_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+target_include_directories(snell_options INTERFACE ${SNELL_ROOT} ${PROJECT_BINARY_DIR}/generated)
 # GCC 12's full -Wshadow also objects to enumerators of an enum class named like something global, and its
 # -Wrestrict to assigning a literal to a string (GCC bug 105651).
 target_compile_options(snell_options INTERFACE
@@ -24,7 +27,7 @@ function(snell_precompile target owner)
 endfunction()
 # snell_precompiled(NAME headers…): a target that only carries them.
 function(snell_precompiled name)
-  add_library(${name} STATIC ${PROJECT_SOURCE_DIR}/cmake/std.cpp)
+  add_library(${name} STATIC ${SNELL_ROOT}/cmake/std.cpp)
   target_link_libraries(${name} PUBLIC snell_options)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits>
@@ -36,7 +39,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(snell_options INTERFACE -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow
     -Wno-stringop-overread)
 endif()
-find_package(fmt REQUIRED)
 snell_precompiled(snell_std)
 snell_precompiled(snell_std_fmt <fmt/format.h>)
 target_link_libraries(snell_std_fmt PUBLIC fmt::fmt)

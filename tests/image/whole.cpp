@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "src/content/image/decoded.h"
 #include "src/content/image/whole.h"
 #include "src/content/whole_file.h"
+#include "tests/image/help.h"
 #include "tests/scratch.h"
 
 namespace snell::content {
@@ -74,6 +76,51 @@ TEST(WholePicture, IsOfAFormatInWhichCutsAreFound) {
         for (std::size_t cut = 0; cut < whole.size(); cut += 13)
             EXPECT_FALSE(is_whole(path, whole.substr(0, whole.size() - cut), {})) << name << " without " << cut;
     }
+}
+
+std::string decoded(const Image& image) {
+    const std::vector<std::byte> file = decoded_file(image);
+    return {reinterpret_cast<const char*>(file.data()), file.size()};
+}
+
+TEST(DecodedFile, StandsForTheImageUnderAnyName) {
+    for (const PixelType type : {PixelType::u8, PixelType::f16, PixelType::f32})
+        for (const char* name : {"a.png", "a.bmp", "a.tex", "a.exr", "a"}) {
+            SCOPED_TRACE(name);
+            const Image image = paint(3, 2, 3, type, [](int x, int y, int c) { return (x + 3 * y + 6 * c) / 18.; });
+            const ImageResult result = decode_image(name, decoded(image));
+            ASSERT_TRUE(result.image) << describe(result);
+            EXPECT_TRUE(result.issues.empty()) << describe(result);
+            EXPECT_EQ(result.image->width, 3);
+            EXPECT_EQ(result.image->height, 2);
+            EXPECT_EQ(result.image->type, type);
+            EXPECT_EQ(result.image->pixels, image.pixels);
+            EXPECT_FALSE(result.image->light);
+        }
+}
+
+TEST(DecodedFile, HoldsLightIfTheFormatDoes) {
+    const Image image = paint(1, 1, 3, PixelType::f16, [](int, int, int) { return 2.; });
+    EXPECT_TRUE(decode_image("sky.hdr", decoded(image)).image->light);
+}
+
+TEST(DecodedFile, HasTheTopRowFirst) {
+    const Image image = paint(1, 2, 1, PixelType::u8, [](int, int y, int) { return y; });
+    EXPECT_EQ(decode_image("a.tex", decoded(flipped(image))).image->pixels, image.pixels);
+}
+
+// Every byte of the header, and every length: nothing crashes, and what is accepted has the size that it states.
+TEST(DecodedFile, DamageIsReported) {
+    const std::string file = decoded(paint(2, 2, 4, PixelType::u8, [](int, int, int) { return 1.; }));
+    for (std::size_t length = 8; length < file.size(); ++length)
+        EXPECT_FALSE(decode_image("a.png", file.substr(0, length)).image) << length;
+    for (std::size_t at = 8; at < 28; ++at)
+        for (const char byte : {'\0', '\1', '\x7f', '\xff'}) {
+            std::string damaged = file;
+            damaged[at] = byte;
+            const ImageResult result = decode_image("a.png", damaged);
+            if (result.image) EXPECT_EQ(result.image->pixels.size(), result.image->bytes()) << at;
+        }
 }
 
 }  // namespace

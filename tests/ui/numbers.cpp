@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "src/plan/hand/gesture.h"
+
 namespace snell::ui {
 namespace {
 

@@ -115,7 +115,8 @@ export interface Engine {
     // "" or the error.
     setView(view: string): string;
     // The pointer's movement in CSS pixels, by the window's own rules.
-    turn(dx: number, dy: number): void;
+    // `begins`: this is another drag than before; one that begins with the scene upside down turns the other way.
+    turn(dx: number, dy: number, begins?: boolean): void;
     move(dx: number, dy: number, width: number, height: number): void;
     zoom(factor: number): void;
 

@@ -21,7 +21,7 @@ std::string object_text(const Document& document, Index object) {
 
 }  // namespace
 
-void Picking::follow(Document& shown, std::uint64_t revision, View& view, ui::HoldMemory& hold) {
+void Picking::follow(Document& shown, std::uint64_t revision, View& view, HoldMemory& hold) {
     if (revision != revision_ && !names_.empty()) {
         std::vector<std::string> names = object_names(shown.scene());
         carry_objects(names_, names, view);
@@ -33,7 +33,7 @@ void Picking::follow(Document& shown, std::uint64_t revision, View& view, ui::Ho
 }
 
 void Picking::serve(const ui::Requests& requests, Document& shown, const Stand& stand, float density,
-                    ui::HoldMemory& hold) {
+                    HoldMemory& hold) {
     if (!requests.pick) return;
     const auto pixel = [density](double at) { return static_cast<int>(std::floor(at * static_cast<double>(density))); };
     const int x = pixel(requests.pick->x), y = stand.height - 1 - pixel(requests.pick->y);
@@ -43,7 +43,7 @@ void Picking::serve(const ui::Requests& requests, Document& shown, const Stand& 
     hold_object(hold, there.empty() ? none : there.front());
 }
 
-void Picking::tell(ui::Facts& facts, const Document* shown, const ui::HoldMemory& hold) {
+void Picking::tell(ui::Facts& facts, const Document* shown, const HoldMemory& hold) {
     if (!shown || hold.object == none) return;
     if (told_of_ != std::pair(revision_, hold.object)) told_ = object_text(*shown, hold.object);
     told_of_ = {revision_, hold.object};

@@ -16,11 +16,11 @@ class Picking {
 public:
     // Call it before the panels use the view. After the scene was read again, it updates the indices of the objects and
     // drops those that are gone.
-    void follow(Document& shown, std::uint64_t revision, View& view, ui::HoldMemory& hold);
+    void follow(Document& shown, std::uint64_t revision, View& view, HoldMemory& hold);
     // Picks the object at the click, in the picture that `stand` describes; `density` is pixels per window coordinate.
-    void serve(const ui::Requests& requests, Document& shown, const Stand& stand, float density, ui::HoldMemory& hold);
+    void serve(const ui::Requests& requests, Document& shown, const Stand& stand, float density, HoldMemory& hold);
     // Fills in the text about the picked object.
-    void tell(ui::Facts& facts, const Document* shown, const ui::HoldMemory& hold);
+    void tell(ui::Facts& facts, const Document* shown, const HoldMemory& hold);
 
 private:
     std::uint64_t revision_ = 0;

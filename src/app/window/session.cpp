@@ -13,19 +13,6 @@ namespace snell {
 
 namespace {
 
-bool same_error(const Diagnostic& a, const Diagnostic& b) { return a.code == b.code && a.message == b.message; }
-
-// True if every error of `now` is in `before` too, so that a scene that always had an unknown command still follows
-// the edits of its shaders.
-bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
-    return std::all_of(now.items().begin(), now.items().end(), [&](const Diagnostic& error) {
-        return error.severity != Severity::error ||
-               std::any_of(before.items().begin(), before.items().end(), [&](const Diagnostic& old) {
-                   return old.severity == Severity::error && same_error(old, error);
-               });
-    });
-}
-
 // Names files from the scene's folder, in all the texts of a finding.
 Finding nearby(Finding finding, const std::string& folder) {
     finding.file = near_names(finding.file, folder);

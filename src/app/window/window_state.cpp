@@ -22,7 +22,7 @@ json controls_of(const Document& document) {
     return controls;
 }
 
-json view_of(const View& view, const ui::HoldMemory& hold) {
+json view_of(const View& view, const HoldMemory& hold) {
     const Transformation& t = view.scene;
     return {{"rotate_y", t.rotate_y},
             {"scale", t.scale},

@@ -43,6 +43,9 @@ std::optional<ImageIssue> check_size(std::string_view format, std::int64_t width
 // values beyond ±65504 are clamped; both are reported.
 ImageResult half_image(Image shape, std::vector<float> values);
 
+// Rotates and mirrors the image by EXIF's orientation (2..8); other numbers change nothing.
+Image oriented(const Image& image, int orientation);
+
 // Read little-endian numbers. The caller must have checked that `bytes` is long enough.
 inline std::uint32_t read_u16(std::string_view bytes, std::size_t at) {
     return static_cast<unsigned char>(bytes[at]) | static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + 1]))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "src/content/image/decoded.h"
 #include "src/content/image/formats.h"
 
 namespace snell::content {
@@ -89,6 +90,11 @@ ImageResult decode_image(const std::string& path, std::string_view bytes, const 
     if (bytes.empty()) return image_failed("image-unreadable", "the file is empty", "copy the file again");
     const std::string extension = extension_of(path);
     const std::string_view named = format_of_extension(extension);
+    if (is_decoded_file(bytes)) {
+        ImageResult result = read_decoded_file(bytes, limits);
+        if (result.image) result.image->light = named == "hdr";
+        return result;
+    }
     std::string_view format = sniff(bytes);
     // Raw textures have no signature: a file whose size matches its first numbers exactly is treated as one under any
     // name.
@@ -132,6 +138,29 @@ Image flipped(Image image) {
     }
     image.bottom_first = !image.bottom_first;
     return image;
+}
+
+Image oriented(const Image& image, int orientation) {
+    if (orientation < 2 || orientation > 8 || image.depth != 1) return image;
+    const bool transposed = orientation >= 5;
+    const bool from_right = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+    const bool from_bottom = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    Image result = image;
+    if (transposed) std::swap(result.width, result.height);
+    const std::size_t size = image.pixel_bytes();
+    for (int y = 0; y < result.height; ++y) {
+        for (int x = 0; x < result.width; ++x) {
+            int u = transposed ? y : x, v = transposed ? x : y;
+            if (from_right) u = image.width - 1 - u;
+            if (from_bottom) v = image.height - 1 - v;
+            const std::size_t to =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) + static_cast<std::size_t>(x);
+            const std::size_t from =
+                static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(u);
+            std::memcpy(result.pixels.data() + to * size, image.pixels.data() + from * size, size);
+        }
+    }
+    return result;
 }
 
 Image to_rgba(Image image) {

@@ -122,30 +122,6 @@ std::vector<Value> third_channel(const std::vector<Value>& pairs) {
     return triples;
 }
 
-// Rotates and mirrors the image by EXIF's orientation (2..8).
-Image oriented(const Image& image, int orientation) {
-    if (orientation < 2 || orientation > 8 || image.depth != 1) return image;
-    const bool transposed = orientation >= 5;
-    const bool from_right = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
-    const bool from_bottom = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
-    Image result = image;
-    if (transposed) std::swap(result.width, result.height);
-    const std::size_t size = image.pixel_bytes();
-    for (int y = 0; y < result.height; ++y) {
-        for (int x = 0; x < result.width; ++x) {
-            int u = transposed ? y : x, v = transposed ? x : y;
-            if (from_right) u = image.width - 1 - u;
-            if (from_bottom) v = image.height - 1 - v;
-            const std::size_t to =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) + static_cast<std::size_t>(x);
-            const std::size_t from =
-                static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(u);
-            std::memcpy(result.pixels.data() + to * size, image.pixels.data() + from * size, size);
-        }
-    }
-    return result;
-}
-
 ImageResult finish(Reading& reading) {
     Image image;
     image.width = reading.shape.width;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "src/plan/hand/gesture.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/numbers.h"

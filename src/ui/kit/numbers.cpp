@@ -39,12 +39,6 @@ double tidy_relative(double value, double min, double max, bool fine) {
     return std::clamp(read_back(value, "{:.{}e}", value, fine ? 5 : 3), min, max);
 }
 
-double tidy_step(double value, double step) {
-    const double scale = std::pow(10, -std::floor(std::log10(step / 100)));
-    const double result = std::round(value * scale) / scale;
-    return std::isfinite(result) ? result : value;
-}
-
 double tidy_color(double value) {
     const auto decimals = [&](int count) { return read_back(value, "{:.{}f}", value, count); };
     if (!(value >= 0 && value <= 1)) return decimals(3);

@@ -18,8 +18,6 @@ double tidy_relative(double value, double min, double max, bool fine);
 std::string exact(double value);
 // Formats as "1 error" or "2 errors".
 std::string counted(std::size_t count, std::string_view noun);
-// Rounds to a hundredth of a step, so that numbers that are dragged to are short and 0 can be reached again.
-double tidy_step(double value, double step);
 // Rounds the component of a colour that was picked to the fewest decimals that give the same byte.
 double tidy_color(double value);
 // Computes the value of a text such as "1/3", "2*pi", "-(1e3-5)" or "0,7", in doubles. Returns nullopt if it is not a

@@ -17,7 +17,7 @@
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"
 #include "src/runtime/explain.h"
-#include "src/ui/kit/hold.h"
+#include "src/plan/hand/hold.h"
 #include "src/ui/kit/layout.h"
 #include "src/ui/kit/theme.h"
 #include "src/ui/kit/widgets.h"

@@ -6,7 +6,7 @@
 #include "parser/scene.h"
 #include "src/plan/view.h"
 
-namespace snell::ui {
+namespace snell {
 
 enum class Held : std::uint8_t { scene, eye, object, texture };
 
@@ -28,4 +28,4 @@ void set_held(View& view, const HoldMemory& hold, const Transformation& transfor
 // Resets everything to what the scene says, except for the axes.
 void reset_view(View& view);
 
-}  // namespace snell::ui
+}  // namespace snell

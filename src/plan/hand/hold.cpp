@@ -1,8 +1,8 @@
-#include "src/ui/kit/hold.h"
+#include "src/plan/hand/hold.h"
 
 #include <utility>
 
-namespace snell::ui {
+namespace snell {
 
 void hold_object(HoldMemory& hold, Index object) {
     hold.object = object;
@@ -54,4 +54,4 @@ void reset_view(View& view) {
     view = std::move(fresh);
 }
 
-}  // namespace snell::ui
+}  // namespace snell

@@ -1,0 +1,57 @@
+// Answers to questions about the context.
+#include "src/gl/driver.h"
+
+#include <emscripten/html5.h>
+
+#include <string_view>
+
+#include "src/gl/api.h"
+#include "src/gl/debug.h"
+#include "src/gl/health.h"
+
+#undef glGetUniformfv
+#undef glGetUniformiv
+#undef glGetString
+
+void snell_get_uniform(GLuint program, GLint location, GLfloat* value) {
+    glUseProgram(program);
+    glGetUniformfv(program, location, value);
+}
+
+void snell_get_uniform(GLuint program, GLint location, GLint* value) {
+    glUseProgram(program);
+    glGetUniformiv(program, location, value);
+}
+
+const GLubyte* snell_get_string(GLenum name) {
+    constexpr GLenum unmasked_renderer = 0x9246;
+    const GLubyte* plain = glGetString(name);
+    if (name != GL_RENDERER || !plain || std::string_view(reinterpret_cast<const char*>(plain)) != "WebKit WebGL")
+        return plain;
+    const auto context = emscripten_webgl_get_current_context();
+    return emscripten_webgl_enable_extension(context, "WEBGL_debug_renderer_info") ? glGetString(unmasked_renderer)
+                                                                                   : plain;
+}
+
+namespace snell::gl {
+
+bool is_desktop() { return false; }
+
+int version() { return 30; }
+
+bool has_extension(const char* name) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto* one = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+        if (one && std::string_view(one) == name) return true;
+    }
+    return false;
+}
+
+bool lost() { return emscripten_is_webgl_context_lost(emscripten_webgl_get_current_context()); }
+
+// WebGL tells the browser's console.
+void watch_messages(const MessageReport&) {}
+
+}  // namespace snell::gl

@@ -1,0 +1,15 @@
+#include "web/interface/decoded.h"
+
+#include "src/content/image/decoded.h"
+#include "src/content/image/image.h"
+
+namespace snell::web {
+
+std::vector<std::byte> decoded(const std::string& name, std::string_view bytes, std::string& error) {
+    const content::ImageResult result = content::decode_image(name, bytes);
+    if (result.image) return content::decoded_file(*result.image);
+    error = result.issues.empty() ? "cannot be decoded" : result.issues.front().message;
+    return {};
+}
+
+}  // namespace snell::web

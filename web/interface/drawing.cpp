@@ -1,0 +1,102 @@
+#include "web/interface/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "src/app/picture/tiles.h"
+#include "src/platform/web/encoded.h"
+
+namespace snell::web {
+
+namespace {
+
+constexpr int samples_shown = 4;
+
+View with_mouse(View view, const Moment& moment) {
+    view.mouse_x = moment.mouse_x;
+    view.mouse_y = moment.mouse_y;
+    return view;
+}
+
+// Draws the chosen rungs left of the split, and the references right of it.
+void draw_both(OpenScene& scene, const gl::Caps& caps, const Moment& moment, bool paced, Surface surface) {
+    Document& shown = *scene.document();
+    const View view = with_mouse(scene.view, moment);
+    Document* reference = moment.split < 1 ? scene.reference(caps) : nullptr;
+    const int left =
+        reference ? static_cast<int>(std::lround(std::max(moment.split, 0.) * moment.width)) : moment.width;
+    const auto draw = [&](Document& document, int begin, int end) {
+        if (begin >= end) return;
+        if (reference) surface.region = PixelRect{begin, 0, end - begin, moment.height};
+        document.runtime->draw({.time = moment.time, .view = view, .controls = document.controls, .paced = paced},
+                               surface);
+    };
+    draw(shown, 0, left);
+    if (reference) draw(*reference, left, moment.width);
+}
+
+}  // namespace
+
+std::string Drawing::start(const std::string& canvas) {
+    canvas_ = {};
+    context_.reset();
+    std::string error;
+    context_ = CanvasContext::make(canvas, error);
+    if (context_) caps_ = gl::query_caps();
+    return error;
+}
+
+void Drawing::draw(OpenScene& scene, const Moment& moment) {
+    const gl::Pixels pixels = scene.document()->runtime->display_pixels();
+    if (!canvas_.resize(moment.width, moment.height, samples_shown, pixels)) return;
+    context_->resize(moment.width, moment.height);
+    draw_both(scene, caps_, moment, true, {canvas_.framebuffer(), moment.width, moment.height});
+    canvas_.resolve();
+    show_encoded(canvas_, moment.width, moment.height, pixels);
+}
+
+bool Drawing::settle(OpenScene& scene, const Moment& moment) {
+    Runtime& runtime = *scene.document()->runtime;
+    if (!runtime.settled()) {  // faces of a cube map are behind
+        draw(scene, moment);
+        return true;
+    }
+    if (canvas_.framebuffer() == 0) return false;
+    const View view = with_mouse(scene.view, moment);
+    return runtime.specialise(
+        {.time = moment.time, .view = view, .controls = scene.document()->controls, .paced = true},
+        {canvas_.framebuffer(), moment.width, moment.height});
+}
+
+std::vector<std::byte> Drawing::picture(OpenScene& scene, const Moment& moment, int samples, std::string& error) {
+    const app::PictureSize size{moment.width, moment.height, samples};
+    const app::Tiling tiling = app::tile(size, scene.document()->files->limits(), caps_);
+    error = tiling.error;
+    if (!error.empty()) return {};
+    const gl::Pixels pixels = scene.document()->runtime->display_pixels();
+    const gl::Target target = gl::make_target(tiling.width, tiling.height, samples, pixels);
+    if (!target.framebuffer) error = "the graphics driver has not enough memory for a picture of this size";
+    if (!error.empty()) return {};
+    const auto row = static_cast<std::size_t>(size.width) * 4;
+    std::vector<std::byte> picture(row * static_cast<std::size_t>(size.height), std::byte{255});
+    for (const PixelRect& part : app::parts_of(size, tiling)) {
+        Surface surface{target.framebuffer.get(), size.width, size.height};
+        if (!tiling.whole(size)) surface.part = part;
+        draw_both(scene, caps_, moment, false, surface);
+        const std::vector<std::byte> read =
+            gl::read_rgba8(target.framebuffer.get(), part.width, part.height, target.samples, pixels);
+        for (int y = 0; y < part.height; ++y) {
+            std::byte* to =
+                picture.data() + static_cast<std::size_t>(size.height - part.bottom - part.height + y) * row;
+            std::memcpy(to + static_cast<std::size_t>(part.left) * 4,
+                        read.data() + static_cast<std::size_t>(y * part.width) * 4,
+                        static_cast<std::size_t>(part.width) * 4);
+        }
+    }
+    for (std::size_t i = 3; i < picture.size(); i += 4) picture[i] = std::byte{255};
+    return picture;
+}
+
+}  // namespace snell::web

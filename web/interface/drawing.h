@@ -1,0 +1,45 @@
+// The canvas of the page, and pictures of a scene in it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/gl/caps.h"
+#include "src/gl/present.h"
+#include "src/platform/web/canvas.h"
+#include "web/interface/open_scene.h"
+
+namespace snell::web {
+
+// What a picture shows besides the scene and its values.
+struct Moment {
+    double time = 0;  // in seconds
+    int width = 0, height = 0;
+    double split = 1;                 // share of the width that shows the chosen rungs; the rest shows the references
+    double mouse_x = 0, mouse_y = 0;  // in pixels from the bottom left
+};
+
+class Drawing {
+public:
+    // Returns "" or why the page has no graphics. Also takes the canvas up again after the context was lost: call
+    // OpenScene::release before.
+    std::string start(const std::string& canvas);
+    bool ready() const { return context_ && !context_->lost(); }
+    const gl::Caps& caps() const { return caps_; }
+
+    // These must not be called unless ready().
+    void draw(OpenScene& scene, const Moment& moment);
+    // Does one piece of work for which there is time when nothing changes. Returns false if nothing is left to do.
+    bool settle(OpenScene& scene, const Moment& moment);
+    // RGBA bytes, the top row first; empty, with an error, if the size is beyond the limits.
+    std::vector<std::byte> picture(OpenScene& scene, const Moment& moment, int samples, std::string& error);
+
+private:
+    std::unique_ptr<CanvasContext> context_;
+    gl::Caps caps_;
+    gl::Canvas canvas_;
+};
+
+}  // namespace snell::web

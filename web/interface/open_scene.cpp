@@ -1,0 +1,137 @@
+#include "web/interface/open_scene.h"
+
+#include <utility>
+
+#include "parser/text/ranges.h"
+#include "src/document/view_text.h"
+#include "src/lint/lint.h"
+#include "src/plan/objects.h"
+#include "src/runtime/resources/program.h"
+
+namespace snell::web {
+
+namespace {
+
+Rungs reference_rungs(const Scene& scene) {
+    Rungs rungs;
+    for (const Ladder& ladder : scene.ladders) rungs.push_back(ladder.rungs.size() - 1);
+    return rungs;
+}
+
+// Also takes the names of uniforms in the second program of a name, such as "Glass#2.uEta=1.3".
+void set_value(const std::string& assignment, Controls& controls, const Scene& scene, Diagnostics& problems) {
+    const std::vector<std::string> names = control_names(scene, controls);
+    const std::size_t equals = assignment.find('=');
+    const auto named = ranges::find(names, assignment.substr(0, equals));
+    if (named == names.end() || assignment.find('#') > equals) {
+        set_control(controls, scene, assignment, problems);
+        return;
+    }
+    Control& control = controls.items[static_cast<std::size_t>(named - names.begin())];
+    Controls alone{{control}, controls.rungs};
+    if (set_control(alone, scene, control.name + assignment.substr(equals), problems)) control = alone.items[0];
+}
+
+}  // namespace
+
+Reading OpenScene::open(const std::string& path, const Settings& settings, const gl::Caps& caps) {
+    Reading reading;
+    const bool again = shown_ && shown_->path == path && !settings.fresh;
+    Plan plan;
+    const auto choose = [&](const Scene& scene, Rungs& rungs) {
+        if (again) {
+            recall(remembered(), scene, rungs);  // for ladders that were gone for a while
+            carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
+        }
+        for (const std::string& rung : settings.rungs) choose_rung(rungs, scene, rung, reading.settings);
+    };
+    const auto planned = [&](const Plan& made, Document& document) {
+        plan = made;
+        if (!settings.lints) return;
+        document.diagnostics.append(lint::check(made, document.sources, runtime::include_reader(*document.files)));
+    };
+    RuntimeOptions options;
+    options.previous = shown_ ? &*shown_->runtime : nullptr;
+    auto read = open_document(path, caps, choose, planned, options);
+    reading.shown = read->runtime && (!again || no_new_errors(shown_->diagnostics, read->diagnostics));
+    if (reading.shown)
+        take(std::move(read), std::move(plan), settings, again, reading.settings);
+    else
+        reading.refused = std::move(read);
+    return reading;
+}
+
+void OpenScene::take(std::unique_ptr<Document> read, Plan plan, const Settings& settings, bool again,
+                     Diagnostics& problems) {
+    memory_ = again ? remembered() : Remembered{};
+    if (again) {
+        recall(memory_, read->scene(), read->controls);
+        carry_over(shown_->controls, shown_->scene(), read->controls, read->scene());
+        carry_objects(object_names(shown_->scene()), object_names(read->scene()), view);
+    } else {
+        view = {};
+    }
+    for (const std::string& value : settings.values) set_value(value, read->controls, read->scene(), problems);
+    if (settings.view)
+        if (const std::string wrong = parse_view(*settings.view, view); !wrong.empty())
+            problems.error("view-unreadable", wrong);
+    reference_.reset();
+    shown_ = std::move(read);
+    plan_ = std::move(plan);
+}
+
+Remembered OpenScene::remembered() const {
+    Remembered memory = memory_;
+    if (shown_) remember(shown_->scene(), shown_->controls, memory);
+    return memory;
+}
+
+const Diagnostics& OpenScene::choose(std::size_t ladder, std::size_t rung) {
+    const Scene& scene = shown_->scene();
+    if (shown_->controls.rungs.empty()) shown_->controls.rungs = shown_->runtime->rungs();
+    if (ladder < scene.ladders.size() && rung < scene.ladders[ladder].rungs.size())
+        shown_->controls.rungs[ladder] = rung;
+    memory_ = remembered();
+    if (follow_rungs(*shown_)) recall(memory_, shown_->scene(), shown_->controls);
+    return shown_->runtime->ladder_problems();
+}
+
+std::unique_ptr<Document> OpenScene::compiled(const Plan& plan, const gl::Caps& caps, const Runtime* previous) const {
+    auto document = std::make_unique<Document>();
+    document->path = shown_->path;
+    document->files = std::make_unique<Files>(scene_folder(document->path));
+    document->sources = shown_->sources;
+    RuntimeOptions options;
+    options.previous = previous;
+    document->runtime.emplace(plan, *document->files, document->sources, caps, document->diagnostics, options);
+    document->controls = document->runtime->controls();
+    carry_over(shown_->controls, plan_.scene, document->controls, plan_.scene);
+    return document;
+}
+
+void OpenScene::release() {
+    reference_.reset();
+    if (shown_) shown_->runtime.reset();
+}
+
+void OpenScene::restore(const gl::Caps& caps) {
+    if (!shown_) return;
+    release();
+    plan_.rungs = shown_->controls.rungs.empty() ? plan_.rungs : shown_->controls.rungs;
+    shown_ = compiled(plan_, caps, nullptr);
+}
+
+Document* OpenScene::reference(const gl::Caps& caps) {
+    if (!shown_ || shown_->scene().ladders.empty()) return nullptr;
+    if (!reference_) {
+        Plan plan = plan_;
+        plan.rungs = reference_rungs(plan.scene);
+        reference_ = compiled(plan, caps, &*shown_->runtime);
+    }
+    Controls& controls = reference_->controls;
+    carry_over(shown_->controls, shown_->scene(), controls, reference_->scene());
+    controls.rungs = reference_->runtime->rungs();
+    return reference_.get();
+}
+
+}  // namespace snell::web

@@ -1,0 +1,59 @@
+// The scene that the page shows. It is read again after every edit; once it was shown, there is always a picture.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/document/document.h"
+#include "src/gl/caps.h"
+#include "src/plan/values/remembered.h"
+#include "src/plan/view.h"
+
+namespace snell::web {
+
+// What takes effect before the first picture.
+struct Settings {
+    std::vector<std::string> values, rungs;  // such as "Glass.uEta=1.3" and "FRESNEL=exact"
+    std::optional<std::string> view;         // such as "rotate_x=30"
+    bool fresh = false;                      // values that were set before are forgotten
+    bool lints = true;
+};
+
+// What a reading of the scene found.
+struct Reading {
+    bool shown = false;  // false: what was shown before is shown still
+    std::unique_ptr<Document> refused;
+    Diagnostics settings;  // what of the settings does not fit
+};
+
+class OpenScene {
+public:
+    Reading open(const std::string& path, const Settings& settings, const gl::Caps& caps);
+    // Returns the problems of the rung's programs.
+    const Diagnostics& choose(std::size_t ladder, std::size_t rung);
+    // Makes everything again in another context, from the texts that are shown.
+    void restore(const gl::Caps& caps);
+    // Gives up all objects of OpenGL, as far as there are any.
+    void release();
+
+    // Null until a scene could be read.
+    Document* document() { return shown_.get(); }
+    const Document* document() const { return shown_.get(); }
+    // The same scene with the reference rung of every ladder, and the current values. Null if there is nothing to
+    // compare.
+    Document* reference(const gl::Caps& caps);
+    View view;
+
+private:
+    void take(std::unique_ptr<Document> read, Plan plan, const Settings& settings, bool again, Diagnostics& problems);
+    std::unique_ptr<Document> compiled(const Plan& plan, const gl::Caps& caps, const Runtime* previous) const;
+    Remembered remembered() const;
+
+    std::unique_ptr<Document> shown_, reference_;
+    Plan plan_;          // of shown_
+    Remembered memory_;  // values that shown_ does not have at present
+};
+
+}  // namespace snell::web

@@ -1,0 +1,141 @@
+#include "web/interface/text.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "parser/text/ranges.h"
+#include "src/plan/values/remembered.h"
+
+namespace snell::web {
+
+namespace {
+
+const char* widget_name(Widget widget) {
+    return widget == Widget::color ? "color" : widget == Widget::check_box ? "check_box" : "slider";
+}
+
+const char* type_name(ValueType type) {
+    switch (type) {
+        case ValueType::int_:
+            return "int";
+        case ValueType::uint_:
+            return "uint";
+        case ValueType::bool_:
+            return "bool";
+        case ValueType::double_:
+            return "double";
+        default:
+            return "float";
+    }
+}
+
+Json place_json(const Span& span, const Sources& sources) {
+    const Position begin = sources.position(span.file, span.begin), end = sources.position(span.file, span.end);
+    return {{"file", std::string(sources.name(span.file))},
+            {"line", begin.line},
+            {"column", begin.column},
+            {"endLine", end.line},
+            {"endColumn", end.column}};
+}
+
+Json controls_json(const Document& document) {
+    Json all = Json::array();
+    const std::vector<Control>& items = document.controls.items;
+    const std::vector<std::string> names = control_names(document.scene(), document.controls);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Control& c = items[i];
+        if (c.widget == Widget::none || !c.active) continue;
+        all.push_back({{"index", i},
+                       {"key", names[i]},
+                       {"program", document.scene().programs[c.program].name},
+                       {"name", c.name},
+                       {"widget", widget_name(c.widget)},
+                       {"type", type_name(c.type)},
+                       {"components", c.components},
+                       {"min", c.min},
+                       {"max", c.max},
+                       {"value", c.value},
+                       {"initialMin", c.initial_min},
+                       {"initialMax", c.initial_max},
+                       {"initial", c.initial},
+                       {"active", c.active}});
+    }
+    return all;
+}
+
+Json ladders_json(const Document& document) {
+    Json all = Json::array();
+    const std::vector<Ladder>& ladders = document.scene().ladders;
+    for (std::size_t i = 0; i < ladders.size(); ++i)
+        all.push_back({{"index", i},
+                       {"name", ladders[i].name},
+                       {"rungs", ladders[i].rungs},
+                       {"chosen", document.runtime->rungs()[i]},
+                       {"marked", ladders[i].current},
+                       {"reference", ladders[i].rungs.size() - 1}});
+    return all;
+}
+
+bool reads_timer(const Document& document) {
+    return ranges::any_of(document.runtime->active_uniforms(), [](const std::vector<ActiveUniform>& uniforms) {
+        return ranges::any_of(uniforms, [](const ActiveUniform& u) { return u.system && u.name == "Timer"; });
+    });
+}
+
+Json counters_json(const Counters& counters) {
+    Json all = Json::object();
+    for (const CounterName& one : counter_names()) all[std::string(one.name)] = counters.*one.value;
+    return all;
+}
+
+}  // namespace
+
+Json problems_json(const Diagnostics& diagnostics, const Sources& sources) {
+    Json all = Json::array();
+    for (const Diagnostic& d : diagnostics.items()) {
+        Json one{{"severity", name(d.severity)}, {"code", d.code}, {"message", d.message}, {"help", d.help}};
+        if (d.has_span) one["at"] = place_json(d.span, sources);
+        one["text"] = render(d, sources);
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+Json shown_json(const Document& document) {
+    const Scene& scene = document.scene();
+    const bool animated = document.runtime->animated();
+    return {{"title", std::filesystem::path(document.path).stem().string()},
+            {"scene", document.path},
+            {"controls", controls_json(document)},
+            {"ladders", ladders_json(document)},
+            {"width", scene.window_size[0]},
+            {"height", scene.window_size[1]},
+            {"animated", animated || document.runtime->uses_mouse()},
+            {"usesMouse", document.runtime->uses_mouse()},
+            {"period", animated && reads_timer(document) ? scene.timer_period : 0},
+            {"files", document.files->read_paths()},
+            {"counters", counters_json(document.runtime->counters())}};
+}
+
+Json values_json(const Document& document) {
+    Json all = Json::array();
+    const std::vector<Control>& items = document.controls.items;
+    const std::vector<std::string> names = control_names(document.scene(), document.controls);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (items[i].active && items[i].value != items[i].initial)
+            all.push_back(fmt::format("{}={}", names[i], fmt::join(items[i].value, ",")));
+    return all;
+}
+
+Json rungs_json(const Document& document) {
+    Json all = Json::array();
+    const std::vector<Ladder>& ladders = document.scene().ladders;
+    for (std::size_t i = 0; i < ladders.size(); ++i)
+        if (const std::size_t rung = document.runtime->rungs()[i]; rung != ladders[i].current)
+            all.push_back(ladders[i].name + "=" + ladders[i].rungs[rung]);
+    return all;
+}
+
+}  // namespace snell::web

@@ -1,0 +1,231 @@
+// The engine by WebAssembly: the functions of web/interface/interface.cpp behind the page's own interface.
+
+import type { Engine, Frame, Opened, Problem } from './engine.ts';
+
+// What Emscripten gives (build/web/engine/snell.js).
+interface Files {
+    mkdirTree(path: string): void;
+    chdir(path: string): void;
+    writeFile(path: string, bytes: Uint8Array): void;
+    readFile(path: string): Uint8Array;
+    analyzePath(path: string): { exists: boolean };
+    unlink(path: string): void;
+    utime(path: string, accessed: number, modified: number): void;
+}
+
+type Pointer = number;
+type Moment = [time: number, width: number, height: number, split: number, mouseX: number, mouseY: number];
+
+interface Program {
+    FS: Files;
+    HEAPU8: Uint8Array;
+    specialHTMLTargets: Record<string, unknown>;
+    UTF8ToString(text: Pointer): string;
+    stringToUTF8(text: string, to: Pointer, most: number): void;
+    lengthBytesUTF8(text: string): number;
+    _malloc(bytes: number): Pointer;
+    _free(at: Pointer): void;
+    _snell_new(): Pointer;
+    _snell_start(engine: Pointer, canvas: Pointer): Pointer;
+    _snell_driver(engine: Pointer): Pointer;
+    _snell_open(engine: Pointer, scene: Pointer, settings: Pointer): Pointer;
+    _snell_check(engine: Pointer, scene: Pointer): Pointer;
+    _snell_set(engine: Pointer, index: number, component: number, value: number): void;
+    _snell_range(engine: Pointer, index: number, min: number, max: number): void;
+    _snell_reset(engine: Pointer, index: number): void;
+    _snell_choose(engine: Pointer, ladder: number, rung: number): Pointer;
+    _snell_state(engine: Pointer): Pointer;
+    _snell_set_view(engine: Pointer, text: Pointer): Pointer;
+    _snell_turn(engine: Pointer, dx: number, dy: number, begins: number): void;
+    _snell_move(engine: Pointer, dx: number, dy: number, width: number, height: number): void;
+    _snell_zoom(engine: Pointer, factor: number): void;
+    _snell_draw(engine: Pointer, ...moment: Moment): void;
+    _snell_settle(engine: Pointer, ...moment: Moment): number;
+    _snell_picture(engine: Pointer, ...moment: [...Moment, number]): Pointer;
+    _snell_decode(engine: Pointer, name: Pointer, bytes: Pointer, size: number): Pointer;
+    _snell_bytes(engine: Pointer): Pointer;
+    _snell_byte_count(engine: Pointer): number;
+    _snell_free_bytes(engine: Pointer): void;
+    _snell_saved(engine: Pointer): Pointer;
+    _snell_restored(engine: Pointer): Pointer;
+}
+
+export type MakeProgram = (options: { wasmBinary: Uint8Array; printErr?: (text: string) => void }) => Promise<Program>;
+
+// The folder that names of files are relative to, away from the folders that every system has.
+const folder = '/files';
+const canvasName = '!snell';
+
+function moment(frame: Frame): Moment {
+    const [x, y] = frame.mouse ?? [0, 0];
+    return [frame.time, frame.width, frame.height, frame.split ?? 1, x, y];
+}
+
+function sameBytes(a: Uint8Array, b: Uint8Array): boolean {
+    return a.length === b.length && a.every((byte, i) => byte === b[i]);
+}
+
+export class WasmEngine implements Engine {
+    private readonly engine: Pointer;
+    private writes = 0;
+
+    private constructor(private readonly program: Program) {
+        this.engine = program._snell_new();
+        program.FS.mkdirTree(folder);
+        program.FS.chdir(folder);
+    }
+
+    // `make` is the default export of snell.js, `wasmBinary` the bytes of snell.wasm.
+    static async load(make: MakeProgram, wasmBinary: Uint8Array): Promise<WasmEngine> {
+        return new WasmEngine(await make({ wasmBinary }));
+    }
+
+    async start(canvas: HTMLCanvasElement): Promise<string> {
+        this.program.specialHTMLTargets[canvasName] = canvas;
+        return this.call((name) => this.program._snell_start(this.engine, name), canvasName);
+    }
+
+    driver(): Record<string, string | number> {
+        return this.json(this.program._snell_driver(this.engine));
+    }
+
+    // An unchanged file keeps its time, so that nothing made of it is made again. Times have whole seconds, so each
+    // write is a second after the one before.
+    write(name: string, bytes: Uint8Array): void {
+        const files = this.program.FS;
+        if (files.analyzePath(name).exists && sameBytes(files.readFile(name), bytes)) return;
+        const slash = name.lastIndexOf('/');
+        if (slash > 0) files.mkdirTree(`${folder}/${name.slice(0, slash)}`); // it takes every name as from the root
+        files.writeFile(name, bytes);
+        const time = 1000 * ++this.writes;
+        files.utime(name, time, time);
+    }
+
+    remove(name: string): void {
+        if (this.program.FS.analyzePath(name).exists) this.program.FS.unlink(name);
+    }
+
+    open(scene: string, settings: Parameters<Engine['open']>[1] = {}): Opened {
+        return this.asked(
+            (name, json) => this.program._snell_open(this.engine, name, json),
+            scene,
+            JSON.stringify(settings),
+        );
+    }
+
+    check(scene: string): Problem[] {
+        return this.asked((name) => this.program._snell_check(this.engine, name), scene);
+    }
+
+    set(index: number, component: number, value: number): void {
+        this.program._snell_set(this.engine, index, component, value);
+    }
+
+    range(index: number, min: number, max: number): void {
+        this.program._snell_range(this.engine, index, min, max);
+    }
+
+    reset(index?: number): void {
+        this.program._snell_reset(this.engine, index ?? -1);
+    }
+
+    choose(ladder: number, rung: number): Opened {
+        return this.json(this.program._snell_choose(this.engine, ladder, rung));
+    }
+
+    values(): string[] {
+        return this.state().values;
+    }
+
+    rungs(): string[] {
+        return this.state().rungs;
+    }
+
+    view(): string {
+        return this.state().view;
+    }
+
+    setView(view: string): string {
+        return this.call((text) => this.program._snell_set_view(this.engine, text), view);
+    }
+
+    turn(dx: number, dy: number, begins = false): void {
+        this.program._snell_turn(this.engine, dx, dy, Number(begins));
+    }
+
+    move(dx: number, dy: number, width: number, height: number): void {
+        this.program._snell_move(this.engine, dx, dy, width, height);
+    }
+
+    zoom(factor: number): void {
+        this.program._snell_zoom(this.engine, factor);
+    }
+
+    draw(frame: Frame): void {
+        this.program._snell_draw(this.engine, ...moment(frame));
+    }
+
+    settle(frame: Frame): boolean {
+        return this.program._snell_settle(this.engine, ...moment(frame)) !== 0;
+    }
+
+    picture(frame: Frame, samples: number): Uint8ClampedArray | string {
+        const error = this.program.UTF8ToString(this.program._snell_picture(this.engine, ...moment(frame), samples));
+        return error || new Uint8ClampedArray(this.takenBytes().buffer);
+    }
+
+    saved(): { files: { name: string; text: string }[]; error: string } {
+        return this.json(this.program._snell_saved(this.engine));
+    }
+
+    restored(): Opened {
+        return this.json(this.program._snell_restored(this.engine));
+    }
+
+    // Decodes an image file for another thread's engine: the result is written there in place of the file. A string is
+    // the error.
+    decode(name: string, bytes: Uint8Array): Uint8Array | string {
+        const { program } = this;
+        const at = program._malloc(bytes.length);
+        program.HEAPU8.set(bytes, at);
+        const error = this.call((text) => program._snell_decode(this.engine, text, at, bytes.length), name);
+        program._free(at);
+        return error || this.takenBytes();
+    }
+
+    private state(): { values: string[]; rungs: string[]; view: string } {
+        return this.json(this.program._snell_state(this.engine));
+    }
+
+    // Copies the bytes of the last picture out of the program, and frees them there.
+    private takenBytes(): Uint8Array<ArrayBuffer> {
+        const { program, engine } = this;
+        const at = program._snell_bytes(engine);
+        const bytes = program.HEAPU8.slice(at, at + program._snell_byte_count(engine));
+        program._snell_free_bytes(engine);
+        return bytes as Uint8Array<ArrayBuffer>;
+    }
+
+    private json<T>(text: Pointer): T {
+        return JSON.parse(this.program.UTF8ToString(text)) as T;
+    }
+
+    private asked<T>(ask: (...texts: Pointer[]) => Pointer, ...texts: string[]): T {
+        return JSON.parse(this.call(ask, ...texts)) as T;
+    }
+
+    // Passes texts, and returns the one that comes back.
+    private call(ask: (...texts: Pointer[]) => Pointer, ...texts: string[]): string {
+        const { program } = this;
+        const passed = texts.map((text) => {
+            const bytes = program.lengthBytesUTF8(text) + 1;
+            const at = program._malloc(bytes);
+            program.stringToUTF8(text, at, bytes);
+            return at;
+        });
+        const answer = program.UTF8ToString(ask(...(passed as [Pointer, Pointer])));
+        passed.forEach((at) => program._free(at));
+        return answer;
+    }
+}
+

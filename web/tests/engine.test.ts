@@ -1,0 +1,186 @@
+// The engine in Chromium, against the native program on the same version of OpenGL ES.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import type { JSHandle, Page, Browser } from 'puppeteer-core';
+import type { EnginePage, Files } from './engine_page.ts';
+
+const require = createRequire(join(process.cwd(), 'package.json'));
+const root = join(process.cwd(), '..');
+const snell = process.env.SNELL ?? join(root, 'build/release/bin/snell');
+const built = process.env.SNELL_ENGINE ?? join(root, 'build/web/engine');
+
+let browser: Browser;
+let page: Page;
+let said: string[] = [];
+
+function filesBelow(folder: string, prefix = ''): Files {
+    const files: Files = {};
+    for (const name of readdirSync(join(root, folder, prefix))) {
+        const path = join(prefix, name);
+        if (statSync(join(root, folder, path)).isDirectory()) Object.assign(files, filesBelow(folder, path));
+        else files[path] = readFileSync(join(root, folder, path)).toString('base64');
+    }
+    return files;
+}
+
+const text = (files: Files, name: string) => Buffer.from(files[name]!, 'base64').toString();
+
+async function bundle(): Promise<string> {
+    const code = `import make from ${JSON.stringify(join(built, 'snell.js'))};
+        import { EnginePage } from './engine_page.ts';
+        Object.assign(globalThis, { make, EnginePage });`;
+    const result = await require('esbuild').build({
+        stdin: { contents: code, resolveDir: join(process.cwd(), 'tests'), loader: 'ts' },
+        bundle: true,
+        format: 'iife',
+        write: false,
+        external: ['module', 'fs', 'path', 'url'],
+    });
+    return result.outputFiles[0].text;
+}
+
+async function started(): Promise<JSHandle<EnginePage>> {
+    const wasm = readFileSync(join(built, 'snell.wasm')).toString('base64');
+    return page.evaluateHandle((wasm) => {
+        const { make, EnginePage } = globalThis as unknown as Record<string, never>;
+        return (EnginePage as unknown as { start(...args: unknown[]): Promise<EnginePage> }).start(make, wasm);
+    }, wasm);
+}
+
+// The picture that the native program draws, as RGBA.
+async function native(scene: string, size: string): Promise<number[]> {
+    const out = mkdtempSync(join(tmpdir(), 'snell-engine-'));
+    try {
+        const png = join(out, 'picture.png');
+        const { status, stderr } = spawnSync(
+            snell,
+            ['render', scene, '-o', png, '--size', size, '--context', 'es3.0', '--no-specialise'],
+            { cwd: root, env: { ...process.env, MESA_GLES_VERSION_OVERRIDE: '3.0' }, encoding: 'utf8' },
+        );
+        assert.equal(status, 0, stderr);
+        return await page.evaluate((png) => {
+            const { EnginePage } = globalThis as unknown as { EnginePage: { pixels(png: string): Promise<number[]> } };
+            return EnginePage.pixels(png);
+        }, readFileSync(png).toString('base64'));
+    } finally {
+        rmSync(out, { recursive: true });
+    }
+}
+
+// The share of pixels with a difference of at most 2 of 255.
+function alike(a: number[], b: number[]): number {
+    assert.equal(a.length, b.length);
+    let same = 0;
+    for (let i = 0; i < a.length; i += 4) {
+        const near = (c: number) => Math.abs(a[i + c]! - b[i + c]!) <= 2;
+        if (near(0) && near(1) && near(2)) same += 1;
+    }
+    return same / (a.length / 4);
+}
+
+function spread(picture: number[]): number {
+    return new Set(picture.filter((_, i) => i % 4 === 0)).size;
+}
+
+before(async () => {
+    browser = await require('puppeteer-core').launch({
+        executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+        args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--use-angle=swiftshader'],
+    });
+    page = await browser.newPage();
+    page.on('console', (message) => said.push(message.text()));
+    page.on('pageerror', (error) => said.push(String(error)));
+    await page.addScriptTag({ content: await bundle() });
+});
+
+after(async () => {
+    await browser.close();
+    assert.deepEqual(said, [], 'nothing was written to the console');
+});
+
+const room = 'refraction-room/refraction-room.glib';
+const frame = { time: 0, width: 400, height: 300 };
+
+test('the refraction room looks as the native program draws it', async () => {
+    const engine = await started();
+    const opened = await engine.evaluate((e, files, room) => e.open(files, room), filesBelow('scenes'), room);
+    assert.deepEqual(opened.problems, []);
+    assert.ok(opened.ok);
+    const picture = await engine.evaluate((e, frame) => e.picture(frame), frame);
+    assert.ok(spread(picture) > 50, 'it shows something');
+    const expected = await native(`scenes/${room}`, '400x300');
+    const share = alike(picture, expected);
+    assert.ok(share >= 0.999, `${share} of the pixels are alike`);
+    assert.equal(await engine.evaluate((e) => e.error()), 0);
+});
+
+test('the canvas shows the picture with four samples', async () => {
+    const engine = await started();
+    await engine.evaluate((e, files, room) => e.open(files, room), filesBelow('scenes'), room);
+    const shown = await engine.evaluate((e, frame) => e.shown(frame), frame);
+    const picture = await engine.evaluate((e, frame) => e.picture(frame, 4), frame);
+    assert.ok(alike(shown, picture) === 1);
+    assert.ok(spread(shown) > 50);
+});
+
+test('a broken edit keeps the last good picture and its values', async () => {
+    const engine = await started();
+    const files = filesBelow('scenes');
+    const opened = await engine.evaluate((e, files, room) => e.open(files, room), files, room);
+    const slider = opened.shown!.controls.find((control) => control.widget === 'slider')!;
+    await engine.evaluate((e, slider) => e.engine.set(slider.index, 0, slider.max), slider);
+    const before = await engine.evaluate((e, frame) => e.picture(frame), frame);
+    const glass = 'refraction-room/glass.frag';
+    const broken = text(files, glass).replace('void main', 'float broken(vec3 v) { return v; }\nvoid main');
+    const refused = await engine.evaluate(
+        (e, name, text, room) => (e.edit(name, text), e.engine.open(room)), glass, broken, room);
+    assert.equal(refused.ok, false);
+    const error = refused.problems.find((problem) => problem.severity === 'error')!;
+    assert.equal(error.at!.file, glass);
+    assert.ok(text(files, glass).split('\n').length >= error.at!.line - 1);
+    assert.deepEqual(await engine.evaluate((e, frame) => e.picture(frame), frame), before);
+    const mended = await engine.evaluate(
+        (e, name, text, room) => (e.edit(name, text), e.engine.open(room)), glass, text(files, glass), room);
+    assert.ok(mended.ok);
+    assert.equal(mended.shown!.controls.find((c) => c.key === slider.key)!.value[0], slider.max);
+    assert.deepEqual(await engine.evaluate((e, frame) => e.picture(frame), frame), before);
+});
+
+test('a lost context is taken up again with the values as they were', async () => {
+    const engine = await started();
+    const opened = await engine.evaluate((e, files, room) => e.open(files, room), filesBelow('scenes'), room);
+    const slider = opened.shown!.controls.find((control) => control.widget === 'slider')!;
+    await engine.evaluate((e, slider) => e.engine.set(slider.index, 0, slider.max), slider);
+    const before = await engine.evaluate((e, frame) => e.picture(frame), frame);
+    const restored = await engine.evaluate((e) => e.loseAndRestore());
+    assert.ok(restored.ok);
+    assert.deepEqual(await engine.evaluate((e, frame) => e.picture(frame), frame), before);
+    assert.equal(await engine.evaluate((e) => e.error()), 0);
+    said = said.filter((message) => !message.includes('CONTEXT_LOST_WEBGL'));
+});
+
+test('a hundred edits do not make memory grow', async () => {
+    const engine = await started();
+    const files = filesBelow('scenes');
+    await engine.evaluate((e, files, room) => e.open(files, room), files, room);
+    const source = text(files, 'refraction-room/glass.frag');
+    const grown = await engine.evaluate(
+        (e, source, room, frame) => {
+            const edit = (round: number) => {
+                e.edit('refraction-room/glass.frag', `${source}\n// ${round}\n`);
+                if (!e.engine.open(room).ok) throw new Error('refused');
+                e.engine.draw(frame);
+            };
+            for (let round = 0; round < 10; ++round) edit(round);
+            const before = e.heap();
+            for (let round = 10; round < 110; ++round) edit(round);
+            return e.heap() - before;
+        },
+        source, room, frame);
+    assert.ok(grown < 5e6, `${grown} bytes`);
+});
