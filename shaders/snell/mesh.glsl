@@ -132,9 +132,13 @@ SnellMeshRay snellMeshRay(vec3 origin, vec3 direction) {
 // ray's origin lies behind by no more than the slack still counts: a path goes on from the point that it has met,
 // which rounding may put beyond the neighbour of its triangle.
 void snellMeshTriangle(SnellMeshRay ray, int triangle, int side, inout SnellMeshHit hit) {
-    vec3 A = snellMeshTurn(snellMeshCorner(triangle, 0) - ray.origin, ray.axis);
-    vec3 B = snellMeshTurn(snellMeshCorner(triangle, 1) - ray.origin, ray.axis);
-    vec3 C = snellMeshTurn(snellMeshCorner(triangle, 2) - ray.origin, ray.axis);
+    vec3 A = snellMeshCorner(triangle, 0) - ray.origin, B = snellMeshCorner(triangle, 1) - ray.origin;
+    vec3 C = snellMeshCorner(triangle, 2) - ray.origin;
+    if (ray.axis != 2) {  // neighbouring rays mostly agree on this, and save the turns
+        A = snellMeshTurn(A, ray.axis);
+        B = snellMeshTurn(B, ray.axis);
+        C = snellMeshTurn(C, ray.axis);
+    }
     vec2 a = A.xy - ray.shear * A.z, b = B.xy - ray.shear * B.z, c = C.xy - ray.shear * C.z;
     vec3 w = vec3(snellMeshEdge(b, c), snellMeshEdge(c, a), snellMeshEdge(a, b));
     float sum = w.x + w.y + w.z;
