@@ -132,9 +132,13 @@ SnellMeshRay snellMeshRay(vec3 origin, vec3 direction) {
 // ray's origin lies behind by no more than the slack still counts: a path goes on from the point that it has met,
 // which rounding may put beyond the neighbour of its triangle.
 void snellMeshTriangle(SnellMeshRay ray, int triangle, int side, inout SnellMeshHit hit) {
-    vec3 A = snellMeshTurn(snellMeshCorner(triangle, 0) - ray.origin, ray.axis);
-    vec3 B = snellMeshTurn(snellMeshCorner(triangle, 1) - ray.origin, ray.axis);
-    vec3 C = snellMeshTurn(snellMeshCorner(triangle, 2) - ray.origin, ray.axis);
+    vec3 A = snellMeshCorner(triangle, 0) - ray.origin, B = snellMeshCorner(triangle, 1) - ray.origin;
+    vec3 C = snellMeshCorner(triangle, 2) - ray.origin;
+    if (ray.axis != 2) {  // neighbouring rays mostly agree on this, and save the turns
+        A = snellMeshTurn(A, ray.axis);
+        B = snellMeshTurn(B, ray.axis);
+        C = snellMeshTurn(C, ray.axis);
+    }
     vec2 a = A.xy - ray.shear * A.z, b = B.xy - ray.shear * B.z, c = C.xy - ray.shear * C.z;
     vec3 w = vec3(snellMeshEdge(b, c), snellMeshEdge(c, a), snellMeshEdge(a, b));
     float sum = w.x + w.y + w.z;
@@ -161,26 +165,33 @@ bool snellMeshFind(vec3 origin, vec3 direction, int side, out SnellMeshHit hit) 
     int waiting[SNELL_MESH_DEPTH];
     int count = 0, node = usable ? SNELL_MESH_ROOT : -1;
     while (node >= 0) {
-        // Rows have an even number of texels, so that both are in one.
-        ivec2 at = snellMeshAt(2 * node);
-        vec4 low = texelFetch(snellMeshNodes, at, 0), high = texelFetch(snellMeshNodes, at + ivec2(1, 0), 0);
-        // Boxes are larger by the slack, and their far sides farther by the roundings of a distance.
-        vec3 a = (low.xyz - ray.slack - origin) * inverse, b = (high.xyz + ray.slack - origin) * inverse;
-        vec3 first = min(a, b), last = max(a, b);
-        float enter = max(max(first.x, first.y), first.z);
-        float leave = min(min(last.x, last.y), last.z);
-        leave += abs(leave) * 4.0 * SNELL_EPSILON + 16.0 * ray.slack;
-        int link = int(low.w), kind = int(high.w), next = -1;
-        if (enter <= leave && enter <= hit.distance && leave >= 0.0) {
-            for (int i = 0; i < kind; ++i) snellMeshTriangle(ray, link + i, side, hit);
-            if (kind < 0 && count < SNELL_MESH_DEPTH) {
-                bool up = ray.direction[-kind - 1] >= 0.0;
-                next = up ? node + 1 : link;
-                waiting[count++] = up ? link : node + 1;
+        // To the next leaf that the ray enters. Triangles are tried outside of this loop, because rays of neighbouring
+        // pixels run it together, and the one that has most steps decides what they all cost.
+        int first = 0, triangles = 0;
+        while (node >= 0 && triangles == 0) {
+            // Rows have an even number of texels, so that both are in one.
+            ivec2 at = snellMeshAt(2 * node);
+            vec4 low = texelFetch(snellMeshNodes, at, 0), high = texelFetch(snellMeshNodes, at + ivec2(1, 0), 0);
+            // Boxes are larger by the slack, and their far sides farther by the roundings of a distance.
+            vec3 a = (low.xyz - ray.slack - origin) * inverse, b = (high.xyz + ray.slack - origin) * inverse;
+            vec3 nearer = min(a, b), farther = max(a, b);
+            float enter = max(max(nearer.x, nearer.y), nearer.z);
+            float leave = min(min(farther.x, farther.y), farther.z);
+            leave += abs(leave) * 4.0 * SNELL_EPSILON + 16.0 * ray.slack;
+            int link = int(low.w), kind = int(high.w), next = -1;
+            if (enter <= leave && enter <= hit.distance && leave >= 0.0) {
+                first = link;
+                triangles = max(kind, 0);
+                if (kind < 0 && count < SNELL_MESH_DEPTH) {
+                    bool up = ray.direction[-kind - 1] >= 0.0;
+                    next = up ? node + 1 : link;
+                    waiting[count++] = up ? link : node + 1;
+                }
             }
+            if (next < 0 && count > 0) next = waiting[--count];
+            node = next;
         }
-        if (next < 0 && count > 0) next = waiting[--count];
-        node = next;
+        for (int i = 0; i < triangles; ++i) snellMeshTriangle(ray, first + i, side, hit);
     }
     if (hit.triangle < 0) hit.distance = 0.0;
     return hit.triangle >= 0;

@@ -1,5 +1,7 @@
 #include "src/gl/present.h"
 
+#include "src/gl/program.h"
+
 namespace snell::gl {
 
 namespace {
@@ -15,6 +17,12 @@ void copy(const Target& from, GLuint to, int x, int y, int width, int height) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+constexpr const char* encode_fragment =
+    "uniform sampler2D light;\nuniform vec4 place;\nout vec4 color;\n"
+    "void main() {\n    vec4 c = texture(light, (gl_FragCoord.xy - place.xy) / place.zw);\n"
+    "    color = vec4(mix(12.92 * c.rgb, 1.055 * pow(c.rgb, vec3(1. / 2.4)) - .055, greaterThan(c.rgb, "
+    "vec3(.0031308))), c.a);\n}\n";
+
 }  // namespace
 
 bool Canvas::resize(int width, int height, int samples, Pixels pixels) {
@@ -24,13 +32,38 @@ bool Canvas::resize(int width, int height, int samples, Pixels pixels) {
     // The old targets are freed first: memory may be too small for both.
     drawn_ = {};
     resolved_ = {};
+    light_ = {};
     wanted_ = samples;
     pixels_ = pixels;
     drawn_ = make_target(width, height, samples, pixels);
     // A multisampled blit requires equal formats, and the default framebuffer's may differ: resolve into a target of
     // our own.
+    if (pixels == Pixels::srgb8 && !epoxy_is_desktop_gl()) return make_light(width, height) && drawn_.framebuffer;
     if (drawn_.samples > 1) resolved_ = make_target(width, height, 1, pixels);
     return drawn_.framebuffer && (drawn_.samples <= 1 || resolved_.framebuffer);
+}
+
+bool Canvas::make_light(int width, int height) {
+    light_ = make_texture(GL_TEXTURE_2D, {Pixels::srgb8, width, height}, {Sampling::Mode::linear, 1, true});
+    TextureTarget target = make_texture_target({{light_.get(), GL_TEXTURE_2D}}, width, height);
+    resolved_ = {std::move(target.framebuffer), {}, std::move(target.depth), width, height, 1, Pixels::srgb8};
+    if (!encode_) encode_ = covering_program(true, encode_fragment);
+    if (!nothing_) nothing_ = VertexArray(make(glGenVertexArrays));
+    return resolved_.framebuffer && encode_;
+}
+
+void Canvas::encode(int x, int y, int width, int height, GLuint to) const {
+    const auto f = [](int value) { return static_cast<float>(value); };
+    glBindFramebuffer(GL_FRAMEBUFFER, to);
+    glViewport(x, y, width, height);
+    for (const GLenum test : {GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE, GL_BLEND}) glDisable(test);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glUseProgram(encode_.get());
+    glUniform1i(glGetUniformLocation(encode_.get(), "light"), 0);
+    glUniform4f(glGetUniformLocation(encode_.get(), "place"), f(x), f(y), f(width), f(height));
+    draw_covering(light_.get(), nothing_.get());
+    glUseProgram(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void Canvas::resolve() {
@@ -46,9 +79,12 @@ std::vector<std::byte> Canvas::read() const {
     return read_rgba8(shown.framebuffer.get(), shown.width, shown.height, 1, pixels_);
 }
 
-void Canvas::show(int x, int y, int width, int height) const {
+void Canvas::show(int x, int y, int width, int height, GLuint to) const {
     const Target& shown = resolved_.framebuffer ? resolved_ : drawn_;
-    if (shown.framebuffer) copy(shown, 0, x, y, width, height);
+    if (light_)
+        encode(x, y, width, height, to);
+    else if (shown.framebuffer)
+        copy(shown, to, x, y, width, height);
 }
 
 void clear_window(int width, int height, float red, float green, float blue) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "src/gl/target.h"
+#include "src/gl/texture.h"
 
 namespace snell::gl {
 
@@ -21,14 +22,22 @@ public:
     unsigned resolved() const { return (resolved_.framebuffer ? resolved_ : drawn_).framebuffer.get(); }
     // Reads the resolved picture: RGBA bytes, top row first.
     std::vector<std::byte> read() const;
-    // Copies the resolved picture into the default framebuffer, with its bottom left corner at pixel (x, y), enlarged
-    // to the size in pixels.
-    void show(int x, int y, int width, int height) const;
+    // Copies the resolved picture into a framebuffer of bytes, the default one if none is named, with its bottom left
+    // corner at pixel (x, y), enlarged to the size in pixels.
+    void show(int x, int y, int width, int height, GLuint to = 0) const;
 
 private:
     int wanted_ = 0;
     Pixels pixels_ = Pixels::rgba8;
     Target drawn_, resolved_;
+    // Of srgb8 in OpenGL ES, which decodes what it copies: the picture is resolved into a texture, and shown by a
+    // program that encodes again.
+    Texture light_;
+    Program encode_;
+    VertexArray nothing_;
+
+    bool make_light(int width, int height);
+    void encode(int x, int y, int width, int height, GLuint to) const;
 };
 
 // Fills the default framebuffer with one colour and leaves it bound, so that overlays can be drawn.

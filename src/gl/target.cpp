@@ -20,6 +20,16 @@ Renderbuffer make_renderbuffer(GLenum format, int width, int height, int samples
     return buffer;
 }
 
+// The most samples that the context takes in a renderbuffer of the format. Some have fewer for floats than for bytes.
+int most_samples(GLenum format) {
+    GLint most = 1;
+    if (epoxy_is_desktop_gl())
+        glGetIntegerv(GL_MAX_SAMPLES, &most);
+    else  // the largest comes first
+        glGetInternalformativ(GL_RENDERBUFFER, format, GL_SAMPLES, 1, &most);
+    return std::max(1, most);
+}
+
 // A target that is only read back needs no depth.
 Target make_color_target(int width, int height, Pixels type) {
     Target target;
@@ -72,11 +82,10 @@ std::vector<Component> read_rows(GLuint framebuffer, int width, int height, int 
 
 Target make_target(int width, int height, int samples, Pixels type) {
     Target target;
-    GLint max_samples = 1;
-    glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
     target.width = width;
     target.height = height;
-    target.samples = std::clamp(samples, 1, std::max(1, max_samples));
+    target.samples =
+        std::clamp(samples, 1, std::min(most_samples(internal_format(type)), most_samples(GL_DEPTH_COMPONENT24)));
     target.pixels = type;
     target.color = make_renderbuffer(internal_format(type), width, height, target.samples);
     target.depth = make_renderbuffer(GL_DEPTH_COMPONENT24, width, height, target.samples);

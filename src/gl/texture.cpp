@@ -50,6 +50,8 @@ void set_levels(GLenum target, const Sampling& sampling) {
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, min_filter(sampling));
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, sampling.mode == Sampling::Mode::nearest ? GL_NEAREST : GL_LINEAR);
     if (!has_mipmaps(sampling)) glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+    if (!sampling.clamp) return;  // what scenes read is wrapped by sampler objects
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(target, axis, GL_CLAMP_TO_EDGE);
 }
 
 }  // namespace
@@ -140,7 +142,7 @@ Sampler make_sampler(const Sampling& sampling, bool cube) {
     glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, sampling.mode == Sampling::Mode::nearest ? GL_NEAREST : GL_LINEAR);
     const GLint wrap = cube || sampling.clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
     for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glSamplerParameteri(id, axis, wrap);
-    if (sampling.mode == Sampling::Mode::anisotropic)
+    if (sampling.mode == Sampling::Mode::anisotropic && epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
         glSamplerParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, sampling.anisotropy);
     return sampler;
 }

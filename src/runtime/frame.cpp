@@ -325,6 +325,7 @@ void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const
     const Draw& draw = plan.scene.draws[ready.draw];
     if (!savings) state.forget();
     state.program(program.program.get());
+    if (program.blocks) glBindBufferBase(GL_UNIFORM_BUFFER, runtime::own_blocks, program.blocks.get());
     context.harmonics = ready.harmonics;
     const int uploads = runtime::set_system(program, context, !savings) +
                         (draw.program == none ? 0 : runtime::set_user(program, controls, *values, !savings));

@@ -112,7 +112,7 @@ class Drawing:
         os.makedirs(out, exist_ok=True)
         with open(self.log, "w", encoding="utf-8") as log:
             self.process = subprocess.Popen(
-                [program, "render", *scenes, "-o", f"{out}/{stem}.png", "--size", "100x100", *context]
+                [program, "render", *scenes, "-o", f"{out}/{stem}.png", "--size", "100x100", "--timeout", "60", *context]
                 + (["--ladder", rungs] if rungs else []),
                 env={**os.environ, **driver["environment"], "LP_NUM_THREADS": "0"}, stdout=log, stderr=log)
 

@@ -100,6 +100,26 @@ TEST_F(ContextEs, UniformsHaveTheirInitialValues) {
     EXPECT_TRUE(near(draw(scene + " uColor {0. 0. 1.}\nQuadXY\n").center(), {128, 0, 255, 255}));
 }
 
+// No command fills a scene's own uniform blocks. They have a buffer all the same, because browsers draw nothing
+// without.
+TEST_F(ContextEs, BlocksOfUniformsReadZeros) {
+    folder.write(
+        "b.frag",
+        "#version 300 es\nprecision highp float;\nlayout(std140) uniform Colors { vec4 uFirst[7]; vec4 uLast; };\n"
+        "layout(std140) uniform More { float uMore; };\nout vec4 c;\n"
+        "void main() { c = uFirst[3] + uLast + vec4(uMore, 1., 0., 1.); }\n");
+    const std::string scene = "Ortho -1 1 -1 1\nFragment b.frag\nProgram B\nQuadXY\n";
+    auto document = open(scene);
+    EXPECT_TRUE(near(draw(*document).center(), {0, 255, 0, 255}));
+    GLint buffer = 0, bytes = 0;
+    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 1, &buffer);
+    ASSERT_NE(buffer, 0);
+    glBindBuffer(GL_UNIFORM_BUFFER, static_cast<GLuint>(buffer));
+    glGetBufferParameteriv(GL_UNIFORM_BUFFER, GL_BUFFER_SIZE, &bytes);
+    glBindBuffer(GL_UNIFORM_BUFFER, 0);
+    EXPECT_GE(bytes, 8 * 16);
+}
+
 // Bindings are words of OpenGL 4.2.
 TEST_F(Context33, SamplersReadTheUnitsThatTheShaderNames) {
     folder.write("red.bmp", bmp(1, 1, {{255, 0, 0}}));

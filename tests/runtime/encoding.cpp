@@ -1,6 +1,7 @@
 // Light and its encoding by the sRGB curve: of textures that are read, and of what the window shows.
 #include <cmath>
 
+#include "src/gl/present.h"
 #include "tests/hard_case.h"
 #include "tests/harness/plain.h"
 
@@ -146,6 +147,32 @@ TEST_P(Encodings, LightIsNotDecodedAgain) {
     auto document = open(scene);
     EXPECT_TRUE(has(*document, "light-already"));
     EXPECT_NEAR(draw(*document).center()[0], 128, 1);
+}
+
+// The screen gets the bytes that files get, also where OpenGL ES decodes what it copies.
+TEST_P(Encodings, TheScreenShowsWhatFilesHold) {
+    auto document = open("Output srgb\n" + ramp());
+    for (const int samples : {1, 4}) {
+        gl::Canvas canvas;
+        ASSERT_TRUE(canvas.resize(256, 256, samples, document->runtime->display_pixels()));
+        document->runtime->draw({0, View{}, document->controls}, {canvas.framebuffer(), 256, 256});
+        canvas.resolve();
+        const gl::Target screen = gl::make_target(515, 513, 1);
+        for (const int size : {1, 2}) {
+            canvas.show(3, 1, 256 * size, 256 * size, screen.framebuffer.get());
+            const auto shown = gl::read_rgba8(screen.framebuffer.get(), 515, 513, 1);
+            std::vector<int> bytes, wanted;
+            for (std::size_t i = 0; i < 256; ++i) {
+                // Enlarged, two pixels lie on either side of the middle of the old one: half a byte away.
+                const std::size_t at = 4 * (515 * 400 + 3 + static_cast<std::size_t>(size) * i);
+                const int byte = std::to_integer<int>(shown[at]), expected = static_cast<int>(i);
+                bytes.push_back(size == 2 && std::abs(byte - expected) == 1 ? expected : byte);
+                wanted.push_back(expected);
+            }
+            EXPECT_EQ(bytes, wanted) << samples << " samples, enlarged " << size;
+        }
+    }
+    expect_quiet();
 }
 
 TEST_P(Encodings, FloatsHoldLight) {

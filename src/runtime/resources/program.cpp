@@ -77,6 +77,28 @@ std::size_t block_bytes() {
     return static_cast<std::size_t>(std::max(bytes, 0));
 }
 
+// No command fills a scene's own uniform blocks: they read zeros. Browsers draw nothing where a block has no buffer.
+gl::Buffer zeros_for_blocks(GLuint program) {
+    GLint blocks = 0, most = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORM_BLOCKS, &blocks);
+    for (GLuint i = 0; i < static_cast<GLuint>(blocks); ++i) {
+        std::array<GLchar, 8> name{};
+        glGetActiveUniformBlockName(program, i, name.size(), nullptr, name.data());
+        if (std::string_view(name.data()).starts_with("snell_")) continue;
+        GLint bytes = 0;
+        glGetActiveUniformBlockiv(program, i, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
+        glUniformBlockBinding(program, i, own_blocks);
+        most = std::max(most, bytes);
+    }
+    if (most == 0) return {};
+    gl::Buffer buffer(gl::make(glGenBuffers));
+    const std::vector<std::byte> zeros(static_cast<std::size_t>(most));
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer.get());
+    glBufferData(GL_UNIFORM_BUFFER, most, zeros.data(), GL_STATIC_DRAW);
+    glBindBuffer(GL_UNIFORM_BUFFER, 0);
+    return buffer;
+}
+
 // Returns null and sets `log` if the shader does not compile.
 std::shared_ptr<gl::Shader> compile(const glsl::StageOutput& stage, Store* store, Counters& counters,
                                     std::string& log) {
@@ -190,6 +212,7 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     note_geometry(*linked, translation);
     find_uniforms(*linked, request.program, translation, request.caps);
     assign_units(*linked);
+    linked->blocks = zeros_for_blocks(linked->program.get());
     linked->instanced = instanced_text(translation, block_bytes());
     linked->load_ms = watch.milliseconds();
     if (request.store) request.store->programs.put(key, linked, {}, none_said, 0);
@@ -219,6 +242,7 @@ const Instancing* make_instancing(LinkedProgram& linked, const Program& program,
         sampler.first_unit = same->first_unit;
     }
     assign_units(*many);
+    many->blocks = zeros_for_blocks(many->program.get());
     ++counters.programs_compiled;
     ++counters.shaders_compiled;
     ++counters.variants;

@@ -52,6 +52,9 @@ struct SamplerUniform {
     std::vector<int> initial;  // units that the shader names itself, by layout(binding)
 };
 
+// The binding of a scene's own uniform blocks. Those of snell are at 0.
+inline constexpr GLuint own_blocks = 1;
+
 struct LinkedProgram {
     gl::Program program;
     std::vector<std::shared_ptr<gl::Shader>> shaders;  // for others that have the same stage
@@ -65,6 +68,7 @@ struct LinkedProgram {
     std::vector<float> scratch;        // kept for its memory
     std::vector<UserUniform> user;
     std::vector<SamplerUniform> samplers;
+    gl::Buffer blocks;                     // zeros, for the scene's own uniform blocks; empty if there are none
     InstancedText instanced;               // where draws with it may be instances of one
     std::optional<Instancing> instancing;  // made when something is drawn so
     double load_ms = 0;                    // to translate, compile and link
