@@ -137,7 +137,7 @@ Index find_texture(const Scene& scene, const Draw& draw, int unit, TextureTarget
 }
 
 std::optional<TextureTarget> sampler_target(std::string_view name, std::string_view type) {
-    if (std::ranges::count(glsl::mesh_samplers, name) > 0) return std::nullopt;
+    if (ranges::count(glsl::mesh_samplers, name) > 0) return std::nullopt;
     if (type == "sampler1D" || type == "sampler1DShadow") return TextureTarget::d1;
     if (type == "sampler2D" || type == "sampler2DShadow") return TextureTarget::d2;
     if (type == "sampler3D") return TextureTarget::d3;

@@ -18,6 +18,7 @@
 #include "src/app/picture/picture.h"
 #include "src/app/picture/tiles.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
 #include "src/plan/values/remembered.h"
 
 namespace snell::app {

@@ -8,6 +8,7 @@
 
 #include "parser/text/utf8.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
 
 namespace snell::app {
 

@@ -13,6 +13,7 @@
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
 
 namespace snell::app {
 

@@ -35,7 +35,6 @@ gl::Caps web_caps(gl::Caps caps) {
     caps.version = "WebGL 2";
     caps.glsl = 300;
     caps.fp64 = caps.geometry = caps.tessellation = caps.program_interface_query = false;
-    caps.max_texture_buffer = 0;
     caps.max_line_width = 1;
     return caps;
 }
