@@ -207,6 +207,7 @@ EMSCRIPTEN_KEEPALIVE const char* snell_saved(Engine* engine) {
 // Takes the canvas up again after the browser took its context and gave it back.
 EMSCRIPTEN_KEEPALIVE const char* snell_restored(Engine* engine) {
     const double began = emscripten_get_now();
+    CanvasContext::forget_objects();
     engine->scene.release();
     const std::string error = engine->drawing.start(engine->canvas);
     Diagnostics found;

@@ -1,7 +1,7 @@
 // The engine in Chromium, against the native program on the same version of OpenGL ES.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -52,6 +52,13 @@ async function started(): Promise<JSHandle<EnginePage>> {
     }, wasm);
 }
 
+// The same driver as the browser's gives the same bytes. Another rounds filtered textures and edges in its own way.
+const angle = join(root, 'build/drivers/angle');
+const sameDriver = existsSync(angle);
+const driver = sameDriver
+    ? { LD_LIBRARY_PATH: angle, ANGLE_DEFAULT_PLATFORM: 'swiftshader' }
+    : { MESA_GLES_VERSION_OVERRIDE: '3.0' };
+
 // The picture that the native program draws, as RGBA.
 async function native(scene: string, size: string): Promise<number[]> {
     const out = mkdtempSync(join(tmpdir(), 'snell-engine-'));
@@ -60,7 +67,7 @@ async function native(scene: string, size: string): Promise<number[]> {
         const { status, stderr } = spawnSync(
             snell,
             ['render', scene, '-o', png, '--size', size, '--context', 'es3.0', '--no-specialise'],
-            { cwd: root, env: { ...process.env, MESA_GLES_VERSION_OVERRIDE: '3.0' }, encoding: 'utf8' },
+            { cwd: root, env: { ...process.env, ...driver }, encoding: 'utf8' },
         );
         assert.equal(status, 0, stderr);
         return await page.evaluate((png) => {
@@ -115,7 +122,7 @@ test('the refraction room looks as the native program draws it', async () => {
     assert.ok(spread(picture) > 50, 'it shows something');
     const expected = await native(`scenes/${room}`, '400x300');
     const share = alike(picture, expected);
-    assert.ok(share >= 0.999, `${share} of the pixels are alike`);
+    assert.ok(share >= (sameDriver ? 0.999 : 0.99), `${share} of the pixels are alike`);
     assert.equal(await engine.evaluate((e) => e.error()), 0);
 });
 
