@@ -92,12 +92,13 @@ std::from_chars_result read_real(const char* first, const char* last, double& va
     double read = 0;
     const auto [end, error] = fast_float::from_chars(first, last, read);
     if (error != std::errc()) return {first, error};
-    const std::string_view text(first, static_cast<std::size_t>(end - first));
-    // fast_float gives infinity and zero for numbers that are too large and too small.
-    const bool named = text.find_first_of("nN") != text.npos;  // "inf" and "nan"
-    const std::string_view mantissa = text.substr(0, text.find_first_of("eE"));
-    if (!named && (std::isinf(read) || (read == 0 && mantissa.find_first_of("123456789") != text.npos)))
-        return {end, std::errc::result_out_of_range};
+    // fast_float reads numbers that are too large or too small as infinity and 0, whose own texts have none of these
+    // digits.
+    if (std::isinf(read) || read == 0) {
+        const std::string_view text(first, static_cast<std::size_t>(end - first));
+        if (text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos)
+            return {end, std::errc::result_out_of_range};
+    }
     value = read;
     return {end, std::errc()};
 }
