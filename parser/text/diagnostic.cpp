@@ -106,14 +106,6 @@ void Diagnostics::sort() {
     });
 }
 
-bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
-    return ranges::all_of(now.items(), [&](const Diagnostic& error) {
-        return error.severity != Severity::error || ranges::any_of(before.items(), [&](const Diagnostic& old) {
-                   return old.severity == Severity::error && old.code == error.code && old.message == error.message;
-               });
-    });
-}
-
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
     if (word.empty() || word.size() > longest_word) return {};
     const int allowed = word.size() <= 3 ? 1 : std::min(3, static_cast<int>(word.size() + 2) / 3);

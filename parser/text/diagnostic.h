@@ -78,10 +78,6 @@ private:
 std::string render(const Diagnostic& diagnostic, const Sources& sources);
 std::string render(const Diagnostics& diagnostics, const Sources& sources);
 
-// True if every error of `now` is in `before` too, so that a scene that always had an unknown command still follows the
-// edits of its shaders. Places are not compared.
-bool no_new_errors(const Diagnostics& before, const Diagnostics& now);
-
 // Returns the candidate nearest to `word` by edit distance, without regard to case; empty if none is similar enough.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 

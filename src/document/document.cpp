@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "parser/read/parse.h"
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/document/unsampled.h"
 #include "src/gl/debug.h"
@@ -99,6 +100,14 @@ bool follow_rungs(Document& document) {
     carry_over(document.controls, runtime.scene(), controls, runtime.scene());
     document.controls = std::move(controls);
     return true;
+}
+
+bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
+    return ranges::all_of(now.items(), [&](const Diagnostic& error) {
+        return error.severity != Severity::error || ranges::any_of(before.items(), [&](const Diagnostic& old) {
+                   return old.severity == Severity::error && old.code == error.code && old.message == error.message;
+               });
+    });
 }
 
 std::string verbose_report(const Document& document) {

@@ -61,6 +61,10 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
 // they had. Returns true if the controls may have changed.
 bool follow_rungs(Document& document);
 
+// True if every error of `now` is in `before` too, so that a scene that always had an unknown command still follows the
+// edits of its shaders. Places are not compared.
+bool no_new_errors(const Diagnostics& before, const Diagnostics& now);
+
 // Lists what was read and made, line by line, for scenes with Verbose.
 std::string verbose_report(const Document& document);
 

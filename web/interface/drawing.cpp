@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/app/picture/tiles.h"
+#include "src/gl/debug.h"
 #include "src/platform/web/encoded.h"
 
 namespace snell::web {
@@ -45,6 +46,7 @@ std::string Drawing::start(const std::string& canvas) {
     std::string error;
     context_ = CanvasContext::make(canvas, error);
     if (context_) caps_ = gl::query_caps();
+    gl::take_errors();  // of objects that went with a lost context
     return error;
 }
 

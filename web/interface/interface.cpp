@@ -2,6 +2,7 @@
 #include <emscripten.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "src/content/json.h"
@@ -101,7 +102,7 @@ EMSCRIPTEN_KEEPALIVE const char* snell_check(Engine* engine, const char* scene) 
 
 EMSCRIPTEN_KEEPALIVE void snell_set(Engine* engine, int index, int component, double value) {
     Control* control = engine->control(index);
-    if (control && component >= 0 && static_cast<std::size_t>(component) < control->value.size())
+    if (control && std::isfinite(value) && component >= 0 && static_cast<std::size_t>(component) < control->value.size())
         control->value[static_cast<std::size_t>(component)] = value;
 }
 
@@ -112,7 +113,7 @@ EMSCRIPTEN_KEEPALIVE void snell_range(Engine* engine, int index, double min, dou
     control->max = max;
 }
 
-// A negative index resets all, and the rungs too.
+// A negative index resets the values of all.
 EMSCRIPTEN_KEEPALIVE void snell_reset(Engine* engine, int index) {
     if (Control* control = engine->control(index)) reset(*control);
     if (index >= 0 || !engine->scene.document()) return;
@@ -207,6 +208,7 @@ EMSCRIPTEN_KEEPALIVE const char* snell_saved(Engine* engine) {
 // Takes the canvas up again after the browser took its context and gave it back.
 EMSCRIPTEN_KEEPALIVE const char* snell_restored(Engine* engine) {
     const double began = emscripten_get_now();
+    CanvasContext::forget_objects();
     engine->scene.release();
     const std::string error = engine->drawing.start(engine->canvas);
     Diagnostics found;

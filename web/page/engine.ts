@@ -83,6 +83,7 @@ export interface Frame {
     height: number;
     // From the left, 0 to 1: left of it the chosen rungs, right of it the references. Undefined: no split.
     split?: number;
+    // In pixels of the frame, from the bottom left.
     mouse?: [number, number];
 }
 

@@ -1,8 +1,18 @@
 #include "src/platform/web/canvas.h"
 
+#include <emscripten.h>
 #include <emscripten/html5.h>
 
 #include <utility>
+
+// The tables in which Emscripten keeps the browser's objects by their names in C++.
+// clang-format off
+EM_JS(void, snell_forget_objects, (), {
+    for (const table of [GL.buffers, GL.framebuffers, GL.programs, GL.queries, GL.renderbuffers, GL.samplers, GL.shaders,
+                         GL.syncs, GL.textures, GL.vaos])
+        table.fill(null);
+});
+// clang-format on
 
 namespace snell {
 
@@ -28,6 +38,8 @@ std::unique_ptr<CanvasContext> CanvasContext::make(const std::string& canvas, st
 CanvasContext::~CanvasContext() {
     if (handle_ > 0) emscripten_webgl_destroy_context(handle_);
 }
+
+void CanvasContext::forget_objects() { snell_forget_objects(); }
 
 bool CanvasContext::lost() const { return emscripten_is_webgl_context_lost(handle_); }
 

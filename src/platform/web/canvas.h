@@ -16,8 +16,11 @@ public:
     CanvasContext(const CanvasContext&) = delete;
     CanvasContext& operator=(const CanvasContext&) = delete;
 
-    // True from the moment that the browser takes the context away. When it gives the canvas back, its objects are
-    // gone, and another CanvasContext must be made.
+    // Forgets all objects of contexts that were lost, whose names in C++ may then be deleted without effect.
+    static void forget_objects();
+
+    // True from the moment that the browser takes the context away. When it gives the canvas back, call
+    // forget_objects, and make another CanvasContext.
     bool lost() const;
     // Changes the number of pixels of the canvas, which clears it.
     void resize(int width, int height) const;

@@ -1,13 +1,29 @@
 // Files in memory: nothing replaces them meanwhile, and no link leads to what is open.
 #include "src/content/regular_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace snell::content {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// Not by a stream, which would bring a hundred kilobytes of locales into the page.
+std::optional<std::string> bytes_of(const std::string& path, std::size_t size) {
+    const int file = open(path.c_str(), O_RDONLY);
+    if (file < 0) return std::nullopt;
+    std::string bytes(size, '\0');
+    const ssize_t count = read(file, bytes.data(), size);
+    close(file);
+    if (count != static_cast<ssize_t>(size)) return std::nullopt;
+    return bytes;
+}
+
+}  // namespace
 
 std::optional<std::string> read_regular_file(const std::string& path, std::uint64_t limit,
                                              const std::function<bool(const std::string& real_path)>& allowed,
@@ -23,12 +39,14 @@ std::optional<std::string> read_regular_file(const std::string& path, std::uint6
         error = fs::is_directory(real, wrong) ? "it is a folder" : "it is not a regular file";
         return std::nullopt;
     }
-    if (fs::file_size(real, wrong) > limit) {
+    const std::uintmax_t size = fs::file_size(real, wrong);
+    if (size > limit) {
         error = larger_than(limit);
         return std::nullopt;
     }
-    std::ifstream file(real, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
+    auto bytes = bytes_of(real.string(), static_cast<std::size_t>(size));
+    if (!bytes) error = "it cannot be read";
+    return bytes;
 }
 
 }  // namespace snell::content
