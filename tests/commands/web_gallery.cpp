@@ -46,6 +46,7 @@ TEST_F(WebGallery, EverySceneIsInTheIndex) {
     EXPECT_NE(index.find("broken&lt;i&gt;.glib:1:1: "), std::string::npos);
     EXPECT_EQ(index.find("<i>"), std::string::npos);
     EXPECT_NE(index.find("geometry.glib:5:10: "), std::string::npos);
+    EXPECT_EQ(index.find("class/"), std::string::npos) << "no folder is named";
     EXPECT_NE(index.find("Content-Security-Policy"), std::string::npos);
     EXPECT_EQ(index.find(folder.path()), std::string::npos);
     EXPECT_EQ(bytes_of(at("out/runtime.js")), "// runtime\n");

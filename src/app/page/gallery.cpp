@@ -116,7 +116,9 @@ public:
         {
             OpenedScene opened = opened_scene(exhibit.scene, {}, *caps, access);
             row.error = opened.first_error;
-            if (opened.document->runtime && row.error.empty()) row.error = unfit_statements(*opened.document);
+            if (opened.document->runtime && row.error.empty())
+                if (const Diagnostics unfit = unfit_statements(*opened.document); !unfit.empty())
+                    row.error = short_text(unfit.items().front(), opened.document->sources);
             if (row.error.empty()) write_page(exhibit, opened, access, row);
         }
         if (!row.error.empty() && !shown_natively(exhibit, access, row)) return false;
