@@ -56,6 +56,21 @@ TEST_F(WebGallery, EverySceneIsInTheIndex) {
     for (const std::string& name : found) EXPECT_EQ(bytes_of(at("again/" + name)), bytes_of(at("out/" + name))) << name;
 }
 
+// The others have their pages all the same.
+TEST_F(WebGallery, ASceneThatTakesForeverEndsNothingElse) {
+    folder.write(
+        "class/slow.frag",
+        "uniform float uA;\nvoid main() {\n  float s = 0.;\n  for (int i = 0; i < 2000000000; ++i) s = fract(s + uA "
+        "* float(i));\n  gl_FragColor = vec4(s);\n}\n");
+    folder.write("class/a.glib", "Fragment slow.frag\nProgram P uA <0. .5 1.>\nQuadXY 0. 9.\n");
+    const Outcome made = web("--gallery class -o out --timeout 2");
+    EXPECT_EQ(made.status, 0) << made.output;
+    EXPECT_TRUE(made.says("3 of 6 scenes")) << made.output;
+    const std::string index = bytes_of(at("out/index.html"));
+    EXPECT_NE(index.find("takes longer than 2 seconds"), std::string::npos);
+    EXPECT_FALSE(there("out/a.html"));
+}
+
 TEST_F(WebGallery, ItMayBeMadeAgainAndLeavesOtherFilesAlone) {
     folder.write("out/notes.txt", "mine");
     folder.write("out/index.html", "old");
