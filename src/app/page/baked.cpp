@@ -7,17 +7,12 @@
 #include <cmath>
 #include <optional>
 
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/app/open/progress.h"
+#include "src/app/page/encoder.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/tiles.h"
-#include "src/content/replace.h"
 #include "src/plan/values/remembered.h"
 
 namespace snell::app {
@@ -105,47 +100,11 @@ Json control_json(const Document& document, const BakedAxis& axis, std::size_t i
             {"active", true}};
 }
 
-// OpenImageIO's writers need a file.
-class PictureEncoder {
-public:
-    explicit PictureEncoder(bool lossless) : lossless_(lossless) {
-        std::error_code error;
-        std::string name = (std::filesystem::temp_directory_path(error) / "snell-page-XXXXXX").string();
-        if (!lossless && mkdtemp(name.data())) folder_ = name;
-    }
-    ~PictureEncoder() {
-        std::error_code error;
-        if (!folder_.empty()) std::filesystem::remove_all(folder_, error);
-    }
-    PictureEncoder(const PictureEncoder&) = delete;
-    PictureEncoder& operator=(const PictureEncoder&) = delete;
-
-    const char* extension() const { return lossless_ ? "png" : "webp"; }
-    // Returns no bytes, and sets `error`, if the picture cannot be encoded.
-    std::string encode(const content::Image& picture, std::string& error) const {
-        if (lossless_) return content::encode_png(picture);
-        const std::string file = folder_ + "/picture.webp";
-        error = folder_.empty() ? "there is no folder for temporary files" : content::write_image(file, picture);
-        if (error.empty()) return content::whole_file(file);
-        error += "\n   help: --lossless makes PNG pictures";
-        return {};
-    }
-
-private:
-    bool lossless_;
-    std::string folder_;
-};
-
 // Draws the pictures one after the other; the last axis varies fastest.
 class Baker {
 public:
     Baker(Document& document, const View& view, const Baking& baking, Deadline& deadline)
-        : document_(document),
-          view_(view),
-          baking_(baking),
-          deadline_(deadline),
-          controls_(document.controls),
-          encoder_(baking.lossless) {}
+        : document_(document), view_(view), baking_(baking), deadline_(deadline), controls_(document.controls) {}
 
     std::string draw(const std::vector<BakedAxis>& axes, std::vector<PackedFile>& pictures) {
         target_ = gl::make_target(baking_.width, baking_.height, baking_.samples, document_.runtime->display_pixels());
@@ -170,10 +129,9 @@ private:
         deadline_.begin("drawing a picture for the page");
         const content::Image picture = draw_picture(*document_.runtime, {baking_.time, view_, controls_}, target_,
                                                     {.width = baking_.width, .height = baking_.height}, {});
-        std::string error;
-        std::string bytes = encoder_.encode(picture, error);
-        if (!error.empty()) return error;
-        pictures.push_back({fmt::format("pictures/{}.{}", pictures.size(), encoder_.extension()), std::move(bytes)});
+        EncodedPicture made = encoded(picture, baking_.lossless);
+        if (!made.error.empty()) return made.error + "\n   help: --lossless makes PNG pictures";
+        pictures.push_back({fmt::format("pictures/{}.{}", pictures.size(), made.extension), std::move(made.bytes)});
         bytes_ += pictures.back().bytes.size();
         progress_.show(fmt::format("drawing pictures: {} of {}", pictures.size(), all),
                        static_cast<double>(pictures.size()) / static_cast<double>(all));
@@ -189,7 +147,6 @@ private:
     const Baking& baking_;
     Deadline& deadline_;
     Controls controls_;
-    PictureEncoder encoder_;
     gl::Target target_;
     ProgressLine progress_;
     std::size_t bytes_ = 0;

@@ -11,6 +11,7 @@
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/app/page/apart.h"
+#include "src/app/page/encoder.h"
 #include "src/app/page/gallery_index.h"
 #include "src/app/page/html.h"
 #include "src/app/page/page.h"
@@ -100,7 +101,11 @@ std::string small_picture(const OpenedScene& opened) {
     const gl::Target target = gl::make_target(w, h, 1, runtime.display_pixels());
     if (!target.framebuffer) return {};
     const Frame frame{0, opened.view, opened.document->controls};
-    return base64(content::encode_png(thumbnail(draw_picture(runtime, frame, target, {.width = w, .height = h}, {}))));
+    const content::Image picture =
+        thumbnail(draw_picture(runtime, frame, target, {.width = w, .height = h}, {}), false);
+    EncodedPicture made = encoded(picture, false);
+    if (!made.error.empty()) made = encoded(picture, true);  // without OpenImageIO
+    return fmt::format("data:image/{};base64,{}", made.extension, base64(made.bytes));
 }
 
 // Makes the page of one scene and its row of the index, in a process of its own: scenes of a class may take forever,

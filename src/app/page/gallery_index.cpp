@@ -40,8 +40,7 @@ std::string gallery_item(const GalleryRow& row) {
     const std::string title = html_text(row.title);
     std::string shown;
     // The heading names the picture.
-    if (!row.picture.empty())
-        shown = fmt::format("<img alt=\"Picture of {}\" src=\"data:image/png;base64,{}\">", title, row.picture);
+    if (!row.picture.empty()) shown = fmt::format("<img alt=\"Picture of {}\" src=\"{}\">", title, row.picture);
     const std::string heading = fmt::format("<h2>{}</h2>", title);
     if (row.error.empty())
         return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", html_text(row.page), shown, heading);

@@ -9,7 +9,7 @@ namespace snell::app {
 struct GalleryRow {
     std::string title;
     std::string page;     // file name; empty if the scene has none
-    std::string picture;  // PNG in base64; empty if there is none
+    std::string picture;  // a data: address; empty if there is none
     std::string error;    // why there is no page
 };
 
