@@ -26,10 +26,13 @@ struct BakedAxis {
     std::vector<double> values;
 };
 
-// The controls of that name that a program uses, as --set takes it.
+// The controls of that name that a program uses, as --set takes it, or the one of that key, such as "P#2.uA".
 std::vector<std::size_t> sliders_named(const Document& document, const std::string& name) {
     std::vector<std::size_t> found;
     const std::vector<snell::Control>& items = document.controls.items;
+    const std::vector<std::string> keys = control_names(document.scene(), document.controls);
+    if (const auto key = ranges::find(keys, name); key != keys.end() && name.find('.') != name.npos)
+        return {static_cast<std::size_t>(key - keys.begin())};
     for (std::size_t i = 0; i < items.size(); ++i) {
         const std::string whole = document.scene().programs[items[i].program].name + '.' + items[i].name;
         if (items[i].active && (items[i].name == name || whole == name)) found.push_back(i);
@@ -41,6 +44,7 @@ std::string wrong_slider(const Document& document, const std::string& name, cons
     if (found.empty()) return fmt::format("no program uses a uniform '{}'", name);
     if (found.size() > 1) return fmt::format("several programs have '{}': write Program.{}", name, name);
     const snell::Control& control = document.controls.items[found[0]];
+    if (!control.active) return fmt::format("no program uses a uniform '{}'", name);
     if (control.widget == Widget::color)
         return fmt::format("'{}' is a colour: --baked takes sliders of one number", name);
     if (control.widget == Widget::none || control.value.size() != 1)
