@@ -6,6 +6,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/glsl.h"
 #include "src/plan/identity.h"
 #include "src/plan/locate.h"

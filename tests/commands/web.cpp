@@ -212,6 +212,16 @@ TEST_F(Web, BakedTakesSlidersOfOneNumber) {
     EXPECT_EQ(web("s.glib -o p.html --baked uA --baked uA --baked uA").status, 2);
 }
 
+TEST_F(Web, OneOfTwoProgramsOfANameIsBakedByItsNumber) {
+    folder.write("a.frag", "uniform float uA;\nvoid main() { gl_FragColor = vec4(uA); }\n");
+    const std::string one = "Fragment a.frag\nProgram P uA <0. .5 1.>\nQuadXY 0. .3\n";
+    folder.write("s.glib", "WindowSize 8 8\n" + one + one);
+    EXPECT_EQ(web("s.glib -o p.html --baked uA --steps 2").status, 1);
+    const Outcome made = web("s.glib -o p.html --baked 'P#2.uA' --steps 2");
+    ASSERT_EQ(made.status, 0) << made.output;
+    EXPECT_EQ(unpack("p.html", "un")["baked"]["axes"][0]["control"]["key"], "P#2.uA");
+}
+
 // Others lack the shaders; pictures do not.
 TEST_F(Web, BakedIsTheWayOutForGeometryShaders) {
     const Outcome made =

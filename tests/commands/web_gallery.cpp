@@ -46,6 +46,7 @@ TEST_F(WebGallery, EverySceneIsInTheIndex) {
     EXPECT_NE(index.find("broken&lt;i&gt;.glib:1:1: "), std::string::npos);
     EXPECT_EQ(index.find("<i>"), std::string::npos);
     EXPECT_NE(index.find("geometry.glib:5:10: "), std::string::npos);
+    EXPECT_EQ(index.find("class/"), std::string::npos) << "no folder is named";
     EXPECT_NE(index.find("Content-Security-Policy"), std::string::npos);
     EXPECT_EQ(index.find(folder.path()), std::string::npos);
     EXPECT_EQ(bytes_of(at("out/runtime.js")), "// runtime\n");
@@ -53,6 +54,22 @@ TEST_F(WebGallery, EverySceneIsInTheIndex) {
     EXPECT_EQ(bytes_of(at("un/wood.bmp")), bytes_of(at("wood.bmp")));
     ASSERT_EQ(web("--gallery class -o again").status, 0);
     for (const std::string& name : found) EXPECT_EQ(bytes_of(at("again/" + name)), bytes_of(at("out/" + name))) << name;
+}
+
+// The others have their pages all the same.
+TEST_F(WebGallery, ASceneThatTakesForeverEndsNothingElse) {
+    std::string loops;
+    for (int i = 0; i < 8; ++i) loops += "  for (int i = 0; i < 60000; ++i) x = fract(sin(x + uOne) * 43758.5);\n";
+    folder.write("class/ann/slow.frag", "uniform float uOne;\nvoid main() {\n  float x = gl_FragCoord.x;\n" + loops +
+                                            "  gl_FragColor = vec4(x);\n}\n");
+    folder.write("class/ann/a.glib",
+                 "LookAt 0 0 4 0 0 0 0 1 0\nPerspective 90\nFragment slow.frag\nProgram P uOne 1.\nQuadXY 0. 9.\n");
+    const Outcome made = web("--gallery class/ann -o out --timeout 3");
+    EXPECT_EQ(made.status, 0) << made.output;
+    EXPECT_TRUE(made.says("1 of 2 scenes")) << made.output;
+    EXPECT_NE(bytes_of(at("out/index.html")).find("takes longer than 3 seconds"), std::string::npos);
+    EXPECT_FALSE(there("out/a.html"));
+    EXPECT_TRUE(there("out/ball.html"));
 }
 
 TEST_F(WebGallery, ItMayBeMadeAgainAndLeavesOtherFilesAlone) {

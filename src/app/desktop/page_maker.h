@@ -11,7 +11,7 @@ namespace snell {
 class PageMaker {
 public:
     PageMaker() = default;
-    // Ends the process if it runs: no part of a page is left.
+    // Ends the process if it runs; a page that was there stays as it was.
     ~PageMaker();
     PageMaker(const PageMaker&) = delete;
     PageMaker& operator=(const PageMaker&) = delete;

@@ -7,18 +7,12 @@
 #include <cmath>
 #include <optional>
 
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/app/open/progress.h"
+#include "src/app/page/encoder.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/tiles.h"
-#include "src/content/replace.h"
-#include "src/content/whole_file.h"
 #include "src/plan/values/remembered.h"
 
 namespace snell::app {
@@ -32,10 +26,13 @@ struct BakedAxis {
     std::vector<double> values;
 };
 
-// The controls of that name that a program uses, as --set takes it.
+// The controls of that name that a program uses, as --set takes it, or the one of that key, such as "P#2.uA".
 std::vector<std::size_t> sliders_named(const Document& document, const std::string& name) {
     std::vector<std::size_t> found;
     const std::vector<snell::Control>& items = document.controls.items;
+    const std::vector<std::string> keys = control_names(document.scene(), document.controls);
+    if (const auto key = ranges::find(keys, name); key != keys.end() && name.find('.') != name.npos)
+        return {static_cast<std::size_t>(key - keys.begin())};
     for (std::size_t i = 0; i < items.size(); ++i) {
         const std::string whole = document.scene().programs[items[i].program].name + '.' + items[i].name;
         if (items[i].active && (items[i].name == name || whole == name)) found.push_back(i);
@@ -47,6 +44,7 @@ std::string wrong_slider(const Document& document, const std::string& name, cons
     if (found.empty()) return fmt::format("no program uses a uniform '{}'", name);
     if (found.size() > 1) return fmt::format("several programs have '{}': write Program.{}", name, name);
     const snell::Control& control = document.controls.items[found[0]];
+    if (!control.active) return fmt::format("no program uses a uniform '{}'", name);
     if (control.widget == Widget::color)
         return fmt::format("'{}' is a colour: --baked takes sliders of one number", name);
     if (control.widget == Widget::none || control.value.size() != 1)
@@ -106,47 +104,11 @@ Json control_json(const Document& document, const BakedAxis& axis, std::size_t i
             {"active", true}};
 }
 
-// OpenImageIO's writers need a file.
-class PictureEncoder {
-public:
-    explicit PictureEncoder(bool lossless) : lossless_(lossless) {
-        std::error_code error;
-        std::string name = (std::filesystem::temp_directory_path(error) / "snell-page-XXXXXX").string();
-        if (!lossless && mkdtemp(name.data())) folder_ = name;
-    }
-    ~PictureEncoder() {
-        std::error_code error;
-        if (!folder_.empty()) std::filesystem::remove_all(folder_, error);
-    }
-    PictureEncoder(const PictureEncoder&) = delete;
-    PictureEncoder& operator=(const PictureEncoder&) = delete;
-
-    const char* extension() const { return lossless_ ? "png" : "webp"; }
-    // Returns no bytes, and sets `error`, if the picture cannot be encoded.
-    std::string encode(const content::Image& picture, std::string& error) const {
-        if (lossless_) return content::encode_png(picture);
-        const std::string file = folder_ + "/picture.webp";
-        error = folder_.empty() ? "there is no folder for temporary files" : content::write_image(file, picture);
-        if (error.empty()) return content::whole_file(file);
-        error += "\n   help: --lossless makes PNG pictures";
-        return {};
-    }
-
-private:
-    bool lossless_;
-    std::string folder_;
-};
-
 // Draws the pictures one after the other; the last axis varies fastest.
 class Baker {
 public:
     Baker(Document& document, const View& view, const Baking& baking, Deadline& deadline)
-        : document_(document),
-          view_(view),
-          baking_(baking),
-          deadline_(deadline),
-          controls_(document.controls),
-          encoder_(baking.lossless) {}
+        : document_(document), view_(view), baking_(baking), deadline_(deadline), controls_(document.controls) {}
 
     std::string draw(const std::vector<BakedAxis>& axes, std::vector<PackedFile>& pictures) {
         target_ = gl::make_target(baking_.width, baking_.height, baking_.samples, document_.runtime->display_pixels());
@@ -171,10 +133,9 @@ private:
         deadline_.begin("drawing a picture for the page");
         const content::Image picture = draw_picture(*document_.runtime, {baking_.time, view_, controls_}, target_,
                                                     {.width = baking_.width, .height = baking_.height}, {});
-        std::string error;
-        std::string bytes = encoder_.encode(picture, error);
-        if (!error.empty()) return error;
-        pictures.push_back({fmt::format("pictures/{}.{}", pictures.size(), encoder_.extension()), std::move(bytes)});
+        EncodedPicture made = encoded(picture, baking_.lossless);
+        if (!made.error.empty()) return made.error + "\n   help: --lossless makes PNG pictures";
+        pictures.push_back({fmt::format("pictures/{}.{}", pictures.size(), made.extension), std::move(made.bytes)});
         bytes_ += pictures.back().bytes.size();
         progress_.show(fmt::format("drawing pictures: {} of {}", pictures.size(), all),
                        static_cast<double>(pictures.size()) / static_cast<double>(all));
@@ -190,7 +151,6 @@ private:
     const Baking& baking_;
     Deadline& deadline_;
     Controls controls_;
-    PictureEncoder encoder_;
     gl::Target target_;
     ProgressLine progress_;
     std::size_t bytes_ = 0;

@@ -10,6 +10,8 @@
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
+#include "src/app/page/apart.h"
+#include "src/app/page/encoder.h"
 #include "src/app/page/gallery_index.h"
 #include "src/app/page/html.h"
 #include "src/app/page/page.h"
@@ -99,65 +101,100 @@ std::string small_picture(const OpenedScene& opened) {
     const gl::Target target = gl::make_target(w, h, 1, runtime.display_pixels());
     if (!target.framebuffer) return {};
     const Frame frame{0, opened.view, opened.document->controls};
-    return content::encode_png(thumbnail(draw_picture(runtime, frame, target, {.width = w, .height = h}, {})));
+    const content::Image picture =
+        thumbnail(draw_picture(runtime, frame, target, {.width = w, .height = h}, {}), false);
+    EncodedPicture made = encoded(picture, false);
+    if (!made.error.empty()) made = encoded(picture, true);  // without OpenImageIO
+    return fmt::format("data:image/{};base64,{}", made.extension, base64(made.bytes));
 }
 
-class Gallery {
+// Makes the page of one scene and its row of the index, in a process of its own: scenes of a class may take forever,
+// and some end the driver.
+class PageOfGallery {
 public:
-    Gallery(const GalleryOptions& options, std::string page) : options_(options), page_(std::move(page)) {}
+    PageOfGallery(const GalleryOptions& options, const Exhibit& exhibit, const std::string& page)
+        : options_(options),
+          exhibit_(exhibit),
+          page_(page),
+          access_(access_to(exhibit.scene, options.access, options.grade)),
+          row_{utf8::printable(fs::path(exhibit.scene).stem().string()), {}, {}, {}} {}
 
-    // Writes the page of the scene, if it can have one. Returns false if the gallery must end.
-    bool add(const Exhibit& exhibit, Deadline& deadline) {
-        const Access access = access_to(exhibit.scene, options_.access, options_.grade);
-        deadline.begin(fmt::format("reading '{}'", exhibit.scene));
+    // Returns the exit status; the row is good with exit_fine.
+    Exit make() {
+        Deadline deadline(options_.timeout);
+        deadline.begin(fmt::format("making the page of '{}'", exhibit_.scene));
         const auto caps = contexts_.web();
-        if (!caps) return false;
-        GalleryRow row{utf8::printable(fs::path(exhibit.scene).stem().string()), {}, {}, {}};
-        {
-            OpenedScene opened = opened_scene(exhibit.scene, {}, *caps, access);
-            row.error = opened.first_error;
-            if (opened.document->runtime && row.error.empty()) row.error = unfit_statements(*opened.document);
-            if (row.error.empty()) write_page(exhibit, opened, access, row);
-        }
-        if (!row.error.empty() && !shown_natively(exhibit, access, row)) return false;
-        if (!row.error.empty()) fmt::print(stderr, "snell: warning: no page: {}\n", row.error);
-        rows_.push_back(std::move(row));
-        return ok_;
+        if (!caps) return exit_graphics;
+        const Exit status = make_live(*caps);
+        return row_.error.empty() || status != exit_fine ? status : show_natively();
     }
-    const std::vector<GalleryRow>& rows() const { return rows_; }
+    const GalleryRow& row() const { return row_; }
 
 private:
-    void write_page(const Exhibit& exhibit, const OpenedScene& opened, const Access& access, GalleryRow& row) {
-        const PageParts parts = page_parts(exhibit.scene, {}, options_.link, opened, access);
-        row.error = parts.error;
-        if (!row.error.empty()) return;
-        row.picture = small_picture(opened);
+    Exit make_live(const gl::Caps& caps) {
+        const OpenedScene opened = opened_scene(exhibit_.scene, {}, caps, access_);
+        row_.error = opened.first_error;
+        if (!row_.error.empty()) return exit_fine;
+        const Diagnostics unfit = unfit_statements(*opened.document);
+        if (!unfit.empty()) row_.error = short_text(unfit.items().front(), opened.document->sources);
+        return row_.error.empty() ? write_page(opened) : exit_fine;
+    }
+
+    Exit write_page(const OpenedScene& opened) {
+        const PageParts parts = page_parts(exhibit_.scene, {}, options_.link, opened, access_);
+        row_.error = parts.error;
+        if (!row_.error.empty()) return exit_fine;
+        row_.picture = small_picture(opened);
+        row_.page = exhibit_.page;
         const auto text = filled_page(page_, {parts.title, parts.scene, parts.archive});
-        const std::string file = (fs::path(options_.output) / exhibit.page).string();
+        const std::string file = (fs::path(options_.output) / exhibit_.page).string();
         const std::string failed =
             text ? content::replace_file(file, *text) : "the browser's part of snell is of another version";
-        row.page = exhibit.page;
-        ok_ = failed.empty() || wrong(fmt::format("cannot write '{}': {}", utf8::printable(file), failed));
+        if (failed.empty()) return exit_fine;
+        wrong(fmt::format("cannot write '{}': {}", utf8::printable(file), failed));
+        return exit_input;
     }
 
     // A scene that only browsers cannot draw has a picture all the same; the errors of another one are these.
-    bool shown_natively(const Exhibit& exhibit, const Access& access, GalleryRow& row) {
+    Exit show_natively() {
         const auto caps = contexts_.native();
-        if (!caps) return false;
-        const OpenedScene opened = opened_scene(exhibit.scene, {}, *caps, access);
+        if (!caps) return exit_graphics;
+        const OpenedScene opened = opened_scene(exhibit_.scene, {}, *caps, access_);
         if (opened.fits)
-            row.picture = small_picture(opened);
+            row_.picture = small_picture(opened);
         else
-            row.error = opened.first_error;
-        return true;
+            row_.error = opened.first_error;
+        return exit_fine;
     }
 
     const GalleryOptions& options_;
-    std::string page_;
+    const Exhibit& exhibit_;
+    const std::string& page_;
+    Access access_;
     PageContexts contexts_{""};
-    std::vector<GalleryRow> rows_;
-    bool ok_ = true;
+    GalleryRow row_;
 };
+
+// Returns the row of the scene; `status` is an error that ends the gallery.
+GalleryRow row_of(const GalleryOptions& options, const Exhibit& exhibit, const std::string& page, Exit& status) {
+    const Apart ended = apart([&](std::string& result) {
+        PageOfGallery made(options, exhibit, page);
+        const Exit exit = made.make();
+        result = row_text(made.row());
+        return exit;
+    });
+    GalleryRow row = read_row(ended.result);
+    if (ended.status == exit_graphics || ended.status == exit_input) status = static_cast<Exit>(ended.status);
+    if (ended.status != exit_fine)
+        row = {utf8::printable(fs::path(exhibit.scene).stem().string()),
+               {},
+               {},
+               ended.status == exit_timeout ? fmt::format("it takes longer than {} seconds", options.timeout)
+                                            : std::string("it ends the program that draws it")};
+    if (status == exit_fine && !row.error.empty())
+        fmt::print(stderr, "snell: warning: no page of '{}': {}\n", utf8::printable(exhibit.scene), row.error);
+    return row;
+}
 
 // Nothing that a scene reads is overwritten.
 Exit check_gallery(const GalleryOptions& options, const std::vector<Exhibit>& exhibits) {
@@ -192,19 +229,20 @@ Exit make_gallery(const GalleryOptions& options) {
     if (!error.empty()) wrong(error);
     if (!error.empty() || !find_scenes(options.folders, exhibits)) return exit_input;
     name_pages(exhibits);
-    if (const Exit status = check_gallery(options, exhibits); status != exit_fine) return status;
-    Gallery gallery(options, page);
-    Deadline deadline(options.timeout);
-    for (const Exhibit& exhibit : exhibits)
-        if (!gallery.add(exhibit, deadline)) return exit_graphics;
-    deadline.begin("writing the gallery");
+    if (const Exit refused = check_gallery(options, exhibits); refused != exit_fine) return refused;
+    std::vector<GalleryRow> rows;
+    Exit status = exit_fine;
+    for (const Exhibit& exhibit : exhibits) {
+        rows.push_back(row_of(options, exhibit, page, status));
+        if (status != exit_fine) return status;
+    }
     const fs::path folder(options.output);
     error = content::replace_file((folder / "runtime.js").string(), runtime);
-    if (error.empty()) error = content::replace_file((folder / "index.html").string(), gallery_index(gallery.rows()));
+    if (error.empty()) error = content::replace_file((folder / "index.html").string(), gallery_index(rows));
     if (!error.empty()) return wrong(error) ? exit_fine : exit_input;
-    const auto pages = ranges::count_if(gallery.rows(), [](const GalleryRow& row) { return row.error.empty(); });
+    const auto pages = ranges::count_if(rows, [](const GalleryRow& row) { return row.error.empty(); });
     fmt::print("{}: {} of {} scenes have pages\n", utf8::printable((folder / "index.html").string()), pages,
-               gallery.rows().size());
+               rows.size());
     return exit_fine;
 }
 

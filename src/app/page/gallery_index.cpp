@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "src/app/page/html.h"
 #include "src/app/page/pack.h"
 #include "src/app/picture/sha256.h"
+#include "src/content/json.h"
 
 namespace snell::app {
 
@@ -38,8 +40,7 @@ std::string gallery_item(const GalleryRow& row) {
     const std::string title = html_text(row.title);
     std::string shown;
     // The heading names the picture.
-    if (!row.picture.empty())
-        shown = fmt::format("<img alt=\"Picture of {}\" src=\"data:image/png;base64,{}\">", title, base64(row.picture));
+    if (!row.picture.empty()) shown = fmt::format("<img alt=\"Picture of {}\" src=\"{}\">", title, row.picture);
     const std::string heading = fmt::format("<h2>{}</h2>", title);
     if (row.error.empty())
         return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", html_text(row.page), shown, heading);
@@ -47,6 +48,18 @@ std::string gallery_item(const GalleryRow& row) {
 }
 
 }  // namespace
+
+std::string row_text(const GalleryRow& row) {
+    return content::json_text(
+        {{"title", row.title}, {"page", row.page}, {"picture", row.picture}, {"error", row.error}});
+}
+
+GalleryRow read_row(const std::string& text) {
+    const nlohmann::ordered_json json = content::parse_json(text);
+    if (!json.is_object()) return {};
+    const auto member = [&json](const char* name) { return json.value(name, std::string()); };
+    return {member("title"), member("page"), member("picture"), member("error")};
+}
 
 std::string gallery_index(const std::vector<GalleryRow>& rows) {
     std::string page = fmt::format(

@@ -9,9 +9,13 @@ namespace snell::app {
 struct GalleryRow {
     std::string title;
     std::string page;     // file name; empty if the scene has none
-    std::string picture;  // PNG; empty if there is none
+    std::string picture;  // a data: address; empty if there is none
     std::string error;    // why there is no page
 };
+
+// A row as text, to pass it from one process to another. A text that is no row gives an empty one.
+std::string row_text(const GalleryRow& row);
+GalleryRow read_row(const std::string& text);
 
 // A page that needs no other file but those that it links to.
 std::string gallery_index(const std::vector<GalleryRow>& rows);

@@ -96,9 +96,9 @@ std::optional<PageParts> parts_of_page(const PageOptions& options, const Access&
     OpenedScene opened = opened_scene(options.scene, options.start, *caps, access);
     status = exit_input;
     if (live && opened.document->runtime) {
-        const std::string unfit = unfit_statements(*opened.document);
+        const Diagnostics unfit = unfit_statements(*opened.document);
         opened.fits = opened.fits && unfit.empty();
-        opened.text += unfit;
+        opened.text += snell::render(unfit, opened.document->sources);
     }
     if (!opened.fits && live) {
         opened.document.reset();
@@ -123,7 +123,7 @@ std::string size_text(std::uintmax_t bytes) {
     return number < 1e6 ? fmt::format("{:.0f} kB", number / 1e3) : fmt::format("{:.1f} MB", number / 1e6);
 }
 
-std::string unfit_statements(const Document& document) {
+Diagnostics unfit_statements(const Document& document) {
     Diagnostics found;
     for (const Draw& draw : document.scene().draws)
         if (std::holds_alternative<ShpFile>(draw.shape))
@@ -134,7 +134,7 @@ std::string unfit_statements(const Document& document) {
                             "an .obj file of the same lines can be in a page",
                             {},
                             true});
-    return snell::render(found, document.sources);
+    return found;
 }
 
 std::string unfit_rungs(Document& document) {

@@ -41,8 +41,8 @@ struct PageParts {
 PageParts page_parts(const std::string& scene, const std::string& title, const std::string& link,
                      const OpenedScene& opened, const Access& access);
 
-// Statements that a page cannot carry out, with their places, as errors; "" if there are none.
-std::string unfit_statements(const Document& document);
+// Errors at statements that a page cannot carry out.
+Diagnostics unfit_statements(const Document& document);
 
 // Warnings about rungs that a browser cannot draw, each tried alone; "" if there are none. Compiles programs.
 std::string unfit_rungs(Document& document);

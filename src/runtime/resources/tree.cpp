@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/glsl.h"
 
 namespace snell::runtime {

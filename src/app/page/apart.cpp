@@ -1,0 +1,58 @@
+#include "src/app/page/apart.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <string_view>
+
+namespace snell::app {
+
+namespace {
+
+void write_all(int pipe, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(pipe, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) return;
+        if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+std::string read_all(int pipe) {
+    std::string bytes;
+    std::array<char, 1 << 16> some{};
+    for (;;) {
+        const ssize_t got = read(pipe, some.data(), some.size());
+        if (got == 0 || (got < 0 && errno != EINTR)) return bytes;
+        if (got > 0) bytes.append(some.data(), static_cast<std::size_t>(got));
+    }
+}
+
+}  // namespace
+
+Apart apart(const std::function<int(std::string& result)>& work) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return {};
+    std::fflush(nullptr);  // otherwise both processes would write what is buffered
+    const pid_t child = fork();
+    if (child == 0) {
+        close(ends[0]);
+        std::string result;
+        const int status = work(result);
+        write_all(ends[1], result);
+        std::fflush(nullptr);
+        _exit(status);
+    }
+    close(ends[1]);
+    Apart ended;
+    if (child > 0) ended.result = read_all(ends[0]);
+    close(ends[0]);
+    int status = 0;
+    if (child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status)) ended.status = WEXITSTATUS(status);
+    return ended;
+}
+
+}  // namespace snell::app
