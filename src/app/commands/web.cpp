@@ -6,9 +6,9 @@
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/exit_status.h"
-#include "src/document/view_text.h"
 #include "src/app/page/gallery.h"
 #include "src/app/page/page.h"
+#include "src/document/view_text.h"
 
 namespace snell::app {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "src/app/open/deadline.h"
-#include "src/document/document.h"
 #include "src/app/page/pack.h"
+#include "src/document/document.h"
 
 namespace snell::app {
 
