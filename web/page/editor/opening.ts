@@ -56,7 +56,7 @@ async function add(author: Author, files: Map<string, Uint8Array>): Promise<void
     if (error !== '') return host.say(error);
     if (!(await leave(author, [...files.keys()]))) return;
     author.add(files);
-    host.say(`Added to the scene: ${[...files.keys()].map(baseOf).join(', ')}.`);
+    host.say(`Taken into the scene: ${[...files.keys()].map(baseOf).join(', ')}.`);
 }
 
 async function openOneOf(author: Author, scenes: readonly string[], files: Map<string, Uint8Array>): Promise<void> {
