@@ -1,6 +1,6 @@
 // What draws a scene, as the page sees it: by WebAssembly (wasm.ts), or by ready pictures (baked.ts).
 
-// Lines and columns begin at 1; columns count characters (code points), as in every message of snell.
+// Lines and columns begin at 1; columns count bytes of UTF-8, as in every message of snell.
 export interface Place {
     file: string;
     line: number;
@@ -115,7 +115,8 @@ export interface Engine {
     // "" or the error.
     setView(view: string): string;
     // The pointer's movement in CSS pixels, by the window's own rules.
-    turn(dx: number, dy: number): void;
+    // `begins`: this is another drag than before; one that begins with the scene upside down turns the other way.
+    turn(dx: number, dy: number, begins?: boolean): void;
     move(dx: number, dy: number, width: number, height: number): void;
     zoom(factor: number): void;
 
