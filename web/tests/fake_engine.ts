@@ -24,6 +24,7 @@ function makeControls(): Control[] {
         ['Walls.uTiny', { min: 0, max: 1e-5, initial: [5e-6] }],
         ['Walls.uSeed', { type: 'uint', min: 0, max: 9, initial: [3] }],
         ['Walls.uGloss', { min: 0, max: 100, initial: [20] }],
+        ['Walls.uHeight', { initial: [0.5] }],
         ['Walls.uUnused', { initial: [0.5], active: false }],
     ];
     return rows.map(([key, more], index) => control(index, key, more));

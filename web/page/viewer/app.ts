@@ -34,6 +34,10 @@ function pageName(scene: string): string {
     return scene.slice(scene.lastIndexOf('/') + 1).replace(/\.glib$/i, '') || 'snell';
 }
 
+function softened(problem: Problem): Problem {
+    return problem.at || problem.severity !== 'error' ? problem : { ...problem, severity: 'warning' };
+}
+
 export class Page {
     private readonly layout = makeLayout((name) => name === 'text' && this.makeEditor());
     private readonly clock = new Clock();
@@ -251,11 +255,10 @@ export class Page {
         const from = given === undefined && own ? { ...settings, values: own.values, rungs: own.rungs, view: own.view } : settings;
         const { values, rungs, view } = from;
         let opened = session.engine.open(scene, { values, rungs, view, fresh: true, lints: true });
-        if (!opened.ok && values.length + rungs.length + view.length > 0) {
-            const plain = session.engine.open(scene, { fresh: true, lints: true });
-            if (plain.ok) refused.push('the settings');
-            opened = plain.ok ? { ...plain, problems: [...opened.problems.slice(0, 5).map((each) => ({ ...each, severity: 'warning' as const })), ...plain.problems] } : plain;
-        }
+        const settles = values.length + rungs.length + view.length > 0;
+        if (settles && !opened.ok && !opened.shown) opened = session.engine.open(scene, { fresh: true, lints: true });
+        // What an address asks for in vain is no error of the scene.
+        if (settles && opened.shown) opened = { ...opened, problems: opened.problems.map(softened) };
         this.accept(opened, settings);
         if (refused.length > 0) this.say(`The address says something that this scene does not have: ${refused.slice(0, 3).join(', ')}.`);
     }

@@ -35,6 +35,7 @@ export function makeDivider(changed: (split: number | undefined) => void): Divid
         at = Math.min(Math.max(split, 0), 1);
         element.style.setProperty('--split', `${100 * at}%`);
         handle.setAttribute('aria-valuenow', String(Math.round(100 * at)));
+        handle.setAttribute('aria-valuetext', `${Math.round(100 * at)} %, left ${left.textContent}, right ${right.textContent}`);
     };
     const set = (split: number | undefined) => {
         show(split);
@@ -63,8 +64,8 @@ export function makeDivider(changed: (split: number | undefined) => void): Divid
         const sides = sidesOf(ladders);
         left.textContent = sides.left;
         right.textContent = sides.right;
-        handle.setAttribute('aria-valuetext', `${Math.round(100 * at)} %, left ${sides.left}, right ${sides.right}`);
         if (ladders.length === 0 && !element.hidden) set(undefined);
+        else show(element.hidden ? undefined : at);
     };
     return { element, toggle, set, refresh };
 }

@@ -12,8 +12,8 @@ export type Change =
     | { what: 'view'; key: ''; before: string; after: string };
 
 export interface Step {
-    // For people: "Glass.uEta 1.5 → 1.1".
-    label: string;
+    // For people, of steps that change several things.
+    name?: string;
     changes: Change[];
 }
 
@@ -41,15 +41,14 @@ export class History {
     private gesture: unknown;
 
     // Changes of one `gesture` are one step; without a gesture, each call is one.
-    record(label: string, changes: Change[], gesture?: unknown): void {
+    record(changes: Change[], gesture?: unknown, name?: string): void {
         const real = changes.filter(({ before, after }) => !same(before, after));
         const last = this.past.at(-1);
         if (gesture !== undefined && gesture === this.gesture && last) {
             last.changes = real.reduce(merged, last.changes);
-            last.label = label;
         } else {
             if (real.length === 0) return;
-            this.past.push({ label, changes: real });
+            this.past.push({ name, changes: real });
             if (this.past.length > mostSteps) this.past.shift();
         }
         this.gesture = gesture;
@@ -69,7 +68,7 @@ export class History {
         const step = this.past.pop();
         if (!step) return undefined;
         this.future.push(step);
-        return { label: step.label, changes: [...step.changes].reverse().map(opposite) };
+        return { name: step.name, changes: [...step.changes].reverse().map(opposite) };
     }
 
     redo(): Step | undefined {

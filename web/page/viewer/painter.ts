@@ -9,13 +9,15 @@ export interface PainterOptions {
     clock: Clock;
     // Nothing can be drawn yet, or the context is lost.
     ready(): boolean;
-    // After each picture, with the milliseconds until the browser was ready for the next one.
+    // After each picture, when the graphics have finished it.
     drawn(milliseconds: number, divisor: number): void;
     // The clock moved.
     ticked(): void;
 }
 
 const longestSide = 8192;
+// Milliseconds after which a picture counts as finished, because a lost context never says so.
+const longestWait = 5000;
 // Milliseconds without a picture before the engine makes later ones faster.
 const settleAfter = 500;
 
@@ -28,7 +30,10 @@ export class Painter {
     private size: [number, number] = [0, 0];
     private readonly coarse = new Coarseness();
     private divisor = 1;
+    private ofDrag = false;
     private began: number | undefined;
+    // Passed when the graphics have finished the last picture.
+    private fence: WebGLSync | null = null;
     private settling: ReturnType<typeof setTimeout> | undefined;
     private sharp: ReturnType<typeof setTimeout> | undefined;
     // Whether the engine may have something to settle.
@@ -86,20 +91,33 @@ export class Painter {
 
     private tick(now: number): void {
         const { clock, ready, ticked } = this.with_;
-        this.measure();
-        if (!ready() || this.size[0] <= 1) return;
+        if (!ready() || this.size[0] <= 1) {
+            this.began = undefined;
+            this.fence = null;
+            return;
+        }
+        // One picture at a time: a queue of them would only be late.
+        if (!this.finished()) return this.schedule();
         clock.advance(now);
         if (clock.playing) ticked();
         if (this.dirty || clock.playing) this.draw();
         else this.rest();
     }
 
-    private measure(): void {
-        if (this.began === undefined) return;
+    // Whether nothing is being drawn any more.
+    private finished(): boolean {
+        if (this.began === undefined) return true;
         const milliseconds = performance.now() - this.began;
-        if (performance.now() < this.coarse.due) this.coarse.took(milliseconds);
-        this.with_.drawn(milliseconds, this.divisor);
+        const gl = this.fence && this.with_.canvas.getContext('webgl2');
+        if (gl && this.fence && milliseconds < longestWait) {
+            if (gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
+            gl.deleteSync(this.fence);
+        }
+        this.fence = null;
         this.began = undefined;
+        if (this.ofDrag) this.coarse.took(milliseconds);
+        this.with_.drawn(milliseconds, this.divisor);
+        return true;
     }
 
     private draw(): void {
@@ -107,6 +125,7 @@ export class Painter {
         clearTimeout(this.sharp);
         const now = performance.now();
         this.divisor = this.coarse.next(this.dragged, now);
+        this.ofDrag = this.dragged;
         this.dirty = this.dragged = false;
         const frame = this.frame();
         frame.width = Math.max(Math.round(frame.width / this.divisor), 1);
@@ -115,6 +134,9 @@ export class Painter {
         this.began = now;
         this.with_.engine.draw(frame);
         ++this.frames;
+        const gl = this.with_.canvas.getContext('webgl2');
+        this.fence = gl?.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0) ?? null;
+        gl?.flush();
         if (this.divisor > 1) this.sharp = setTimeout(() => this.request(), Math.max(this.coarse.due - now, 0) + 1);
         // The next frame of the display tells how long this one took, and draws only if something changed.
         this.schedule();

@@ -91,13 +91,18 @@ function makeTrack(session: Session, control: Control, component: number, type: 
     return { element: input, refresh };
 }
 
+// What fits into a field.
+function short(text: string, value: number): string {
+    return text.length <= 9 ? text : String(Number(value.toPrecision(3)));
+}
+
 export function makeSliderRow(session: Session, control: Control, component: number, say: (message: string) => void): Row {
     const name = nameOf(control, component);
     const text = (value: number) => shown(value, control.min, control.max, isIntegral(control));
     const field = makeField({
         label: `${control.program} ${name}, number`,
         type: control.type,
-        shown: () => text(control.value[component]!),
+        shown: () => short(text(control.value[component]!), control.value[component]!),
         exact: () => String(control.value[component]!),
         apply: (value, entered) => {
             const now = session.set(control, component, value, { widen: entered });

@@ -3,6 +3,15 @@ import type { Control, Engine, Ladder, Opened, Problem, Shown } from '../engine.
 import { History, type Change, type Setting, type Step } from './history.ts';
 import { fitting } from './numbers.ts';
 
+// "Glass.uEta 1.5 → 1.1", as the step is applied.
+export function labelOf({ name, changes }: Step): string {
+    const [first] = changes;
+    if (name !== undefined || !first) return name ?? '';
+    if (first.what === 'view') return 'view';
+    const say = (side: Change['before']) => (typeof side === 'string' ? side : text(side.value));
+    return `${first.key} ${say(first.before)} → ${say(first.after)}`;
+}
+
 export interface Listeners {
     // The picture is out of date; `drag`: by something that is still moving.
     redraw(drag: boolean): void;
@@ -54,7 +63,7 @@ export class Session {
     }
     get anyChanged(): boolean {
         const turned = this.ladders.some(({ chosen, marked }) => chosen !== marked);
-        return turned || this.controls.some(isChanged) || this.engine.view() !== '';
+        return turned || this.controls.some(isChanged);
     }
 
     // What the engine says after open(), choose() or restored().
@@ -76,8 +85,7 @@ export class Session {
     private setTo(control: Control, next: Setting, gesture?: unknown): void {
         const before = settingOf(control);
         this.write(control, next);
-        const label = `${control.key} ${text(before.value)} → ${text(next.value)}`;
-        this.history.record(label, [{ what: 'value', key: control.key, before, after: settingOf(control) }], gesture);
+        this.history.record([{ what: 'value', key: control.key, before, after: settingOf(control) }], gesture);
         this.on.redraw(gesture !== undefined);
         this.on.changed();
     }
@@ -120,9 +128,8 @@ export class Session {
         if (program === undefined)
             for (const { name, rungs, chosen, marked } of this.ladders)
                 changes.push({ what: 'rung', key: name, before: rungs[chosen]!, after: rungs[marked]! });
-        const step = { label: 'Reset all', changes };
-        this.apply(step);
-        this.history.record(step.label, changes);
+        this.apply({ changes });
+        this.history.record(changes, undefined, program ? `reset of ${program}` : 'reset of all values');
         this.on.changed();
     }
 
@@ -130,7 +137,7 @@ export class Session {
         const change: Change = { what: 'rung', key: ladder.name, before: ladder.rungs[ladder.chosen]!, after: ladder.rungs[rung]! };
         this.accept(this.engine.choose(ladder.index, rung));
         const now = this.ladders.find(({ name }) => name === ladder.name);
-        if (now?.chosen === rung) this.history.record(`${ladder.name}: ${change.after}`, [change]);
+        if (now?.chosen === rung) this.history.record([change]);
         this.on.changed();
     }
 
@@ -140,7 +147,7 @@ export class Session {
         change();
         const after = this.engine.view();
         if (after === before) return;
-        this.history.record('view', [{ what: 'view', key: '', before, after }], gesture);
+        this.history.record([{ what: 'view', key: '', before, after }], gesture);
         this.on.redraw(gesture !== undefined);
         this.on.changed();
     }
@@ -168,7 +175,7 @@ export class Session {
         if (!step) return;
         this.apply(step);
         this.on.changed();
-        this.on.say(`${word}: ${step.label}`);
+        this.on.say(`${word}: ${labelOf(step)}`);
     }
 
     undo(): void {

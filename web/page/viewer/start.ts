@@ -46,7 +46,8 @@ async function load(page: Page, source: string): Promise<void> {
 
 export async function start(source: string): Promise<void> {
     const page = new Page();
-    document.body.replaceChildren(page.element);
+    // The data blocks stay: the editor's examples are read later.
+    document.querySelector('main')!.replaceWith(page.element);
     try {
         await load(page, source);
     } catch (error) {
