@@ -121,6 +121,7 @@ export function makeEditor(host: EditorHost): Editor {
             dialog.close();
             session.open();
         },
+        download: save.all,
         replace: (files) => files.forEach(({ name, text }) => session.replace(name, text)),
     };
 }

@@ -157,7 +157,7 @@ export class Page {
             fullScreen: () => this.fullScreen(),
             copyLink: () => void this.copyLink(),
             picture: () => session.shown && picture.open(),
-            zip: () => saveZip(this.host!.scene, this.host!.files),
+            zip: () => (this.editor ? this.editor.download() : saveZip(this.host!.scene, this.host!.files)),
             textWithValues: () => this.say(saveTexts(this.host!.scene, session.engine.saved())),
             help: () => this.help.open(),
         };
