@@ -62,7 +62,7 @@ function row(problem: Problem, goTo: (place: Place) => void): HTMLElement {
 export function makeProblemList(goTo: (place: Place) => void): ProblemList {
     const element = document.createElement('section');
     element.className = 'editor-problems';
-    element.setAttribute('aria-label', 'Problems');
+    element.setAttribute('aria-label', 'Problems of the text');
     const heading = document.createElement('p');
     heading.setAttribute('role', 'status');
     const list = document.createElement('ul');
