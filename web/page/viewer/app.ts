@@ -89,6 +89,7 @@ export class Page {
     }
 
     progress(what: string): void {
+        performance.mark(what);
         this.cover(el('p', { role: 'status', class: 'loading' }, what));
     }
 
@@ -136,9 +137,9 @@ export class Page {
             canvas: this.canvas,
             clock: this.clock,
             ready: () => this.session.shown !== undefined && !this.lost,
-            drawn: (_, divisor) => {
+            drawn: (milliseconds, divisor) => {
                 const { width, height } = this.painter!.frame();
-                this.layout.status.textContent = `${width} × ${height}${divisor > 1 ? ', coarser while dragging' : ''}`;
+                this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${divisor > 1 ? ', coarser while dragging' : ''}`;
             },
             ticked: () => this.timebar.refresh(),
         });
