@@ -297,6 +297,7 @@ export class Page {
         const host = this.host!;
         for (const name of host.files.keys()) this.session.engine.remove(name);
         Object.assign(host, { scene, files });
+        delete this.layout.app.dataset.scene;
         this.session.history.clear();
         this.session.shown = undefined;
         this.layout.link.hidden = true;
@@ -332,6 +333,7 @@ export class Page {
     private welcome(): void {
         const editor = this.makeEditor();
         if (editor) this.cover(editor.welcome);
+        this.layout.app.dataset.scene = 'none';
         this.refreshTitle();
     }
 

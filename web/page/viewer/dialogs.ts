@@ -5,7 +5,8 @@ import { evaluated } from './numbers.ts';
 
 export function makeDialog(title: string, ...children: Node[]): HTMLDialogElement {
     const heading = el('h2', {}, title);
-    const dialog = el('dialog', { 'aria-label': title }, heading, ...children);
+    // The dialog itself has the focus at first, so that it begins at its top.
+    const dialog = el('dialog', { 'aria-label': title, autofocus: true, tabindex: -1 }, heading, ...children);
     // Keys do not reach the page below.
     dialog.addEventListener('keydown', (event) => event.stopPropagation());
     dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());
