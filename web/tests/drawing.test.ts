@@ -13,7 +13,7 @@ function drag(coarse: Coarseness, begin: number, frames: number, cost: (divisor:
     return Array.from({ length: frames }, () => {
         const divisor = coarse.next(true, now);
         now += cost(divisor);
-        coarse.took(cost(divisor));
+        coarse.took(cost(divisor), now);
         return divisor;
     });
 }
@@ -21,8 +21,8 @@ function drag(coarse: Coarseness, begin: number, frames: number, cost: (divisor:
 test('fast pictures stay sharp in a drag, and one slow frame changes nothing', () => {
     const coarse = new Coarseness();
     assert.deepEqual(drag(coarse, 0, 5, () => 16), [1, 1, 1, 1, 1]);
-    coarse.took(90);
-    assert.equal(coarse.next(true, 200), 1);
+    coarse.took(90, 200);
+    assert.equal(coarse.next(true, 210), 1);
 });
 
 test('slow pictures become coarser until they are fast, and sharp 150 ms after the last move', () => {
@@ -32,6 +32,10 @@ test('slow pictures become coarser until they are fast, and sharp 150 ms after t
     assert.equal(coarse.next(false, due - 1), 2);
     assert.equal(coarse.next(false, due), 1);
     assert.deepEqual(drag(coarse, due + 1000, 3, (divisor) => 120 / divisor), [2, 2, 4]);
+});
+
+test('pictures that take longer than the rest of a drag are of the same drag', () => {
+    assert.deepEqual(drag(new Coarseness(), 0, 4, (divisor) => 900 / divisor ** 2), [1, 2, 4, 4]);
 });
 
 test('a drag that has become fast begins finer the next time', () => {

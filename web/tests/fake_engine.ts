@@ -73,6 +73,7 @@ export class FakeEngine implements Engine, WorkerEngine {
         const ok = problems.every(({ severity }) => severity !== 'error');
         if (ok && settings.fresh) {
             this.reset();
+            for (const ladder of this.ladders) ladder.chosen = ladder.marked;
             this.setView(settings.view ?? '');
             for (const value of settings.values ?? []) this.assign(value);
             for (const rung of settings.rungs ?? []) this.assignRung(rung);
@@ -82,7 +83,7 @@ export class FakeEngine implements Engine, WorkerEngine {
     private assign(text: string): void {
         const [key, numbers] = text.split('=') as [string, string];
         const found = this.controls.find((each) => each.key === key);
-        numbers.split(',').forEach((part, i) => found && this.set(found.index, i, Number(part)));
+        numbers.split(',').forEach((part, i) => found && Number.isFinite(Number(part)) && this.set(found.index, i, Number(part)));
     }
     private assignRung(text: string): void {
         const [name, rung] = text.split('=') as [string, string];

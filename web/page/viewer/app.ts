@@ -89,6 +89,7 @@ export class Page {
     }
 
     progress(what: string): void {
+        performance.mark(what);
         this.cover(el('p', { role: 'status', class: 'loading' }, what));
     }
 
@@ -136,9 +137,9 @@ export class Page {
             canvas: this.canvas,
             clock: this.clock,
             ready: () => this.session.shown !== undefined && !this.lost,
-            drawn: (_, divisor) => {
+            drawn: (milliseconds, divisor) => {
                 const { width, height } = this.painter!.frame();
-                this.layout.status.textContent = `${width} × ${height}${divisor > 1 ? ', coarser while dragging' : ''}`;
+                this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${divisor > 1 ? ', coarser while dragging' : ''}`;
             },
             ticked: () => this.timebar.refresh(),
         });
@@ -296,6 +297,7 @@ export class Page {
         const host = this.host!;
         for (const name of host.files.keys()) this.session.engine.remove(name);
         Object.assign(host, { scene, files });
+        delete this.layout.app.dataset.scene;
         this.session.history.clear();
         this.session.shown = undefined;
         this.layout.link.hidden = true;
@@ -331,6 +333,7 @@ export class Page {
     private welcome(): void {
         const editor = this.makeEditor();
         if (editor) this.cover(editor.welcome);
+        this.layout.app.dataset.scene = 'none';
         this.refreshTitle();
     }
 

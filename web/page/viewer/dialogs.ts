@@ -5,20 +5,21 @@ import { evaluated } from './numbers.ts';
 
 export function makeDialog(title: string, ...children: Node[]): HTMLDialogElement {
     const heading = el('h2', {}, title);
-    const dialog = el('dialog', { 'aria-label': title }, heading, ...children);
+    // The dialog itself has the focus at first, so that it begins at its top.
+    const dialog = el('dialog', { 'aria-label': title, autofocus: true, tabindex: -1 }, heading, ...children);
     // Keys do not reach the page below.
     dialog.addEventListener('keydown', (event) => event.stopPropagation());
     dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());
     return dialog;
 }
 
-export const limits = { side: 8192, pixels: 32 * 1024 * 1024, samples: 64 };
+export const limits = { side: 8192, pixels: 32_000_000, samples: 64 };
 
 // What is wrong with a size, or "".
 export function sizeProblem(width: number, height: number, samples: number): string {
     const whole = (value: number, most: number) => Number.isInteger(value) && value >= 1 && value <= most;
     if (!whole(width, limits.side) || !whole(height, limits.side)) return `Width and height are whole numbers of 1 to ${limits.side} pixels.`;
-    if (width * height > limits.pixels) return `A picture has at most ${limits.pixels / 1024 / 1024} million pixels (${limits.pixels}).`;
+    if (width * height > limits.pixels) return `A picture has at most ${limits.pixels / 1e6} million pixels.`;
     if (!whole(samples, limits.samples)) return `Samples are a whole number of 1 to ${limits.samples}.`;
     return '';
 }
@@ -64,7 +65,7 @@ export function makePictureDialog({ engine, frame, name, say }: PictureOptions):
         element.close();
         say(`Saved ${name()}.png, ${w} × ${h} pixels.`);
     };
-    const note = `At most ${limits.side} pixels wide and high, ${limits.pixels / 1024 / 1024} million pixels together, and ${limits.samples} samples per pixel.`;
+    const note = `At most ${limits.side} pixels wide and high, ${limits.pixels / 1e6} million pixels together, and ${limits.samples} samples per pixel.`;
     const form = el('form', { method: 'dialog' }, width.row, height.row, samples.row, el('p', { class: 'quiet' }, note), message);
     form.append(el('div', { class: 'buttons' }, el('button', { type: 'submit', class: 'main' }, 'Save PNG'), button('Cancel', () => element.close())));
     const element = makeDialog('Picture as PNG', form);

@@ -115,7 +115,9 @@ export class Painter {
         }
         this.fence = null;
         this.began = undefined;
-        if (this.ofDrag) this.coarse.took(milliseconds);
+        const now = performance.now();
+        if (this.ofDrag) this.coarse.took(milliseconds, now);
+        if (this.divisor > 1) this.sharp = setTimeout(() => this.request(), Math.max(this.coarse.due - now, 0) + 1);
         this.with_.drawn(milliseconds, this.divisor);
         return true;
     }
@@ -137,7 +139,6 @@ export class Painter {
         const gl = this.with_.canvas.getContext('webgl2');
         this.fence = gl?.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0) ?? null;
         gl?.flush();
-        if (this.divisor > 1) this.sharp = setTimeout(() => this.request(), Math.max(this.coarse.due - now, 0) + 1);
         // The next frame of the display tells how long this one took, and draws only if something changed.
         this.schedule();
     }

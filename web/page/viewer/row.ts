@@ -93,7 +93,7 @@ function makeTrack(session: Session, control: Control, component: number, type: 
 
 // What fits into a field.
 function short(text: string, value: number): string {
-    return text.length <= 9 ? text : String(Number(value.toPrecision(3)));
+    return text.length <= 8 ? text : String(Number(value.toPrecision(3)));
 }
 
 export function makeSliderRow(session: Session, control: Control, component: number, say: (message: string) => void): Row {
