@@ -1,6 +1,6 @@
 // What draws a scene, as the page sees it: by WebAssembly (wasm.ts), or by ready pictures (baked.ts).
 
-// Lines and columns begin at 1; columns count characters (code points), as in every message of snell.
+// Lines and columns begin at 1; columns count bytes of UTF-8, as in every message of snell.
 export interface Place {
     file: string;
     line: number;

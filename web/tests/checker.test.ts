@@ -161,6 +161,8 @@ test('the worker answers with what its engine says', async () => {
 test('what both say is said once', () => {
     const [one, two] = [problem('1'), problem('2')];
     assert.deepEqual(merged([one], [structuredClone(one), two]), [one, two]);
+    const note: Problem = { ...one, severity: 'note' };
+    assert.deepEqual(merged([note], [one, two]), [two, note]);
     assert.equal(summary([one, two, { ...one, severity: 'warning' }]), '2 errors, 1 warning');
     assert.equal(summary([]), 'No problems');
 });

@@ -55,142 +55,148 @@ interface Task {
     done(answer: Answer | 'replaced' | 'stopped' | 'absent'): void;
 }
 
-export function makeChecker({ spawn, say, milliseconds = 10_000 }: CheckerOptions): WorkerChecker {
-    let thread: Thread | undefined;
-    let absent = false;
-    let ready = false;
-    let running: Task | undefined;
-    let timer: ReturnType<typeof setTimeout> | undefined;
-    let queue: Task[] = [];
+class Queue implements WorkerChecker {
+    #thread: Thread | undefined;
+    #absent = false;
+    #ready = false;
+    #running: Task | undefined;
+    #timer: ReturnType<typeof setTimeout> | undefined;
+    #waiting: Task[] = [];
     // The files that the worker has.
-    let known = new Map<string, Uint8Array>();
-    let next = 1;
+    #known = new Map<string, Uint8Array>();
+    #next = 1;
+    // The check whose answer is wanted.
+    #newest = 0;
 
-    const end = () => {
-        clearTimeout(timer);
-        thread?.terminate();
-        thread = undefined;
-        ready = false;
-        known = new Map();
-    };
+    constructor(
+        private readonly options: CheckerOptions,
+        private readonly milliseconds = options.milliseconds ?? 10_000,
+    ) {}
 
-    const give = (answer: Answer | 'stopped' | 'absent') => {
-        clearTimeout(timer);
-        const task = running;
-        running = undefined;
-        task?.done(answer);
-        proceed();
-    };
-
-    const fail = () => {
-        end();
-        absent = true;
-        const waiting = queue;
-        queue = [];
-        for (const task of waiting) task.done('absent');
-        give('absent');
-    };
-
-    const late = () => {
-        if (!ready) return fail();
-        stopped(`took more than ${milliseconds / 1000} s and was stopped`);
-    };
-
-    const stopped = (what: string) => {
-        const check = running?.job.kind === 'check';
-        end();
-        if (check) say(`Checking the text ${what}. The picture is that of the text before the last edit.`);
-        give('stopped');
-    };
-
-    const begin = (task: Task) => {
-        if (task.job.kind === 'check') {
-            const files = task.files ?? new Map<string, Uint8Array>();
-            task.job.changed = [...files].filter(([name, bytes]) => known.get(name) !== bytes);
-            task.job.removed = [...known.keys()].filter((name) => !files.has(name));
-            known = new Map(files);
-        }
-        thread?.postMessage(sent(task.job));
-        timer = setTimeout(late, milliseconds);
-    };
-
-    const receive = (answer: Answer) => {
-        if (answer.kind === 'failed') return fail();
-        if (answer.kind === 'ready') {
-            clearTimeout(timer);
-            ready = true;
-            if (running) begin(running);
-        } else if (answer.id === running?.job.id) {
-            give(answer);
-        }
-    };
-
-    const start = () => {
-        const started = spawn();
-        thread = started;
-        // A worker that was ended may have answers under way.
-        started.onmessage = ({ data }) => void (thread === started && receive(data));
-        started.onerror = () => void (thread === started && (ready ? stopped('failed') : fail()));
-        timer = setTimeout(late, 2 * milliseconds);
-    };
-
-    const proceed = () => {
-        if (running || queue.length === 0) return;
-        running = queue.shift()!;
-        if (ready) return begin(running);
-        if (thread) return;
-        try {
-            start();
-        } catch {
-            fail();
-        }
-    };
-
-    const add = (task: Task) => {
-        if (absent) return task.done('absent');
-        if (task.job.kind === 'check') {
-            // Checks come first: someone is waiting for them.
-            for (const older of queue.filter(({ job }) => job.kind === 'check')) older.done('replaced');
-            queue = [task, ...queue.filter(({ job }) => job.kind !== 'check')];
-        } else {
-            queue.push(task);
-        }
-        proceed();
-    };
-
-    const check = (scene: string, files: Files) =>
-        new Promise<Checked>((resolve) => {
-            const id = next++;
-            newest = id;
+    check(scene: string, files: Files): Promise<Checked> {
+        const id = this.#next++;
+        this.#newest = id;
+        return new Promise((resolve) => {
             const done: Task['done'] = (answer) => {
-                if (newest !== id && answer !== 'absent') resolve({ state: 'replaced' });
+                if (this.#newest !== id && answer !== 'absent') resolve({ state: 'replaced' });
                 else if (typeof answer === 'string') resolve({ state: answer });
                 else resolve({ state: 'done', problems: answer.kind === 'checked' ? answer.problems : [] });
             };
-            add({ job: { kind: 'check', id, scene, changed: [], removed: [] }, files: new Map(files), done });
+            this.#add({ job: { kind: 'check', id, scene, changed: [], removed: [] }, files: new Map(files), done });
         });
-    let newest = 0;
+    }
 
-    const decode = (name: string, bytes: Uint8Array) =>
-        new Promise<Uint8Array | undefined>((resolve) => {
+    async decodeLarge(files: Files): Promise<Map<string, Uint8Array>> {
+        const out = new Map<string, Uint8Array>();
+        const large = [...files].filter(([name, bytes]) => bytes.length > largeImage && images.test(name));
+        const decoded = large.map(async ([name, bytes]) => {
+            const image = await this.#decode(name, bytes);
+            if (image) out.set(name, image);
+        });
+        await Promise.all(decoded);
+        return out;
+    }
+
+    // Ends the worker for good.
+    stop(): void {
+        this.#end();
+        this.#absent = true;
+        const waiting = this.#waiting;
+        this.#waiting = [];
+        for (const task of waiting) task.done('absent');
+        this.#give('absent');
+    }
+
+    #decode(name: string, bytes: Uint8Array): Promise<Uint8Array | undefined> {
+        return new Promise((resolve) => {
             const done: Task['done'] = (answer) =>
                 resolve(typeof answer !== 'string' && answer.kind === 'decoded' ? answer.image : undefined);
-            add({ job: { kind: 'decode', id: next++, name, bytes }, done });
+            this.#add({ job: { kind: 'decode', id: this.#next++, name, bytes }, done });
         });
+    }
 
-    return {
-        check,
-        decodeLarge: async (files) => {
-            const large = [...files].filter(([name, bytes]) => bytes.length > largeImage && images.test(name));
-            const out = new Map<string, Uint8Array>();
-            await Promise.all(
-                large.map(async ([name, bytes]) => {
-                    const image = await decode(name, bytes);
-                    if (image) out.set(name, image);
-                }),
-            );
-            return out;
-        },
-        stop: fail,
-    };
+    #add(task: Task): void {
+        if (this.#absent) return task.done('absent');
+        if (task.job.kind === 'check') {
+            // Checks come first: someone is waiting for them.
+            const isCheck = ({ job }: Task) => job.kind === 'check';
+            for (const older of this.#waiting.filter(isCheck)) older.done('replaced');
+            this.#waiting = [task, ...this.#waiting.filter((other) => !isCheck(other))];
+        } else {
+            this.#waiting.push(task);
+        }
+        this.#proceed();
+    }
+
+    #proceed(): void {
+        if (this.#running || this.#waiting.length === 0) return;
+        this.#running = this.#waiting.shift()!;
+        if (this.#ready) return this.#begin(this.#running);
+        if (this.#thread) return;
+        try {
+            this.#start();
+        } catch {
+            this.stop();
+        }
+    }
+
+    #start(): void {
+        const started = this.options.spawn();
+        this.#thread = started;
+        // A worker that was ended may have answers under way.
+        started.onmessage = ({ data }) => void (this.#thread === started && this.#receive(data));
+        started.onerror = () =>
+            void (this.#thread === started && (this.#ready ? this.#stopped('failed') : this.stop()));
+        this.#timer = setTimeout(() => this.stop(), 2 * this.milliseconds);
+    }
+
+    #receive(answer: Answer): void {
+        if (answer.kind === 'failed') return this.stop();
+        if (answer.kind === 'ready') {
+            clearTimeout(this.#timer);
+            this.#ready = true;
+            if (this.#running) this.#begin(this.#running);
+        } else if (answer.id === this.#running?.job.id) {
+            this.#give(answer);
+        }
+    }
+
+    #begin(task: Task): void {
+        if (task.job.kind === 'check') {
+            const files = task.files ?? new Map<string, Uint8Array>();
+            task.job.changed = [...files].filter(([name, bytes]) => this.#known.get(name) !== bytes);
+            task.job.removed = [...this.#known.keys()].filter((name) => !files.has(name));
+            this.#known = new Map(files);
+        }
+        this.#thread?.postMessage(sent(task.job));
+        const late = `took more than ${this.milliseconds / 1000} s and was stopped`;
+        this.#timer = setTimeout(() => this.#stopped(late), this.milliseconds);
+    }
+
+    #give(answer: Answer | 'stopped' | 'absent'): void {
+        clearTimeout(this.#timer);
+        const task = this.#running;
+        this.#running = undefined;
+        task?.done(answer);
+        this.#proceed();
+    }
+
+    #stopped(what: string): void {
+        const check = this.#running?.job.kind === 'check';
+        this.#end();
+        if (check) this.options.say(`Checking the text ${what}. The picture is that of the text before the last edit.`);
+        this.#give('stopped');
+    }
+
+    #end(): void {
+        clearTimeout(this.#timer);
+        this.#thread?.terminate();
+        this.#thread = undefined;
+        this.#ready = false;
+        this.#known = new Map();
+    }
+}
+
+export function makeChecker(options: CheckerOptions): WorkerChecker {
+    return new Queue(options);
 }

@@ -17,7 +17,7 @@ export interface Document {
     // Where it was scrolled to when another file was chosen.
     scroll?: StateEffect<unknown>;
     // As it was opened or downloaded last.
-    kept: Uint8Array;
+    kept: { bytes: Uint8Array; doc: EditorState['doc']; ends: readonly string[] };
     // The bytes of `of`, which is the text of a state: an unedited text keeps its array.
     bytes: Uint8Array;
     of: EditorState['doc'];
@@ -27,20 +27,26 @@ export function makeDocument(name: string, bytes: Uint8Array, names: () => strin
     const { format, lines, ends } = read(bytes);
     const field = endsField(ends);
     const state = stateOf(name, lines, { names }, [field, more(format)]);
-    return { name, format, ends: field, state, kept: bytes, bytes, of: state.doc };
+    return { name, format, ends: field, state, kept: { bytes, doc: state.doc, ends }, bytes, of: state.doc };
 }
 
 export function bytesOf(document: Document): Uint8Array {
     const { state, format } = document;
     if (document.of === state.doc) return document.bytes;
     const bytes = write({ format, lines: state.doc.toJSON(), ends: [...state.field(document.ends)] });
-    document.bytes = same(bytes, document.kept) ? document.kept : bytes;
+    document.bytes = same(bytes, document.kept.bytes) ? document.kept.bytes : bytes;
     document.of = state.doc;
     return document.bytes;
 }
 
-export function isEdited(document: Document): boolean {
-    return bytesOf(document) !== document.kept;
+// Without the bytes, which take long in a large file.
+export function isEdited({ state, kept, ends }: Document): boolean {
+    const now = state.field(ends);
+    return !state.doc.eq(kept.doc) || (now !== kept.ends && now.some((end, i) => end !== kept.ends[i]));
+}
+
+export function keep(document: Document): void {
+    document.kept = { bytes: bytesOf(document), doc: document.state.doc, ends: document.state.field(document.ends) };
 }
 
 // The scene first, then scenes and includes, then shaders; those in the scene's folder come before others.

@@ -1,31 +1,62 @@
 // Files that were dropped or chosen: folders with all that they contain, archives, and single files.
 import { Budget, TooMuch } from './limits.ts';
-import { Names } from './names.ts';
+import { isJunk, Names } from './names.ts';
 import { BadArchive, unzip, type Unpacked } from './unzip.ts';
+
+declare global {
+    interface DataTransferItem {
+        // Not in every browser.
+        getAsFileSystemHandle?(): Promise<FileSystemHandle | null>;
+    }
+    interface FileSystemDirectoryHandle {
+        values(): AsyncIterable<FileSystemHandle>;
+    }
+}
 
 interface Found {
     path: string;
     file: File;
 }
 
-function readAll(reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> {
+// A folder by one of the two interfaces that browsers have: in a page from a disk, Chromium's older one fails.
+type Folder = FileSystemDirectoryEntry | FileSystemDirectoryHandle;
+type Child = { name: string; folder: Folder } | { name: string; file: () => Promise<File> };
+
+function readBatch(reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> {
     return new Promise((resolve, reject) => reader.readEntries(resolve, reject));
 }
 
-// A folder of a million files ends at the budget, before any of them is read.
-async function collect(entry: FileSystemEntry, folder: string, budget: Budget, out: Found[]): Promise<void> {
-    const path = folder + entry.name;
-    if (/^\.|^__MACOSX$/.test(entry.name)) return;
-    if (entry.isFile) {
-        budget.file();
-        const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
-        out.push({ path, file });
+function childOf(entry: FileSystemEntry): Child {
+    const { name } = entry;
+    if (entry.isDirectory) return { name, folder: entry as FileSystemDirectoryEntry };
+    return { name, file: () => new Promise((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject)) };
+}
+
+async function* childrenOf(folder: Folder): AsyncGenerator<Child> {
+    if ('createReader' in folder) {
+        const reader = folder.createReader();
+        // A reader gives at most 100 entries at a time.
+        for (let batch = await readBatch(reader); batch.length > 0; batch = await readBatch(reader)) yield* batch.map(childOf);
         return;
     }
-    const reader = (entry as FileSystemDirectoryEntry).createReader();
-    // A reader gives at most 100 entries at a time.
-    for (let batch = await readAll(reader); batch.length > 0; batch = await readAll(reader))
-        for (const inner of batch) await collect(inner, `${path}/`, budget, out);
+    for await (const handle of folder.values())
+        yield handle.kind === 'directory'
+            ? { name: handle.name, folder: handle as FileSystemDirectoryHandle }
+            : { name: handle.name, file: () => (handle as FileSystemFileHandle).getFile() };
+}
+
+// A folder of a million files ends at the budget, before any of them is read.
+async function collect(folder: Folder, path: string, budget: Budget, out: Found[]): Promise<void> {
+    for await (const child of childrenOf(folder)) {
+        if (isJunk(child.name)) continue;
+        const inner = `${path}/${child.name}`;
+        if ('folder' in child) {
+            await collect(child.folder, inner, budget, out);
+        } else {
+            budget.file();
+            out.push({ path: inner, file: await child.file() });
+        }
+    }
 }
 
 async function readFiles(found: readonly Found[], budget: Budget): Promise<Unpacked> {
@@ -60,15 +91,34 @@ async function explained(what: () => Promise<Unpacked>): Promise<Unpacked> {
     }
 }
 
-// Must be called within the event: the entries are not there afterwards.
+// What a drop holds: taken within the event, because it is not there afterwards.
+interface Item {
+    file: File | null;
+    entry: FileSystemEntry | null;
+    handle: Promise<FileSystemHandle | null> | undefined;
+}
+
+function itemOf(item: DataTransferItem): Item {
+    const entry = item.webkitGetAsEntry();
+    return { file: item.getAsFile(), entry, handle: entry?.isDirectory ? item.getAsFileSystemHandle?.() : undefined };
+}
+
+async function collectItem({ file, entry, handle }: Item, budget: Budget, out: Found[]): Promise<void> {
+    if (entry?.isDirectory) {
+        const known = await handle?.catch(() => null);
+        return collect((known ?? entry) as Folder, entry.name, budget, out);
+    }
+    if (!file) return;
+    budget.file();
+    out.push({ path: file.name, file });
+}
+
 export function readDrop(data: DataTransfer): Promise<Unpacked> {
-    const entries = [...data.items].filter((item) => item.kind === 'file').map((item) => item.webkitGetAsEntry());
-    const plain = [...data.files];
+    const items = [...data.items].filter(({ kind }) => kind === 'file').map(itemOf);
     return explained(async () => {
         const budget = new Budget();
         const found: Found[] = [];
-        if (entries.every((entry) => entry !== null)) for (const entry of entries) await collect(entry, '', budget, found);
-        else found.push(...plain.map((file) => ({ path: file.name, file })));
+        for (const item of items) await collectItem(item, budget, found);
         return unpack(found);
     });
 }

@@ -37,6 +37,20 @@ function makeCode(): { panel: HTMLElement; view: EditorView } {
     return { panel, view };
 }
 
+// The list of problems grows below the text: the line that is being written stays in sight.
+function keepCaret(panel: HTMLElement, view: EditorView): void {
+    let before = 0;
+    const observer = new ResizeObserver(() => {
+        const { main } = view.state.selection;
+        const { top, bottom, height } = panel.getBoundingClientRect();
+        const caret = view.hasFocus ? view.coordsAtPos(main.head) : null;
+        if (caret && caret.bottom > bottom && caret.top < top + before)
+            view.dispatch({ effects: EditorView.scrollIntoView(main.head) });
+        before = height;
+    });
+    observer.observe(panel);
+}
+
 // The same element is on the page while there is no scene.
 function makeOpenDialog(welcome: HTMLElement): { dialog: HTMLDialogElement; open(): void } {
     const dialog = document.createElement('dialog');
@@ -71,6 +85,7 @@ export function makeEditor(host: EditorHost): Editor {
     element.className = 'editor';
     element.setAttribute('aria-label', 'Editor');
     const { panel, view } = makeCode();
+    keepCaret(panel, view);
     const goTo: Editor['goTo'] = (place) => {
         if (!session.goTo(place)) host.say(`'${place.file}' is not one of the scene's texts.`);
     };
@@ -121,6 +136,7 @@ export function makeEditor(host: EditorHost): Editor {
             dialog.close();
             session.open();
         },
+        download: save.all,
         replace: (files) => files.forEach(({ name, text }) => session.replace(name, text)),
     };
 }

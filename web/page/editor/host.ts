@@ -38,6 +38,8 @@ export interface Editor {
     goTo(place: Place): void;
     // host.files and host.scene are others now. The page calls show() afterwards.
     opened(): void;
+    // Downloads the scene as a .zip with all edits, which are then no longer marked.
+    download(): void;
     // Puts a text in place of a file's, as one step that can be undone: values that the page writes into the scene. Only
     // the lines that differ are edited.
     replace(files: { name: string; text: string }[]): void;

@@ -15,7 +15,7 @@ export function cleanName(raw: string): { name: string } | { error: string } {
 }
 
 // What systems and programs leave in folders, which is not part of a scene.
-function isJunk(name: string): boolean {
+export function isJunk(name: string): boolean {
     return name.split('/').some((part) => part.startsWith('.') || /^(__MACOSX|Thumbs\.db|desktop\.ini)$/i.test(part));
 }
 

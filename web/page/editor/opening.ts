@@ -33,13 +33,13 @@ function sayAll(host: EditorHost, messages: readonly string[]): void {
     if (text !== '') host.say(text);
 }
 
-// True if nothing is lost, or the author wants it so.
-async function leave(author: Author): Promise<boolean> {
-    const edited = author.edited();
+// True if none of these files has edits that would be lost, or the author wants it so.
+async function leave(author: Author, names: readonly string[]): Promise<boolean> {
+    const edited = author.edited().filter((name) => names.includes(name));
     if (edited.length === 0) return true;
-    const names = edited.map((name) => `'${name}'`).join(', ');
-    const answer = await ask('Edited files', `These edits were not downloaded: ${names}.`, [
-        { text: 'Download, then open', value: 'download' },
+    const list = edited.map((name) => `'${name}'`).join(', ');
+    const answer = await ask('Edited files', `These edits were not downloaded: ${list}.`, [
+        { text: 'Download, then continue', value: 'download' },
         { text: 'Discard the edits', value: 'discard' },
     ]);
     if (answer === 'download') author.download();
@@ -47,7 +47,34 @@ async function leave(author: Author): Promise<boolean> {
 }
 
 async function open(author: Author, scene: string, files: Map<string, Uint8Array>): Promise<void> {
-    if (await leave(author)) author.host.openScene(scene, files);
+    if (await leave(author, [...author.host.files.keys()])) author.host.openScene(scene, files);
+}
+
+async function add(author: Author, files: Map<string, Uint8Array>): Promise<void> {
+    const { host } = author;
+    const error = cannotAdd(files, host.files);
+    if (error !== '') return host.say(error);
+    if (!(await leave(author, [...files.keys()]))) return;
+    author.add(files);
+    host.say(`Taken into the scene: ${[...files.keys()].map(baseOf).join(', ')}.`);
+}
+
+async function openOneOf(author: Author, scenes: readonly string[], files: Map<string, Uint8Array>): Promise<void> {
+    const { host } = author;
+    const choices = scenes.map((name) => ({ text: name, value: name }));
+    if (files.size === 1 && baseOf(scenes[0]) === baseOf(host.scene)) {
+        const text = `The scene that is open has the name '${scenes[0]}', too.`;
+        const answers = [
+            { text: 'Replace its text', value: true },
+            { text: 'Open another scene', value: false },
+        ];
+        const replace = await ask('A scene of the same name', text, answers);
+        if (replace) return add(author, new Map([[host.scene, files.get(scenes[0])!]]));
+        if (replace === undefined) return;
+    }
+    const several = `There are ${choices.length} scenes. Choose one.`;
+    const scene = choices.length === 1 ? scenes[0] : await ask('Several scenes', several, choices);
+    if (scene !== undefined) await open(author, scene, files);
 }
 
 async function take(author: Author, { files, messages }: Unpacked): Promise<void> {
@@ -56,19 +83,8 @@ async function take(author: Author, { files, messages }: Unpacked): Promise<void
     if (what.kind === 'no scene') messages.push('There is no .glib file among these files.');
     if (what.kind === 'nothing' && messages.length === 0) messages.push('There are no files to open.');
     sayAll(host, messages);
-    if (what.kind === 'add') {
-        const error = cannotAdd(what.files, host.files);
-        if (error !== '') return host.say(error);
-        author.add(what.files);
-        if (messages.length === 0) host.say(`Added to the scene: ${[...what.files.keys()].map(baseOf).join(', ')}.`);
-    } else if (what.kind === 'open') {
-        const choices = what.scenes.map((name) => ({ text: name, value: name }));
-        const scene =
-            choices.length === 1
-                ? what.scenes[0]
-                : await ask('Several scenes', `There are ${choices.length} scenes. Choose one.`, choices);
-        if (scene !== undefined) await open(author, scene, what.files);
-    }
+    if (what.kind === 'add') await add(author, what.files);
+    else if (what.kind === 'open') await openOneOf(author, what.scenes, what.files);
 }
 
 export function makeOpening(author: Author): Opening {

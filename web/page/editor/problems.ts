@@ -2,18 +2,20 @@
 import type { Place, Problem } from '../engine.ts';
 import { resolve } from './names.ts';
 
-function key({ severity, code, message, at }: Problem): string {
-    return JSON.stringify([severity, code, message, at?.file, at?.line, at?.column]);
+// What tells problems apart. Not the severity: what is an error without graphics may be a note once it is known that
+// nothing reads the file.
+function key({ code, message, at }: Problem): string {
+    return JSON.stringify([code, message, at?.file, at?.line, at?.column]);
 }
 
-// What tells problems apart where their places have moved.
-export function kind({ severity, code, message, at }: Problem): string {
-    return JSON.stringify([severity, code, message, at?.file]);
+// The same where their places have moved.
+export function kind({ code, message, at }: Problem): string {
+    return JSON.stringify([code, message, at?.file]);
 }
 
 const order = { error: 0, warning: 1, note: 2 };
 
-// What the engine says, and what only the worker says; errors first.
+// What the engine says, which is more exact, and what only the worker says; errors first.
 export function merged(full: readonly Problem[], quick: readonly Problem[]): Problem[] {
     const known = new Set(full.map(key));
     const all = [...full, ...quick.filter((problem) => !known.has(key(problem)))];
@@ -60,7 +62,7 @@ function row(problem: Problem, goTo: (place: Place) => void): HTMLElement {
 export function makeProblemList(goTo: (place: Place) => void): ProblemList {
     const element = document.createElement('section');
     element.className = 'editor-problems';
-    element.setAttribute('aria-label', 'Problems');
+    element.setAttribute('aria-label', 'Problems of the text');
     const heading = document.createElement('p');
     heading.setAttribute('role', 'status');
     const list = document.createElement('ul');

@@ -5,7 +5,7 @@ import { EditorState, type Extension, type TransactionSpec } from '@codemirror/s
 import { EditorView } from '@codemirror/view';
 import type { Place, Problem } from '../engine.ts';
 import { unwritable, type Format } from './bytes.ts';
-import { bytesOf, differences, isEdited, makeDocument, marksOf, movedMarks, textFiles, type Document, type Mark } from './documents.ts';
+import { bytesOf, differences, isEdited, keep, makeDocument, marksOf, movedMarks, textFiles, type Document, type Mark } from './documents.ts';
 import type { Checked, EditorHost, Files } from './host.ts';
 import { resolve } from './names.ts';
 import { rangeOf } from './places.ts';
@@ -92,7 +92,7 @@ export class Session {
     kept(names: Iterable<string>): void {
         for (const name of names) {
             const document = this.#documents.get(name);
-            if (document) document.kept = bytesOf(document);
+            if (document) keep(document);
         }
         this.refresh();
     }

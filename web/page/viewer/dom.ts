@@ -1,0 +1,38 @@
+// Elements. Text is always set as text, because scenes come from anywhere.
+
+type Attributes = Record<string, string | number | boolean | undefined>;
+
+export function el<Tag extends keyof HTMLElementTagNameMap>(
+    tag: Tag,
+    attributes: Attributes = {},
+    ...children: (Node | string)[]
+): HTMLElementTagNameMap[Tag] {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) {
+        if (value === undefined || value === false) continue;
+        if (name === 'class') element.className = String(value);
+        else element.setAttribute(name, value === true ? '' : String(value));
+    }
+    element.append(...children);
+    return element;
+}
+
+export function button(text: string, click: () => void, attributes: Attributes = {}): HTMLButtonElement {
+    const element = el('button', { type: 'button', ...attributes }, text);
+    element.addEventListener('click', click);
+    return element;
+}
+
+// True for fields that use keys for themselves.
+export function takesText(target: EventTarget | null): boolean {
+    if (!(target instanceof HTMLElement)) return false;
+    if (target.isContentEditable || target instanceof HTMLTextAreaElement || target.shadowRoot) return true;
+    return target instanceof HTMLInputElement && /^(text|number|search)$/.test(target.type);
+}
+
+export function download(name: string, blob: Blob): void {
+    const url = URL.createObjectURL(blob);
+    const link = el('a', { href: url, download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url), 60_000);
+}

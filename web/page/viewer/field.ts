@@ -1,0 +1,74 @@
+// A number that a click edits.
+import { el } from './dom.ts';
+import { typed } from './numbers.ts';
+
+export interface FieldOptions {
+    label: string;
+    type: string;
+    // As it is shown, and as it is typed.
+    shown(): string;
+    exact(): string;
+    // `entered`: by Enter, which may widen the range.
+    apply(value: number, entered: boolean): void;
+    say(message: string): void;
+}
+
+export interface Field {
+    element: HTMLInputElement;
+    refresh(): void;
+}
+
+// Enter and leaving apply the text; Escape restores the value.
+export function makeField(options: FieldOptions): Field {
+    const { label, type, shown, exact, apply, say } = options;
+    const element = el('input', { type: 'text', inputmode: 'decimal', class: 'number', 'aria-label': label, autocomplete: 'off', spellcheck: 'false' });
+    let before: string | undefined;
+
+    const refresh = () => {
+        if (before !== undefined) return;
+        element.value = shown();
+        element.removeAttribute('aria-invalid');
+    };
+    const begin = () => {
+        element.value = before = exact();
+        element.select();
+    };
+    // Returns false if the text is not a number.
+    const finish = (entered: boolean): boolean => {
+        if (before === undefined || element.value === before) return true;
+        const value = typed(element.value, type);
+        if (value === undefined) {
+            say(`'${element.value}' is not a number${/int/.test(type) ? ' that fits' : ''}.`);
+            return false;
+        }
+        apply(value, entered);
+        return true;
+    };
+    element.addEventListener('focus', begin);
+    // Without this, the click that focuses would undo the selection.
+    element.addEventListener('pointerdown', (event) => {
+        if (document.activeElement === element) return;
+        event.preventDefault();
+        element.focus();
+    });
+    element.addEventListener('blur', () => {
+        finish(false);
+        before = undefined;
+        refresh();
+    });
+    element.addEventListener('input', () => element.removeAttribute('aria-invalid'));
+    element.addEventListener('keydown', (event) => {
+        if (event.key === 'Enter') {
+            if (finish(true)) begin();
+            else element.setAttribute('aria-invalid', 'true');
+        } else if (event.key === 'Escape' && before !== undefined) {
+            event.stopPropagation();
+            element.removeAttribute('aria-invalid');
+            begin();
+            element.value = before = exact();
+        } else return;
+        event.preventDefault();
+    });
+    refresh();
+    return { element, refresh };
+}

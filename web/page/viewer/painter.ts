@@ -1,0 +1,156 @@
+// When the picture is drawn, and how large: only if something changed or time runs, at most once a frame of the display.
+import type { Engine, Frame } from '../engine.ts';
+import type { Clock } from './clock.ts';
+import { Coarseness } from './coarse.ts';
+
+export interface PainterOptions {
+    engine: Engine;
+    canvas: HTMLCanvasElement;
+    clock: Clock;
+    // Nothing can be drawn yet, or the context is lost.
+    ready(): boolean;
+    // After each picture, when the graphics have finished it.
+    drawn(milliseconds: number, divisor: number): void;
+    // The clock moved.
+    ticked(): void;
+}
+
+const longestSide = 8192;
+// Milliseconds after which a picture counts as finished, because a lost context never says so.
+const longestWait = 5000;
+// Milliseconds without a picture before the engine makes later ones faster.
+const settleAfter = 500;
+
+export class Painter {
+    split: number | undefined;
+    mouse: [number, number] | undefined;
+    private dirty = false;
+    private dragged = false;
+    private scheduled = false;
+    private size: [number, number] = [0, 0];
+    private readonly coarse = new Coarseness();
+    private divisor = 1;
+    private ofDrag = false;
+    private began: number | undefined;
+    // Passed when the graphics have finished the last picture.
+    private fence: WebGLSync | null = null;
+    private settling: ReturnType<typeof setTimeout> | undefined;
+    private sharp: ReturnType<typeof setTimeout> | undefined;
+    // Whether the engine may have something to settle.
+    private unsettled = false;
+    frames = 0;
+
+    constructor(private readonly with_: PainterOptions) {
+        this.observe();
+        document.addEventListener('visibilitychange', () => {
+            with_.clock.hold();
+            if (!document.hidden) this.schedule();
+        });
+    }
+
+    // The size in pixels of the display, whatever its ratio to the page's pixels is.
+    private observe(): void {
+        const { canvas } = this.with_;
+        const resized = (width: number, height: number) => {
+            this.size = [Math.max(Math.min(Math.round(width), longestSide), 1), Math.max(Math.min(Math.round(height), longestSide), 1)];
+            this.request();
+        };
+        const observer = new ResizeObserver(([entry]) => {
+            const device = entry!.devicePixelContentBoxSize?.[0];
+            if (device) return resized(device.inlineSize, device.blockSize);
+            const { width, height } = entry!.contentRect;
+            resized(width * devicePixelRatio, height * devicePixelRatio);
+        });
+        try {
+            observer.observe(canvas, { box: 'device-pixel-content-box' });
+        } catch {
+            observer.observe(canvas);
+        }
+    }
+
+    frame(): Frame {
+        const [width, height] = this.size;
+        return { time: this.with_.clock.time, width, height, split: this.split, mouse: this.mouse };
+    }
+
+    request(drag = false): void {
+        this.dirty = true;
+        this.dragged ||= drag;
+        this.unsettled = true;
+        this.schedule();
+    }
+
+    private schedule(): void {
+        if (this.scheduled || document.hidden) return;
+        this.scheduled = true;
+        requestAnimationFrame((now) => {
+            this.scheduled = false;
+            this.tick(now);
+        });
+    }
+
+    private tick(now: number): void {
+        const { clock, ready, ticked } = this.with_;
+        if (!ready() || this.size[0] <= 1) {
+            this.began = undefined;
+            this.fence = null;
+            return;
+        }
+        // One picture at a time: a queue of them would only be late.
+        if (!this.finished()) return this.schedule();
+        clock.advance(now);
+        if (clock.playing) ticked();
+        if (this.dirty || clock.playing) this.draw();
+        else this.rest();
+    }
+
+    // Whether nothing is being drawn any more.
+    private finished(): boolean {
+        if (this.began === undefined) return true;
+        const milliseconds = performance.now() - this.began;
+        const gl = this.fence && this.with_.canvas.getContext('webgl2');
+        if (gl && this.fence && milliseconds < longestWait) {
+            if (gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
+            gl.deleteSync(this.fence);
+        }
+        this.fence = null;
+        this.began = undefined;
+        const now = performance.now();
+        if (this.ofDrag) this.coarse.took(milliseconds, now);
+        if (this.divisor > 1) this.sharp = setTimeout(() => this.request(), Math.max(this.coarse.due - now, 0) + 1);
+        this.with_.drawn(milliseconds, this.divisor);
+        return true;
+    }
+
+    private draw(): void {
+        clearTimeout(this.settling);
+        clearTimeout(this.sharp);
+        const now = performance.now();
+        this.divisor = this.coarse.next(this.dragged, now);
+        this.ofDrag = this.dragged;
+        this.dirty = this.dragged = false;
+        const frame = this.frame();
+        frame.width = Math.max(Math.round(frame.width / this.divisor), 1);
+        frame.height = Math.max(Math.round(frame.height / this.divisor), 1);
+        if (frame.mouse) frame.mouse = [frame.mouse[0] / this.divisor, frame.mouse[1] / this.divisor];
+        this.began = now;
+        this.with_.engine.draw(frame);
+        ++this.frames;
+        const gl = this.with_.canvas.getContext('webgl2');
+        this.fence = gl?.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0) ?? null;
+        gl?.flush();
+        // The next frame of the display tells how long this one took, and draws only if something changed.
+        this.schedule();
+    }
+
+    private rest(): void {
+        if (!this.unsettled) return;
+        clearTimeout(this.settling);
+        this.settling = setTimeout(() => {
+            const { engine, ready } = this.with_;
+            if (document.hidden || !ready()) return;
+            this.unsettled = engine.settle(this.frame());
+            this.rest();
+        }, settleAfter);
+    }
+}

@@ -1,0 +1,187 @@
+// The scene that is shown: its controls, ladders and view, every change of them, and undo.
+import type { Control, Engine, Ladder, Opened, Problem, Shown } from '../engine.ts';
+import { History, type Change, type Setting, type Step } from './history.ts';
+import { fitting } from './numbers.ts';
+
+// "Glass.uEta 1.5 → 1.1", as the step is applied.
+export function labelOf({ name, changes }: Step): string {
+    const [first] = changes;
+    if (name !== undefined || !first) return name ?? '';
+    if (first.what === 'view') return 'view';
+    const say = (side: Change['before']) => (typeof side === 'string' ? side : text(side.value));
+    return `${first.key} ${say(first.before)} → ${say(first.after)}`;
+}
+
+export interface Listeners {
+    // The picture is out of date; `drag`: by something that is still moving.
+    redraw(drag: boolean): void;
+    // Values, rungs or the view are others; the controls are the same.
+    changed(): void;
+    // Other controls or ladders are shown.
+    listed(): void;
+    problems(problems: Problem[]): void;
+    say(message: string): void;
+}
+
+function settingOf({ value, min, max }: Control): Setting {
+    return { value: [...value], min, max };
+}
+
+export function isChanged({ value, initial }: Control): boolean {
+    return value.some((component, i) => component !== initial[i]);
+}
+
+export function isIntegral({ type }: Control): boolean {
+    return type === 'int' || type === 'uint';
+}
+
+// "uOffset.x" for a component of a vector.
+export function nameOf(control: Control, component: number): string {
+    const count = control.value.length;
+    if (count === 1) return control.name;
+    return count <= 4 ? `${control.name}.${'xyzw'[component]}` : `${control.name}[${component}]`;
+}
+
+function text(value: number[]): string {
+    return value.map((component) => Number(component.toPrecision(5))).join(', ');
+}
+
+export class Session {
+    shown: Shown | undefined;
+    readonly history = new History();
+
+    constructor(
+        readonly engine: Engine,
+        private readonly on: Listeners,
+    ) {}
+
+    get controls(): Control[] {
+        return (this.shown?.controls ?? []).filter(({ active }) => active);
+    }
+    get ladders(): Ladder[] {
+        return this.shown?.ladders ?? [];
+    }
+    get anyChanged(): boolean {
+        const turned = this.ladders.some(({ chosen, marked }) => chosen !== marked);
+        return turned || this.controls.some(isChanged);
+    }
+
+    // What the engine says after open(), choose() or restored().
+    accept(opened: Opened): void {
+        this.on.problems(opened.problems);
+        if (!opened.shown) return;
+        this.shown = opened.shown;
+        this.on.listed();
+        this.on.redraw(false);
+    }
+
+    private write(control: Control, next: Setting): void {
+        if (next.min !== control.min || next.max !== control.max) this.engine.range(control.index, next.min, next.max);
+        for (const [i, value] of next.value.entries())
+            if (value !== control.value[i]) this.engine.set(control.index, i, value);
+        Object.assign(control, { value: [...next.value], min: next.min, max: next.max });
+    }
+
+    private setTo(control: Control, next: Setting, gesture?: unknown): void {
+        const before = settingOf(control);
+        this.write(control, next);
+        this.history.record([{ what: 'value', key: control.key, before, after: settingOf(control) }], gesture);
+        this.on.redraw(gesture !== undefined);
+        this.on.changed();
+    }
+
+    // Values outside of the range widen it if `widen`, and else are moved into it. Returns what the control has then.
+    set(control: Control, component: number, value: number, options: { gesture?: unknown; widen?: boolean } = {}): number {
+        const next = settingOf(control);
+        const fit = fitting(value, control.type);
+        if (fit === undefined) return control.value[component]!;
+        const slides = control.widget === 'slider';
+        if (slides && options.widen) {
+            next.min = Math.min(next.min, fit);
+            next.max = Math.max(next.max, fit);
+        }
+        next.value[component] = slides ? Math.min(Math.max(fit, next.min), next.max) : fit;
+        this.setTo(control, next, options.gesture);
+        return next.value[component];
+    }
+
+    setAll(control: Control, value: number[], gesture?: unknown): void {
+        this.setTo(control, { ...settingOf(control), value }, gesture);
+    }
+
+    reset(control: Control, component?: number): void {
+        const { initial, initialMin: min, initialMax: max } = control;
+        if (component === undefined) return this.setTo(control, { value: [...initial], min, max });
+        const value = control.value.map((now, i) => (i === component ? initial[i]! : now));
+        const fits = value.every((each) => each >= min && each <= max);
+        this.setTo(control, fits ? { value, min, max } : { ...settingOf(control), value });
+    }
+
+    // Of one program, or of all, and then the rungs, too.
+    resetAll(program?: string): void {
+        const changes: Change[] = [];
+        for (const control of this.controls) {
+            const { key, initial, initialMin: min, initialMax: max } = control;
+            if (program !== undefined && control.program !== program) continue;
+            changes.push({ what: 'value', key, before: settingOf(control), after: { value: [...initial], min, max } });
+        }
+        if (program === undefined)
+            for (const { name, rungs, chosen, marked } of this.ladders)
+                changes.push({ what: 'rung', key: name, before: rungs[chosen]!, after: rungs[marked]! });
+        this.apply({ changes });
+        this.history.record(changes, undefined, program ? `reset of ${program}` : 'reset of all values');
+        this.on.changed();
+    }
+
+    choose(ladder: Ladder, rung: number): void {
+        const change: Change = { what: 'rung', key: ladder.name, before: ladder.rungs[ladder.chosen]!, after: ladder.rungs[rung]! };
+        this.accept(this.engine.choose(ladder.index, rung));
+        const now = this.ladders.find(({ name }) => name === ladder.name);
+        if (now?.chosen === rung) this.history.record([change]);
+        this.on.changed();
+    }
+
+    // A gesture over the picture, or its reset.
+    changeView(change: () => void, gesture?: unknown): void {
+        const before = this.engine.view();
+        change();
+        const after = this.engine.view();
+        if (after === before) return;
+        this.history.record([{ what: 'view', key: '', before, after }], gesture);
+        this.on.redraw(gesture !== undefined);
+        this.on.changed();
+    }
+
+    // Drops what the scene no longer has.
+    private apply(step: Step): void {
+        for (const change of step.changes) {
+            if (change.what === 'view') this.engine.setView(change.after);
+            else if (change.what === 'rung') this.applyRung(change.key, change.after);
+            else {
+                const control = this.shown?.controls.find(({ key }) => key === change.key);
+                if (control?.value.length === change.after.value.length) this.write(control, change.after);
+            }
+        }
+        this.on.redraw(false);
+    }
+
+    private applyRung(name: string, rung: string): void {
+        const ladder = this.ladders.find((each) => each.name === name);
+        const at = ladder?.rungs.indexOf(rung) ?? -1;
+        if (ladder && at >= 0 && at !== ladder.chosen) this.accept(this.engine.choose(ladder.index, at));
+    }
+
+    private go(step: Step | undefined, word: string): void {
+        if (!step) return;
+        this.apply(step);
+        this.on.changed();
+        this.on.say(`${word}: ${labelOf(step)}`);
+    }
+
+    undo(): void {
+        this.go(this.history.undo(), 'Undo');
+    }
+    redo(): void {
+        this.go(this.history.redo(), 'Redo');
+    }
+}

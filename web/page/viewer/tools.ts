@@ -1,0 +1,87 @@
+// The buttons above the panel, and what they save.
+import { download as downloadBytes, zip } from '../editor/pack.ts';
+import { button, el } from './dom.ts';
+import type { Session } from './session.ts';
+
+export interface ToolActions {
+    resetView(): void;
+    fullScreen(): void;
+    copyLink(): void;
+    picture(): void;
+    zip(): void;
+    textWithValues(): void;
+    help(): void;
+}
+
+export interface Tools {
+    elements: HTMLElement[];
+    refresh(): void;
+}
+
+// `scene`: with files to download, which ready pictures do not have.
+export function makeTools(session: Session, actions: ToolActions, files: boolean): Tools {
+    const undo = button('Undo', () => session.undo(), { title: 'Ctrl+Z' });
+    const redo = button('Redo', () => session.redo(), { title: 'Ctrl+Y' });
+    const resetAll = button('Reset all', () => session.resetAll());
+    const resetView = button('Reset view', actions.resetView, { title: 'R' });
+    const save = [
+        button('Copy link', actions.copyLink),
+        button('Picture as PNG…', actions.picture),
+        ...(files ? [button('Scene as .zip', actions.zip), button('Text with these values', actions.textWithValues)] : []),
+    ];
+    const menu = el('details', { class: 'menu' }, el('summary', {}, 'Save and share'), el('div', { class: 'items' }, ...save));
+    const close = () => void (menu.open = false);
+    save.forEach((each) => each.addEventListener('click', close));
+    document.addEventListener('pointerdown', (event) => menu.contains(event.target as Node) || close());
+    menu.addEventListener('keydown', (event) => {
+        if (event.key !== 'Escape' || !menu.open) return;
+        event.stopPropagation();
+        close();
+        menu.querySelector('summary')!.focus();
+    });
+    const screen = document.fullscreenEnabled ? [button('Full screen', actions.fullScreen, { title: 'F' })] : [];
+    const help = button('?', actions.help, { 'aria-label': 'Help', title: 'Help' });
+    const refresh = () => {
+        undo.disabled = !session.history.canUndo;
+        redo.disabled = !session.history.canRedo;
+        resetAll.disabled = !session.shown || !session.anyChanged;
+    };
+    refresh();
+    return { elements: [undo, redo, resetAll, ...(files ? [resetView] : []), ...screen, menu, help], refresh };
+}
+
+export async function copyText(text: string): Promise<boolean> {
+    try {
+        await navigator.clipboard.writeText(text);
+        return true;
+    } catch {
+        // Files on a disk have no clipboard in some browsers; a selected text can be copied.
+        const area = el('textarea', { 'aria-hidden': 'true', class: 'copied' }, text);
+        document.body.append(area);
+        area.select();
+        const copied = document.execCommand('copy');
+        area.remove();
+        return copied;
+    }
+}
+
+function baseOf(name: string): string {
+    return name.slice(name.lastIndexOf('/') + 1);
+}
+
+export function saveZip(scene: string, files: ReadonlyMap<string, Uint8Array>): void {
+    downloadBytes(`${baseOf(scene).replace(/\.glib$/i, '')}.zip`, zip(files), 'application/zip');
+}
+
+// One file as it is, several as an archive. Returns a message.
+export function saveTexts(scene: string, { files, error }: { files: { name: string; text: string }[]; error: string }): string {
+    if (error !== '') return error;
+    if (files.length === 0) return 'The values are those of the text.';
+    const bytes = (text: string) => new TextEncoder().encode(text);
+    if (files.length === 1) {
+        downloadBytes(baseOf(files[0]!.name), bytes(files[0]!.text), 'application/octet-stream');
+        return `Saved ${baseOf(files[0]!.name)} with these values.`;
+    }
+    saveZip(scene, new Map(files.map(({ name, text }) => [name, bytes(text)])));
+    return `Saved ${files.length} files with these values.`;
+}
