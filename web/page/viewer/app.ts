@@ -261,7 +261,19 @@ export class Page {
         // What an address asks for in vain is no error of the scene.
         if (settles && opened.shown) opened = { ...opened, problems: opened.problems.map(softened) };
         this.accept(opened, settings);
+        if (!contents?.checker) this.setBaked(values);
         if (refused.length > 0) this.say(`The address says something that this scene does not have: ${refused.slice(0, 3).join(', ')}.`);
+    }
+
+    // Ready pictures take no settings when they are opened.
+    private setBaked(values: string[]): void {
+        const { session } = this;
+        for (const control of session.controls) {
+            const text = values.find((value) => value.startsWith(`${control.key}=`));
+            session.set(control, 0, text ? Number(text.slice(control.key.length + 1)) : control.initial[0]!);
+        }
+        session.history.clear();
+        this.refresh();
     }
 
     private accept(opened: Opened, { time, split }: Settings): void {
