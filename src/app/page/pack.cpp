@@ -17,17 +17,6 @@ std::string archive(std::span<const PackedFile> files) {
     return all;
 }
 
-std::string decoded_image(const content::Image& image) {
-    std::string bytes = "SNELLIMG";
-    const auto add = [&bytes](int number) {
-        for (int shift = 0; shift < 32; shift += 8)
-            bytes += static_cast<char>(static_cast<std::uint32_t>(number) >> shift & 0xff);
-    };
-    for (const int number : {image.width, image.height, image.depth, image.channels, static_cast<int>(image.type)})
-        add(number);
-    return bytes.append(reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size());
-}
-
 std::string gzipped(std::string_view bytes) {
     constexpr int gzip = 16;  // added to the size of the window, it asks for the header of gzip
     z_stream stream{};

@@ -7,14 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "src/content/image/image.h"
-
 namespace snell::app {
 
 struct PackedFile {
     std::string name;  // relative, with '/'
     std::string bytes;
-    bool decoded = false;  // `bytes` are decoded_image() of the file of this name, which stands before it
+    bool decoded = false;  // `bytes` are content::decoded_file() of the file of this name, which stands before it
 };
 
 // The limits of a page's archive. The page itself holds to the same ones.
@@ -23,9 +21,6 @@ inline constexpr std::uint64_t most_page_bytes = std::uint64_t{512} << 20;  // o
 
 // One line of JSON with the names and sizes, then the bytes of all files.
 std::string archive(std::span<const PackedFile> files);
-
-// The pixels without a file format, for pages, which decode few formats.
-std::string decoded_image(const content::Image& image);
 
 // The same bytes give the same text: no time and no name is in it.
 std::string gzipped(std::string_view bytes);

@@ -7,9 +7,10 @@
 #include <set>
 
 #include "parser/text/utf8.h"
-#include "src/document/document.h"
 #include "src/app/page/names.h"
+#include "src/content/image/decoded.h"
 #include "src/content/image/image.h"
+#include "src/document/document.h"
 #include "src/plan/identity.h"
 #include "src/plan/plan.h"
 #include "src/plan/used_files.h"
@@ -57,7 +58,8 @@ std::optional<PackedFile> decoded(const PackedFile& file, const Limits& limits) 
     const content::ImageLimits most{static_cast<int>(limits.texture_side), limits.texture_bytes};
     const content::ImageResult read = content::decode_image(file.name, file.bytes, most);
     if (!read.image) return std::nullopt;
-    return PackedFile{file.name, decoded_image(*read.image), true};
+    const std::vector<std::byte> decoded = content::decoded_file(*read.image);
+    return PackedFile{file.name, {reinterpret_cast<const char*>(decoded.data()), decoded.size()}, true};
 }
 
 std::string too_much(const std::vector<PackedFile>& files) {
