@@ -1,5 +1,6 @@
 #include "src/gl/present.h"
 
+#include "src/gl/driver.h"
 #include "src/gl/program.h"
 
 namespace snell::gl {
@@ -38,7 +39,7 @@ bool Canvas::resize(int width, int height, int samples, Pixels pixels) {
     drawn_ = make_target(width, height, samples, pixels);
     // A multisampled blit requires equal formats, and the default framebuffer's may differ: resolve into a target of
     // our own.
-    if (pixels == Pixels::srgb8 && !epoxy_is_desktop_gl()) return make_light(width, height) && drawn_.framebuffer;
+    if (pixels == Pixels::srgb8 && !is_desktop()) return make_light(width, height) && drawn_.framebuffer;
     if (drawn_.samples > 1) resolved_ = make_target(width, height, 1, pixels);
     return drawn_.framebuffer && (drawn_.samples <= 1 || resolved_.framebuffer);
 }

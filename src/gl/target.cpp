@@ -23,7 +23,7 @@ Renderbuffer make_renderbuffer(GLenum format, int width, int height, int samples
 // The most samples that the context takes in a renderbuffer of the format. Some have fewer for floats than for bytes.
 int most_samples(GLenum format) {
     GLint most = 1;
-    if (epoxy_is_desktop_gl())
+    if (is_desktop())
         glGetIntegerv(GL_MAX_SAMPLES, &most);
     else  // the largest comes first
         glGetInternalformativ(GL_RENDERBUFFER, format, GL_SAMPLES, 1, &most);

@@ -1,6 +1,7 @@
 #include "src/gl/texture.h"
 
 #include "src/gl/beyond.h"
+#include "src/gl/driver.h"
 #include "src/gl/target.h"
 
 namespace snell::gl {
@@ -142,7 +143,7 @@ Sampler make_sampler(const Sampling& sampling, bool cube) {
     glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, sampling.mode == Sampling::Mode::nearest ? GL_NEAREST : GL_LINEAR);
     const GLint wrap = cube || sampling.clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
     for (GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glSamplerParameteri(id, axis, wrap);
-    if (sampling.mode == Sampling::Mode::anisotropic && epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
+    if (sampling.mode == Sampling::Mode::anisotropic && has_extension("GL_EXT_texture_filter_anisotropic"))
         glSamplerParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, sampling.anisotropy);
     return sampler;
 }

@@ -7,7 +7,6 @@
 
 #include "src/app/picture/tiles.h"
 #include "src/gl/debug.h"
-#include "src/platform/web/encoded.h"
 
 namespace snell::web {
 
@@ -56,7 +55,7 @@ void Drawing::draw(OpenScene& scene, const Moment& moment) {
     context_->resize(moment.width, moment.height);
     draw_both(scene, caps_, moment, true, {canvas_.framebuffer(), moment.width, moment.height});
     canvas_.resolve();
-    show_encoded(canvas_, moment.width, moment.height, pixels);
+    canvas_.show(0, 0, moment.width, moment.height);
 }
 
 bool Drawing::settle(OpenScene& scene, const Moment& moment) {

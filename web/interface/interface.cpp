@@ -102,7 +102,8 @@ EMSCRIPTEN_KEEPALIVE const char* snell_check(Engine* engine, const char* scene) 
 
 EMSCRIPTEN_KEEPALIVE void snell_set(Engine* engine, int index, int component, double value) {
     Control* control = engine->control(index);
-    if (control && std::isfinite(value) && component >= 0 && static_cast<std::size_t>(component) < control->value.size())
+    if (control && std::isfinite(value) && component >= 0 &&
+        static_cast<std::size_t>(component) < control->value.size())
         control->value[static_cast<std::size_t>(component)] = value;
 }
 

@@ -31,16 +31,28 @@ export function nameProblem(name: string): string {
     return '';
 }
 
+// Not in every browser, and faster where it is.
+declare global {
+    interface Uint8ArrayConstructor {
+        fromBase64?(text: string): Uint8Array<ArrayBuffer>;
+    }
+}
+
 export function fromBase64(text: string): Uint8Array<ArrayBuffer> {
+    if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
     const binary = atob(text);
     const bytes = new Uint8Array(binary.length);
     for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
     return bytes;
 }
 
+export function unzipped(packed: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {
+    return new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+}
+
 // Ends as soon as there are more bytes than allowed, whatever the compressed size is.
 export async function gunzip(packed: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array> {
-    const reader = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')).getReader();
+    const reader = unzipped(packed).getReader();
     const parts: Uint8Array[] = [];
     let size = 0;
     for (;;) {

@@ -50,7 +50,9 @@ interface Program {
     _snell_restored(engine: Pointer): Pointer;
 }
 
-export type MakeProgram = (options: { wasmBinary: Uint8Array; printErr?: (text: string) => void }) => Promise<Program>;
+type Instantiate = (imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void) => object;
+
+export type MakeProgram = (options: { instantiateWasm: Instantiate }) => Promise<Program>;
 
 // The folder that names of files are relative to, away from the folders that every system has.
 const folder = '/files';
@@ -75,12 +77,25 @@ export class WasmEngine implements Engine {
         program.FS.chdir(folder);
     }
 
-    // `make` is the default export of snell.js, `wasmBinary` the bytes of snell.wasm.
-    static async load(make: MakeProgram, wasmBinary: Uint8Array): Promise<WasmEngine> {
-        return new WasmEngine(await make({ wasmBinary }));
+    // `make` is the default export of snell.js, `runtime` is snell.wasm: compiled once for the page and its worker.
+    static async load(make: MakeProgram, runtime: WebAssembly.Module): Promise<WasmEngine> {
+        const program = new Promise<Program>((resolve, reject) => {
+            const instantiateWasm: Instantiate = (imports, done) => {
+                WebAssembly.instantiate(runtime, imports).then((instance) => done(instance, runtime), reject);
+                return {};
+            };
+            make({ instantiateWasm }).then(resolve, reject);
+        });
+        return new WasmEngine(await program);
+    }
+
+    // Pictures are drawn and multisampled in a framebuffer of the program's own, and then copied to the canvas.
+    static context(canvas: HTMLCanvasElement): WebGL2RenderingContext | null {
+        return canvas.getContext('webgl2', { alpha: false, depth: false, antialias: false });
     }
 
     async start(canvas: HTMLCanvasElement): Promise<string> {
+        WasmEngine.context(canvas);
         this.program.specialHTMLTargets[canvasName] = canvas;
         return this.call((name) => this.program._snell_start(this.engine, name), canvasName);
     }

@@ -4,7 +4,7 @@ import type { Problem } from './engine.ts';
 export interface Start {
     kind: 'start';
     // snell.wasm.
-    runtime: Uint8Array;
+    runtime: WebAssembly.Module;
 }
 
 export type Job =
@@ -43,7 +43,7 @@ function answered(engine: WorkerEngine, job: Job): Answer {
 }
 
 // Answers what the page asks. An exception of the runtime reaches the page as the worker's error, which starts it again.
-export function serve(scope: Scope, make: (runtime: Uint8Array) => Promise<WorkerEngine>): void {
+export function serve(scope: Scope, make: (runtime: WebAssembly.Module) => Promise<WorkerEngine>): void {
     let engine: WorkerEngine | undefined;
     scope.onmessage = ({ data }) => {
         if (data.kind === 'start') {

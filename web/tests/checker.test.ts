@@ -148,7 +148,7 @@ test('the worker answers with what its engine says', async () => {
         decode: () => 'no image',
     }));
     const send = (data: Start | Job) => scope.onmessage!({ data } as MessageEvent<Start | Job>);
-    send({ kind: 'start', runtime: new Uint8Array() });
+    send({ kind: 'start', runtime: new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0)) });
     await Promise.resolve();
     await Promise.resolve();
     send({ kind: 'check', id: 1, scene: 'a.glib', changed: [['a.glib', utf8('')], ['b', utf8('')]], removed: [] });

@@ -22,7 +22,7 @@ export class EnginePage {
             heap = () => program.HEAPU8.length;
             return program;
         };
-        const engine = await WasmEngine.load(watched, bytes(wasm));
+        const engine = await WasmEngine.load(watched, await WebAssembly.compile(bytes(wasm)));
         const error = await engine.start(canvas);
         if (error) throw new Error(error);
         return new EnginePage(engine, canvas, () => heap());

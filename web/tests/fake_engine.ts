@@ -167,3 +167,5 @@ export class FakeEngine implements Engine, WorkerEngine {
 export async function loadEngine(): Promise<FakeEngine> {
     return new FakeEngine();
 }
+
+export function prepareCanvas(): void {}

@@ -20,10 +20,6 @@ std::unique_ptr<CanvasContext> CanvasContext::make(const std::string& canvas, st
     EmscriptenWebGLContextAttributes wanted;
     emscripten_webgl_init_context_attributes(&wanted);
     wanted.majorVersion = 2;
-    // Pictures are drawn and multisampled in a framebuffer of snell's own, and then copied to the canvas.
-    wanted.alpha = false;
-    wanted.depth = false;
-    wanted.antialias = false;
     wanted.enableExtensionsByDefault = true;
     std::unique_ptr<CanvasContext> made(new CanvasContext(canvas));
     made->handle_ = emscripten_webgl_create_context(canvas.c_str(), &wanted);

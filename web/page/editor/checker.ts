@@ -12,7 +12,7 @@ export interface Thread {
 }
 
 // A spawn() for the page's own bundle, whose text is `source`, and snell.wasm.
-export function pageWorker(source: string, runtime: Uint8Array): () => Thread {
+export function pageWorker(source: string, runtime: WebAssembly.Module): () => Thread {
     let url: string | undefined;
     return () => {
         url ??= URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));

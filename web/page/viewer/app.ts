@@ -8,7 +8,7 @@ import { Address } from './address.ts';
 import { Clock, makeTimeBar } from './clock.ts';
 import { makeHelp, makePictureDialog } from './dialogs.ts';
 import { makeDivider } from './divider.ts';
-import { el } from './dom.ts';
+import { el, painted } from './dom.ts';
 import { readFragment, type Settings } from './fragment.ts';
 import { listen } from './gestures.ts';
 import { listenForKeys } from './keys.ts';
@@ -286,7 +286,7 @@ export class Page {
         clock.playing = opened.shown.animated && time === undefined && !still;
         this.timebar.open(opened.shown.animated, opened.shown.period);
         this.divider.set(session.ladders.length > 0 ? split : undefined);
-        this.painter?.request();
+        this.painter?.begin();
     }
 
     private failOpening({ problems }: Opened): void {
@@ -300,8 +300,10 @@ export class Page {
         this.progress('Decoding images…');
         const decoded = checker ? await checker.decodeLarge(files) : new Map<string, Uint8Array>();
         this.progress('Compiling…');
+        await painted();
         for (const [name, bytes] of files) engine.write(name, decoded.get(name) ?? bytes);
         this.open(scene, location.hash);
+        performance.mark('Compiled');
         this.refreshTitle();
     }
 

@@ -23,6 +23,18 @@ export function button(text: string, click: () => void, attributes: Attributes =
     return element;
 }
 
+// Lets the browser show what was changed before the next piece of work.
+export function painted(): Promise<void> {
+    return new Promise((resolve) => {
+        // A hidden page has no frames.
+        const timer = setTimeout(resolve, 100);
+        requestAnimationFrame(() => {
+            clearTimeout(timer);
+            setTimeout(resolve);
+        });
+    });
+}
+
 // True for fields that use keys for themselves.
 export function takesText(target: EventTarget | null): boolean {
     if (!(target instanceof HTMLElement)) return false;

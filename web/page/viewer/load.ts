@@ -1,5 +1,5 @@
 // What the page has with it: the scene's data, its files, and the runtime.
-import { fromBase64, gunzip, unpack, type Unpacked } from '../archive.ts';
+import { fromBase64, unpack, unzipped, type Unpacked } from '../archive.ts';
 import type { BakedScene } from '../baked.ts';
 
 export interface SceneData {
@@ -12,8 +12,6 @@ export interface SceneData {
     link: string;
     baked?: BakedScene['baked'];
 }
-
-const mostRuntimeBytes = 64 * 1024 * 1024;
 
 function block(id: string): string {
     return document.getElementById(id)?.textContent ?? '';
@@ -61,9 +59,10 @@ declare global {
     var snellRuntime: string | undefined;
 }
 
-// The bytes of snell.wasm.
-export async function readRuntime(): Promise<Uint8Array> {
+// snell.wasm, which the browser compiles on other threads while it is unpacked.
+export async function readRuntime(): Promise<WebAssembly.Module> {
     const packed = block('runtime').trim() || globalThis.snellRuntime || '';
-    if (packed === '') return new Uint8Array();
-    return gunzip(fromBase64(packed), mostRuntimeBytes);
+    if (packed === '') throw new Error('its program is missing.');
+    const headers = { 'Content-Type': 'application/wasm' };
+    return WebAssembly.compileStreaming(new Response(unzipped(fromBase64(packed)), { headers }));
 }

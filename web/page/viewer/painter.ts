@@ -9,13 +9,15 @@ export interface PainterOptions {
     clock: Clock;
     // Nothing can be drawn yet, or the context is lost.
     ready(): boolean;
-    // After each picture, when the graphics have finished it.
+    // After each picture but the small first one, when the graphics have finished it.
     drawn(milliseconds: number, divisor: number): void;
     // The clock moved.
     ticked(): void;
 }
 
 const longestSide = 8192;
+// The first picture of a scene has so much less width and height.
+const preview = 4;
 // Milliseconds after which a picture counts as finished, because a lost context never says so.
 const longestWait = 5000;
 // Milliseconds without a picture before the engine makes later ones faster.
@@ -30,7 +32,10 @@ export class Painter {
     private size: [number, number] = [0, 0];
     private readonly coarse = new Coarseness();
     private divisor = 1;
-    private ofDrag = false;
+    // The next picture is the first one of a scene.
+    private first = true;
+    // What is being drawn.
+    private drawing: 'first' | 'drag' | 'sharp' = 'sharp';
     private began: number | undefined;
     // Passed when the graphics have finished the last picture.
     private fence: WebGLSync | null = null;
@@ -71,6 +76,12 @@ export class Painter {
     frame(): Frame {
         const [width, height] = this.size;
         return { time: this.with_.clock.time, width, height, split: this.split, mouse: this.mouse };
+    }
+
+    // The next picture is that of another scene. Nobody knows how long it takes, so a small one comes first.
+    begin(): void {
+        this.first = true;
+        this.request();
     }
 
     request(drag = false): void {
@@ -116,9 +127,10 @@ export class Painter {
         this.fence = null;
         this.began = undefined;
         const now = performance.now();
-        if (this.ofDrag) this.coarse.took(milliseconds, now);
+        if (this.drawing === 'drag') this.coarse.took(milliseconds, now);
         if (this.divisor > 1) this.sharp = setTimeout(() => this.request(), Math.max(this.coarse.due - now, 0) + 1);
-        this.with_.drawn(milliseconds, this.divisor);
+        if (this.drawing === 'first') performance.mark('First picture');
+        else this.with_.drawn(milliseconds, this.divisor);
         return true;
     }
 
@@ -126,9 +138,9 @@ export class Painter {
         clearTimeout(this.settling);
         clearTimeout(this.sharp);
         const now = performance.now();
-        this.divisor = this.coarse.next(this.dragged, now);
-        this.ofDrag = this.dragged;
-        this.dirty = this.dragged = false;
+        this.divisor = this.first ? preview : this.coarse.next(this.dragged, now);
+        this.drawing = this.first ? 'first' : this.dragged ? 'drag' : 'sharp';
+        this.first = this.dirty = this.dragged = false;
         const frame = this.frame();
         frame.width = Math.max(Math.round(frame.width / this.divisor), 1);
         frame.height = Math.max(Math.round(frame.height / this.divisor), 1);

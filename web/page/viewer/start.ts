@@ -2,21 +2,10 @@
 import { bakedEngine } from '../baked.ts';
 import { makeChecker, pageWorker, type WorkerChecker } from '../editor/checker.ts';
 import type { Engine } from '../engine.ts';
-import { loadEngine } from '../load_engine.ts';
+import { loadEngine, prepareCanvas } from '../load_engine.ts';
 import { Page } from './app.ts';
 import { el } from './dom.ts';
 import { readArchive, readRuntime, readScene } from './load.ts';
-
-// Lets the browser show the progress before the next piece of work.
-function painted(): Promise<void> {
-    return new Promise((resolve) => {
-        const timer = setTimeout(resolve, 100);
-        requestAnimationFrame(() => {
-            clearTimeout(timer);
-            setTimeout(resolve);
-        });
-    });
-}
 
 function showsWebGl(): boolean {
     return el('canvas', {}).getContext('webgl2') !== null;
@@ -25,20 +14,24 @@ function showsWebGl(): boolean {
 export const noWebGl =
     'This browser does not offer WebGL 2, which draws the picture. Update the browser, or allow it hardware acceleration in its settings.';
 
+interface Program {
+    engine: Engine;
+    checker: WorkerChecker | undefined;
+}
+
+async function loadProgram(page: Page, source: string): Promise<Program> {
+    const runtime = await readRuntime();
+    const engine = await loadEngine(runtime);
+    return { engine, checker: makeChecker({ spawn: pageWorker(source, runtime), say: (message) => page.say(message) }) };
+}
+
 async function load(page: Page, source: string): Promise<void> {
     const data = readScene();
     page.progress('Unpacking…');
-    const [unpacked, runtime] = await Promise.all([readArchive(), data?.baked ? new Uint8Array() : readRuntime()]);
+    const program = data?.baked ? undefined : loadProgram(page, source);
+    const [unpacked, loaded] = await Promise.all([readArchive().finally(() => program && prepareCanvas(page.canvas)), program]);
     page.progress('Starting…');
-    await painted();
-    let engine: Engine;
-    let checker: WorkerChecker | undefined;
-    if (data?.baked) {
-        engine = bakedEngine({ scene: data.scene, title: data.title, baked: data.baked }, unpacked.files);
-    } else {
-        engine = await loadEngine(runtime);
-        checker = makeChecker({ spawn: pageWorker(source, runtime), say: (message) => page.say(message) });
-    }
+    const { engine, checker } = loaded ?? { engine: bakedEngine({ ...data!, baked: data!.baked! }, unpacked.files), checker: undefined };
     const error = await engine.start(page.canvas);
     if (error !== '') return page.fail(data?.baked || showsWebGl() ? `There is no picture: ${error}` : noWebGl);
     await page.begin({ engine, checker, data, unpacked });
