@@ -10,13 +10,21 @@ import { builtPage, chromium, drawn, drop, keepDownloads, press, root, run, save
 import { exceptions, refused } from './harness/exceptions.mjs';
 import { difference, pixelsOf } from './harness/png.mjs';
 
-// The same driver as Chromium's, which ./dev web fetches. Mesa rounds filtered textures and edges in its own way.
+// The same driver as Chromium's, which ./dev web fetches: one pixel in a thousand may differ by more than 2 of 255. Mesa
+// has edges of lines, triangles and texels elsewhere, so that many more do, and only the mean difference is judged.
 const angle = join(root, 'build/drivers/angle');
 const driver = existsSync(angle)
-    ? { name: 'ANGLE', env: { LD_LIBRARY_PATH: angle, ANGLE_DEFAULT_PLATFORM: 'swiftshader' } }
-    : { name: 'Mesa', env: { MESA_GLES_VERSION_OVERRIDE: '3.0', LP_NUM_THREADS: '0' } };
+    ? {
+          name: 'ANGLE',
+          env: { LD_LIBRARY_PATH: angle, ANGLE_DEFAULT_PLATFORM: 'swiftshader' },
+          alike: ({ share }) => share <= 0.001,
+      }
+    : {
+          name: 'Mesa',
+          env: { MESA_GLES_VERSION_OVERRIDE: '3.0', LP_NUM_THREADS: '0' },
+          alike: ({ mean }) => mean <= 1.5,
+      };
 const side = 100;
-const allowed = 0.001; // of the pixels may differ by more than 2 of 255
 
 const folder = temporaryFolder();
 const native = join(folder, 'native');
@@ -93,10 +101,11 @@ for (const name of scenes.map(nameOf)) {
         const picture = await pictureOf(name);
         assert.deepEqual(await errorsShown(), []);
         assert.deepEqual(said.splice(0), [], 'the console is silent');
-        const { share, largest } = difference(picture, pixelsOf(readFileSync(join(native, `${name}.png`))));
-        const exception = exceptions[driver.name]?.[name];
-        if (share > 0) t.diagnostic(`${(100 * share).toFixed(2)} % of the pixels, by at most ${largest} of 255`);
-        if (exception) assert.ok(share > allowed, 'it is an exception that is needed');
-        assert.ok(share <= (exception?.share ?? allowed), `${(100 * share).toFixed(2)} % of the pixels differ, by at most ${largest} of 255`);
+        const found = difference(picture, pixelsOf(readFileSync(join(native, `${name}.png`))));
+        const { share, largest, mean } = found;
+        const measured = `${(100 * share).toFixed(2)} % of the pixels differ, by at most ${largest} of 255, ${mean.toFixed(2)} on average`;
+        if (share > 0) t.diagnostic(measured);
+        if (exceptions[driver.name][name]) assert.ok(!driver.alike(found), 'this exception is not needed');
+        else assert.ok(driver.alike(found), measured);
     });
 }

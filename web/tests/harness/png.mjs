@@ -44,17 +44,19 @@ export function pixelsOf(png) {
     return { width, height, pixels };
 }
 
-// The share of pixels that differ by more than 2 of 255, and the largest difference.
+// The share of pixels that differ by more than 2 of 255; the largest difference, and the mean one, of 255.
 export function difference(a, b) {
     assert.deepEqual([a.width, a.height], [b.width, b.height]);
     let over = 0;
-    let largest = 0;
+    let [largest, sum] = [0, 0];
     for (let i = 0; i < a.pixels.length; i += 3) {
         const most = Math.max(...[0, 1, 2].map((c) => Math.abs(a.pixels[i + c] - b.pixels[i + c])));
         largest = Math.max(largest, most);
+        sum += most;
         if (most > 2) ++over;
     }
-    return { share: over / (a.pixels.length / 3), largest };
+    const count = a.pixels.length / 3;
+    return { share: over / count, largest, mean: sum / count };
 }
 
 export function colours({ pixels }) {
