@@ -53,6 +53,17 @@ Settings settings_of(const char* text) {
     return settings;
 }
 
+// JSON has no bytes, and not every text is UTF-8: each byte crosses as the character of its number.
+std::string characters(const std::string& bytes) {
+    std::string text;
+    for (const char each : bytes) {
+        const auto byte = static_cast<unsigned char>(each);
+        if (byte >= 0x80) text += static_cast<char>(0xc0 | byte >> 6);
+        text += byte < 0x80 ? each : static_cast<char>(0x80 | (byte & 0x3f));
+    }
+    return text;
+}
+
 Json opened_json(Engine& engine, bool ok, const Diagnostics& found, const Sources& sources, double began) {
     Json json{{"ok", ok}, {"problems", problems_json(found, sources)}};
     if (engine.draws()) json["shown"] = shown_json(*engine.scene.document());
@@ -198,11 +209,13 @@ EMSCRIPTEN_KEEPALIVE int snell_byte_count(Engine* engine) { return static_cast<i
 EMSCRIPTEN_KEEPALIVE void snell_free_bytes(Engine* engine) { engine->bytes = {}; }
 
 EMSCRIPTEN_KEEPALIVE const char* snell_saved(Engine* engine) {
-    Json json{{"files", Json::array()}, {"error", ""}};
+    Json json{{"files", Json::array()}, {"unwritten", Json::array()}, {"error", ""}};
     if (!engine->draws()) return engine->tell(json);
     const Saved saved = saved_values(*engine->scene.document());
     json["error"] = saved.error;
-    for (const SavedFile& file : saved.files) json["files"].push_back({{"name", file.path}, {"text", file.after}});
+    for (const SavedFile& file : saved.files)
+        json["files"].push_back({{"name", file.path}, {"bytes", characters(file.after)}});
+    for (const Unwritten& value : saved.unwritten) json["unwritten"].push_back(value.name + ": " + value.reason);
     return engine->tell(json);
 }
 

@@ -112,7 +112,7 @@ Json shown_json(const Document& document) {
             {"ladders", ladders_json(document)},
             {"width", scene.window_size[0]},
             {"height", scene.window_size[1]},
-            {"animated", animated || document.runtime->uses_mouse()},
+            {"animated", animated},
             {"usesMouse", document.runtime->uses_mouse()},
             {"period", animated && reads_timer(document) ? scene.timer_period : 0},
             {"files", document.files->read_paths()},

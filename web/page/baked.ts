@@ -1,5 +1,5 @@
 // The Engine by ready pictures: one for each combination of the values of one or two sliders.
-import type { Control, Engine, Frame, Opened, Shown } from './engine.ts';
+import type { Control, Engine, Frame, Opened, Saved, Shown } from './engine.ts';
 
 interface Axis {
     control: Control;
@@ -76,6 +76,7 @@ class BakedEngine implements Engine {
             ...axis.control,
             value: [...axis.control.value],
             initial: [...axis.control.initial],
+            fixed: true,
         }));
     }
 
@@ -158,8 +159,8 @@ class BakedEngine implements Engine {
         return canvas.getContext('2d')!.getImageData(0, 0, frame.width, frame.height).data;
     }
 
-    saved(): { files: { name: string; text: string }[]; error: string } {
-        return { files: [], error: 'This page has pictures only, not the files of the scene.' };
+    saved(): Saved {
+        return { files: [], unwritten: [], error: 'This page has pictures only, not the files of the scene.' };
     }
     restored(): Opened {
         return this.open();

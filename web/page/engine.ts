@@ -38,6 +38,8 @@ export interface Control {
     initial: number[];
     // False: the linked program does not use it. Such controls are not listed.
     active: boolean;
+    // The range cannot be widened, because there is nothing to show beyond it.
+    fixed?: boolean;
 }
 
 export interface Ladder {
@@ -59,7 +61,7 @@ export interface Shown {
     // As the scene wants its window.
     width: number;
     height: number;
-    // It changes with time, or with the mouse.
+    // It changes with time; with the mouse.
     animated: boolean;
     usesMouse: boolean;
     // The period of the scene's own timer, in seconds, where it has one; 0: none.
@@ -85,6 +87,13 @@ export interface Frame {
     split?: number;
     // In pixels of the frame, from the bottom left.
     mouse?: [number, number];
+}
+
+export interface Saved {
+    files: { name: string; bytes: Uint8Array<ArrayBuffer> }[];
+    // Values that have no place in the text, and why.
+    unwritten: string[];
+    error: string;
 }
 
 export interface Engine {
@@ -128,7 +137,7 @@ export interface Engine {
     picture(frame: Frame, samples: number): Uint8ClampedArray | string;
 
     // The files with the values as they are now, edited where the values stand; an error otherwise.
-    saved(): { files: { name: string; text: string }[]; error: string };
+    saved(): Saved;
 
     // After the browser took the context and gave it back.
     restored(): Opened;

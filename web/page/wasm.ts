@@ -1,6 +1,6 @@
 // The engine by WebAssembly: the functions of web/interface/interface.cpp behind the page's own interface.
 
-import type { Engine, Frame, Opened, Problem } from './engine.ts';
+import type { Engine, Frame, Opened, Problem, Saved } from './engine.ts';
 
 // What Emscripten gives (build/web/engine/snell.js).
 interface Files {
@@ -10,6 +10,8 @@ interface Files {
     readFile(path: string): Uint8Array;
     analyzePath(path: string): { exists: boolean };
     unlink(path: string): void;
+    readdir(path: string): string[];
+    rmdir(path: string): void;
     utime(path: string, accessed: number, modified: number): void;
 }
 
@@ -116,8 +118,16 @@ export class WasmEngine implements Engine {
         files.utime(name, time, time);
     }
 
+    // Folders that are empty then go, too: a later file may have the name of one.
     remove(name: string): void {
-        if (this.program.FS.analyzePath(name).exists) this.program.FS.unlink(name);
+        const files = this.program.FS;
+        if (!files.analyzePath(name).exists) return;
+        files.unlink(name);
+        for (let at = name.lastIndexOf('/'); at > 0; at = name.lastIndexOf('/', at - 1)) {
+            const parent = name.slice(0, at);
+            if (files.readdir(parent).some((each) => each !== '.' && each !== '..')) return;
+            files.rmdir(parent);
+        }
     }
 
     open(scene: string, settings: Parameters<Engine['open']>[1] = {}): Opened {
@@ -189,8 +199,11 @@ export class WasmEngine implements Engine {
         return error || new Uint8ClampedArray(this.takenBytes().buffer);
     }
 
-    saved(): { files: { name: string; text: string }[]; error: string } {
-        return this.json(this.program._snell_saved(this.engine));
+    saved(): Saved {
+        type Texts = { files: { name: string; bytes: string }[]; unwritten: string[]; error: string };
+        const { files, ...rest } = this.json<Texts>(this.program._snell_saved(this.engine));
+        const bytes = (text: string) => Uint8Array.from(text, (character) => character.charCodeAt(0));
+        return { files: files.map((file) => ({ name: file.name, bytes: bytes(file.bytes) })), ...rest };
     }
 
     restored(): Opened {

@@ -1,5 +1,5 @@
 // An engine without snell: controls of every kind, drawn as coloured bars. Tests of the page run without a build of it.
-import type { Control, Engine, Frame, Ladder, Opened, Problem } from '../page/engine.ts';
+import type { Control, Engine, Frame, Ladder, Opened, Problem, Saved } from '../page/engine.ts';
 import type { WorkerEngine } from '../page/worker.ts';
 
 function control(index: number, key: string, more: Partial<Control> & { initial: number[] }): Control {
@@ -156,8 +156,9 @@ export class FakeEngine implements Engine, WorkerEngine {
     picture({ width, height }: Frame): Uint8ClampedArray {
         return new Uint8ClampedArray(4 * width * height).fill(255);
     }
-    saved(): { files: { name: string; text: string }[]; error: string } {
-        return { files: [{ name: 'fake.glib', text: this.values().join('\n') }], error: '' };
+    saved(): Saved {
+        const bytes = new TextEncoder().encode(this.values().join('\n'));
+        return { files: [{ name: 'fake.glib', bytes }], unwritten: [], error: '' };
     }
     restored(): Opened {
         return this.open('fake.glib');

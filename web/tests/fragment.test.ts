@@ -8,6 +8,7 @@ test('an address gives back what was written, for any names', () => {
     const settings = {
         values: ['Glass.uEta=1.3', 'A b&c#2.uColor=1,0.5,0', 'Über.x=-1e-05'],
         rungs: ['FRESNEL=exact', 'BEND=a & b=c'],
+        ranges: ['A b&c#2.uColor=0,2.5'],
         view: 'rotate_x=30,scale=1.2',
         time: 1.5,
         split: 0.25,
@@ -16,11 +17,12 @@ test('an address gives back what was written, for any names', () => {
     assert.match(text, /^[\w.~%=&,:/!'()*-]+$/);
     assert.deepEqual(readFragment(`#${text}`), { settings, refused: [] });
     assert.ok(text.startsWith('Glass.uEta=1.3&'));
+    assert.ok(text.includes('&view=rotate_x=30,scale=1.2&'), 'people can read it');
 });
 
 test('nothing changed is an empty address', () => {
-    assert.equal(fragmentOf({ values: [], rungs: [], view: '' }), '');
-    assert.deepEqual(readFragment(''), { settings: { values: [], rungs: [], view: '' }, refused: [] });
+    assert.equal(fragmentOf({ values: [], rungs: [], ranges: [], view: '' }), '');
+    assert.deepEqual(readFragment(''), { settings: { values: [], rungs: [], ranges: [], view: '' }, refused: [] });
 });
 
 test('what is no setting is refused and named', () => {
@@ -28,7 +30,7 @@ test('what is no setting is refused and named', () => {
     for (const text of bad) {
         const { settings, refused } = readFragment(`#${text}`);
         assert.equal(refused.length, 1, text);
-        assert.deepEqual([settings.values, settings.rungs, settings.view, settings.time, settings.split], [[], [], '', undefined, undefined], text);
+        assert.deepEqual([settings.values, settings.rungs, settings.ranges, settings.view, settings.time, settings.split], [[], [], [], '', undefined, undefined], text);
     }
 });
 

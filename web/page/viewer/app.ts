@@ -29,13 +29,20 @@ export interface Contents {
 }
 
 const messageSeconds = 6;
+// Of a message that many read who did not expect it.
+const longMessageSeconds = 10;
+
+function shortened(text: string): string {
+    return text.length <= 160 ? text : `${text.slice(0, 159)}…`;
+}
 
 function pageName(scene: string): string {
     return scene.slice(scene.lastIndexOf('/') + 1).replace(/\.glib$/i, '') || 'snell';
 }
 
-function softened(problem: Problem): Problem {
-    return problem.at || problem.severity !== 'error' ? problem : { ...problem, severity: 'warning' };
+// What an address asks for in vain is no error of the scene, and has no place in it.
+function inVain({ at, severity }: Problem): boolean {
+    return !at && severity === 'error';
 }
 
 export class Page {
@@ -82,10 +89,10 @@ export class Page {
         return this.layout.canvas;
     }
 
-    say(message: string): void {
+    say(message: string, seconds = messageSeconds): void {
         this.layout.message.textContent = message;
         clearTimeout(this.silence);
-        this.silence = setTimeout(() => void (this.layout.message.textContent = ''), 1000 * messageSeconds);
+        this.silence = setTimeout(() => void (this.layout.message.textContent = ''), 1000 * seconds);
     }
 
     progress(what: string): void {
@@ -237,7 +244,7 @@ export class Page {
         if (!this.session.shown || this.host?.scene !== this.contents?.data?.scene) return undefined;
         const { engine, shown } = this.session;
         const time = shown.animated && !this.clock.playing && this.clock.time > 0 ? this.clock.time : undefined;
-        return { values: engine.values(), rungs: engine.rungs(), view: engine.view(), time, split: this.painter?.split };
+        return { values: engine.values(), rungs: engine.rungs(), ranges: this.session.ranges(), view: engine.view(), time, split: this.painter?.split };
     }
 
     // The address is another one: a link to the same page was followed.
@@ -258,11 +265,19 @@ export class Page {
         let opened = session.engine.open(scene, { values, rungs, view, fresh: true, lints: true });
         const settles = values.length + rungs.length + view.length > 0;
         if (settles && !opened.ok && !opened.shown) opened = session.engine.open(scene, { fresh: true, lints: true });
-        // What an address asks for in vain is no error of the scene.
-        if (settles && opened.shown) opened = { ...opened, problems: opened.problems.map(softened) };
-        this.accept(opened, settings);
+        const vain = settles && opened.shown ? opened.problems.filter(inVain) : [];
+        this.accept({ ...opened, problems: opened.problems.filter((problem) => !vain.includes(problem)) }, settings);
         if (!contents?.checker) this.setBaked(values);
-        if (refused.length > 0) this.say(`The address says something that this scene does not have: ${refused.slice(0, 3).join(', ')}.`);
+        const ranges = opened.shown ? session.setRanges(settings.ranges) : [];
+        if (settings.ranges.length > ranges.length) this.panel?.refresh();
+        this.refuse([...refused, ...ranges, ...vain.map(({ message }) => message)]);
+    }
+
+    private refuse(wrong: readonly string[]): void {
+        if (wrong.length === 0) return;
+        const more = wrong.length > 3 ? `, and ${wrong.length - 3} more` : '';
+        const list = wrong.slice(0, 3).map(shortened).join('; ');
+        this.say(`The address asks for what this scene does not have: ${list}${more}.`, longMessageSeconds);
     }
 
     // Ready pictures take no settings when they are opened.

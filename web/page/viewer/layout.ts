@@ -20,31 +20,61 @@ export interface Layout {
 
 type TabName = 'controls' | 'text';
 
-function makeTabs(panels: Record<TabName, HTMLElement>, app: HTMLElement, chosen: (name: TabName) => void) {
-    const names: TabName[] = ['controls', 'text'];
-    const titles = { controls: 'Controls', text: 'Text' };
-    const tabs = names.map((name) =>
-        el('button', { type: 'button', role: 'tab', id: `tab-${name}`, 'aria-controls': `panel-${name}` }, titles[name]),
-    );
-    const choose = (name: TabName) => {
-        app.dataset.tab = name;
-        names.forEach((each, i) => {
-            tabs[i]!.setAttribute('aria-selected', String(each === name));
-            tabs[i]!.tabIndex = each === name ? 0 : -1;
-            panels[each].hidden = each !== name;
+// As in style.css: there is room for one of the two only.
+const narrow = '(max-width: 46rem), (max-aspect-ratio: 1/1)';
+
+interface Tabs {
+    element: HTMLElement;
+    choose(name: TabName): void;
+}
+
+function makeButtons(choose: (name: TabName) => void, other: () => void): Record<TabName, HTMLButtonElement> {
+    const make = (name: TabName, title: string) => {
+        const tab = el('button', { type: 'button', id: `tab-${name}`, 'aria-controls': `panel-${name}` }, title);
+        tab.addEventListener('click', () => choose(name));
+        tab.addEventListener('keydown', (event) => {
+            if (tab.role !== 'tab' || (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight')) return;
+            event.preventDefault();
+            other();
         });
+        return tab;
+    };
+    return { controls: make('controls', 'Controls'), text: make('text', 'Text') };
+}
+
+// Narrow pages have tabs for controls and text. On others the controls stay, and a button shows the text below the picture.
+function makeTabs(panels: Record<TabName, HTMLElement>, app: HTMLElement, chosen: (name: TabName) => void): Tabs {
+    const media = matchMedia(narrow);
+    let now: TabName = 'controls';
+    const element = el('div', { class: 'tabs', 'aria-label': 'Panel' });
+    const press = (name: TabName) => choose(!media.matches && name === 'text' && now === 'text' ? 'controls' : name);
+    const other = () => {
+        choose(now === 'text' ? 'controls' : 'text');
+        buttons[now].focus();
+    };
+    const buttons = makeButtons(press, other);
+    element.append(buttons.controls, buttons.text);
+    const arrange = () => {
+        element.role = media.matches ? 'tablist' : 'group';
+        for (const name of ['controls', 'text'] as const) {
+            const tab = buttons[name];
+            const open = name === now;
+            tab.role = media.matches ? 'tab' : null;
+            tab.ariaSelected = media.matches ? String(open) : null;
+            tab.ariaExpanded = media.matches ? null : String(open);
+            tab.tabIndex = open || !media.matches ? 0 : -1;
+            panels[name].role = media.matches ? 'tabpanel' : 'region';
+            panels[name].hidden = !open && (media.matches || name === 'text');
+        }
+        buttons.controls.hidden = !media.matches;
+    };
+    const choose = (name: TabName) => {
+        now = app.dataset.tab = name;
+        arrange();
         chosen(name);
     };
-    tabs.forEach((tab, i) => {
-        tab.addEventListener('click', () => choose(names[i]!));
-        tab.addEventListener('keydown', (event) => {
-            if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
-            event.preventDefault();
-            choose(names[1 - i]!);
-            tabs[1 - i]!.focus();
-        });
-    });
-    return { element: el('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Panel' }, ...tabs), choose };
+    media.addEventListener('change', arrange);
+    return { element, choose };
 }
 
 export function makeLayout(chosen: (name: TabName) => void): Layout {
@@ -58,12 +88,12 @@ export function makeLayout(chosen: (name: TabName) => void): Layout {
     const title = el('h1', {}, document.title);
     const tools = el('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Tools' });
     const panels = {
-        controls: el('div', { class: 'panel', role: 'tabpanel', id: 'panel-controls', 'aria-labelledby': 'tab-controls' }),
-        text: el('div', { class: 'panel', role: 'tabpanel', id: 'panel-text', 'aria-labelledby': 'tab-text' }),
+        controls: el('div', { class: 'panel', id: 'panel-controls', 'aria-labelledby': 'tab-controls' }),
+        text: el('div', { class: 'panel text', id: 'panel-text', 'aria-labelledby': 'tab-text' }),
     };
     const app = el('main', { class: 'app' });
     const tabs = makeTabs(panels, app, chosen);
-    const side = el('section', { class: 'panels', 'aria-label': 'Controls and text' }, title, tools, tabs.element, panels.controls, panels.text);
-    app.append(stage, side);
+    const side = el('section', { class: 'panels', 'aria-label': 'Controls' }, title, tools, tabs.element, panels.controls);
+    app.append(stage, side, panels.text);
     return { app, canvas, picture, stage, cover, status, message, title, link, tools, ...panels, chooseTab: tabs.choose };
 }

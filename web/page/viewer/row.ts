@@ -106,7 +106,8 @@ export function makeSliderRow(session: Session, control: Control, component: num
         exact: () => String(control.value[component]!),
         apply: (value, entered) => {
             const now = session.set(control, component, value, { widen: entered });
-            if (now !== value) say(`${name} is ${text(now)}: press Enter after a number to widen the range.`);
+            const why = control.fixed ? 'there are no pictures beyond its range' : 'press Enter after a number to widen the range';
+            if (now !== value) say(`${name} is ${text(now)}: ${why}.`);
         },
         say,
     });

@@ -1,7 +1,7 @@
 // The scene that is shown: its controls, ladders and view, every change of them, and undo.
 import type { Control, Engine, Ladder, Opened, Problem, Shown } from '../engine.ts';
 import { History, type Change, type Setting, type Step } from './history.ts';
-import { fitting } from './numbers.ts';
+import { fitting, typed } from './numbers.ts';
 
 // "Glass.uEta 1.5 → 1.1", as the step is applied.
 export function labelOf({ name, changes }: Step): string {
@@ -96,13 +96,32 @@ export class Session {
         const fit = fitting(value, control.type);
         if (fit === undefined) return control.value[component]!;
         const slides = control.widget === 'slider';
-        if (slides && options.widen) {
+        if (slides && options.widen && !control.fixed) {
             next.min = Math.min(next.min, fit);
             next.max = Math.max(next.max, fit);
         }
         next.value[component] = slides ? Math.min(Math.max(fit, next.min), next.max) : fit;
         this.setTo(control, next, options.gesture);
         return next.value[component];
+    }
+
+    // What differs from the scene's ranges: "Glass.uEta=1,5".
+    ranges(): string[] {
+        const differ = this.controls.filter((control) => control.min !== control.initialMin || control.max !== control.initialMax);
+        return differ.map(({ key, min, max }) => `${key}=${min},${max}`);
+    }
+
+    // Takes what ranges() gave. Returns what does not fit.
+    setRanges(ranges: readonly string[]): string[] {
+        return ranges.filter((each) => {
+            const equals = each.indexOf('=');
+            const control = this.controls.find(({ key, widget }) => widget === 'slider' && key === each.slice(0, equals));
+            const [min, max, more] = each.slice(equals + 1).split(',').map((text) => typed(text, control?.type ?? ''));
+            const fits = control && !control.fixed && min !== undefined && max !== undefined && more === undefined && min < max;
+            if (!fits || control.value.some((value) => value < min || value > max)) return true;
+            this.write(control, { value: control.value, min, max });
+            return false;
+        });
     }
 
     setAll(control: Control, value: number[], gesture?: unknown): void {

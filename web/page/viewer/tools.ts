@@ -1,5 +1,6 @@
 // The buttons above the panel, and what they save.
 import { download as downloadBytes, zip } from '../editor/pack.ts';
+import type { Saved } from '../engine.ts';
 import { button, el } from './dom.ts';
 import type { Session } from './session.ts';
 
@@ -74,14 +75,14 @@ export function saveZip(scene: string, files: ReadonlyMap<string, Uint8Array>): 
 }
 
 // One file as it is, several as an archive. Returns a message.
-export function saveTexts(scene: string, { files, error }: { files: { name: string; text: string }[]; error: string }): string {
+export function saveTexts(scene: string, { files, unwritten, error }: Saved): string {
     if (error !== '') return error;
-    if (files.length === 0) return 'The values are those of the text.';
-    const bytes = (text: string) => new TextEncoder().encode(text);
+    const without = unwritten.slice(0, 3).map((each) => ` Not saved: ${each}.`).join('');
+    if (files.length === 0) return without.trim() || 'The values are those of the text.';
     if (files.length === 1) {
-        downloadBytes(baseOf(files[0]!.name), bytes(files[0]!.text), 'application/octet-stream');
-        return `Saved ${baseOf(files[0]!.name)} with these values.`;
+        downloadBytes(baseOf(files[0]!.name), files[0]!.bytes, 'application/octet-stream');
+        return `Saved ${baseOf(files[0]!.name)} with these values.${without}`;
     }
-    saveZip(scene, new Map(files.map(({ name, text }) => [name, bytes(text)])));
-    return `Saved ${files.length} files with these values.`;
+    saveZip(scene, new Map(files.map(({ name, bytes }) => [name, bytes])));
+    return `Saved ${files.length} files with these values.${without}`;
 }
