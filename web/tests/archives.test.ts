@@ -87,12 +87,12 @@ test('a bomb that says its size ends at the limit, before it is inflated', async
 });
 
 test('a bomb that says a smaller size ends at that size', async () => {
-    const lying = forged(archive({ bomb: new Uint8Array(16_000_000) }), (view, entry) => view.setUint32(entry + 24, 100, true));
+    const lying = forged(archive({ bomb: new Uint8Array(100_000_000) }), (view, entry) => view.setUint32(entry + 24, 100, true));
     const before = process.memoryUsage().arrayBuffers;
     const { files, messages } = await unzip(lying, small());
     assert.equal(files.size, 0);
     assert.match(messages[0], /larger than the archive says/);
-    assert.ok(process.memoryUsage().arrayBuffers - before < 8_000_000);
+    assert.ok(process.memoryUsage().arrayBuffers - before < 50_000_000);
 });
 
 test('entries that share their bytes count each time', async () => {

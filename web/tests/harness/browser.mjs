@@ -1,0 +1,160 @@
+// What tests in browsers share: browsers with fresh profiles, pages by `snell web`, and what the pages say.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { after } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import puppeteer from 'puppeteer-core';
+
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../../..');
+export const built = resolve(process.env.SNELL_WEB ?? join(root, 'build/web'));
+const snell = process.env.SNELL ?? join(root, 'build/release/bin/snell');
+
+// What is to end with the file's tests, the newest first. A hook of its own would end with the hook that it is made in.
+const ends = [];
+after(async () => {
+    for (const end of ends.reverse()) await end();
+});
+
+// A folder that is gone after the tests of the file.
+export function temporaryFolder() {
+    const folder = mkdtempSync(join(tmpdir(), 'snell-web-'));
+    ends.push(() => rmSync(folder, { recursive: true, force: true }));
+    return folder;
+}
+
+// Runs the native program from the repository's folder.
+export function run(options, { status = 0, env = {} } = {}) {
+    return new Promise((done, failed) => {
+        const child = spawn(snell, options, { cwd: root, env: { ...process.env, SNELL_WEB: built, ...env } });
+        let said = '';
+        for (const stream of [child.stdout, child.stderr]) stream.on('data', (part) => void (said += part));
+        child.on('error', failed);
+        child.on('close', (code) => (code === status ? done(said) : failed(new Error(`snell ${options[0]}: status ${code}\n${said}`))));
+    });
+}
+
+// The address of a page that `snell web` makes of a scene.
+export async function pageOf(folder, scene, ...options) {
+    const path = join(folder, `${scene.replace(/^.*\/|\.glib$/g, '')}.html`);
+    await run(['web', scene, '-o', path, ...options]);
+    return pathToFileURL(path).href;
+}
+
+export const builtPage = (name) => pathToFileURL(join(built, name)).href;
+
+export async function chromium(...more) {
+    const browser = await puppeteer.launch({
+        executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+        args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--use-angle=swiftshader', '--hide-scrollbars', ...more],
+        protocolTimeout: 120_000,
+    });
+    ends.push(() => browser.close());
+    return browser;
+}
+
+// Without graphics hardware, Firefox draws WebGL only if it is told to.
+export async function firefox() {
+    const extraPrefsFirefox = {
+        'webgl.force-enabled': true,
+        'webgl.disable-fail-if-major-performance-caveat': true,
+        'webgl.out-of-process': false,
+        'security.sandbox.content.level': 0,
+        'gfx.x11-egl.force-enabled': true,
+    };
+    const browser = await puppeteer.launch({
+        browser: 'firefox',
+        executablePath: process.env.FIREFOX ?? '/usr/bin/firefox-esr',
+        extraPrefsFirefox,
+        timeout: 60_000,
+    });
+    ends.push(() => browser.close());
+    return browser;
+}
+
+// Notes of the driver on its speed, such as that a read of pixels, which a saved picture is, waits for the graphics.
+const harmless = /GL Driver Message \(OpenGL, Performance,/;
+
+// A tab that keeps what the console, the page's policy and exceptions say in `said`.
+export async function tab(browser, { width = 1000, height = 700, still = true } = {}) {
+    const page = await browser.newPage();
+    const said = [];
+    page.on('console', (message) => {
+        const text = message.text();
+        if (['error', 'warn', 'warning'].includes(message.type()) && !harmless.test(text)) said.push(text);
+    });
+    page.on('pageerror', (error) => said.push(String(error)));
+    await page.setViewport({ width, height });
+    // Scenes with a timer stand still.
+    if (still) await page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
+    return { page, said };
+}
+
+export const until = (page, condition, ...values) => page.waitForFunction(condition, { timeout: 60_000, polling: 30 }, ...values);
+
+// The line below the picture has its size, and the cover is gone.
+export const drawn = (page) =>
+    until(page, () => document.querySelector('.cover')?.hidden && /^\d+ × \d+, \d+ ms$/.test(document.querySelector('.status span').textContent));
+
+export async function shows(page, address) {
+    await page.goto(address);
+    await drawn(page);
+}
+
+// Presses the first visible button whose text begins so.
+export async function press(page, text, within = '') {
+    for (const button of await page.$$(`${within} button`))
+        if ((await button.evaluate((element) => element.checkVisibility() && element.textContent)).toString().startsWith(text)) return button.click();
+    assert.fail(`there is no button '${text}'`);
+}
+
+export async function chord(page, key, ...held) {
+    const keys = held.length > 0 ? held : ['Control'];
+    for (const each of keys) await page.keyboard.down(each);
+    await page.keyboard.press(key);
+    for (const each of keys) await page.keyboard.up(each);
+}
+
+export async function drop(page, ...files) {
+    const devtools = await page.createCDPSession();
+    const data = { items: [], files, dragOperationsMask: 1 };
+    for (const type of ['dragEnter', 'dragOver', 'drop']) await devtools.send('Input.dispatchDragEvent', { type, x: 300, y: 300, data });
+    await devtools.detach();
+}
+
+// Keeps the bytes of every download in window.saved, in base64: call it before the page is opened.
+export function keepDownloads(page) {
+    return page.evaluateOnNewDocument(() => {
+        window.saved = [];
+        const make = URL.createObjectURL;
+        URL.createObjectURL = (blob) => {
+            if (blob.type.startsWith('image/') || blob.type.startsWith('application/')) {
+                const reader = new FileReader();
+                reader.onload = () => window.saved.push(reader.result.split(',')[1]);
+                reader.readAsDataURL(blob);
+            }
+            return make.call(URL, blob);
+        };
+    });
+}
+
+// The bytes of the next download.
+export async function download(page, act) {
+    await page.evaluate(() => void (window.saved.length = 0));
+    await act();
+    await until(page, () => window.saved.length > 0);
+    return Buffer.from(await page.evaluate(() => window.saved[0]), 'base64');
+}
+
+// The page's picture as PNG, by its own dialog.
+export function savedPicture(page, width, height, samples) {
+    return download(page, async () => {
+        await page.evaluate(() => void (document.querySelector('.menu').open = true));
+        await press(page, 'Picture as PNG');
+        const fields = await page.$$('dialog[open] input');
+        for (const [i, value] of [width, height, samples].entries()) await fields[i].evaluate((input, text) => void (input.value = text), String(value));
+        await press(page, 'Save PNG', 'dialog[open]');
+    });
+}

@@ -1,0 +1,25 @@
+// What pages do not draw as the native program does, by scene.
+
+const stage = (kind) => `needs ${kind} shaders`;
+
+// Scenes that `snell web` refuses, and what it says. All others have pages.
+export const refused = {
+    Geometry: stage('geometry'),
+    GeometryInput: stage('geometry'),
+    GeometryOutput: stage('geometry'),
+    LinesAdjacency: stage('geometry'),
+    ObjAdj: stage('geometry'),
+    NumPatchVertices: stage('tessellation'),
+    ObjPatch: stage('tessellation'),
+    TessControl: stage('tessellation'),
+    TessEvaluation: stage('tessellation'),
+    Shp: 'cannot read ESRI shape files',
+};
+
+const thin = 'lines of WebGL 2 are one pixel wide';
+
+// Pictures that differ, by the native driver, and why. One that is not needed fails.
+export const exceptions = {
+    ANGLE: {},
+    Mesa: { LineWidth: thin, glEnd: thin },
+};
