@@ -164,11 +164,11 @@ EMSCRIPTEN_KEEPALIVE void snell_turn(Engine* engine, double dx, double dy, int b
     apply({.turn = {dx, dy}}, scene, 1, engine->scene.view, engine->hold);
 }
 
-// In CSS pixels, on a picture of that size.
-EMSCRIPTEN_KEEPALIVE void snell_move(Engine* engine, double dx, double dy, double width, double height) {
+// In CSS pixels, on a picture of that size; `toward`: to the viewer.
+EMSCRIPTEN_KEEPALIVE void snell_move(Engine* engine, double dx, double dy, double width, double height, double toward) {
     if (!engine->draws()) return;
     const double shorter = std::max(1., std::min(width, height));
-    apply({.move = {dx, -dy, 0}}, engine->scene.document()->scene(), shorter, engine->scene.view, engine->hold);
+    apply({.move = {dx, -dy, toward}}, engine->scene.document()->scene(), shorter, engine->scene.view, engine->hold);
 }
 
 EMSCRIPTEN_KEEPALIVE void snell_zoom(Engine* engine, double factor) {

@@ -127,7 +127,8 @@ export interface Engine {
     // The pointer's movement in CSS pixels, by the window's own rules.
     // `begins`: this is another drag than before; one that begins with the scene upside down turns the other way.
     turn(dx: number, dy: number, begins?: boolean): void;
-    move(dx: number, dy: number, width: number, height: number): void;
+    // `toward` the viewer.
+    move(dx: number, dy: number, width: number, height: number, toward?: number): void;
     zoom(factor: number): void;
 
     draw(frame: Frame): void;

@@ -39,7 +39,7 @@ interface Program {
     _snell_state(engine: Pointer): Pointer;
     _snell_set_view(engine: Pointer, text: Pointer): Pointer;
     _snell_turn(engine: Pointer, dx: number, dy: number, begins: number): void;
-    _snell_move(engine: Pointer, dx: number, dy: number, width: number, height: number): void;
+    _snell_move(engine: Pointer, dx: number, dy: number, width: number, height: number, toward: number): void;
     _snell_zoom(engine: Pointer, factor: number): void;
     _snell_draw(engine: Pointer, ...moment: Moment): void;
     _snell_settle(engine: Pointer, ...moment: Moment): number;
@@ -178,8 +178,8 @@ export class WasmEngine implements Engine {
         this.program._snell_turn(this.engine, dx, dy, Number(begins));
     }
 
-    move(dx: number, dy: number, width: number, height: number): void {
-        this.program._snell_move(this.engine, dx, dy, width, height);
+    move(dx: number, dy: number, width: number, height: number, toward = 0): void {
+        this.program._snell_move(this.engine, dx, dy, width, height, toward);
     }
 
     zoom(factor: number): void {

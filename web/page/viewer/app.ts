@@ -19,6 +19,7 @@ import { makePanel, type Panel } from './panel.ts';
 import { makeProblems } from './problems.ts';
 import { Session } from './session.ts';
 import { copyText, makeTools, saveTexts, saveZip, type Tools } from './tools.ts';
+import { complaint, inVain } from './vain.ts';
 
 export interface Contents {
     engine: Engine;
@@ -32,23 +33,15 @@ const messageSeconds = 6;
 // Of a message that many read who did not expect it.
 const longMessageSeconds = 10;
 
-function shortened(text: string): string {
-    return text.length <= 160 ? text : `${text.slice(0, 159)}…`;
-}
-
 function pageName(scene: string): string {
     return scene.slice(scene.lastIndexOf('/') + 1).replace(/\.glib$/i, '') || 'snell';
-}
-
-// What an address asks for in vain is no error of the scene, and has no place in it.
-function inVain({ at, severity }: Problem): boolean {
-    return !at && severity === 'error';
 }
 
 export class Page {
     private readonly layout = makeLayout((name) => name === 'text' && this.makeEditor());
     private readonly clock = new Clock();
     private readonly timebar = makeTimeBar(this.clock, () => {
+        this.session.move(this.clock.time);
         this.painter?.request();
         this.address?.changed();
     });
@@ -125,6 +118,7 @@ export class Page {
             redraw: (drag) => this.painter?.request(drag),
             changed: () => this.refresh(),
             listed: () => this.listed(),
+            moved: () => this.moved(),
             problems: (problems) => this.showProblems(problems),
             say: (message) => this.say(message),
         });
@@ -148,7 +142,10 @@ export class Page {
                 const { width, height } = this.painter!.frame();
                 this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${divisor > 1 ? ', coarser while dragging' : ''}`;
             },
-            ticked: () => this.timebar.refresh(),
+            ticked: () => {
+                this.session.move(this.clock.time);
+                this.timebar.refresh();
+            },
         });
     }
 
@@ -171,7 +168,7 @@ export class Page {
         };
         this.tools = makeTools(session, actions, files);
         layout.tools.append(...this.tools.elements);
-        this.panel = makePanel(session, this.divider.toggle, (message) => this.say(message));
+        this.panel = makePanel(session, this.divider.toggle, (message) => this.say(message), () => this.clock.time);
         layout.controls.append(this.panel.element);
         layout.app.append(picture.element);
         layout.app.dataset.files = String(files);
@@ -185,9 +182,9 @@ export class Page {
         const { engine } = session;
         listen(this.canvas, {
             turn: (dx, dy, gesture, begins) => session.changeView(() => engine.turn(dx, dy, begins), gesture),
-            move: (dx, dy, gesture) => {
+            move: (dx, dy, gesture, toward) => {
                 const { clientWidth, clientHeight } = this.canvas;
-                session.changeView(() => engine.move(dx, dy, clientWidth, clientHeight), gesture);
+                session.changeView(() => engine.move(dx, dy, clientWidth, clientHeight, toward), gesture);
             },
             zoom: (factor, gesture) => session.changeView(() => engine.zoom(factor), gesture),
             reset: () => this.resetView(),
@@ -267,28 +264,11 @@ export class Page {
         if (settles && !opened.ok && !opened.shown) opened = session.engine.open(scene, { fresh: true, lints: true });
         const vain = settles && opened.shown ? opened.problems.filter(inVain) : [];
         this.accept({ ...opened, problems: opened.problems.filter((problem) => !vain.includes(problem)) }, settings);
-        if (!contents?.checker) this.setBaked(values);
+        if (!contents?.checker) session.setValues(values);
         const ranges = opened.shown ? session.setRanges(settings.ranges) : [];
         if (settings.ranges.length > ranges.length) this.panel?.refresh();
-        this.refuse([...refused, ...ranges, ...vain.map(({ message }) => message)]);
-    }
-
-    private refuse(wrong: readonly string[]): void {
-        if (wrong.length === 0) return;
-        const more = wrong.length > 3 ? `, and ${wrong.length - 3} more` : '';
-        const list = wrong.slice(0, 3).map(shortened).join('; ');
-        this.say(`The address asks for what this scene does not have: ${list}${more}.`, longMessageSeconds);
-    }
-
-    // Ready pictures take no settings when they are opened.
-    private setBaked(values: string[]): void {
-        const { session } = this;
-        for (const control of session.controls) {
-            const text = values.find((value) => value.startsWith(`${control.key}=`));
-            session.set(control, 0, text ? Number(text.slice(control.key.length + 1)) : control.initial[0]!);
-        }
-        session.history.clear();
-        this.refresh();
+        const wrong = [...refused, ...ranges, ...vain.map(({ message }) => message)];
+        if (wrong.length > 0) this.say(complaint(wrong), longMessageSeconds);
     }
 
     private accept(opened: Opened, { time, split }: Settings): void {
@@ -299,9 +279,26 @@ export class Page {
         const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
         clock.time = time ?? 0;
         clock.playing = opened.shown.animated && time === undefined && !still;
-        this.timebar.open(opened.shown.animated, opened.shown.period);
+        this.openTime();
         this.divider.set(session.ladders.length > 0 ? split : undefined);
         this.painter?.begin();
+    }
+
+    // Time runs for sliders that move by themselves, too.
+    private moved(): void {
+        const { motions, shown } = this.session;
+        const animated = shown?.animated ?? false;
+        if (motions.length > 0) this.clock.playing = true;
+        else if (!animated) this.clock.playing = false;
+        this.openTime();
+        this.painter?.request();
+        this.refresh();
+    }
+
+    private openTime(): void {
+        const { motions, shown } = this.session;
+        const period = shown?.animated ? shown.period : Math.max(0, ...motions.map((motion) => motion.period));
+        this.timebar.open(shown?.animated || motions.length > 0, period);
     }
 
     private failOpening({ problems }: Opened): void {
@@ -327,8 +324,7 @@ export class Page {
         for (const name of host.files.keys()) this.session.engine.remove(name);
         Object.assign(host, { scene, files });
         delete this.layout.app.dataset.scene;
-        this.session.history.clear();
-        this.session.shown = undefined;
+        this.session.forget();
         this.layout.link.hidden = true;
         if (location.hash !== '') history.replaceState(null, '', location.href.replace(/#.*$/, ''));
         await this.openFiles(scene, files);
@@ -349,7 +345,7 @@ export class Page {
         if (!opened.shown) return this.failOpening(opened);
         if (!before) this.cover();
         if (!before || before.animated !== opened.shown.animated) this.clock.playing = opened.shown.animated;
-        this.timebar.open(opened.shown.animated, opened.shown.period);
+        this.openTime();
         this.refresh();
     }
 

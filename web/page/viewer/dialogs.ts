@@ -88,6 +88,7 @@ const keys: [string, string][] = [
     ['drag; one finger', 'turn the scene'],
     ['right drag, Shift drag; two fingers', 'move it'],
     ['wheel, middle drag, Ctrl drag; pinch', 'scale it'],
+    ['Shift wheel, Ctrl Shift drag', 'move it towards the viewer'],
     ['double click, R or Home', 'reset the view'],
     ['arrow keys on the picture; with Shift; + and -', 'turn; move; scale'],
     ['space bar', 'pause or resume time'],
@@ -98,6 +99,7 @@ const keys: [string, string][] = [
     ['Enter or Tab in a number; Esc', 'apply it; restore the old one'],
     ['right click on a slider; the dot at its left', "reset it to the scene's value"],
     ['Alt drag of a slider', 'fine adjustment'],
+    ["a slider's name", 'reset, logarithmic scale, animation'],
     ['?', 'show this list'],
 ];
 

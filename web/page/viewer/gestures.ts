@@ -3,7 +3,8 @@
 export interface Gestures {
     // `begins`: the first movement of a drag.
     turn(dx: number, dy: number, gesture: object, begins: boolean): void;
-    move(dx: number, dy: number, gesture: object): void;
+    // `toward` the viewer.
+    move(dx: number, dy: number, gesture: object, toward?: number): void;
     zoom(factor: number, gesture: object): void;
     reset(): void;
     // Where the pointer is, in CSS pixels from the upper left.
@@ -13,6 +14,8 @@ export interface Gestures {
 
 const scalePerStep = 1.1;
 const scalePerPixel = 1.006;
+// Of a step of the wheel, towards the viewer.
+const pixelsPerStep = 20;
 const pixelsPerKey = 10;
 // Milliseconds between turns of the wheel, or keys, that are one gesture.
 const again = 300;
@@ -25,10 +28,12 @@ export function stepsOfWheel(event: { deltaX: number; deltaY: number; deltaMode:
     return -Math.min(Math.max(delta * unit, -5), 5);
 }
 
-type Kind = 'turn' | 'move' | 'zoom';
+type Kind = 'turn' | 'move' | 'zoom' | 'toward';
 
 function kindOf(event: PointerEvent): Kind {
-    if (event.buttons & 4 || (event.buttons & 1 && (event.ctrlKey || event.metaKey))) return 'zoom';
+    const command = event.buttons & 1 && (event.ctrlKey || event.metaKey);
+    if (command && event.shiftKey) return 'toward';
+    if (event.buttons & 4 || command) return 'zoom';
     return event.buttons & 2 || event.shiftKey ? 'move' : 'turn';
 }
 
@@ -60,6 +65,7 @@ class Hand {
     private one(kind: Kind, dx: number, dy: number): void {
         if (kind === 'zoom') this.to.zoom(scalePerPixel ** (dx - dy), this.gesture);
         else if (kind === 'move') this.to.move(dx, dy, this.gesture);
+        else if (kind === 'toward') this.to.move(0, 0, this.gesture, dy);
         else {
             this.to.turn(dx, dy, this.gesture, this.begins);
             this.begins = false;
@@ -127,7 +133,10 @@ export function listen(element: HTMLElement, to: Gestures): void {
         'wheel',
         (event) => {
             event.preventDefault();
-            to.zoom(scalePerStep ** stepsOfWheel(event), running()[0]);
+            const steps = stepsOfWheel(event);
+            const [gesture] = running();
+            if (event.shiftKey) to.move(0, 0, gesture, pixelsPerStep * steps);
+            else to.zoom(scalePerStep ** steps, gesture);
         },
         { passive: false },
     );

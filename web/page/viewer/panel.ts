@@ -5,6 +5,10 @@ import { makeSliderRow, type Row } from './row.ts';
 import { isChanged, type Session } from './session.ts';
 import { makeCheckRow, makeColorRow } from './values.ts';
 
+type Say = (message: string) => void;
+// The scene's, in seconds.
+type Time = () => number;
+
 // The filter appears above so many sliders.
 const few = 12;
 
@@ -14,15 +18,15 @@ interface Group {
     refresh(): void;
 }
 
-function rowsOf(session: Session, control: Control, say: (message: string) => void): Row[] {
+function rowsOf(session: Session, control: Control, say: Say, time: Time): Row[] {
     if (control.widget === 'check_box') return [makeCheckRow(session, control)];
     if (control.widget === 'color') return [makeColorRow(session, control, say)];
-    return control.value.map((_, i) => makeSliderRow(session, control, i, say));
+    return control.value.map((_, i) => makeSliderRow(session, control, i, say, time));
 }
 
-function makeGroup(session: Session, program: string, controls: Control[], say: (message: string) => void): Group {
+function makeGroup(session: Session, program: string, controls: Control[], say: Say, time: Time): Group {
     const made = controls.flatMap((control) =>
-        rowsOf(session, control, say).map((row) => ({ ...row, names: `${program} ${control.name}`.toLowerCase() })),
+        rowsOf(session, control, say, time).map((row) => ({ ...row, names: `${program} ${control.name}`.toLowerCase() })),
     );
     const reset = button('Reset', () => session.resetAll(program), { 'aria-label': `Reset ${program || 'program'}`, class: 'small' });
     const body = el('div', { class: 'rows' }, ...made.map(({ element }) => element));
@@ -79,7 +83,7 @@ export interface Panel {
     refresh(): void;
 }
 
-export function makePanel(session: Session, split: HTMLElement, say: (message: string) => void): Panel {
+export function makePanel(session: Session, split: HTMLElement, say: Say, time: Time): Panel {
     const ladders = el('div', { class: 'rows ladders' });
     const list = el('div', { class: 'list' });
     const element = el('div', { class: 'controls' }, ladders, list);
@@ -90,7 +94,7 @@ export function makePanel(session: Session, split: HTMLElement, say: (message: s
         const programs = [...new Set(session.controls.map(({ program }) => program))];
         groups = programs.map((program) => {
             const controls = session.controls.filter((control) => control.program === program);
-            return makeGroup(session, program, controls, say);
+            return makeGroup(session, program, controls, say, time);
         });
         const sliders = session.controls.filter(({ widget }) => widget === 'slider').flatMap(({ value }) => value);
         const filter = sliders.length > few ? [makeFilter(groups)] : [];

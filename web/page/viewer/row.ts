@@ -4,6 +4,7 @@ import { el } from './dom.ts';
 import { makeField } from './field.ts';
 import { shown } from './numbers.ts';
 import { isIntegral, nameOf, type Session } from './session.ts';
+import { makeSliderMenu } from './slider_menu.ts';
 import { fractionOf, stepped, stepsOf, valueAt, type Track } from './steps.ts';
 
 export interface Row {
@@ -25,24 +26,20 @@ export function makeDot(name: string, reset: () => void): { element: HTMLElement
     return { element, show: (changed) => void (element.style.visibility = changed ? 'visible' : 'hidden') };
 }
 
-export function trackOf(control: Control): Track {
-    return { min: control.min, max: control.max, integral: isIntegral(control) };
-}
-
 // With Alt, the knob moves by a twentieth of the way, from where it is.
-function dragFine(input: HTMLInputElement, control: Control, component: number, set: (value: number) => void): void {
+function dragFine(input: HTMLInputElement, value: () => number, track: () => Track, set: (value: number) => void): void {
     let at: { x: number; fraction: number } | undefined;
     input.addEventListener('pointerdown', (event) => {
         if (!event.altKey || event.button !== 0) return;
         event.preventDefault();
         input.focus();
         input.setPointerCapture(event.pointerId);
-        at = { x: event.clientX, fraction: fractionOf(control.value[component]!, trackOf(control)) };
+        at = { x: event.clientX, fraction: fractionOf(value(), track()) };
     });
     input.addEventListener('pointermove', (event) => {
         if (!at) return;
         const moved = (event.clientX - at.x) / Math.max(input.clientWidth, 1);
-        set(valueAt(at.fraction + moved / 20, trackOf(control), true));
+        set(valueAt(at.fraction + moved / 20, track(), true));
     });
     for (const type of ['pointerup', 'pointercancel'])
         input.addEventListener(type, () => void (at = undefined));
@@ -58,15 +55,18 @@ function makeTrack(session: Session, control: Control, component: number, type: 
     };
     const set = (value: number) => void session.set(control, component, value, { gesture });
     const reset = () => session.reset(control, component);
-    dragFine(input, control, component, set);
-    input.addEventListener('input', () => set(valueAt(fractionOf(input.valueAsNumber, trackOf(control)), trackOf(control))));
+    const track = () => session.trackOf(control);
+    dragFine(input, () => control.value[component]!, track, set);
+    // The element itself knows no logarithms.
+    const own = () => (track().logarithmic ? { min: 0, max: 1, integral: false } : track());
+    input.addEventListener('input', () => set(valueAt(fractionOf(input.valueAsNumber, own()), track())));
     input.addEventListener('change', end);
     input.addEventListener('keyup', end);
     input.addEventListener('pointerup', end);
     input.addEventListener('keydown', (event) => {
         if (event.ctrlKey || event.altKey || event.metaKey) return;
         const steps = stepsOf(event.key, event.shiftKey);
-        if (steps !== 0) set(stepped(control.value[component]!, steps, trackOf(control)));
+        if (steps !== 0) set(stepped(control.value[component]!, steps, track()));
         else if (event.key === 'Home') set(control.min);
         else if (event.key === 'End') set(control.max);
         else if (event.key === 'Enter') type();
@@ -83,10 +83,12 @@ function makeTrack(session: Session, control: Control, component: number, type: 
     const refresh = () => {
         const { min, max } = control;
         const value = control.value[component]!;
-        const step = isIntegral(control) ? '1' : 'any';
-        Object.assign(input, { min: String(min), max: String(max), step, value: String(value) });
+        const fraction = fractionOf(value, track());
+        const scale = own();
+        const at = track().logarithmic ? fraction : value;
+        Object.assign(input, { min: String(scale.min), max: String(scale.max), step: scale.integral ? '1' : 'any', value: String(at) });
         input.setAttribute('aria-valuetext', shown(value, min, max, isIntegral(control)));
-        input.style.setProperty('--at', `${100 * fractionOf(value, trackOf(control))}%`);
+        input.style.setProperty('--at', `${100 * fraction}%`);
     };
     return { element: input, refresh };
 }
@@ -96,7 +98,7 @@ function short(text: string, value: number): string {
     return text.length <= 8 ? text : String(Number(value.toPrecision(3)));
 }
 
-export function makeSliderRow(session: Session, control: Control, component: number, say: (message: string) => void): Row {
+export function makeSliderRow(session: Session, control: Control, component: number, say: (message: string) => void, time: () => number): Row {
     const name = nameOf(control, component);
     const text = (value: number) => shown(value, control.min, control.max, isIntegral(control));
     const field = makeField({
@@ -114,9 +116,11 @@ export function makeSliderRow(session: Session, control: Control, component: num
     const track = makeTrack(session, control, component, () => field.element.focus());
     const dot = makeDot(name, () => session.reset(control, component));
     const label = makeName(name, '');
-    const element = el('div', { class: 'row slider' }, dot.element, label, track.element, field.element);
+    const menu = makeSliderMenu(session, control, component, label, time);
+    const element = el('div', { class: 'row slider' }, dot.element, menu, track.element, field.element);
     const refresh = () => {
         label.title = `${name}: ${control.min} … ${control.max}\nscene's value: ${text(control.initial[component]!)}`;
+        element.classList.toggle('moves', session.motionOf(control, component) !== undefined);
         dot.show(control.value[component] !== control.initial[component]);
         track.refresh();
         field.refresh();

@@ -1,7 +1,9 @@
 // The scene that is shown: its controls, ladders and view, every change of them, and undo.
 import type { Control, Engine, Ladder, Opened, Problem, Shown } from '../engine.ts';
 import { History, type Change, type Setting, type Step } from './history.ts';
+import { motionFrom, slowed, valueOf, type Motion } from './motion.ts';
 import { fitting, typed } from './numbers.ts';
+import { canBeLogarithmic, type Track } from './steps.ts';
 
 // "Glass.uEta 1.5 → 1.1", as the step is applied.
 export function labelOf({ name, changes }: Step): string {
@@ -19,6 +21,8 @@ export interface Listeners {
     changed(): void;
     // Other controls or ladders are shown.
     listed(): void;
+    // A slider begins or ends to move by itself.
+    moved(): void;
     problems(problems: Problem[]): void;
     say(message: string): void;
 }
@@ -49,6 +53,9 @@ function text(value: number[]): string {
 export class Session {
     shown: Shown | undefined;
     readonly history = new History();
+    motions: Motion[] = [];
+    // Keys of the sliders that are logarithmic.
+    readonly logarithmic = new Set<string>();
 
     constructor(
         readonly engine: Engine,
@@ -90,8 +97,68 @@ export class Session {
         this.on.changed();
     }
 
+    // Another scene is opened.
+    forget(): void {
+        this.history.clear();
+        this.logarithmic.clear();
+        this.motions = [];
+        this.shown = undefined;
+    }
+
+    trackOf(control: Control): Track {
+        const { key, min, max } = control;
+        return { min, max, integral: isIntegral(control), logarithmic: this.logarithmic.has(key) && canBeLogarithmic(control) };
+    }
+
+    // Another scale is chosen, for the same value.
+    rescaled(): void {
+        this.on.changed();
+    }
+
+    motionOf({ key }: Control, component: number): Motion | undefined {
+        return this.motions.find((motion) => motion.key === key && motion.component === component);
+    }
+
+    animate(control: Control, component: number, time: number): void {
+        this.stop(control.key, component);
+        const value = control.value[component]!;
+        this.motions.push(motionFrom(control.key, component, value, this.trackOf(control), time, settingOf(control)));
+        this.on.moved();
+    }
+
+    slow(motion: Motion, period: number, time: number): void {
+        slowed(motion, period, time);
+        this.on.moved();
+    }
+
+    // The motion is one step of undo.
+    stop(key?: string, component?: number): void {
+        const ends = (motion: Motion) => (key ?? motion.key) === motion.key && (component ?? motion.component) === motion.component;
+        const ended = this.motions.filter(ends);
+        if (ended.length === 0) return;
+        this.motions = this.motions.filter((motion) => !ended.includes(motion));
+        for (const motion of ended) {
+            const control = this.controls.find((each) => each.key === motion.key);
+            if (control) this.history.record([{ what: 'value', key: motion.key, before: motion.before, after: settingOf(control) }]);
+        }
+        this.on.moved();
+    }
+
+    // Sets the values of this time.
+    move(time: number): void {
+        for (const motion of this.motions) {
+            const control = this.controls.find(({ key }) => key === motion.key);
+            if (control?.value[motion.component] === undefined) continue;
+            const moved = valueOf(motion, this.trackOf(control), time);
+            const value = control.value.map((each, i) => (i === motion.component ? moved : each));
+            this.write(control, { ...settingOf(control), value });
+        }
+        if (this.motions.length > 0) this.on.changed();
+    }
+
     // Values outside of the range widen it if `widen`, and else are moved into it. Returns what the control has then.
     set(control: Control, component: number, value: number, options: { gesture?: unknown; widen?: boolean } = {}): number {
+        this.stop(control.key, component);
         const next = settingOf(control);
         const fit = fitting(value, control.type);
         if (fit === undefined) return control.value[component]!;
@@ -103,6 +170,16 @@ export class Session {
         next.value[component] = slides ? Math.min(Math.max(fit, next.min), next.max) : fit;
         this.setTo(control, next, options.gesture);
         return next.value[component];
+    }
+
+    // Ready pictures take no settings when they are opened.
+    setValues(values: readonly string[]): void {
+        for (const control of this.controls) {
+            const text = values.find((value) => value.startsWith(`${control.key}=`));
+            this.set(control, 0, text ? Number(text.slice(control.key.length + 1)) : control.initial[0]!);
+        }
+        this.history.clear();
+        this.on.changed();
     }
 
     // What differs from the scene's ranges: "Glass.uEta=1,5".
@@ -125,10 +202,12 @@ export class Session {
     }
 
     setAll(control: Control, value: number[], gesture?: unknown): void {
+        this.stop(control.key);
         this.setTo(control, { ...settingOf(control), value }, gesture);
     }
 
     reset(control: Control, component?: number): void {
+        this.stop(control.key, component);
         const { initial, initialMin: min, initialMax: max } = control;
         if (component === undefined) return this.setTo(control, { value: [...initial], min, max });
         const value = control.value.map((now, i) => (i === component ? initial[i]! : now));
@@ -138,6 +217,7 @@ export class Session {
 
     // Of one program, or of all, and then the rungs, too.
     resetAll(program?: string): void {
+        this.stop();
         const changes: Change[] = [];
         for (const control of this.controls) {
             const { key, initial, initialMin: min, initialMax: max } = control;
@@ -198,9 +278,11 @@ export class Session {
     }
 
     undo(): void {
+        this.stop();
         this.go(this.history.undo(), 'Undo');
     }
     redo(): void {
+        this.stop();
         this.go(this.history.redo(), 'Redo');
     }
 }

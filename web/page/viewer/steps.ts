@@ -5,18 +5,30 @@ export interface Track {
     min: number;
     max: number;
     integral: boolean;
+    // Equal distances are equal ratios.
+    logarithmic?: boolean;
+}
+
+export function canBeLogarithmic({ min, max }: { min: number; max: number }): boolean {
+    return min > 0 && max > min && Number.isFinite(max / min);
 }
 
 // No intermediate result overflows, for any range.
-export function fractionOf(value: number, { min, max }: Track): number {
+export function fractionOf(value: number, track: Track): number {
+    const { min, max } = track;
+    if (track.logarithmic && value > 0) return Math.min(Math.max(Math.log(value / min) / Math.log(max / min), 0), 1);
     const half = max / 2 - min / 2;
     if (!(half > 0) || !Number.isFinite(value)) return 0;
     return Math.min(Math.max((value / 2 - min / 2) / half, 0), 1);
 }
 
-export function valueAt(fraction: number, { min, max, integral }: Track, fine = false): number {
+export function valueAt(fraction: number, { min, max, integral, logarithmic }: Track, fine = false): number {
     if (fraction <= 0) return min;
     if (fraction >= 1) return max;
+    if (logarithmic) {
+        const exact = min * (max / min) ** fraction;
+        return Math.min(Math.max(integral ? Math.round(exact) : Number(exact.toPrecision(fine ? 7 : 5)), min), max);
+    }
     const value = min * (1 - fraction) + max * fraction;
     return integral ? Math.round(value) : tidy(Math.min(Math.max(value, min), max), min, max, fine);
 }

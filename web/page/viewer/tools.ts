@@ -2,6 +2,7 @@
 import { download as downloadBytes, zip } from '../editor/pack.ts';
 import type { Saved } from '../engine.ts';
 import { button, el } from './dom.ts';
+import { makeMenu } from './menu.ts';
 import type { Session } from './session.ts';
 
 export interface ToolActions {
@@ -30,25 +31,17 @@ export function makeTools(session: Session, actions: ToolActions, files: boolean
         button('Picture as PNG…', actions.picture),
         ...(files ? [button('Scene as .zip', actions.zip), button('Text with these values', actions.textWithValues)] : []),
     ];
-    const menu = el('details', { class: 'menu' }, el('summary', {}, 'Save and share'), el('div', { class: 'items' }, ...save));
-    const close = () => void (menu.open = false);
-    save.forEach((each) => each.addEventListener('click', close));
-    document.addEventListener('pointerdown', (event) => menu.contains(event.target as Node) || close());
-    menu.addEventListener('keydown', (event) => {
-        if (event.key !== 'Escape' || !menu.open) return;
-        event.stopPropagation();
-        close();
-        menu.querySelector('summary')!.focus();
-    });
+    const menu = makeMenu('Save and share', { class: 'menu' }, () => save);
+    save.forEach((each) => each.addEventListener('click', menu.close));
     const screen = document.fullscreenEnabled ? [button('Full screen', actions.fullScreen, { title: 'F' })] : [];
     const help = button('?', actions.help, { 'aria-label': 'Help', title: 'Help' });
     const refresh = () => {
-        undo.disabled = !session.history.canUndo;
+        undo.disabled = !session.history.canUndo && session.motions.length === 0;
         redo.disabled = !session.history.canRedo;
         resetAll.disabled = !session.shown || !session.anyChanged;
     };
     refresh();
-    return { elements: [undo, redo, resetAll, ...(files ? [resetView] : []), ...screen, menu, help], refresh };
+    return { elements: [undo, redo, resetAll, ...(files ? [resetView] : []), ...screen, menu.element, help], refresh };
 }
 
 export async function copyText(text: string): Promise<boolean> {

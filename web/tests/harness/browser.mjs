@@ -55,6 +55,25 @@ export async function chromium(...more) {
     return browser;
 }
 
+// Without graphics hardware, Firefox draws WebGL only if it is told to.
+export async function firefox() {
+    const extraPrefsFirefox = {
+        'webgl.force-enabled': true,
+        'webgl.disable-fail-if-major-performance-caveat': true,
+        'webgl.out-of-process': false,
+        'security.sandbox.content.level': 0,
+        'gfx.x11-egl.force-enabled': true,
+    };
+    const browser = await puppeteer.launch({
+        browser: 'firefox',
+        executablePath: process.env.FIREFOX ?? '/usr/bin/firefox-esr',
+        extraPrefsFirefox,
+        timeout: 60_000,
+    });
+    ends.push(() => browser.close());
+    return browser;
+}
+
 // Notes of the driver on its speed, such as that a read of pixels, which a saved picture is, waits for the graphics.
 const harmless = /GL Driver Message \(OpenGL, Performance,/;
 
