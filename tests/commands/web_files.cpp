@@ -111,6 +111,16 @@ TEST_F(WebFiles, TwoFilesOfOneNameAreRefusedWhereOneMustMove) {
     EXPECT_FALSE(there("p.html"));
 }
 
+TEST_F(WebFiles, NamesThatPagesRefuseAreRefused) {
+    for (const char* name : {"C:foo.glib", "a\\b.glib"}) {
+        folder.write(name, quad("wood.bmp"));
+        const Outcome outcome = web("'" + std::string(name) + "' -o p.html");
+        EXPECT_EQ(outcome.status, 1) << outcome.output;
+        EXPECT_TRUE(outcome.says("has a name that a page cannot hold")) << outcome.output;
+        EXPECT_FALSE(there("p.html"));
+    }
+}
+
 TEST_F(WebFiles, FoldersOfTheMachineAreNotNamed) {
     folder.write("home/pupil/tree.bmp", bytes_of(at("wood.bmp")));
     folder.write("home/pupil/course/week/paint.frag", bytes_of(at("paint.frag")));

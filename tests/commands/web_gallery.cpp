@@ -74,10 +74,14 @@ TEST_F(WebGallery, ASceneThatTakesForeverEndsNothingElse) {
 
 TEST_F(WebGallery, ItMayBeMadeAgainAndLeavesOtherFilesAlone) {
     folder.write("out/notes.txt", "mine");
-    folder.write("out/index.html", "old");
+    ASSERT_EQ(web("--gallery class/ann -o out").status, 0);
+    const std::string old = bytes_of(at("out/index.html"));
     ASSERT_EQ(web("--gallery class/ann class/bob -o out").status, 0);
     EXPECT_EQ(bytes_of(at("out/notes.txt")), "mine");
-    EXPECT_NE(bytes_of(at("out/index.html")), "old");
+    EXPECT_NE(bytes_of(at("out/index.html")), old);
+    folder.write("site/index.html", "my own page");
+    EXPECT_EQ(web("--gallery class/ann -o site").status, 2);
+    EXPECT_EQ(bytes_of(at("site/index.html")), "my own page");
     const Outcome within = web("--gallery class/ann class ./class -o out");
     EXPECT_TRUE(within.says("3 of 5 scenes")) << "each once: " << within.output;
 }

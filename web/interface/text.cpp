@@ -94,7 +94,9 @@ Json counters_json(const Counters& counters) {
 
 Json problems_json(const Diagnostics& diagnostics, const Sources& sources) {
     Json all = Json::array();
-    for (const Diagnostic& d : diagnostics.items()) {
+    for (Diagnostic d : diagnostics.items()) {
+        // A page has no command line.
+        d.help = d.help.substr(0, d.help.find("; --limit"));
         Json one{{"severity", name(d.severity)}, {"code", d.code}, {"message", d.message}, {"help", d.help}};
         if (d.has_span) one["at"] = place_json(d.span, sources);
         one["text"] = render(d, sources);

@@ -159,4 +159,13 @@ test('missing files are added, and the download has every byte', async () => {
     assert.equal(readFileSync(join(downloads, 'c.glib'), 'latin1'), 'Vertex c.vert\r\nSphere 1\r\n');
 });
 
+test('what is dropped last stays, however long an earlier archive takes', async () => {
+    const slow = { 'slow.glib': Buffer.from('Sphere 1\n'), 'zeros.bin': Buffer.alloc(60e6) };
+    await drop(put('slow.zip', zipSync(slow, { level: 1 })));
+    await drop(put('quick.glib', 'Box 1\n'));
+    await opened('quick.glib');
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    assert.equal(await page.evaluate(() => window.host.scene), 'quick.glib');
+});
+
 test('nothing of this was against the policy of the page', () => assert.deepEqual(errors, []));

@@ -19,6 +19,7 @@
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
 #include "src/content/replace.h"
+#include "src/content/whole_file.h"
 
 namespace snell::app {
 
@@ -211,6 +212,11 @@ Exit check_gallery(const GalleryOptions& options, const std::vector<Exhibit>& ex
                 read.push_back(std::move(path));
     if (!distinct_outputs(outputs, read)) return exit_usage;
     std::error_code error;
+    if (fs::is_regular_file(outputs.front(), error) && !is_gallery_index(content::whole_file(outputs.front()))) {
+        wrong(fmt::format("'{}' is not the index of a gallery: choose another folder, or remove it",
+                          utf8::printable(outputs.front())));
+        return exit_usage;
+    }
     fs::create_directories(folder, error);
     if (error) {
         wrong(fmt::format("cannot make the folder '{}': {}", utf8::printable(options.output), error.message()));

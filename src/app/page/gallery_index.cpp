@@ -36,6 +36,8 @@ std::string style_hash() {
     return base64(bytes);
 }
 
+constexpr std::string_view made_by = "<meta name=\"generator\" content=\"snell\">";
+
 std::string gallery_item(const GalleryRow& row) {
     const std::string title = html_text(row.title);
     std::string shown;
@@ -61,14 +63,16 @@ GalleryRow read_row(const std::string& text) {
     return {member("title"), member("page"), member("picture"), member("error")};
 }
 
+bool is_gallery_index(std::string_view page) { return page.find(made_by) != page.npos; }
+
 std::string gallery_index(const std::vector<GalleryRow>& rows) {
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
         "'sha256-{}'; base-uri 'none'; form-action 'none'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Scenes</title>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{}\n<title>Scenes</title>\n"
         "<style>{}</style>\n</head>\n<body>\n<main>\n<h1>Scenes</h1>\n<ul>\n",
-        style_hash(), index_style);
+        style_hash(), made_by, index_style);
     for (const GalleryRow& row : rows) page += gallery_item(row);
     return page + "</ul>\n</main>\n</body>\n</html>\n";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace snell::app {
@@ -19,5 +20,7 @@ GalleryRow read_row(const std::string& text);
 
 // A page that needs no other file but those that it links to.
 std::string gallery_index(const std::vector<GalleryRow>& rows);
+// True for what gallery_index() returned: only that may be replaced by another one.
+bool is_gallery_index(std::string_view page);
 
 }  // namespace snell::app

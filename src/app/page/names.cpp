@@ -72,7 +72,9 @@ std::string lower_name(const std::string& path) {
     return name;
 }
 
+// As the page sees it (web/page/archive.ts): "C:a.glib" is a drive on other systems.
 bool plain(std::string_view name) {
+    if (name.size() > 1 && name[1] == ':' && lower(name[0]) >= 'a' && lower(name[0]) <= 'z') return false;
     for (std::size_t at = 0; at < name.size();) {
         const utf8::Char c = utf8::decode(name, at);
         if (!c.valid || c.code < 32 || c.code == 127 || c.code == '\\') return false;

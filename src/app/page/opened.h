@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "src/app/open/deadline.h"
-#include "src/document/document.h"
 #include "src/app/open/exit_status.h"
+#include "src/document/document.h"
 #include "src/gl/caps.h"
 #include "src/platform/headless.h"
 

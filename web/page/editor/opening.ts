@@ -88,13 +88,17 @@ async function take(author: Author, { files, messages }: Unpacked): Promise<void
 }
 
 export function makeOpening(author: Author): Opening {
+    // One after the other: what is opened last stays, however long an earlier archive takes.
+    let turn: Promise<void> = Promise.resolve();
+    const inTurn = (work: () => Promise<void>) => (turn = turn.then(work, work));
     const choose = async (folder: boolean) => {
         const chosen = await chooseFiles(folder);
-        if (chosen) await take(author, chosen);
+        if (chosen) await inTurn(() => take(author, chosen));
     };
+    const openNew = (scene: string, files: Map<string, Uint8Array>) => void inTurn(() => open(author, scene, files));
     const begin = () => {
         const { scene, files } = newScene();
-        void open(author, scene, files);
+        openNew(scene, files);
     };
     const actions = {
         openFiles: () => void choose(false),
@@ -102,7 +106,6 @@ export function makeOpening(author: Author): Opening {
         newScene: begin,
     };
     const mark = (held: boolean) => void document.documentElement.classList.toggle('editor-over', held);
-    listenForDrops(async (unpacked) => take(author, await unpacked), mark);
-    const openExample = (scene: string, files: Map<string, Uint8Array>) => void open(author, scene, files);
-    return { ...actions, welcome: makeWelcome({ ...actions, openExample }) };
+    listenForDrops((unpacked) => void inTurn(async () => take(author, await unpacked)), mark);
+    return { ...actions, welcome: makeWelcome({ ...actions, openExample: openNew }) };
 }
