@@ -44,9 +44,10 @@ std::string Drawing::start(const std::string& canvas) {
     context_.reset();
     std::string error;
     context_ = CanvasContext::make(canvas, error);
-    if (context_) caps_ = gl::query_caps();
+    if (!context_) return error;
+    caps_ = gl::query_caps();
     gl::take_errors();  // of objects that went with a lost context
-    return error;
+    return "";
 }
 
 void Drawing::draw(OpenScene& scene, const Moment& moment) {

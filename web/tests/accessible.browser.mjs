@@ -54,7 +54,10 @@ const states = {
     'a scene': () => shows(page, room),
     'a scene with ladders': () => shows(page, ladders),
     'the menu': openMenu,
-    'the dialog of the picture': () => press(page, 'Picture as PNG'),
+    'the dialog of the picture': async () => {
+        await press(page, 'Picture as PNG');
+        await page.hover('dialog[open] button.main');
+    },
     'the help': async () => {
         await closeDialog();
         await press(page, '?');
@@ -67,7 +70,7 @@ const states = {
     'a mistake in the text': async () => {
         await (await page.$('.editor-code >>> .cm-content')).click();
         await page.keyboard.type('Spere 1 ');
-        await page.waitForSelector('.editor-problems li');
+        await page.waitForSelector('.problem');
         await page.waitForSelector('.editor-code >>> .cm-lintRange-error');
     },
     'the search': () => press(page, 'Find'),

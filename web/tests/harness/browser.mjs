@@ -55,8 +55,19 @@ export async function chromium(...more) {
     return browser;
 }
 
-// Without graphics hardware, Firefox draws WebGL only if it is told to.
+// A display for what draws only on one: its name.
+function display() {
+    return new Promise((started, failed) => {
+        const server = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1400x1000x24', '-nolisten', 'tcp'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
+        server.on('error', failed);
+        server.stdio[3].once('data', (number) => started(`:${String(number).trim()}`));
+        ends.push(() => server.kill());
+    });
+}
+
+// Without graphics hardware, Firefox draws WebGL only if it is told to, and only on a display.
 export async function firefox() {
+    const env = { ...process.env, DISPLAY: await display() };
     const extraPrefsFirefox = {
         'webgl.force-enabled': true,
         'webgl.disable-fail-if-major-performance-caveat': true,
@@ -68,6 +79,8 @@ export async function firefox() {
         browser: 'firefox',
         executablePath: process.env.FIREFOX ?? '/usr/bin/firefox-esr',
         extraPrefsFirefox,
+        env,
+        headless: false,
         timeout: 60_000,
     });
     ends.push(() => browser.close());
