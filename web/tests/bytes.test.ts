@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { EditorState } from '@codemirror/state';
 import { isText, read, unwritable, usualEnd, write } from '../page/editor/bytes.ts';
-import { bytesOf, differences, isEdited, makeDocument } from '../page/editor/documents.ts';
+import { bytesOf, isEdited, makeDocument } from '../page/editor/documents.ts';
 import { columnOf, offsetOf, rangeOf } from '../page/editor/places.ts';
 
 const utf8 = (text: string) => new TextEncoder().encode(text);
@@ -112,12 +112,4 @@ test('a mark is seen: it has a character where the line has one', () => {
     assert.deepEqual(at(3, 2), { from: 4, to: 6 });
     assert.deepEqual(at(99, 99), { from: 4, to: 6 });
     assert.deepEqual(at(0, 0), { from: 0, to: 1 });
-});
-
-test('values that the page writes edit only their places', () => {
-    const state = EditorState.create({ doc: 'uA <0 1 2>\nuB <0 1 2>\nend' });
-    const changes = differences(state.doc, 'uA <0 1.5 2>\r\nuB <0 1 2>\r\nend');
-    assert.deepEqual(changes, [{ from: 7, to: 7, insert: '.5' }]);
-    const other = differences(state.doc, 'uA <0 1 2>\nend');
-    assert.equal(state.update({ changes: other }).state.doc.toString(), 'uA <0 1 2>\nend');
 });

@@ -1,4 +1,5 @@
 // Questions to the author.
+import { button } from '../dom.ts';
 
 function shell(title: string, text: string): { dialog: HTMLDialogElement; buttons: HTMLElement } {
     const dialog = document.createElement('dialog');
@@ -14,14 +15,6 @@ function shell(title: string, text: string): { dialog: HTMLDialogElement; button
     return { dialog, buttons };
 }
 
-export function makeButton(text: string, action: () => void): HTMLButtonElement {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = text;
-    button.addEventListener('click', action);
-    return button;
-}
-
 // Resolves with the choice, or undefined after Escape or Cancel. Keys do not reach the page below.
 export function ask<T>(title: string, text: string, choices: readonly { text: string; value: T }[]): Promise<T | undefined> {
     return new Promise((resolve) => {
@@ -31,8 +24,8 @@ export function ask<T>(title: string, text: string, choices: readonly { text: st
             chosen = value;
             dialog.close();
         };
-        for (const { text: label, value } of choices) buttons.append(makeButton(label, () => choose(value)));
-        buttons.append(makeButton('Cancel', () => choose(undefined)));
+        for (const { text: label, value } of choices) buttons.append(button(label, () => choose(value)));
+        buttons.append(button('Cancel', () => choose(undefined)));
         dialog.addEventListener('keydown', (event) => event.stopPropagation());
         dialog.addEventListener('close', () => {
             dialog.remove();

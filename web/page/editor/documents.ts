@@ -1,6 +1,6 @@
 // The text files of a scene in the editor, each with its own undo history.
 import { forEachDiagnostic, type Diagnostic } from '@codemirror/lint';
-import type { ChangeSpec, EditorState, Extension, StateEffect, StateField } from '@codemirror/state';
+import type { EditorState, Extension, StateEffect, StateField } from '@codemirror/state';
 import type { Problem } from '../engine.ts';
 import { isText, read, same, write, type Format } from './bytes.ts';
 import { stateOf } from './code.ts';
@@ -83,23 +83,4 @@ export function movedMarks(document: Document, problems: ReadonlySet<Problem>): 
         if (problems.has((diagnostic as Mark).problem)) out.push({ ...(diagnostic as Mark), from, to });
     });
     return out;
-}
-
-// The edits that make one text of another line by line, or as a whole where lines were added or removed.
-export function differences(doc: EditorState['doc'], text: string): ChangeSpec[] {
-    const lines = text.split(/\r\n|\r|\n/);
-    if (lines.length !== doc.lines) return [trimmed(0, doc.toString(), lines.join('\n'))];
-    return lines.flatMap((line, i) => {
-        const old = doc.line(i + 1);
-        return old.text === line ? [] : [trimmed(old.from, old.text, line)];
-    });
-}
-
-function trimmed(at: number, old: string, text: string): { from: number; to: number; insert: string } {
-    let begin = 0;
-    while (begin < Math.min(old.length, text.length) && old[begin] === text[begin]) ++begin;
-    let end = 0;
-    const most = Math.min(old.length, text.length) - begin;
-    while (end < most && old[old.length - 1 - end] === text[text.length - 1 - end]) ++end;
-    return { from: at + begin, to: at + old.length - end, insert: text.slice(begin, text.length - end) };
 }

@@ -2,12 +2,11 @@
 import { redo, undo } from '@codemirror/commands';
 import { openSearchPanel } from '@codemirror/search';
 import { EditorView } from '@codemirror/view';
+import { button } from '../dom.ts';
 import { bytesOf } from './documents.ts';
-import { makeButton } from './dialog.ts';
 import type { Editor, EditorHost } from './host.ts';
-import { baseOf } from './names.ts';
 import { makeOpening } from './opening.ts';
-import { download, zip } from './pack.ts';
+import { saveBytes, saveZip } from './pack.ts';
 import { makeProblemList } from './problems.ts';
 import { Session } from './session.ts';
 import { makeTabs } from './tabs.ts';
@@ -57,7 +56,7 @@ function makeOpenDialog(welcome: HTMLElement): { dialog: HTMLDialogElement; open
     dialog.className = 'editor-dialog';
     dialog.setAttribute('aria-label', 'Open a scene');
     dialog.addEventListener('keydown', (event) => event.stopPropagation());
-    const close = makeButton('Close', () => dialog.close());
+    const close = button('Close', () => dialog.close());
     const open = () => {
         dialog.replaceChildren(welcome, close);
         dialog.showModal();
@@ -68,13 +67,13 @@ function makeOpenDialog(welcome: HTMLElement): { dialog: HTMLDialogElement; open
 function downloads(host: EditorHost, session: Session) {
     const all = () => {
         const files = session.files();
-        download(`${baseOf(host.scene).replace(/\.glib$/i, '')}.zip`, zip(files), 'application/zip');
+        saveZip(host.scene, files);
         session.kept(files.keys());
     };
     const one = () => {
         const shown = session.current;
         if (!shown) return;
-        download(baseOf(shown.name), new Uint8Array(bytesOf(shown)), 'application/octet-stream');
+        saveBytes(shown.name, bytesOf(shown));
         session.kept([shown.name]);
     };
     return { all, one };
@@ -106,12 +105,12 @@ export function makeEditor(host: EditorHost): Editor {
     const { dialog, open } = makeOpenDialog(opening.welcome);
     const bar = block('editor-buttons');
     bar.append(
-        makeButton('Open…', open),
-        makeButton('Download .zip', save.all),
-        makeButton('Download this file', save.one),
-        makeButton('Undo', () => undo(view)),
-        makeButton('Redo', () => redo(view)),
-        makeButton('Find', () => openSearchPanel(view)),
+        button('Open…', open),
+        button('Download .zip', save.all),
+        button('Download this file', save.one),
+        button('Undo', () => undo(view)),
+        button('Redo', () => redo(view)),
+        button('Find', () => openSearchPanel(view)),
     );
     const hint = document.createElement('p');
     hint.className = 'editor-fine-print';
@@ -137,6 +136,5 @@ export function makeEditor(host: EditorHost): Editor {
             session.open();
         },
         download: save.all,
-        replace: (files) => files.forEach(({ name, text }) => session.replace(name, text)),
     };
 }

@@ -40,7 +40,4 @@ export interface Editor {
     opened(): void;
     // Downloads the scene as a .zip with all edits, which are then no longer marked.
     download(): void;
-    // Puts a text in place of a file's, as one step that can be undone: values that the page writes into the scene. Only
-    // the lines that differ are edited.
-    replace(files: { name: string; text: string }[]): void;
 }

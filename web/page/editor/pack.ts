@@ -1,6 +1,8 @@
 // Files as one .zip archive: the same files give the same bytes, at any time and place.
 import { deflateSync } from 'fflate';
+import { download } from '../dom.ts';
 import { crc32 } from './crc.ts';
+import { baseOf } from './names.ts';
 
 // Deflate does not make these smaller.
 const packedAlready = /\.(png|jpe?g|gif|webp|zip)$/i;
@@ -66,12 +68,12 @@ export function zip(files: ReadonlyMap<string, Uint8Array>): Uint8Array<ArrayBuf
     return joined([...bodies, list, end]);
 }
 
-// Hands the bytes to the browser's downloads.
-export function download(name: string, bytes: Uint8Array<ArrayBuffer>, type: string): void {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([bytes], { type }));
-    link.download = name;
-    link.click();
-    // Some browsers read the blob only after the click.
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+// One file of a scene, without its folders.
+export function saveBytes(name: string, bytes: Uint8Array): void {
+    download(baseOf(name), new Blob([new Uint8Array(bytes)], { type: 'application/octet-stream' }));
+}
+
+// Named after the scene.
+export function saveZip(scene: string, files: ReadonlyMap<string, Uint8Array>): void {
+    download(`${baseOf(scene).replace(/\.glib$/i, '')}.zip`, new Blob([zip(files)], { type: 'application/zip' }));
 }

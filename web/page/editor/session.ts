@@ -1,11 +1,10 @@
 // The files of one scene while they are edited: what is shown, what is checked, and what the page is told.
-import { isolateHistory } from '@codemirror/commands';
 import { setDiagnostics } from '@codemirror/lint';
 import { EditorState, type Extension, type TransactionSpec } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 import type { Place, Problem } from '../engine.ts';
 import { unwritable, type Format } from './bytes.ts';
-import { bytesOf, differences, isEdited, keep, makeDocument, marksOf, movedMarks, textFiles, type Document, type Mark } from './documents.ts';
+import { bytesOf, isEdited, keep, makeDocument, marksOf, movedMarks, textFiles, type Document, type Mark } from './documents.ts';
 import type { Checked, EditorHost, Files } from './host.ts';
 import { resolve } from './names.ts';
 import { rangeOf } from './places.ts';
@@ -128,13 +127,6 @@ export class Session {
     // Checks the text as it is, so that the worker has started when it is edited.
     warm(): void {
         void this.#flush();
-    }
-
-    replace(name: string, text: string): void {
-        const document = this.#documents.get(resolve('', name));
-        if (!document) return;
-        const changes = differences(document.state.doc, text.replace(/^\ufeff/, ''));
-        if (changes.length > 0) this.#dispatch(document, { changes, annotations: isolateHistory.of('full') });
     }
 
     #dispatch(document: Document, spec: TransactionSpec): void {

@@ -1,5 +1,5 @@
 // How to open a scene: drop it, choose it, take an example, or begin one.
-import { makeButton } from './dialog.ts';
+import { button } from '../dom.ts';
 import { readExamples, type Example } from './examples.ts';
 import { limits, megabytes } from './limits.ts';
 import { baseOf } from './names.ts';
@@ -20,13 +20,13 @@ function paragraph(className: string, text: string): HTMLElement {
 
 function exampleButton({ scene, subject }: Example, open: () => void): HTMLElement {
     const item = document.createElement('li');
-    const button = makeButton('', open);
+    const example = button('', open);
     const name = document.createElement('strong');
     name.textContent = baseOf(scene).replace(/\.glib$/, '');
     const about = document.createElement('span');
     about.textContent = subject;
-    button.append(name, ' ', about);
-    item.append(button);
+    example.append(name, ' ', about);
+    item.append(example);
     return item;
 }
 
@@ -53,9 +53,9 @@ export function makeWelcome(actions: WelcomeActions): HTMLElement {
     const buttons = document.createElement('div');
     buttons.className = 'editor-buttons';
     buttons.append(
-        makeButton('Open files…', actions.openFiles),
-        makeButton('Open folder…', actions.openFolder),
-        makeButton('New scene', actions.newScene),
+        button('Open files…', actions.openFiles),
+        button('Open folder…', actions.openFolder),
+        button('New scene', actions.newScene),
     );
     element.append(
         heading,

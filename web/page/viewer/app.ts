@@ -3,12 +3,14 @@ import type { Unpacked } from '../archive.ts';
 import type { WorkerChecker } from '../editor/checker.ts';
 import { makeEditor } from '../editor/editor.ts';
 import type { Editor, EditorHost } from '../editor/host.ts';
+import { baseOf } from '../editor/names.ts';
+import { saveZip } from '../editor/pack.ts';
 import type { Engine, Opened, Problem } from '../engine.ts';
 import { Address } from './address.ts';
 import { Clock, makeTimeBar } from './clock.ts';
 import { makeHelp, makePictureDialog } from './dialogs.ts';
 import { makeDivider } from './divider.ts';
-import { el, painted } from './dom.ts';
+import { el, painted } from '../dom.ts';
 import { readFragment, type Settings } from './fragment.ts';
 import { listen } from './gestures.ts';
 import { listenForKeys } from './keys.ts';
@@ -18,7 +20,7 @@ import { Painter } from './painter.ts';
 import { makePanel, type Panel } from './panel.ts';
 import { makeProblems } from './problems.ts';
 import { Session } from './session.ts';
-import { copyText, makeTools, saveTexts, saveZip, type Tools } from './tools.ts';
+import { copyText, makeTools, saveTexts, type Tools } from './tools.ts';
 import { complaint, inVain } from './vain.ts';
 
 export interface Contents {
@@ -34,7 +36,7 @@ const messageSeconds = 6;
 const longMessageSeconds = 10;
 
 function pageName(scene: string): string {
-    return scene.slice(scene.lastIndexOf('/') + 1).replace(/\.glib$/i, '') || 'snell';
+    return baseOf(scene).replace(/\.glib$/i, '') || 'snell';
 }
 
 export class Page {

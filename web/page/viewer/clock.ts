@@ -1,5 +1,5 @@
 // The time of an animated scene, and what sets it.
-import { button, el } from './dom.ts';
+import { button, el } from '../dom.ts';
 
 export class Clock {
     time = 0;

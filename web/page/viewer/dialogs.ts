@@ -1,6 +1,6 @@
 // The dialogs: a picture as PNG, and the help.
 import type { Engine, Frame } from '../engine.ts';
-import { button, download, el } from './dom.ts';
+import { button, download, el } from '../dom.ts';
 import { evaluated } from './numbers.ts';
 
 export function makeDialog(title: string, ...children: Node[]): HTMLDialogElement {

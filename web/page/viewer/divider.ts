@@ -1,6 +1,6 @@
 // The accuracy split: left of the divider the chosen rungs, right of it the references.
 import type { Ladder } from '../engine.ts';
-import { el } from './dom.ts';
+import { el } from '../dom.ts';
 
 export interface Divider {
     // Over the picture.

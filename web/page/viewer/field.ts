@@ -1,5 +1,5 @@
 // A number that a click edits.
-import { el } from './dom.ts';
+import { el } from '../dom.ts';
 import { typed } from './numbers.ts';
 
 export interface FieldOptions {

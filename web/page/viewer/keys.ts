@@ -1,5 +1,5 @@
 // Keys of the whole page.
-import { takesText } from './dom.ts';
+import { takesText } from '../dom.ts';
 
 export interface Keys {
     undo(): void;

@@ -1,5 +1,5 @@
 // The page's parts, without what they do.
-import { el } from './dom.ts';
+import { el } from '../dom.ts';
 
 export interface Layout {
     app: HTMLElement;

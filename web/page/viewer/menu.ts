@@ -1,5 +1,5 @@
 // A button that shows more buttons and fields, until something else is clicked.
-import { el } from './dom.ts';
+import { el } from '../dom.ts';
 
 export interface Menu {
     element: HTMLDetailsElement;

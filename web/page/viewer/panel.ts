@@ -1,6 +1,6 @@
 // The panel: ladders, and the controls of each program.
 import type { Control, Ladder } from '../engine.ts';
-import { button, el } from './dom.ts';
+import { button, el } from '../dom.ts';
 import { makeSliderRow, type Row } from './row.ts';
 import { isChanged, type Session } from './session.ts';
 import { makeCheckRow, makeColorRow } from './values.ts';

@@ -1,6 +1,7 @@
 // Errors and warnings below the picture; each leads to its place in the text.
+import { summary } from '../editor/problems.ts';
 import type { Place, Problem } from '../engine.ts';
-import { el } from './dom.ts';
+import { el } from '../dom.ts';
 
 export interface Problems {
     element: HTMLElement;
@@ -8,10 +9,6 @@ export interface Problems {
 }
 
 const most = 100;
-
-function counted(count: number, noun: string): string {
-    return count === 0 ? '' : `${count} ${noun}${count === 1 ? '' : 's'}`;
-}
 
 function makeItem({ severity, message, help, at }: Problem, goTo: (place: Place) => void): HTMLElement {
     const place = at ? `${at.file}:${at.line}:${at.column}: ` : '';
@@ -28,12 +25,12 @@ export function makeProblems(goTo: (place: Place) => void): Problems {
     const details = el('details', {}, title, list);
     const element = el('section', { class: 'problems', 'aria-label': 'Problems', hidden: true }, details);
     const show = (problems: Problem[]) => {
-        const of = (severity: string) => problems.filter((problem) => problem.severity === severity).length;
+        const errors = problems.some(({ severity }) => severity === 'error');
         element.hidden = problems.length === 0;
-        title.textContent = [counted(of('error'), 'error'), counted(of('warning'), 'warning'), counted(of('note'), 'note')].filter(Boolean).join(', ');
-        title.className = of('error') > 0 ? 'error' : '';
+        title.textContent = summary(problems);
+        title.className = errors ? 'error' : '';
         // Errors are shown, warnings on request.
-        details.open = of('error') > 0;
+        details.open = errors;
         const sorted = [...problems].sort((a, b) => Number(b.severity === 'error') - Number(a.severity === 'error'));
         list.replaceChildren(...sorted.slice(0, most).map((problem) => makeItem(problem, goTo)));
         if (problems.length > most) list.append(el('li', { class: 'quiet' }, `${problems.length - most} more`));

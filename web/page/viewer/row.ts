@@ -1,6 +1,6 @@
 // One row of the panel: a slider of one component.
 import type { Control } from '../engine.ts';
-import { el } from './dom.ts';
+import { el } from '../dom.ts';
 import { makeField } from './field.ts';
 import { shown } from './numbers.ts';
 import { isIntegral, nameOf, type Session } from './session.ts';

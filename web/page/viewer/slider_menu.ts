@@ -1,6 +1,6 @@
 // What a slider's name offers: reset, a logarithmic scale, and a motion of its own.
 import type { Control } from '../engine.ts';
-import { button, el } from './dom.ts';
+import { button, el } from '../dom.ts';
 import { makeField } from './field.ts';
 import { makeMenu } from './menu.ts';
 import { usualPeriod } from './motion.ts';

@@ -4,7 +4,7 @@ import { makeChecker, pageWorker, type WorkerChecker } from '../editor/checker.t
 import type { Engine } from '../engine.ts';
 import { loadEngine, prepareCanvas } from '../load_engine.ts';
 import { Page } from './app.ts';
-import { el } from './dom.ts';
+import { el } from '../dom.ts';
 import { readArchive, readRuntime, readScene } from './load.ts';
 
 function showsWebGl(): boolean {

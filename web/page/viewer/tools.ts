@@ -1,7 +1,8 @@
 // The buttons above the panel, and what they save.
-import { download as downloadBytes, zip } from '../editor/pack.ts';
+import { baseOf } from '../editor/names.ts';
+import { saveBytes, saveZip } from '../editor/pack.ts';
 import type { Saved } from '../engine.ts';
-import { button, el } from './dom.ts';
+import { button, el } from '../dom.ts';
 import { makeMenu } from './menu.ts';
 import type { Session } from './session.ts';
 
@@ -59,21 +60,13 @@ export async function copyText(text: string): Promise<boolean> {
     }
 }
 
-function baseOf(name: string): string {
-    return name.slice(name.lastIndexOf('/') + 1);
-}
-
-export function saveZip(scene: string, files: ReadonlyMap<string, Uint8Array>): void {
-    downloadBytes(`${baseOf(scene).replace(/\.glib$/i, '')}.zip`, zip(files), 'application/zip');
-}
-
 // One file as it is, several as an archive. Returns a message.
 export function saveTexts(scene: string, { files, unwritten, error }: Saved): string {
     if (error !== '') return error;
     const without = unwritten.slice(0, 3).map((each) => ` Not saved: ${each}.`).join('');
     if (files.length === 0) return without.trim() || 'The values are those of the text.';
     if (files.length === 1) {
-        downloadBytes(baseOf(files[0]!.name), files[0]!.bytes, 'application/octet-stream');
+        saveBytes(files[0]!.name, files[0]!.bytes);
         return `Saved ${baseOf(files[0]!.name)} with these values.${without}`;
     }
     saveZip(scene, new Map(files.map(({ name, bytes }) => [name, bytes])));

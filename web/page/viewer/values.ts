@@ -1,6 +1,6 @@
 // Rows of check boxes and colours.
 import type { Control } from '../engine.ts';
-import { el } from './dom.ts';
+import { el } from '../dom.ts';
 import { makeField } from './field.ts';
 import { tidyColor } from './numbers.ts';
 import { makeDot, makeName, type Row } from './row.ts';
