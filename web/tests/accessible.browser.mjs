@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { zipSync } from 'fflate';
-import { builtPage, chromium, drop, pageOf, press, root, run, shows, tab, temporaryFolder } from './harness/browser.mjs';
+import { builtPage, chromium, drop, openText, pageOf, press, root, run, shows, tab, temporaryFolder } from './harness/browser.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const folder = temporaryFolder();
@@ -24,7 +24,6 @@ before(async () => {
         run(['web', '--gallery', 'scenes/refraction-room', '-o', join(folder, 'gallery')]),
     ]);
     ({ page } = await tab(browser));
-    page.on('dialog', (dialog) => dialog.accept());
 });
 
 async function violations() {
@@ -64,7 +63,7 @@ const states = {
     },
     'the editor': async () => {
         await closeDialog();
-        await page.click('#tab-text');
+        await openText(page);
         await page.waitForSelector('.editor-code >>> .cm-content');
     },
     'a mistake in the text': async () => {

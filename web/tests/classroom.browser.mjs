@@ -4,7 +4,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { exampleList } from '../examples.mjs';
-import { builtPage, chromium, drawn, drop, press, root, tab, temporaryFolder, until } from './harness/browser.mjs';
+import { builtPage, chromium, drawn, drop, openText, press, root, tab, temporaryFolder, until } from './harness/browser.mjs';
 
 const folder = temporaryFolder();
 const examples = exampleList();
@@ -31,7 +31,7 @@ async function opens(act, title) {
 // The list is on the page while there is no scene, and in a dialog of the editor afterwards.
 async function openList() {
     if (await page.evaluate(() => !document.querySelector('.cover').hidden)) return;
-    await page.click('#tab-text');
+    await openText(page);
     await press(page, 'Open…', '.editor-buttons');
     await page.waitForSelector('.editor-dialog[open] .editor-welcome li');
 }

@@ -6,7 +6,7 @@ import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { gzipSync, createGzip } from 'node:zlib';
 import { zipSync } from 'fflate';
-import { built, builtPage, chromium, drawn, drop, press, run, tab, temporaryFolder, until } from './harness/browser.mjs';
+import { built, builtPage, chromium, drawn, drop, openText, press, run, tab, temporaryFolder, until } from './harness/browser.mjs';
 
 const folder = temporaryFolder();
 const markup = '<img src=x onerror=window.hit=1><script>window.hit=1</script>';
@@ -135,7 +135,7 @@ test('markup in titles, names and values is text', async () => {
     await until(page, () => document.querySelector('.failure') || document.querySelector('.cover').hidden);
     assert.equal(await page.title(), markup);
     assert.equal(await page.$eval('h1', (heading) => heading.textContent), markup);
-    await page.click('#tab-text');
+    await openText(page);
     await page.waitForSelector('.editor-tabs [role=tab]');
     await harmless();
 });
@@ -146,7 +146,7 @@ test('markup in messages is text, in the list and in the editor', async () => {
     await page.waitForSelector('.problem');
     const list = await page.$eval('.problems', (element) => element.textContent);
     assert.ok(list.includes(markup.replaceAll(' ', '')), list);
-    await page.click('#tab-text');
+    await openText(page);
     const mark = await page.waitForSelector('.editor-code >>> .cm-lint-marker-error');
     await mark.hover();
     await page.waitForSelector('.editor-code >>> .cm-tooltip');

@@ -99,6 +99,8 @@ export async function tab(browser, { width = 1000, height = 700, still = true } 
         if (['error', 'warn', 'warning'].includes(message.type()) && !harmless.test(text)) said.push(text);
     });
     page.on('pageerror', (error) => said.push(String(error)));
+    // Pages with edits ask before they are left.
+    page.on('dialog', (dialog) => dialog.accept());
     await page.setViewport({ width, height });
     // Scenes with a timer stand still.
     if (still) await page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
@@ -114,6 +116,12 @@ export const drawn = (page) =>
 export async function shows(page, address) {
     await page.goto(address);
     await drawn(page);
+}
+
+// Shows the text: its button hides it again.
+export async function openText(page) {
+    if (await page.$eval('#panel-text', (panel) => panel.hidden)) await page.click('#tab-text');
+    await page.waitForSelector('.editor-code >>> .cm-content');
 }
 
 // Presses the first visible button whose text begins so.
