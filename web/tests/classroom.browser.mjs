@@ -1,6 +1,6 @@
 // snell.html, the page without a scene: its examples, and files that are dropped on it.
 import assert from 'node:assert/strict';
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { exampleList } from '../examples.mjs';
@@ -57,9 +57,15 @@ test('single files, a folder, and a missing file are dropped', async () => {
     const scene = join(folder, 'one/dropped.glib');
     writeFileSync(scene, '##OpenGL GLIB\nVertex lit.vert\nFragment lit.frag\nProgram Lit\nSphere 1\n');
     await opens(() => drop(page, scene, join(shaders, 'lit.vert'), join(shaders, 'lit.frag')), 'dropped');
-    await opens(() => drop(page, join(root, 'scenes/refraction-room')), 'refraction-room');
+    mkdirSync(join(folder, 'two/deep'), { recursive: true });
+    writeFileSync(join(folder, 'two/deep/other.glib'), '##OpenGL GLIB\nVertex ../lit.vert\nProgram Lit\nBox\n');
+    copyFileSync(join(shaders, 'lit.vert'), join(folder, 'two/lit.vert'));
+    await opens(() => drop(page, join(folder, 'two')), 'other');
     await page.evaluate(() => void (document.querySelector('.status span').textContent = ''));
     await drop(page, scene);
     await until(page, () => /lit\.vert/.test(document.querySelector('.problems').textContent));
-    await opens(() => drop(page, join(shaders, 'lit.vert'), join(shaders, 'lit.frag')), 'dropped');
+    await drop(page, join(shaders, 'lit.vert'), join(shaders, 'lit.frag'));
+    await until(page, () => document.querySelector('.problems').hidden);
+    await drawn(page);
+    assert.deepEqual(said, []);
 });

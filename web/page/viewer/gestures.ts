@@ -90,7 +90,6 @@ class Hand {
 function keyed(event: KeyboardEvent, to: Gestures, gesture: object, begins: boolean): boolean {
     const ways: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
     const way = ways[event.key]?.map((part) => part * pixelsPerKey);
-    if (event.ctrlKey || event.metaKey || event.altKey) return false;
     if (way && event.shiftKey) to.move(way[0]!, way[1]!, gesture);
     else if (way) to.turn(way[0]!, way[1]!, gesture, begins);
     else if (event.key === '+' || event.key === '=') to.zoom(scalePerStep, gesture);
@@ -141,7 +140,8 @@ export function listen(element: HTMLElement, to: Gestures): void {
         { passive: false },
     );
     element.addEventListener('keydown', (event) => {
-        if (!keyed(event, to, ...running())) return;
+        // Other keys, such as Ctrl+Z, must not end what is dragged next.
+        if (event.ctrlKey || event.metaKey || event.altKey || !keyed(event, to, ...running())) return;
         event.preventDefault();
         event.stopPropagation();
     });
