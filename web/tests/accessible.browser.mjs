@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { zipSync } from 'fflate';
-import { builtPage, chromium, drop, openText, pageOf, press, root, run, shows, tab, temporaryFolder } from './harness/browser.mjs';
+import { builtPage, chord, chromium, drop, openText, pageOf, press, root, run, shows, tab, temporaryFolder } from './harness/browser.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const folder = temporaryFolder();
@@ -68,7 +68,8 @@ const states = {
     },
     'a mistake in the text': async () => {
         await (await page.$('.editor-code >>> .cm-content')).click();
-        await page.keyboard.type('Spere 1 ');
+        await chord(page, 'Home');
+        await page.keyboard.type('Spere 1\n');
         await page.waitForSelector('.problem');
         await page.waitForSelector('.editor-code >>> .cm-lintRange-error');
     },

@@ -93,7 +93,7 @@ export function makeLayout(chosen: (name: TabName) => void): Layout {
     };
     const app = el('main', { class: 'app' });
     const tabs = makeTabs(panels, app, chosen);
-    const side = el('section', { class: 'panels', 'aria-label': 'Controls' }, title, tools, tabs.element, panels.controls);
+    const side = el('section', { class: 'panels', 'aria-label': 'Scene' }, title, tools, tabs.element, panels.controls);
     app.append(stage, side, panels.text);
     return { app, canvas, picture, stage, cover, status, message, title, link, tools, ...panels, chooseTab: tabs.choose };
 }
