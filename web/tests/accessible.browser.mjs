@@ -47,7 +47,7 @@ async function as({ colour, width, height }) {
     ]);
 }
 
-const openMenu = () => page.evaluate(() => void (document.querySelector('.menu').open = true));
+const openMenu = () => page.click('.menu > summary');
 const closeDialog = () => page.keyboard.press('Escape');
 const states = {
     'a scene': () => shows(page, room),

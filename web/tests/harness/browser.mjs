@@ -172,7 +172,8 @@ export async function download(page, act) {
 // The page's picture as PNG, by its own dialog.
 export function savedPicture(page, width, height, samples) {
     return download(page, async () => {
-        await page.evaluate(() => void (document.querySelector('.menu').open = true));
+        await page.click('.menu > summary');
+        await page.waitForSelector('.menu[open] button');
         await press(page, 'Picture as PNG');
         const fields = await page.$$('dialog[open] input');
         for (const [i, value] of [width, height, samples].entries()) await fields[i].evaluate((input, text) => void (input.value = text), String(value));
