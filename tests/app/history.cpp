@@ -293,6 +293,26 @@ TEST_F(Undo, AChangeDuringWhichTheTextIsReadIsStillAStep) {
     EXPECT_EQ(undo(), "undo: Glass.uEta 1.2 \u2192 0.5");
 }
 
+TEST_F(Undo, AStepOfAValueThatADamagedTextDidNotListLeadsToTheTexts) {
+    const Scene damaged = scene({"uOther", "uMix"});
+    Diagnostics ignored;
+    std::vector<ActiveUniform> uniforms(3, active("float"));
+    uniforms[0].name = "uOther";
+    uniforms[1].name = "uMix";
+    uniforms[2].name = "uEta";  // the program uses it still
+    scene_ = damaged;
+    controls_ = make_controls(damaged, {uniforms}, ignored);
+    history_.begin(scene_, controls_, view_);
+    Control* unlisted = controls_.find(0, "uEta");
+    ASSERT_TRUE(unlisted && !unlisted->listed && unlisted->value[0] == 0);
+    unlisted->value[0] = .5;  // by chance what the mended text says
+    ASSERT_TRUE(step());
+    edit(scene({"uEta", "uMix"}));
+    ASSERT_EQ(value(0), .5);
+    undo();
+    EXPECT_EQ(value(0), .5) << "0 was no value of the text";
+}
+
 TEST_F(Undo, ObjectsAreFoundAgain) {
     scene_.draws = {Draw{.shape = Sphere{}}, Draw{.shape = Torus{}}};
     history_.begin(scene_, controls_, view_);

@@ -117,7 +117,9 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
         if (found == names_.end()) continue;
         const Control& old = controls_.items[static_cast<std::size_t>(found - names_.begin())];
         Control& control = now.items[i];
-        if (old.initial != control.initial && old.value != control.value) follow_text(names[i], old, control);
+        // What the text did not list had no value of its own there.
+        const bool followed = old.value != control.value || (control.listed && !old.listed);
+        if (old.initial != control.initial && followed) follow_text(names[i], old, control);
         if (old.initial != control.initial || old.value == control.value) continue;
         control.value = old.value;  // a change that is not a step yet
         control.min = old.min;
