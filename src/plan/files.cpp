@@ -230,6 +230,12 @@ Resolved Files::resolve_beside(std::string_view from, std::string_view name,
     return beside.path.empty() ? resolve(name, extensions) : beside;
 }
 
+const std::string* Files::instead_of(const std::string& path) const {
+    if (!access_.instead) return nullptr;
+    const auto found = access_.instead->find(path);
+    return found == access_.instead->end() ? nullptr : &found->second;
+}
+
 std::optional<std::string> Files::read(const std::string& path, std::string& error) {
     const auto inside = [&](const std::string& real) {
         if (below(real, root_)) return true;
@@ -237,8 +243,12 @@ std::optional<std::string> Files::read(const std::string& path, std::string& err
         return false;
     };
     const bool confined = !root_.empty();
-    std::optional<std::string> bytes = content::read_regular_file(
-        path, access_.limits.file_bytes, confined ? inside : std::function<bool(const std::string&)>(), error);
+    std::optional<std::string> bytes;
+    if (const auto* text = instead_of(path))
+        bytes = *text;
+    else
+        bytes = content::read_regular_file(path, access_.limits.file_bytes,
+                                           confined ? inside : std::function<bool(const std::string&)>(), error);
     if (!bytes) return std::nullopt;
     keep(path);
     const std::scoped_lock lock(mutex_);

@@ -34,6 +34,8 @@ struct Access {
     // Only files within this folder are read, by whatever name or link they are reached. Nullopt: all files may be
     // read.
     std::optional<std::string> confine;
+    // By path: what is read instead of the file, which must exist. For texts that were changed and are not written yet.
+    std::shared_ptr<const std::map<std::string, std::string>> instead = nullptr;
 };
 
 // Finds and reads files. Thread-safe; it never creates or writes a file.
@@ -68,6 +70,7 @@ public:
     std::vector<std::string> read_paths() const;
 
 private:
+    const std::string* instead_of(const std::string& path) const;  // null: the file itself
     Resolved look_for(std::string_view written, const std::vector<std::string_view>& extensions) const;
 
     std::string folder_;

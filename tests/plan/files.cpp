@@ -244,6 +244,20 @@ TEST(Read, CreatesNothing) {
     EXPECT_EQ(folder.entries(), 1U);
 }
 
+TEST(Read, ATextThatStandsInForAFile) {
+    const Scratch folder;
+    folder.write("a", "old");
+    folder.write("b", "other");
+    Access access;
+    access.instead = std::make_shared<const std::map<std::string, std::string>>(
+        std::map<std::string, std::string>{{folder.path("a"), "new"}});
+    Files files(folder.path(), access);
+    std::string error;
+    EXPECT_EQ(files.read(files.resolve("A").path, error), "new") << "by whatever name it is found";
+    EXPECT_EQ(files.read(files.resolve("b").path, error), "other");
+    EXPECT_EQ(*files.read_once(folder.path("a"), error), "new");
+}
+
 TEST(Read, FromSeveralThreads) {
     const Scratch folder;
     folder.write("a", "12345");

@@ -1,0 +1,106 @@
+// Changes of a scene's texts that snell proposes: each makes the picture cheaper or better, or leaves out what may have
+// no effect. What is measured, shown and written is the same edit of the author's own text. No GL.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/text/source.h"
+#include "src/plan/plan.h"
+
+namespace snell::accuracy {
+
+enum class Aim : std::uint8_t {
+    cheaper,  // less work, and an error that must be worth it
+    better,   // what the picture lacks, and what that costs
+    unused,   // something is left out, to see whether any pixel changes
+};
+
+// The kinds of changes. One row each in kinds().
+enum class ChangeKind : std::uint8_t {
+    // cheaper, in shaders
+    fewer_rounds,
+    without_term,
+    lookup_mean,
+    lookup_coarser,
+    expression_mean,
+    polynomial,
+    per_vertex,
+    per_frame,
+    half_precision,
+    // cheaper, in the scene
+    smaller_noise,
+    fewer_cells,
+    fewer_slices,
+    // better, in shaders
+    unit_length,
+    derivatives_outside,
+    more_rounds,
+    exact_fresnel,
+    both_interfaces,
+    box_projection,
+    lint_fix,
+    // better, in the scene
+    finer_cells,
+    more_slices,
+    filtered,
+    decoded,
+    // left out
+    no_draw,
+    no_texture,
+    no_uniform,
+    no_statement,
+    count,
+};
+
+struct KindFacts {
+    ChangeKind kind;
+    Aim aim;
+    std::string_view name;  // in reports, such as "fewer-rounds"
+    std::string_view doc;   // one line for people
+};
+// One row for each ChangeKind, in the order of the enumeration.
+std::span<const KindFacts> change_kinds();
+const KindFacts& facts(ChangeKind kind);
+
+// Bytes of a text (Sources) that are replaced. begin == end: inserted.
+struct Edit {
+    Span span;
+    std::string text;
+    bool operator==(const Edit&) const = default;
+};
+
+struct Change {
+    ChangeKind kind = ChangeKind::count;
+    Span where;                 // the expression or statement that changes, for file:line:column
+    std::string before, after;  // one line each, shortened
+    std::vector<Edit> edits;    // by file and place; none overlaps another
+    std::string lint = {};      // the code of the lint that knows the mistake; empty: none
+};
+
+// True if the edits of the two do not touch each other, so that both can be made.
+bool compatible(const Change& a, const Change& b);
+
+// The texts with all edits made, by their names (Sources::name), which are paths; texts without an edit are left out.
+// The changes must be compatible.
+std::map<std::string, std::string> changed_texts(std::span<const Change* const> changes, const Sources& sources);
+
+// An excerpt for Change::before and after: one line, blanks folded, cut in the middle if it is longer than 60
+// characters.
+std::string excerpt(std::string_view text);
+
+// All changes that make sense for the scene, in a fixed order: by file (the scene first), place, and kind. Their
+// positions in this list are the rungs' names, from 1, in every run. `sources` gets the texts of included shaders.
+std::vector<Change> find_changes(const Plan& plan, Files& files, Sources& sources);
+
+// The parts of find_changes.
+void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes);
+void add_scene_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes);
+void add_better_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes);
+void add_omissions(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes);
+
+}  // namespace snell::accuracy
