@@ -1,11 +1,11 @@
 #include "src/accuracy/report/quality.h"
 
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/accuracy/report/numbers.h"
 #include "src/content/json.h"
 
 namespace snell::accuracy {
