@@ -104,7 +104,7 @@ struct SearchOptions {
     bool times = true;
     // The pictures that are compared have at most so many pixels: their sides are halved until then. Times are of whole
     // pictures. By the time that is granted, not by what is left of it, so that errors do not depend on the machine.
-    std::size_t pixels = 65536;
+    std::size_t pixels = 131072;
     double at_least = 20;           // minimum milliseconds of a sample
     std::size_t combinations = 24;  // at most so many are tried
     Stop stop = {};

@@ -157,7 +157,7 @@ public:
         const MeasureOptions measuring = next(share, unused);
         const double per_minute = options_.budget / 60;
         SearchOptions how{.seconds = measuring.seconds, .rounds = options_.rounds, .times = measuring.times};
-        how.pixels = static_cast<std::size_t>(65536 * std::clamp(per_minute, 1.0, 64.0));
+        how.pixels = static_cast<std::size_t>(131072 * std::clamp(per_minute, 1.0, 64.0));
         how.stop = measuring.stop;
         how.report = measuring.report;
         FoundResult found = search({subject.path, subject.plan, *subject.files, subject.sources}, caps, settings, how);
