@@ -22,12 +22,12 @@ using glsl::Piece;
 using glsl::whole_groups;
 
 // The lines of a text that are there twice, and what they become.
-struct Region {
+struct TwiceThere {
     Piece lines;
     std::vector<const Edit*> edits;
 };
 
-std::string edited(std::string_view text, const Region& region) {
+std::string edited(std::string_view text, const TwiceThere& region) {
     std::string result;
     std::size_t at = region.lines.begin;
     for (const Edit* edit : region.edits) {
@@ -59,8 +59,8 @@ public:
     }
 
     // Sorted; regions that meet are one.
-    std::vector<Region> regions(const std::vector<const Edit*>& edits) const {
-        std::vector<Region> all;
+    std::vector<TwiceThere> regions(const std::vector<const Edit*>& edits) const {
+        std::vector<TwiceThere> all;
         for (const Edit* edit : edits) {
             const Piece lines = lines_of(*edit);
             if (all.empty() || lines.begin > all.back().lines.end) {
@@ -68,11 +68,11 @@ public:
                 continue;
             }
             // A region before this one may begin after it, for statements grow to both sides.
-            Region& last = all.back();
+            TwiceThere& last = all.back();
             last.edits.push_back(edit);
             last.lines = {std::min(last.lines.begin, lines.begin), std::max(last.lines.end, lines.end)};
             while (all.size() > 1 && all.back().lines.begin <= all[all.size() - 2].lines.end) {
-                Region later = std::move(all.back());
+                TwiceThere later = std::move(all.back());
                 all.pop_back();
                 all.back().edits.insert(all.back().edits.end(), later.edits.begin(), later.edits.end());
                 all.back().lines.begin = std::min(all.back().lines.begin, later.lines.begin);
@@ -121,7 +121,8 @@ private:
     glsl::Divisions divisions_;
 };
 
-std::string doubled(std::string_view text, const Region& region, const std::string& ladder, const std::string& rung) {
+std::string doubled(std::string_view text, const TwiceThere& region, const std::string& ladder,
+                    const std::string& rung) {
     const std::string_view line_end = line_end_of(text);
     const std::string_view mine = text.substr(region.lines.begin, region.lines.end - region.lines.begin);
     const std::string found = edited(text, region);
@@ -214,7 +215,7 @@ private:
         for (const Edit* edit : edits)
             if (std::string wrong = doubler.refusal(*edit); !wrong.empty())
                 return refuse(fmt::format("{} can't be a ladder: {}", name, wrong), help, edit->span);
-        for (const Region& region : doubler.regions(edits)) {
+        for (const TwiceThere& region : doubler.regions(edits)) {
             const auto [begin, end] = region.lines;
             if (!whole_groups(doubler.text().substr(begin, end - begin)) ||
                 !whole_groups(edited(doubler.text(), region)))
