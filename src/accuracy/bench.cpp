@@ -112,7 +112,7 @@ Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
         how.settle = [this](Controls& controls, const Scene& scene) {
             Diagnostics unheard;  // opening the scene has reported these
             for (const std::string& set : settings_.sets) set_control(controls, scene, set, unheard);
-            for (Control& control : controls.items)
+            for (snell::Control& control : controls.items)
                 if (ranges::find(settings_.varying, scene.programs[control.program].name + "." + control.name) !=
                     settings_.varying.end())
                     control.varies = true;
@@ -130,6 +130,12 @@ void Bench::at(const Place& place) {
     settings_.view = place.view;
     settings_.time = place.time;
     settings_.sets = place.sets;
+}
+
+void Bench::resize(int width, int height) {
+    if (width != settings_.width || height != settings_.height) targets_.clear();
+    settings_.width = width;
+    settings_.height = height;
 }
 
 const Runtime& Bench::runtime() { return stage({})->runtime; }

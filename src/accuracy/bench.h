@@ -67,6 +67,8 @@ public:
     const BenchSettings& settings() const { return settings_; }
     // Pictures and times from now on are of this place.
     void at(const Place& place);
+    // Pictures and times from now on are of this size.
+    void resize(int width, int height);
     // The runtime that draws the scene at its own knobs.
     const Runtime& runtime();
     // For each draw, whether the shaders of its program mention the ladder.

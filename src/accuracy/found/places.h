@@ -26,7 +26,9 @@ std::vector<Place> make_places(const Controls& controls, const Scene& scene, boo
 // The uniforms that any of the places assigns and `own` does not, as "Program.uniform".
 std::vector<std::string> varying(std::span<const Place> places, const Place& own);
 
-// Such as "turned by 12° and -20°, scaled by 1.1, at 3.25 s, Glass.uEta=1.31"; "the scene's own" for the first.
+// The place as options of `snell render`, such as "--view rotate_x=12,scale=1.1" and "--set Glass.uEta=1.31".
+std::vector<std::string> place_options(const Place& place, const Place& own);
+// The same in one line; "the scene's own" for the first.
 std::string place_text(const Place& place, const Place& own);
 
 }  // namespace snell::accuracy

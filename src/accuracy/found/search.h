@@ -102,6 +102,9 @@ struct SearchOptions {
     double seconds = 30;
     int rounds = 31;  // of the times at the end; fewer if they do not fit
     bool times = true;
+    // The pictures that are compared have at most so many pixels: their sides are halved until then. Times are of whole
+    // pictures. By the time that is granted, not by what is left of it, so that errors do not depend on the machine.
+    std::size_t pixels = 65536;
     double at_least = 20;           // minimum milliseconds of a sample
     std::size_t combinations = 24;  // at most so many are tried
     Stop stop = {};

@@ -1,0 +1,117 @@
+#include "src/accuracy/found/apply.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+// "\n" in `text` as `line_end`; line ends that are there already stay.
+std::string with_line_ends(std::string_view text, std::string_view line_end) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool bare = text[i] == '\n' && (i == 0 || text[i - 1] != '\r');
+        if (bare)
+            result += line_end;
+        else
+            result += text[i];
+    }
+    return result;
+}
+
+// The first text of the same name: a shader that several others include is read once for each.
+FileId first_of_name(FileId file, const Sources& sources) {
+    for (FileId other = 0; other < file; ++other)
+        if (sources.name(other) == sources.name(file) && sources.text(other) == sources.text(file)) return other;
+    return file;
+}
+
+Change in_one_text(Change change, const Sources& sources) {
+    for (Edit& edit : change.edits) {
+        edit.span.file = first_of_name(edit.span.file, sources);
+        edit.text = with_line_ends(edit.text, line_end_of(sources.text(edit.span.file)));
+    }
+    std::stable_sort(change.edits.begin(), change.edits.end(), [](const Edit& a, const Edit& b) {
+        return std::pair(a.span.file, a.span.begin) < std::pair(b.span.file, b.span.begin);
+    });
+    change.edits.erase(std::unique(change.edits.begin(), change.edits.end()), change.edits.end());
+    return change;
+}
+
+std::optional<std::size_t> number_in(std::string_view text) {
+    std::size_t number = 0;
+    const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (text.empty() || wrong == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+    return wrong == std::errc() ? number : static_cast<std::size_t>(-1);
+}
+
+// Returns an empty list and sets `error` if these are not numbers of changes.
+std::vector<std::size_t> numbers_in(std::string_view name, std::size_t most, std::string& error) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t at = 0; at <= name.size();) {
+        const std::size_t end = std::min(name.find('+', at), name.size());
+        const std::string_view word = name.substr(at, end - at);
+        const auto number = number_in(word);
+        if (!number)
+            error = fmt::format("'{}' is not the number of a found rung, such as 3 or 3+7", utf8::printable(name));
+        else if (most == 0)
+            error = fmt::format("there is no found rung {}: snell finds nothing to change in this scene", word);
+        else if (*number == 0 || *number > most)
+            error = fmt::format("there is no found rung {}: their numbers go from 1 to {}", word, most);
+        if (!error.empty()) return {};
+        numbers.push_back(*number);
+        at = end + 1;
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
+}  // namespace
+
+std::optional<Chosen> choose_changes(std::string_view name, std::span<const Change> changes, const Sources& sources,
+                                     std::string& error) {
+    error.clear();
+    Chosen chosen{numbers_in(name, changes.size(), error), {}};
+    if (!error.empty()) return std::nullopt;
+    for (const std::size_t number : chosen.numbers) chosen.changes.push_back(in_one_text(changes[number - 1], sources));
+    for (std::size_t b = 1; b < chosen.changes.size(); ++b)
+        for (std::size_t a = 0; a < b; ++a)
+            if (!compatible(chosen.changes[a], chosen.changes[b])) {
+                error = fmt::format("{} and {} change the same text, so they exclude each other: {} and {}",
+                                    chosen.numbers[a], chosen.numbers[b], change_line(chosen.changes[a], sources),
+                                    change_line(chosen.changes[b], sources));
+                return std::nullopt;
+            }
+    return chosen;
+}
+
+std::string chosen_name(const Chosen& chosen, std::string_view separator) {
+    return fmt::format("{}", fmt::join(chosen.numbers, separator));
+}
+
+std::string change_place(const Change& change, const Sources& sources) {
+    const Position at = sources.position(change.where.file, change.where.begin);
+    return fmt::format("{}:{}:{}", utf8::printable(sources.name(change.where.file)), at.line, at.column);
+}
+
+std::string change_line(const Change& change, const Sources& sources) {
+    const auto shown = [](const std::string& text) {
+        return text.empty() ? std::string("(nothing)") : utf8::printable(text);
+    };
+    return fmt::format("{}: {} → {}", change_place(change, sources), shown(change.before), shown(change.after));
+}
+
+std::string_view line_end_of(std::string_view text) {
+    const std::size_t end = text.find_first_of("\r\n");
+    if (end == std::string_view::npos || text[end] == '\n') return "\n";
+    return text.substr(end).starts_with("\r\n") ? "\r\n" : "\r";
+}
+
+}  // namespace snell::accuracy
