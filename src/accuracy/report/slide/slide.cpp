@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <tuple>
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/report/slide/choose.h"
@@ -22,13 +24,17 @@ bool has_errors(const SweepResult& sweep) {
            });
 }
 
-// Combinations, then ladders, then knobs; of these the one in which most can be gained.
+bool timed(const SweepResult& sweep) {
+    return ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+}
+
+// Those with times; of these combinations, then ladders, then knobs; of these the one in which most can be gained.
 const SweepResult* main_sweep(const Report& report) {
     const auto rank = [](const SweepResult& sweep) {
         const RungResult& own = sweep.rungs[sweep.sweep.current];
         const double error = own.drawn && std::isfinite(own.whole.light.rmse) ? own.whole.light.rmse : -1;
         const int kind = sweep.sweep.kind == SweepKind::lattice ? 2 : sweep.sweep.kind == SweepKind::ladder ? 1 : 0;
-        return std::pair(kind, error);
+        return std::tuple(timed(sweep), kind, error);
     };
     const SweepResult* best = nullptr;
     for (const SweepResult& sweep : report.sweeps)
@@ -38,7 +44,7 @@ const SweepResult* main_sweep(const Report& report) {
 
 // Their errors are on one scale, and so are their times.
 bool comparable(const SweepResult& a, const SweepResult& b) {
-    return a.scene == b.scene && a.clock == b.clock && a.reference == b.reference;
+    return a.scene == b.scene && a.reference == b.reference && (a.clock == b.clock || !timed(a) || !timed(b));
 }
 
 bool same_picture(const RungResult& a, const RungResult& b) {
@@ -58,6 +64,23 @@ bool already_there(const std::vector<SlideRung>& rungs, const SweepResult& sweep
     });
 }
 
+// True of names such as "8x8", which say nothing without that of their sweep.
+bool mere_number(std::string_view name) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    for (std::size_t i = 1; i < name.size(); ++i)
+        if (letter(name[i - 1]) && letter(name[i])) return false;
+    return true;
+}
+
+// Puts the name of the sweep before names that occur in several, or say nothing alone.
+void tell_apart(std::vector<SlideRung>& rungs) {
+    std::map<std::string, int> uses;
+    for (const SlideRung& rung : rungs) ++uses[rung.result().name];
+    for (SlideRung& rung : rungs)
+        if (uses[rung.result().name] > 1 || mere_number(rung.result().name))
+            rung.point.name = rung.sweep->sweep.name + " " + rung.result().name;
+}
+
 std::vector<SlideRung> rungs_of(const std::vector<const SweepResult*>& sweeps, double floor) {
     std::vector<SlideRung> result;
     for (const SweepResult* sweep : sweeps)
@@ -66,7 +89,7 @@ std::vector<SlideRung> rungs_of(const std::vector<const SweepResult*>& sweeps, d
             const double error = rung.whole.light.rmse;
             if (!rung.drawn || std::isnan(error) || already_there(result, *sweep, i)) continue;
             SlideRung entry{sweep, i, {}};
-            entry.point.name = sweeps.size() > 1 ? sweep->sweep.name + " " + rung.name : rung.name;
+            entry.point.name = rung.name;
             entry.point.error = std::max(error, floor);
             entry.point.own = sweep == sweeps.front() && i == sweep->sweep.current;
             if (rung.rounds > 0) {
@@ -76,6 +99,7 @@ std::vector<SlideRung> rungs_of(const std::vector<const SweepResult*>& sweeps, d
             }
             result.push_back(std::move(entry));
         }
+    if (sweeps.size() > 1) tell_apart(result);
     const std::vector<bool> front = common_front(result);
     for (std::size_t i = 0; i < result.size(); ++i) result[i].point.front = front[i];
     return result;
@@ -161,9 +185,10 @@ Slide slide_of(const Report& report) {
     slide.note = fmt::format("{} × {}, {}", report.where.width, report.where.height, report.where.renderer);
     slide.clock = name(main->clock);
     if (ranges::none_of(slide.points, &SlidePoint::front))
-        slide.stamp = slide.points.empty() ? "no times were measured"
-                      : main->few_rounds   ? "too few rounds: no front"
-                                           : "too noisy: no front";
+        slide.stamp = slide.points.empty()  ? "no times were measured"
+                      : main->few_rounds    ? "too few rounds: no front"
+                      : main->control.noisy ? "too noisy: no front"
+                                            : "no front";
     return slide;
 }
 
