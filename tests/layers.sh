@@ -69,7 +69,7 @@ allow src/lint 'parser|src/content|src/glsl|src/plan|src/lint'
 allow src/gl 'src/gl'
 allow src/runtime 'parser|shaders|src/content|src/glsl|src/plan|src/gl|src/runtime'
 allow src/document 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/document'
-allow src/accuracy 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/accuracy'
+allow src/accuracy 'parser|src/content|src/glsl|src/plan|src/lint|src/gl|src/runtime|src/document|src/accuracy'
 allow src/platform 'src/gl|src/platform|src/content'
 allow src/ui 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/platform|src/ui'
 

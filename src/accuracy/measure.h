@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,9 @@ struct MeasureOptions {
 
 // Measures all rungs of the sweep. The bench's context must be current.
 SweepResult measure(Bench& bench, const Sweep& sweep, const MeasureOptions& options);
+
+// Adds the times of each round.
+void take_times(RungResult& rung, std::span<const Times> rounds);
 
 // Computes the conclusions from the errors and times in `result`. measure() calls it; it is public for tests and for
 // interrupted measurements.

@@ -20,6 +20,7 @@
 #include "src/accuracy/report/slide/slide.h"
 #include "src/app/commands/accuracy_files.h"
 #include "src/app/commands/advice.h"
+#include "src/app/commands/found_rungs.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/deadline.h"
@@ -331,7 +332,8 @@ std::string check_slide_name(const std::string& text) {
 }
 
 void add_reports(CLI::App& command, AccuracyOptions& options) {
-    command.add_option("-o,--output", options.html, "write the report, one HTML file")->check(check_file_name);
+    command.add_option("-o,--output", options.html, "write the report, one HTML file; or the folder for --apply")
+        ->check(check_file_name);
     command.add_option("--svg", options.svg, "write the plots for a paper: FILE.svg, FILE-2.svg …")
         ->check(check_file_name);
     command.add_option("--slide", options.slide, "write one picture for a lecture, 1920x1080: FILE.png, .svg or .pdf")
@@ -392,8 +394,10 @@ Run add_accuracy(CLI::App& command) {
     add_specialise(command, options->specialise);
     add_repeated(command, "--ladder", options->choices, "ladder=rung of the scene; may be repeated");
     add_reports(command, *options);
+    add_found_rungs(command, *options);
     add_context(command, options->context);
     return [options, &command, with_merge] {
+        if (only_texts(*options)) return write_found_rungs(*options, command);
         if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge_reports(*options) : exit_usage;
         if (options->scenes.empty()) {
             fmt::print(stderr, "snell: error: no scene given; 'snell accuracy --help' shows the options\n");

@@ -24,6 +24,9 @@ struct AccuracyOptions {
     bool no_time = false;                 // measures errors only
     std::optional<double> within, error;  // limits of a wanted combination: milliseconds, RMSE
     bool save_quality = false;            // writes presets to a file next to the scene
+    // Found rungs by their numbers, such as "3+7" and "3,7+9": what is written instead of a measurement.
+    std::string apply, as_ladder;
+    bool list_found = false;
     std::string context;
     Access access;
     double timeout = 120;  // in seconds for reading a scene, or for the few frames of one step
