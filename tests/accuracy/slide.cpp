@@ -137,9 +137,7 @@ TEST(Slide, CanBeReadWhateverWasMeasured) {
 TEST(Slide, LabelsOfWhatIsShownAreThere) {
     const Slide slide = slide_with({sweep_of("WAY", {{"rough", 2, .3}, {"fine", 4, .1}, {"finest", 8, .02}})});
     ASSERT_EQ(slide.columns.size(), 3U);
-    EXPECT_EQ(count_of(slide, "rough"), 1U) << "the column";
-    EXPECT_EQ(count_of(slide, "rough, the scene's"), 1U) << "its point";
-    EXPECT_EQ(count_of(slide, "finest"), 2U) << "column and point";
+    for (const char* name : {"rough", "fine", "finest"}) EXPECT_EQ(count_of(slide, name), 2U) << "column and point";
     EXPECT_EQ(count_of(slide, "reference"), 1U);
 }
 
@@ -213,6 +211,42 @@ TEST(Slide, NothingIsBelowTheFloor) {
     EXPECT_EQ(slide.floor, 1e-3);
     EXPECT_EQ(slide.points[1].error, 1e-3);
     EXPECT_EQ(count_of(slide, "residual of the reference"), 1U);
+}
+
+// A found rung was compared with the scene as it is; on the slide its error is from the ladders' reference.
+TEST(Slide, FoundRungsAreOnTheScaleOfTheOthers) {
+    SweepResult ladder = sweep_of("WAY", {{"rough", 8, .25}, {"exact", 20, 0}});
+    ladder.rungs[0].picture = flat(40, 30, .75F);
+    ladder.rungs[1].picture = ladder.reference;
+    FoundResult found;
+    found.scene = ladder.scene;
+    found.timed = sweep_of("found rungs", {{"1", 5, .125}, {"scene", 10, 0}});
+    found.timed.sweep.kind = SweepKind::found;
+    found.timed.sweep.current = 1;
+    found.timed.reference = {};
+    found.timed.rungs[0].picture = flat(40, 30, 1);
+    found.timed.rungs[1].picture = flat(40, 30, 0);
+    Report report{.sweeps = {ladder}, .found = {found}};
+    const Slide slide = slide_of(report);
+    ASSERT_EQ(slide.points.size(), 4U);
+    const double half = content::light_of_srgb(.5);
+    for (const SlidePoint& point : slide.points) {
+        EXPECT_EQ(point.own, point.name == "the scene");
+        if (point.name == "the scene") EXPECT_NEAR(point.error, half, 1e-6);
+        if (point.name == "1") EXPECT_NEAR(point.error, 1 - half, 1e-6);
+        if (point.name == "WAY rough") EXPECT_EQ(point.error, .25);
+    }
+    // Without a ladder, the scene is the reference.
+    report.sweeps.clear();
+    const Slide alone = slide_of(report);
+    ASSERT_EQ(alone.points.size(), 2U);
+    EXPECT_EQ(alone.points[0].error, .125);
+    EXPECT_EQ(alone.points[1].error, 0);
+    expect_legible(alone);
+    // Pictures of another size can't be compared.
+    report.sweeps = {ladder};
+    for (RungResult& rung : report.found[0].timed.rungs) rung.picture = flat(20, 15, .5F);
+    EXPECT_EQ(slide_of(report).points.size(), 2U);
 }
 
 // The names of sweeps are added only where they are needed.

@@ -126,17 +126,14 @@ private:
 
     // A staircase, because there are no choices between two rungs.
     void front_lines() {
-        for (const bool found : {false, true}) {
-            std::vector<const SlidePoint*> front;
-            for (const SlidePoint& p : slide_.points)
-                if (p.front && p.found == found) front.push_back(&p);
-            ranges::stable_sort(front, {}, [](const SlidePoint* p) { return p->milliseconds; });
-            for (std::size_t i = 1; i < front.size(); ++i) {
-                const double x0 = x_of(*front[i - 1]), y0 = y_of(*front[i - 1]), x1 = x_of(*front[i]),
-                             y1 = y_of(*front[i]);
-                segment(x0, y0, x1, y0);
-                segment(x1, y0, x1, y1);
-            }
+        std::vector<const SlidePoint*> front;
+        for (const SlidePoint& p : slide_.points)
+            if (p.front) front.push_back(&p);
+        ranges::stable_sort(front, {}, [](const SlidePoint* p) { return p->milliseconds; });
+        for (std::size_t i = 1; i < front.size(); ++i) {
+            const double x0 = x_of(*front[i - 1]), y0 = y_of(*front[i - 1]), x1 = x_of(*front[i]), y1 = y_of(*front[i]);
+            segment(x0, y0, x1, y0);
+            segment(x1, y0, x1, y1);
         }
     }
     void segment(double x0, double y0, double x1, double y1) {
@@ -197,12 +194,14 @@ private:
     }
 
     void label(const SlidePoint& p) {
-        const std::string words = page_.cut(p.own ? p.name + ", the scene's" : p.name, label_width);
+        const std::string words = page_.cut(p.name, label_width);
         const SlideBox size = page_.text_box(0, 0, words);
         const double w = size.width(), x = x_of(p), y = y_of(p), side = radius + 10;
+        const double right = has_bar(p) ? std::max(side, x_.at(p.high) - x + 14) : side;
+        const double left = has_bar(p) ? std::max(side, x - x_.at(p.low) + 14) : side;
         for (double far : {0., 12., 28., 46., 66., 90., 120.})
-            for (const auto& [dx, dy] : {std::pair{side, -text_row / 2},
-                                         {-side - w, -text_row / 2},
+            for (const auto& [dx, dy] : {std::pair{right, -text_row / 2},
+                                         {-left - w, -text_row / 2},
                                          {-w / 2, -side - text_row},
                                          {-w / 2, side},
                                          {side, -text_row - 4},

@@ -55,6 +55,10 @@ void framed(SlidePage& page, const Raster& raster, double x, double y, unsigned 
     page.box(frame, stroke, color);
 }
 
+std::string time_number(double milliseconds) {
+    return milliseconds >= 100 ? fmt::format("{:.0f}", milliseconds) : fmt::format("{:#.3g}", milliseconds);
+}
+
 void column(SlidePage& page, const Slide& slide, std::size_t i) {
     const SlideColumn& column = slide.columns[i];
     const double x = column_left(slide, i), radius = 11;
@@ -71,7 +75,7 @@ void column(SlidePage& page, const Slide& slide, std::size_t i) {
     page.text(page.text_box(x + crop_width - size.width(), numbers_top, error, small_text, bold_error), error,
               ink::text, small_text, bold_error);
     if (!(column.milliseconds > 0)) return;
-    const std::string time = fmt::format("{:.3g} ms", column.milliseconds);
+    const std::string time = time_number(column.milliseconds) + " ms";
     page.text(page.text_box(x, numbers_top, time, small_text, bold_time), time, ink::text, small_text, bold_time);
 }
 
