@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <random>
 
 #include "parser/text/ranges.h"
@@ -58,6 +59,33 @@ std::string rung_name(std::span<const std::size_t> changes) {
     std::string name;
     for (const std::size_t change : changes) name += fmt::format("{}{}", name.empty() ? "" : "+", change + 1);
     return name;
+}
+
+std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::span<const Change> changes,
+                                                   std::string& wrong) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t at = 0; at <= name.size();) {
+        const std::size_t end = std::min(name.find('+', at), name.size());
+        std::size_t number = 0;
+        const auto [rest, error] = std::from_chars(name.data() + at, name.data() + end, number);
+        if (error != std::errc() || rest != name.data() + end || number < 1 || number > changes.size()) {
+            wrong = fmt::format(
+                "'{}' is not the number of a found rung; they go from 1 to {}, and combinations are "
+                "written as 3+7",
+                name.substr(at, end - at), changes.size());
+            return std::nullopt;
+        }
+        numbers.push_back(number - 1);
+        at = end + 1;
+    }
+    ranges::sort(numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (!compatible(changes[numbers[i]], changes[numbers[j]])) {
+                wrong = fmt::format("{} and {} change the same text", numbers[j] + 1, numbers[i] + 1);
+                return std::nullopt;
+            }
+    return numbers;
 }
 
 Climbs::Climbs(std::vector<Single> singles, std::span<const Change> changes, std::uint64_t seed) : changes_(changes) {

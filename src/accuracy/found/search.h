@@ -136,7 +136,10 @@ private:
 FoundResult search(const Original& original, const gl::Caps& caps, const BenchSettings& settings,
                    const SearchOptions& options);
 
-// Such as "3+7": numbers of changes from 1. choose_changes (apply.h) reads it.
+// Numbers of changes such as "3+7", as indices from 0; nullopt and `wrong` if it is none of `changes`, or two of them
+// are not compatible. choose_changes (apply.h) knows texts that are included several times, too.
+std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::span<const Change> changes,
+                                                   std::string& wrong);
 std::string rung_name(std::span<const std::size_t> changes);
 
 }  // namespace snell::accuracy
