@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "src/accuracy/report/slide/choose.h"
@@ -230,11 +231,10 @@ TEST(Slide, FoundRungsAreOnTheScaleOfTheOthers) {
     const Slide slide = slide_of(report);
     ASSERT_EQ(slide.points.size(), 4U);
     const double half = content::light_of_srgb(.5);
+    const std::map<std::string, double> errors{{"the scene", half}, {"1", 1 - half}, {"rough", .25}, {"exact", 0}};
     for (const SlidePoint& point : slide.points) {
         EXPECT_EQ(point.own, point.name == "the scene");
-        if (point.name == "the scene") EXPECT_NEAR(point.error, half, 1e-6);
-        if (point.name == "1") EXPECT_NEAR(point.error, 1 - half, 1e-6);
-        if (point.name == "WAY rough") EXPECT_EQ(point.error, .25);
+        EXPECT_NEAR(point.error, errors.at(point.name), 1e-6) << point.name;
     }
     // Without a ladder, the scene is the reference.
     report.sweeps.clear();
