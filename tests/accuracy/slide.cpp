@@ -14,6 +14,7 @@
 #include "src/content/image/image.h"
 #include "tests/accuracy/pictures.h"
 #include "tests/scratch.h"
+#include "tests/screens.h"
 
 namespace snell::test {
 namespace {
@@ -260,7 +261,14 @@ TEST(Slide, NamesTellRungsApart) {
 
 class SlideFiles : public testing::Test {
 protected:
-    Slide slide = slide_with({sweep_of("WAY", {{"rough", 2, .3}, {"fine", 4, .1}, {"<b>&\"'\xc3\xa9", 8, .02}})});
+    Slide slide = made();
+    static Slide made() {
+        SweepResult sweep = sweep_of("WAY", {{"rough", 2, .3}, {"fine", 4, .1}, {"<b>&\"'\xc3\xa9", 8, .02}});
+        SweepResult knob = sweep_of("samples", {{"1", 4.1, .15, .08}, {"2x2", 9, .05}, {"4x4", 30, .01, .1}});
+        sweep.sweep.current = 1;
+        knob.whole_residual = .004;
+        return slide_with({sweep, knob});
+    }
     std::string drawn(SlideFormat format) const {
         const SlideFile file = draw_slide(slide, format);
         EXPECT_EQ(file.error, "");
@@ -289,6 +297,8 @@ TEST_F(SlideFiles, AreTheSameEachTime) {
         const std::string first = drawn(format), second = drawn(format);
         EXPECT_GT(first.size(), 1000U);
         EXPECT_TRUE(first == second);
+        if (const std::string folder = screens_folder(); !folder.empty() && format == SlideFormat::png)
+            std::ofstream(folder + "/slide.png", std::ios::binary) << first;
     }
     EXPECT_EQ(drawn(SlideFormat::pdf).find("CreationDate"), std::string::npos);
 }

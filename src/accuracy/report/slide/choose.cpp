@@ -70,11 +70,11 @@ private:
         return result;
     }
 
-    bool is_first(const SlideRung& rung) const {
-        return rung.sweep == rungs_[own_].sweep && rung.sweep->sweep.kind != SweepKind::found && rung.rung == 0;
+    static bool is_first(const SlideRung& rung) {
+        return rung.rung == 0 && rung.sweep->sweep.kind == SweepKind::ladder;
     }
 
-    // The most exact; then the first rung of the ladder, or the nearest.
+    // The most exact; then the first rung of a ladder, or the nearest.
     void add_equal_times() {
         const auto equal = [&](const SlideRung& rung) {
             return same_time(rung.point, own()) && factor(rung.point.error, own().error) > different_errors;
