@@ -179,6 +179,7 @@ private:
     void judge_reference(const Goal& goal) {
         const Reference& reference = *goal.reference;
         result_.finest = reference.knobs;
+        result_.reference = reference.picture;
         for (const Picture* picture : {&reference.picture, goal.last ? &*goal.last : nullptr})
             if (const NonFinite bad = picture ? non_finite(*picture, goal.own) : NonFinite{};
                 bad.count > 0 && !result_.broken) {
@@ -189,6 +190,7 @@ private:
             }
         if (!result_.cannot_say.empty() || reference.half.rgba.empty()) return;
         result_.residual = std::max(compare(reference.half, reference.picture, goal.own).light.rmse, rounding);
+        result_.whole_residual = std::max(compare(reference.half, reference.picture).light.rmse, rounding);
     }
 
     void draw_rung(std::size_t i, const Goal& goal) {
@@ -285,6 +287,12 @@ void judge_residual(SweepResult& result) {
                                     : fmt::format("the reference does not change with finer knobs ({})", knobs);
     else if (result.reference_note.empty())
         result.reference_note = fmt::format("it is not known how good the reference is ({}): the time was up", knobs);
+    // Elsewhere the rungs don't differ, so what was extrapolated is spread over more pixels.
+    const double pixels = static_cast<double>(result.reference.pixels());
+    const double share = result.own_pixels > 0 && pixels > 0 ? static_cast<double>(result.own_pixels) / pixels : 1;
+    if (!result.residual) result.whole_residual.reset();
+    if (result.whole_residual)
+        result.whole_residual = std::max(*result.whole_residual, *result.residual * std::sqrt(share));
     for (RungResult& rung : result.rungs)
         rung.below_residual = rung.drawn && result.residual && rung.own.light.rmse <= *result.residual;
 }

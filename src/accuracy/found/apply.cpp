@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <utility>
 
-#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
+#include "src/accuracy/found/search.h"
 
 namespace snell::accuracy {
 
@@ -44,49 +44,23 @@ Change in_one_text(Change change, const Sources& sources) {
     return change;
 }
 
-std::optional<std::size_t> number_in(std::string_view text) {
-    std::size_t number = 0;
-    const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (text.empty() || wrong == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
-    return wrong == std::errc() ? number : static_cast<std::size_t>(-1);
-}
-
-// Returns an empty list and sets `error` if these are not numbers of changes.
-std::vector<std::size_t> numbers_in(std::string_view name, std::size_t most, std::string& error) {
-    std::vector<std::size_t> numbers;
-    for (std::size_t at = 0; at <= name.size();) {
-        const std::size_t end = std::min(name.find('+', at), name.size());
-        const std::string_view word = name.substr(at, end - at);
-        const auto number = number_in(word);
-        if (!number)
-            error = fmt::format("'{}' is not the number of a found rung, such as 3 or 3+7", utf8::printable(name));
-        else if (most == 0)
-            error = fmt::format("there is no found rung {}: snell finds nothing to change in this scene", word);
-        else if (*number == 0 || *number > most)
-            error = fmt::format("there is no found rung {}: their numbers go from 1 to {}", word, most);
-        if (!error.empty()) return {};
-        numbers.push_back(*number);
-        at = end + 1;
-    }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    return numbers;
-}
-
 }  // namespace
 
 std::optional<Chosen> choose_changes(std::string_view name, std::span<const Change> changes, const Sources& sources,
                                      std::string& error) {
-    error.clear();
-    Chosen chosen{numbers_in(name, changes.size(), error), {}};
+    error = changes.empty() ? "snell finds nothing to change in this scene" : "";
     if (!error.empty()) return std::nullopt;
-    for (const std::size_t number : chosen.numbers) chosen.changes.push_back(in_one_text(changes[number - 1], sources));
+    const auto indices = parse_rung(name, changes, error);
+    if (!indices) return std::nullopt;
+    Chosen chosen;
+    for (const std::size_t index : *indices) {
+        chosen.numbers.push_back(index + 1);
+        chosen.changes.push_back(in_one_text(changes[index], sources));
+    }
     for (std::size_t b = 1; b < chosen.changes.size(); ++b)
         for (std::size_t a = 0; a < b; ++a)
             if (!compatible(chosen.changes[a], chosen.changes[b])) {
-                error = fmt::format("{} and {} change the same text, so they exclude each other: {} and {}",
-                                    chosen.numbers[a], chosen.numbers[b], change_line(chosen.changes[a], sources),
-                                    change_line(chosen.changes[b], sources));
+                error = fmt::format("{} and {} change the same text", chosen.numbers[a], chosen.numbers[b]);
                 return std::nullopt;
             }
     return chosen;

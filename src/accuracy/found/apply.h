@@ -14,12 +14,13 @@ namespace snell::accuracy {
 
 // Changes that are made together, named by their numbers: "3" or "3+7".
 struct Chosen {
-    std::vector<std::size_t> numbers;  // from 1, ascending, each once
+    std::vector<std::size_t> numbers;  // from 1, ascending
     // In this order. Each text has one FileId, however often it was included, and edits have its line ends.
     std::vector<Change> changes;
 };
 
-// Reads a name such as "3+7". Returns nullopt and sets `error` if there is no such change, or two exclude each other.
+// Reads a name such as "3+7", as parse_rung() does. Returns nullopt and sets `error` if there is no such change, or two
+// change the same text.
 std::optional<Chosen> choose_changes(std::string_view name, std::span<const Change> changes, const Sources& sources,
                                      std::string& error);
 

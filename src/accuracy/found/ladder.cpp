@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "parser/read/lexer.h"
+#include "parser/read/syntax.h"
 #include "parser/text/ranges.h"
 #include "src/glsl/read/divisions.h"
 #include "src/glsl/read/lexer.h"
@@ -141,30 +141,15 @@ std::string doubled(std::string_view text, const TwiceThere& region, const std::
 
 std::string plain_path(std::string_view path) { return std::filesystem::path(path).lexically_normal().string(); }
 
-// The place in the scene's text before the first statement.
-std::size_t first_statement(std::string_view text, FileId file) {
-    Lexer lexer(text, file);
-    std::vector<Token> tokens;
-    while (!lexer.at_end()) {
-        const std::size_t line = lexer.position();
-        lexer.begin_statement();
-        lexer.read_line(tokens);
-        if (!tokens.empty()) return line;
-    }
-    return text.size();
-}
-
-// The beginning of the statement's line, or of the first line that it continues.
-std::size_t statement_start(std::string_view text, std::size_t place) {
-    const auto ends = [](char c) { return c == '\n' || c == '\r'; };
-    std::size_t at = std::min(place, text.size());
-    while (at > 0) {
-        while (at > 0 && !ends(text[at - 1])) --at;
-        std::size_t before = at;
-        while (before > 0 && (ends(text[before - 1]) || text[before - 1] == ' ' || text[before - 1] == '\t')) --before;
-        if (before == 0 || text[before - 1] != '\\') break;
-        at = before;
-    }
+// The beginning of the line of the last statement that begins at `place` or before it, or of the first one.
+std::size_t statement_start(std::string_view text, FileId file, std::size_t place) {
+    Report unheard(0);
+    StatementReader reader(text, file, unheard);
+    std::size_t at = text.size();
+    bool first = true;
+    for (Statement statement; reader.next(statement) && (first || statement.command().begin <= place); first = false)
+        at = statement.command().begin;
+    while (at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r') --at;
     return at;
 }
 
@@ -309,7 +294,7 @@ private:
             note(plan_.scene.programs[plan_.programs[index].program].span);
             for (const glsl::StageInput& stage : plan_.programs[index].stages) note(stage.reference);
         }
-        place = here ? statement_start(text, place) : first_statement(text, scene_);
+        place = statement_start(text, scene_, here ? place : 0);
         std::string lines;
         for (const std::string& statement : made_.statements) lines.append(statement).append(line_end_of(text));
         const auto at = static_cast<std::uint32_t>(place);

@@ -1,9 +1,108 @@
-#include "src/accuracy/found/change.h"
+// Cheaper changes of the shaders of a scene.
+#include "src/accuracy/found/shader.h"
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+
+#include "parser/text/ranges.h"
+#include "src/runtime/resources/program.h"
 
 namespace snell::accuracy {
 
+namespace {
+
+using Stages = std::vector<std::unique_ptr<Shader>>;
+
+// The shaders of every program, in the scene's order; none for those that are not drawn.
+class ShaderReader {
+public:
+    ShaderReader(const Plan& plan, Files& files, Sources& sources) : plan_(plan), sources_(sources) {
+        include_ = runtime::include_reader(files);
+        for (const PlannedProgram& planned : plan.programs) {
+            const auto draws = [&](const Draw& draw) { return draw.program == planned.program; };
+            programs.emplace_back();
+            if (planned.readable && ranges::any_of(plan.scene.draws, draws)) read(planned);
+        }
+    }
+
+    std::vector<Stages> programs;
+    std::set<FileId> elsewhere;  // files that are read by other stages than the fragment stage
+    // The programs that read a file.
+    std::map<FileId, std::set<Index>> readers;
+
+private:
+    void read(const PlannedProgram& planned) {
+        for (const glsl::StageInput& stage : planned.stages) {
+            auto shader = std::make_unique<Shader>(plan_, planned.program, stage, sources_, include_);
+            for (const FileId file : shader->files) {
+                readers[file].insert(planned.program);
+                if (stage.stage != Stage::fragment) elsewhere.insert(file);
+            }
+            programs.back().push_back(std::move(shader));
+        }
+    }
+
+    const Plan& plan_;
+    Sources& sources_;
+    glsl::IncludeReader include_;
+};
+
+const Shader* stage_of(const Stages& stages, Stage stage) {
+    const auto found = ranges::find_if(stages, [&](const auto& s) { return s->unit.stage == stage; });
+    return found == stages.end() ? nullptr : found->get();
+}
+
+// Two stages that are joined, and whose own files nothing else reads.
+bool can_share_work(const ShaderReader& reader, const Stages& stages) {
+    const Shader *vertex = stage_of(stages, Stage::vertex), *fragment = stage_of(stages, Stage::fragment);
+    if (stages.size() != 2 || !vertex || !fragment) return false;
+    const FileId a = vertex->files.front(), b = fragment->files.front();
+    return a != b && reader.readers.at(a).size() == 1 && reader.readers.at(b).size() == 1;
+}
+
+// Takes from the kinds that have most.
+void keep_most(std::vector<Change>& changes) {
+    std::map<ChangeKind, std::size_t> counts;
+    for (const Change& change : changes) ++counts[change.kind];
+    const auto left = [&](std::size_t most) {
+        std::size_t sum = 0;
+        for (const auto& [kind, count] : counts) sum += std::min(count, most);
+        return sum;
+    };
+    std::size_t most = most_shader_changes;
+    while (most > 1 && left(most) > most_shader_changes) --most;
+    std::map<ChangeKind, std::size_t> kept;
+    std::erase_if(changes, [&](const Change& change) { return ++kept[change.kind] > most; });
+}
+
+}  // namespace
+
 void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    static_cast<void>(plan), static_cast<void>(files), static_cast<void>(sources), static_cast<void>(changes);
+    const ShaderReader reader(plan, files, sources);
+    Means means(plan, files);
+    std::vector<Change> found;
+    Offers offers(sources, found);
+    for (const Stages& stages : reader.programs) {
+        const auto large = [](const auto& shader) { return shader->unit.tokens.size() > most_tokens; };
+        if (ranges::any_of(stages, large)) continue;
+        for (const auto& shader : stages) {
+            add_fewer_rounds(*shader, offers);
+            if (!shader->fragment()) continue;
+            add_shorter_sums(*shader, offers);
+            add_lookups(*shader, reader.elsewhere, means, offers);
+            add_polynomials(*shader, offers);
+            add_half_precision(*shader, offers);
+        }
+        if (can_share_work(reader, stages))
+            add_vertex_work(*stage_of(stages, Stage::vertex), *stage_of(stages, Stage::fragment), offers);
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Change& a, const Change& b) {
+        return std::tuple(a.where.file, a.where.begin, a.where.end, a.kind) <
+               std::tuple(b.where.file, b.where.begin, b.where.end, b.kind);
+    });
+    keep_most(found);
+    changes.insert(changes.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
 }
 
 }  // namespace snell::accuracy

@@ -6,6 +6,7 @@
 
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/merge.h"
+#include "src/accuracy/report/slide/slide.h"
 #include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/replace.h"
@@ -39,10 +40,27 @@ std::string link_from(const std::string& page, const std::string& file) {
     return std::filesystem::proximate(file, folder.empty() ? "." : folder, error).generic_string();
 }
 
+// The page is written without the slide if that can't be drawn.
+bool write_html(const std::string& path, const Report& report, const Slide& slide) {
+    if (path.empty()) return true;
+    std::string wrong;
+    const std::string element = slide_element(slide, wrong);
+    if (!wrong.empty()) fmt::print(stderr, "snell: warning: the report has no slide: {}\n", utf8::printable(wrong));
+    return write_text(path, html_text(report, element));
+}
+
+bool write_slide(const std::string& path, const Slide& slide) {
+    if (path.empty()) return true;
+    const SlideFile file = draw_slide(slide, slide_format(path).value_or(SlideFormat::png));
+    if (file.error.empty()) return write_text(path, file.bytes);
+    fmt::print(stderr, "snell: error: cannot draw '{}': {}\n", utf8::printable(path), utf8::printable(file.error));
+    return false;
+}
+
 }  // namespace
 
 Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read) {
-    std::vector<std::string> files{options.html, options.json, options.csv, options.markdown};
+    std::vector<std::string> files{options.html, options.slide, options.json, options.csv, options.markdown};
     for (std::size_t i = 0; i < sweeps && !options.svg.empty(); ++i) files.push_back(plot_path(options.svg, i));
     for (const std::string& scene : options.scenes)
         if (options.save_quality) files.push_back(quality_path(scene));
@@ -54,7 +72,11 @@ bool write_reports(const AccuracyOptions& options, const Report& report) {
     std::vector<std::string> plots;  // as the page names them
     bool written = write_text(options.csv, csv_text(report));
     written = write_text(options.json, json_text(report)) && written;
-    written = write_text(options.html, html_text(report)) && written;
+    if (!options.html.empty() || !options.slide.empty()) {
+        const Slide slide = slide_of(report);
+        written = write_html(options.html, report, slide) && written;
+        written = write_slide(options.slide, slide) && written;
+    }
     for (std::size_t i = 0; i < report.sweeps.size() && !options.svg.empty(); ++i) {
         const std::string path = plot_path(options.svg, i);
         written = write_text(path, svg_text(report.sweeps[i])) && written;

@@ -12,7 +12,7 @@ namespace snell::app {
 struct AccuracyOptions {
     std::vector<std::string> scenes;
     std::vector<std::string> merge;  // reports to compare instead of a measurement
-    std::string html, svg, json, csv, markdown;
+    std::string html, slide, svg, json, csv, markdown;
     std::vector<std::string> ladders, knobs;  // if both are empty: all
     std::string from = "reference";           // or "scene", "lattice"
     bool specialise = true;                   // programs are compiled for the values that they have

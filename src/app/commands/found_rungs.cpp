@@ -115,7 +115,7 @@ std::optional<std::vector<Chosen>> choose(const std::string& names, const Found&
         std::string error;
         auto one = choose_changes(std::string_view(names).substr(at, end - at), found.changes, found.sources, error);
         if (!one) {
-            refuse(error, fmt::format("'snell accuracy {} --list-found' lists them", scene), exit_usage);
+            refuse(error, fmt::format("'snell accuracy {} --list-found' lists them", scene));
             return std::nullopt;
         }
         chosen.push_back(std::move(*one));

@@ -1,4 +1,4 @@
-// Calls of functions: which overload is meant, and what its arguments must become.
+// Calls of functions: which overload is meant, and what its arguments must become; and casts.
 #include <algorithm>
 
 #include "src/glsl/read/parse.h"
@@ -89,10 +89,14 @@ Expression Parser::call(int name_token) {
     Expression e;
     e.first = name_token;
     const std::string_view name = text();
+    const int begin = grown();
     ++p_;
     std::vector<Expression> given = arguments();
     e.last = p_ - 1;
-    if (call_user(e, name, given) || foreign_function(name, given, e)) return e;
+    if (call_user(e, name, given) || foreign_function(name, given, e)) {
+        grow_call(begin, e, name, false);
+        return e;
+    }
     const std::string_view modern = modern_texture_function(name);
     const bool wraps = !modern.empty() && name.starts_with("shadow");
     if (wraps) {
@@ -119,6 +123,45 @@ Expression Parser::call(int name_token) {
         emit(Op::built_in, static_cast<int>(given.size()), modern.empty() ? name : modern, e.type);
     else
         emit(Op::call, static_cast<int>(given.size()), name, -1);
+    grow_call(begin, e, modern.empty() ? name : modern, ours);
+    return e;
+}
+
+void Parser::grow_call(int begin, const Expression& e, std::string_view name, bool ours) {
+    Node* node = grow(ours ? Form::built_in : Form::call, begin, e, name);
+    const Instruction& step = u_.code.steps.back();
+    if (node && step.op == Op::call) node->function = step.b;
+}
+
+Expression Parser::constructor(const Type& type, int first) {
+    const int begin = grown();
+    Expression e = construction(type, first);
+    grow(Form::construct, begin, e, type.name);
+    return e;
+}
+
+// (float) x, as C has it.
+Expression Parser::cast() {
+    const int first = p_;
+    const Type type = *builtin_type(text(1));
+    warn("c-cast", p_, "a cast in parentheses is C: read as " + std::string(type.name) + "(…)");
+    p_ += 3;
+    const int begin = grown();
+    ++depth_;
+    Expression e = depth_ > 200 ? Expression{} : unary();
+    --depth_;
+    emit(Op::construct, 1, {}, type);
+    if (e.last >= first + 3) {
+        u_.replace(first, "");
+        u_.replace(first + 2, "(");
+        u_.edit(e.last).after += ")";
+    }
+    e.first = first;
+    e.type = type;
+    e.alpha_one = false;
+    e.value.clear();
+    e.no_variable();
+    grow(Form::construct, begin, e, type.name);
     return e;
 }
 

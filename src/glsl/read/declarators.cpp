@@ -28,6 +28,7 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     g.qualifiers = q;
     g.group = group;
     ++p_;
+    const int begin = grown();
     dimensions(type, &g.dims);
     g.type = type;
     std::vector<double> value;
@@ -59,6 +60,13 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
         }
     g.variable = variable(g.type);
     emit(Op::declare, g.variable, {}, g.init_first >= 0 ? 1 : undefined ? 2 : 0);
+    if (u_.tree) {
+        grow_statement(Form::declarator, begin, g.name_token, g.name);
+        Node& node = u_.tree->back();
+        node.type = g.type;
+        node.variable = g.variable;
+        node.constant = q.storage == Storage::constant;
+    }
     Symbol symbol{g.type, -1, g.variable, q.storage == Storage::constant && g.init_first >= 0 && g.init_constant,
                   false,  {}};
     if (symbol.constant) symbol.value = value;
@@ -84,7 +92,7 @@ Expression Parser::initialiser(const Type& due) {
         convert(e, due, Due::initialiser);
         return e;
     }
-    const int open = p_;
+    const int open = p_, begin = grown();
     ++p_;
     Type element = due;
     if (element.dims > 0)
@@ -128,6 +136,7 @@ Expression Parser::initialiser(const Type& due) {
     list.last = close;
     if (due.dims > 0) list.type.size = count;
     emit(Op::construct, count, {}, list.type);
+    grow(Form::list, begin, list);
     if ((target_.es || target_.version < 420) && due.structure < 0 && !due.name.empty() && element.dims == 0) {
         u_.replace(open, std::string(due.name) + (due.dims > 0 ? "[" + std::to_string(count) + "]" : "") + "(");
         u_.replace(close, ")");

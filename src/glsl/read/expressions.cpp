@@ -151,6 +151,7 @@ void Parser::note_write(const Expression& target, const Expression* value, std::
 }
 
 Expression Parser::expression() {
+    const int begin = grown();
     Expression e = assignment();
     while (is(",")) {
         const int first = e.first;
@@ -160,6 +161,7 @@ Expression Parser::expression() {
         emit(Op::drop);
         e = assignment();
         e.first = first;
+        grow(Form::comma, begin, e);
     }
     return e;
 }
@@ -173,9 +175,11 @@ Expression Parser::assignment() {
         e.constant = false;
         emit(Op::unknown);
         give_up();
+        grow(Form::other, grown(), e);
         return e;
     }
     ++depth_;
+    const int begin = grown();
     Expression target = ternary();
     if (assigns(text())) {
         const std::string_view op = text();
@@ -194,12 +198,14 @@ Expression Parser::assignment() {
         target.value.clear();
         target.alpha_one = plain && value.alpha_one;
         target.no_variable();
+        grow(Form::assign, begin, target, op);
     }
     --depth_;
     return target;
 }
 
 Expression Parser::ternary() {
+    const int begin = grown();
     Expression condition = binary(1);
     if (!accept("?")) return condition;
     convert(condition, make_type(Base::boolean), Due::condition);
@@ -220,6 +226,7 @@ Expression Parser::ternary() {
     a.first = condition.first;
     a.last = b.last;
     a.no_variable();
+    grow(Form::choose, begin, a);
     return a;
 }
 
@@ -268,6 +275,7 @@ Expression Parser::combine(Expression a, Expression b, std::string_view op) {
 }
 
 Expression Parser::binary(int least) {
+    const int begin = grown();
     Expression left = unary();
     for (int level = precedence(text()); level >= least && level > 0; level = precedence(text())) {
         const std::string_view op = text();
@@ -275,6 +283,7 @@ Expression Parser::binary(int least) {
         Expression right = binary(level + 1);
         emit(Op::infix, 0, op);
         left = combine(std::move(left), std::move(right), op);
+        grow(Form::infix, begin, left, op);
     }
     return left;
 }
@@ -283,7 +292,7 @@ Expression Parser::unary() {
     const std::string_view op = text();
     if (token().kind != Kind::punct || (op != "-" && op != "+" && op != "!" && op != "~" && op != "++" && op != "--"))
         return postfix();
-    const int first = p_;
+    const int first = p_, begin = grown();
     if (depth_ > 200) return primary();
     ++p_;
     ++depth_;
@@ -308,6 +317,7 @@ Expression Parser::unary() {
     if (op != "-" && op != "+") e.value.clear();
     e.alpha_one = false;
     e.no_variable();
+    grow(steps ? Form::step : Form::prefix, begin, e, op);
     return e;
 }
 

@@ -1,4 +1,4 @@
-// Operands: names, numbers, constructors, casts, and what is selected from them.
+// Operands: names, numbers, constructors, and what is selected from them.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -103,18 +103,25 @@ void Parser::length(Expression& e) {
 }
 
 Expression Parser::postfix() {
+    const int begin = grown();
     Expression e = primary();
     const auto called = [&] {
         const Token& before = u_.at(std::max(p_ - 1, 0));
         return is("(") && p_ > 0 && (before.text == "]" || before.kind == Kind::integer || before.kind == Kind::real);
     };
     for (;;) {
+        Form form = Form::other;
+        std::string_view word;
         if (accept("[")) {
             if (!index(e)) break;
+            form = Form::index;
         } else if (is(".") && token(1).kind == Kind::identifier) {
             const std::string_view member = text(1);
             p_ += 2;
-            if (member == "length" && is("("))
+            const bool asks = member == "length" && is("(");
+            form = asks ? Form::length : Form::select;
+            word = member;
+            if (asks)
                 length(e);
             else
                 select(e, member);
@@ -130,6 +137,8 @@ Expression Parser::postfix() {
             note_operand(e, text());
             note_write(e, nullptr, text());
             emit(Op::step, 1, text());
+            form = Form::step;
+            word = text();
             ++p_;
             e.constant = false;
             e.value.clear();
@@ -137,6 +146,7 @@ Expression Parser::postfix() {
             break;
         }
         e.last = p_ - 1;
+        grow(form, begin, e, word);
     }
     return e;
 }
@@ -161,6 +171,7 @@ Expression Parser::number() {
         e.value = {v};
     }
     emit(Op::number, 0, {}, e.type, e.value.front());
+    grow(Form::number, grown(), e);
     ++p_;
     return e;
 }
@@ -171,7 +182,7 @@ Expression Parser::primary() {
     e.first = e.last = p_;
     if (t.kind == Kind::integer || t.kind == Kind::real) return number();
     if (t.text == "(") {
-        const int first = p_;
+        const int first = p_, begin = grown();
         if (is(")", 2) && builtin_type(text(1)) && !find(text(1)) && token(3).kind != Kind::end && !is(";", 3))
             return cast();
         ++p_;
@@ -181,12 +192,14 @@ Expression Parser::primary() {
         e.first = first;
         e.last = p_ - 1;
         e.alpha_one = alpha;
+        grow(Form::group, begin, e);
         return e;
     }
     if (t.kind != Kind::identifier) {
         e.constant = false;
         emit(Op::unknown);
         give_up();
+        grow(Form::other, grown(), e);
         if (t.kind == Kind::other) ++p_;
         return e;
     }
@@ -195,6 +208,7 @@ Expression Parser::primary() {
         e.type = make_type(Base::boolean);
         e.value = {t.text == "true" ? 1. : 0.};
         emit(Op::number, 0, {}, e.type, e.value.front());
+        grow(Form::number, grown(), e);
         return e;
     }
     const Symbol* symbol = find(t.text);
@@ -216,29 +230,6 @@ Expression Parser::primary() {
         return call(p_);
     }
     return name();
-}
-
-// (float) x, as C has it.
-Expression Parser::cast() {
-    const int first = p_;
-    const Type type = *builtin_type(text(1));
-    warn("c-cast", p_, "a cast in parentheses is C: read as " + std::string(type.name) + "(…)");
-    p_ += 3;
-    ++depth_;
-    Expression e = depth_ > 200 ? Expression{} : unary();
-    --depth_;
-    emit(Op::construct, 1, {}, type);
-    if (e.last >= first + 3) {
-        u_.replace(first, "");
-        u_.replace(first + 2, "(");
-        u_.edit(e.last).after += ")";
-    }
-    e.first = first;
-    e.type = type;
-    e.alpha_one = false;
-    e.value.clear();
-    e.no_variable();
-    return e;
 }
 
 Expression Parser::name() {
@@ -266,6 +257,10 @@ Expression Parser::name() {
             g.uses.push_back(p_ - 1);
             g.read = true;
         }
+        if (Node* node = grow(Form::name, grown(), e, t)) {
+            node->global = e.global;
+            node->variable = symbol->variable;
+        }
         return e;
     }
     if (const LegacyName* legacy = legacy_name(t)) {
@@ -287,6 +282,7 @@ Expression Parser::name() {
         }
         emit(Op::load, known->second);
     }
+    grow(Form::name, grown(), e, t);
     return e;
 }
 
@@ -313,7 +309,7 @@ std::vector<Expression> Parser::arguments() {
     return given;
 }
 
-Expression Parser::constructor(const Type& type, int first) {
+Expression Parser::construction(const Type& type, int first) {
     Expression e;
     e.type = type;
     e.first = first;

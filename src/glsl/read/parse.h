@@ -6,7 +6,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "src/glsl/read/token.h"
+#include "src/glsl/read/tree.h"
 
 namespace snell::glsl {
 
@@ -90,7 +90,9 @@ private:
     Expression number();
     Expression name();
     Expression constructor(const Type& type, int first);
+    Expression construction(const Type& type, int first);
     Expression call(int name_token);
+    void grow_call(int begin, const Expression& e, std::string_view name, bool ours);
     Expression combine(Expression a, Expression b, std::string_view op);
     std::vector<Expression> arguments();
     void select(Expression& e, std::string_view member);
@@ -122,6 +124,17 @@ private:
     int here() const { return static_cast<int>(u_.code.steps.size()); }
     void land(int jump) { u_.code.steps[static_cast<std::size_t>(jump)].a = here(); }
     int variable(const Type& type);
+
+    // tree, where it is wanted
+    int grown() const { return u_.tree ? static_cast<int>(u_.tree->size()) : 0; }
+    // The node of the expression, whose parts were added since the tree had `begin` nodes; null if no tree is wanted.
+    Node* grow(Form form, int begin, const Expression& e, std::string_view text = {}) {
+        if (!u_.tree) return nullptr;
+        return &u_.tree->emplace_back(Node{form, e.first, e.last, begin, e.type, text, e.constant, e.value});
+    }
+    void grow_statement(Form form, int begin, int first, std::string_view text = {}) {
+        if (u_.tree) u_.tree->push_back({form, first, p_ - 1, begin, {}, text});
+    }
     void give_up() { u_.code.whole = false; }  // the code is not that of the text
     // Statements that break and continue leave or repeat.
     struct Leaving {

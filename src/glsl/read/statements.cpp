@@ -91,6 +91,7 @@ void Parser::condition() {
 }
 
 void Parser::for_statement() {
+    const int first = p_, begin = grown();
     p_ += 2;
     open_scope();
     if (starts_declaration()) {
@@ -116,6 +117,7 @@ void Parser::for_statement() {
     emit(Op::jump, again);
     close_loop(again, out);
     close_scope();
+    grow_statement(Form::loop, begin, first, "for");
 }
 
 void Parser::if_statement() {
@@ -133,6 +135,7 @@ void Parser::if_statement() {
 }
 
 void Parser::while_statement() {
+    const int first = p_, begin = grown();
     ++p_;
     open_scope();
     const int again = here();
@@ -143,9 +146,11 @@ void Parser::while_statement() {
     emit(Op::jump, again);
     close_loop(again, out);
     close_scope();
+    grow_statement(Form::loop, begin, first, "while");
 }
 
 void Parser::do_statement() {
+    const int first = p_ - 1, begin = grown();
     const int start = here();
     leaving_.emplace_back();
     statement();
@@ -158,6 +163,7 @@ void Parser::do_statement() {
     emit(Op::jump, start);
     close_loop(again, out);
     accept(";");
+    grow_statement(Form::loop, begin, first, "do");
 }
 
 void Parser::switch_statement() {
@@ -200,11 +206,13 @@ void Parser::case_label(bool other) {
 
 // Statements that hold no other ones.
 void Parser::simple_statement() {
+    const int first = p_, begin = grown();
     if (accept("return")) {
         const bool value = !is(";");
         if (value) convert(expression(), result_, Due::result);
         emit(Op::back, value ? 1 : 0);
         accept(";");
+        grow_statement(Form::returned, begin, first);
     } else if (is("case") || is("default")) {
         case_label(is("default"));
     } else if (is("break") || is("continue") || is("discard")) {
@@ -224,6 +232,7 @@ void Parser::simple_statement() {
             // The statement was not understood, or lacks its semicolon: parsing resumes after it.
             if (!starts_declaration() && !is_statement_word(text())) skip_to_semicolon();
         }
+        grow_statement(Form::evaluated, begin, first);
     }
 }
 

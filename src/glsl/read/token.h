@@ -189,6 +189,8 @@ struct Mark {
     bool both = false;          // it matters, too, where the other operand is constant
 };
 
+struct Node;
+
 // One stage of a program.
 struct Unit {
     Stage stage = Stage::vertex;
@@ -221,6 +223,7 @@ struct Unit {
     std::unordered_set<std::string_view> shared_by_kinds;  // names of a function and of a variable
 
     Code<Type> code;
+    std::vector<Node>* tree = nullptr;          // filled by the parser if set: read/tree.h
     std::map<std::string_view, int> built_ins;  // Code::variables of the built-in variables that are named
     std::vector<Misfit> misfits;
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place

@@ -1,0 +1,293 @@
+// A stage that is drawn: its tokens and tree, and which of its text may be edited.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "parser/text/ranges.h"
+#include "src/accuracy/found/shader.h"
+#include "src/glsl/read/parse.h"
+#include "src/glsl/read/preprocess.h"
+#include "src/glsl/read/words.h"
+
+namespace snell::accuracy {
+
+using glsl::Form;
+using glsl::Node;
+
+Shader::Shader(const Plan& given, Index index, const glsl::StageInput& stage, Sources& texts,
+               const glsl::IncludeReader& include)
+    : plan(given), program(index), sources(texts) {
+    const Scene& scene = plan.scene;
+    const std::size_t ladders = std::min(scene.programs[program].ladders, scene.ladders.size());
+    glsl::Options options;
+    options.defines = defines = ladder_defines(std::span(scene.ladders).first(ladders), plan.rungs);
+    std::set<std::string, std::less<>> embedded;
+    options.include = [&](std::string_view from, std::string_view name, bool angle) {
+        auto text = include ? include(from, name, angle) : std::nullopt;
+        if (text && angle) embedded.insert(text->name);
+        return text;
+    };
+    Diagnostics unheard;  // compiling says it
+    unit.stage = stage.stage;
+    unit.reference = stage.reference;
+    glsl::preprocess(unit, stage.file, sources, options, unheard);
+    unit.tree = &tree;
+    glsl::Parser(unit, options.target, unheard).run();
+    for (const FileId file : unit.files) {
+        // A text that several stages include was added for each of them.
+        FileId first = 0;
+        while (first < file && sources.name(first) != sources.name(file)) ++first;
+        files.push_back(first);
+        library.push_back(embedded.contains(sources.name(file)) || sources.text(first) != sources.text(file));
+    }
+    link();
+}
+
+// Parents, functions and loops, once for all.
+void Shader::link() {
+    parents_.assign(tree.size(), -1);
+    for (int n = 0; n < nodes(); ++n)
+        for (const int part : parts(n)) parents_[static_cast<std::size_t>(part)] = n;
+    const int tokens = static_cast<int>(unit.tokens.size());
+    functions_.assign(unit.tokens.size(), -1);
+    free_.assign(unit.tokens.size(), false);
+    uses_.resize(unit.code.variables.size());
+    declarators_.assign(unit.code.variables.size(), -1);
+    for (int n = 0; n < nodes(); ++n) {
+        const Node& node = at(n);
+        if (node.variable < 0) continue;
+        if (node.form == Form::name) uses_[static_cast<std::size_t>(node.variable)].push_back(n);
+        if (node.form == Form::declarator) declarators_[static_cast<std::size_t>(node.variable)] = n;
+    }
+    for (std::size_t f = 0; f < unit.functions.size(); ++f)
+        for (int k = unit.functions[f].open; k >= 0 && k < std::min(unit.functions[f].close, tokens); ++k)
+            functions_[static_cast<std::size_t>(k)] = static_cast<int>(f);
+    changed_.assign(unit.code.variables.size(), false);
+    for (int n = 0; n < nodes(); ++n)
+        if (at(n).form == Form::name && at(n).variable >= 0 && written(n))
+            changed_[static_cast<std::size_t>(at(n).variable)] = true;
+    for (int n = 0; n < nodes(); ++n) {
+        const Node& loop = at(n);
+        if (loop.form != Form::loop || (loop.text == "for" && !counters(*this, n).empty())) continue;
+        for (int k = std::max(loop.first, 0); k <= std::min(loop.last, tokens - 1); ++k)
+            free_[static_cast<std::size_t>(k)] = true;
+    }
+}
+
+int Shader::bare(int node) const {
+    while (at(node).form == Form::group && at(node).begin < node) node = parts(node).back();
+    return node;
+}
+
+bool Shader::own(int first, int last) const {
+    const int end = static_cast<int>(unit.tokens.size()) - 1;  // the last token is no token of the text
+    if (first < 0 || last < first || last >= end) return false;
+    const glsl::Token& begin = token(first);
+    if (begin.file >= files.size() || library[begin.file]) return false;
+    const std::string_view all = sources.text(files[begin.file]);
+    std::size_t from = begin.offset;
+    for (int k = first; k <= last; ++k) {
+        const glsl::Token& t = token(k);
+        if (t.macro >= 0 || t.file != begin.file || t.offset < from || t.offset > all.size()) return false;
+        if (all.substr(from, t.offset - from).find('#') != std::string_view::npos) return false;
+        from = unit.span(k).end;
+    }
+    return from <= all.size();
+}
+
+Span Shader::span(int first, int last) const {
+    return {files[token(first).file], unit.span(first).begin, unit.span(last).end};
+}
+
+std::string Shader::text(const Span& span) const {
+    return std::string(sources.text(span.file).substr(span.begin, span.end - span.begin));
+}
+
+bool Shader::alike(int a, int b) const {
+    const Node &x = at(a), &y = at(b);
+    if (x.last - x.first != y.last - y.first || x.first < 0 || y.first < 0) return false;
+    for (int k = 0; k <= x.last - x.first; ++k)
+        if (token(x.first + k).text != token(y.first + k).text) return false;
+    return true;
+}
+
+int Shader::function_of(int token) const {
+    return token >= 0 && token < static_cast<int>(functions_.size()) ? functions_[static_cast<std::size_t>(token)] : -1;
+}
+
+bool Shader::written(int name) const {
+    int node = name, around = parent(name);
+    const auto first_of = [&](Form form) { return at(around).form == form && at(around).begin == at(node).begin; };
+    for (; around >= 0; node = around, around = parent(around))
+        if (!first_of(Form::select) && !first_of(Form::index) && !first_of(Form::group)) break;
+    if (around < 0) return false;
+    const Node& n = at(around);
+    if (n.form == Form::step || first_of(Form::assign)) return true;
+    if (n.form == Form::built_in) return (n.text == "modf" || n.text == "frexp") && !first_of(Form::built_in);
+    if (n.form != Form::call) return false;
+    if (n.function < 0 || around - n.begin > 10'000) return true;
+    const std::vector<int> given = parts(around);
+    const auto which = static_cast<std::size_t>(std::find(given.begin(), given.end(), node) - given.begin());
+    const auto& parameters = unit.functions[static_cast<std::size_t>(n.function)].parameters;
+    return which >= parameters.size() || parameters[which].storage != glsl::Storage::in;
+}
+
+std::optional<Span> Shader::ahead_of(int function) const {
+    if (function < 0) return std::nullopt;
+    const glsl::Function& f = unit.functions[static_cast<std::size_t>(function)];
+    if (!own(f.first, f.first)) return std::nullopt;
+    const Span place = span(f.first, f.first);
+    return Span{place.file, place.begin, place.begin};
+}
+
+// ---- loops that count ---------------------------------------------------------------------------------------
+
+namespace {
+
+struct LoopHeader {
+    int init = -1, condition = -1, step = -1;  // nodes
+};
+
+LoopHeader header_of(const Shader& s, int loop) {
+    LoopHeader header;
+    const Node& node = s.at(loop);
+    int part = 0, depth = 0, end = node.first + 1;
+    std::array<int, 3> ends{-1, -1, -1};  // the tokens that end init, condition and step
+    for (; end <= node.last && part < 3; ++end) {
+        const std::string_view t = s.token(end).text;
+        if (t == "(" || t == "[" || t == "{") ++depth;
+        if (t == ")" || t == "]" || t == "}") --depth;
+        if ((t == ";" && depth == 1) || depth == 0) ends[static_cast<std::size_t>(part++)] = end;
+        if (depth == 0) break;
+    }
+    if (part != 3) return header;
+    for (const int child : s.parts(loop)) {
+        const Node& n = s.at(child);
+        if (n.last < ends[0])
+            header.init = child;
+        else if (n.first > ends[0] && n.last < ends[1])
+            header.condition = child;
+        else if (n.first > ends[1] && n.last < ends[2])
+            header.step = child;
+    }
+    return header;
+}
+
+// The variable that an operand is, perhaps as float(i); -1: none.
+int variable_of(const Shader& s, int node) {
+    node = s.bare(node);
+    const std::vector<int> inside = s.parts(node);
+    if (s.at(node).form == Form::construct && inside.size() == 1) node = s.bare(inside.front());
+    return s.at(node).form == Form::name ? s.at(node).variable : -1;
+}
+
+// What the step adds to the variable; 0: another thing.
+double step_of(const Shader& s, int node, int variable) {
+    const Node& n = s.at(node);
+    const std::vector<int> inside = s.parts(node);
+    if (inside.empty() || variable_of(s, inside.front()) != variable) return 0;
+    if (n.form == Form::step) return n.text == "++" ? 1 : -1;
+    if (n.form != Form::assign || inside.size() != 2 || s.at(inside[1]).value.size() != 1) return 0;
+    const double by = s.at(inside[1]).value.front();
+    return n.text == "+=" ? by : n.text == "-=" ? -by : 0;
+}
+
+// The value that the loop's variable begins with.
+int first_value(const Shader& s, const LoopHeader& header, int loop, int variable) {
+    for (const int child : s.parts(loop)) {
+        if (header.init < 0 || child > header.init) break;
+        const Node& n = s.at(child);
+        const std::vector<int> inside = s.parts(child);
+        if (n.form == Form::declarator && n.variable == variable && inside.size() == 1) return inside.front();
+        if (n.form == Form::assign && n.text == "=" && inside.size() == 2 && variable_of(s, inside[0]) == variable)
+            return inside[1];
+    }
+    return -1;
+}
+
+void add_counter(const Shader& s, int loop, const LoopHeader& header, int node, std::vector<Counter>& found) {
+    node = s.bare(node);
+    const Node& n = s.at(node);
+    const std::vector<int> sides = s.parts(node);
+    if (n.form != Form::infix || sides.size() != 2) return;
+    if (n.text == "&&") {
+        for (const int side : sides) add_counter(s, loop, header, side, found);
+        return;
+    }
+    const bool less = n.text == "<" || n.text == "<=", more = n.text == ">" || n.text == ">=";
+    if (!less && !more) return;
+    for (const std::size_t counting : {0U, 1U}) {
+        const int variable = variable_of(s, sides[counting]);
+        if (variable < 0) continue;
+        const double step = step_of(s, header.step, variable);
+        const int from = first_value(s, header, loop, variable), bound = sides[1 - counting];
+        const bool up = less == (counting == 0);
+        if (step == 0 || (step > 0) != up) continue;
+        found.push_back({node, up ? bound : from, up ? from : bound, variable, std::abs(step), n.text.size() == 2});
+        return;
+    }
+}
+
+}  // namespace
+
+std::vector<Counter> counters(const Shader& shader, int loop) {
+    std::vector<Counter> found;
+    const LoopHeader header = header_of(shader, loop);
+    if (header.condition >= 0 && header.step >= 0) add_counter(shader, loop, header, header.condition, found);
+    return found;
+}
+
+// ---- offers -------------------------------------------------------------------------------------------------
+
+bool closed(const Node& node) {
+    return node.form == Form::name || node.form == Form::number || node.form == Form::group ||
+           node.form == Form::select || node.form == Form::index || node.form == Form::construct ||
+           node.form == Form::call || node.form == Form::built_in;
+}
+
+std::string literal(double value, const glsl::Type& type) {
+    if (type.base == glsl::Base::integer) return fmt::format("{:.0f}", value);
+    if (type.base == glsl::Base::uinteger) return fmt::format("{:.0f}u", value);
+    std::string text = fmt::format("{:.9g}", value);
+    if (text.find_first_of(".e") == std::string::npos) text += '.';
+    return text;
+}
+
+void Offers::add(ChangeKind kind, const Span& where, std::vector<Edit> edits) {
+    if (full()) return;
+    std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
+        return std::tuple(a.span.file, a.span.begin, a.span.end) < std::tuple(b.span.file, b.span.begin, b.span.end);
+    });
+    std::vector<Edit> joined;
+    for (Edit& edit : edits) {
+        const bool insert = edit.span.begin == edit.span.end;
+        if (insert && !joined.empty() && joined.back().span == edit.span)
+            joined.back().text += edit.text;
+        else
+            joined.push_back(std::move(edit));
+    }
+    std::string key, after;
+    std::uint32_t at = where.begin;
+    bool changes = false;
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+        const auto& [span, text] = joined[i];
+        const std::string_view all = sources_.text(span.file);
+        if (span.end > all.size() || span.begin > span.end) return;
+        const bool follows = i > 0 && joined[i - 1].span.file == span.file;
+        if (follows && joined[i - 1].span.end > span.begin) return;
+        changes = changes || all.substr(span.begin, span.end - span.begin) != text;
+        key += fmt::format("{}:{}-{}:{}\n", span.file, span.begin, span.end, text);
+        if (span.file != where.file || span.begin < at || span.end > where.end) continue;
+        after.append(all.substr(at, span.begin - at)).append(text);
+        at = span.end;
+    }
+    if (!changes || !known_.insert(key).second) return;
+    const std::string_view all = sources_.text(where.file);
+    after.append(all.substr(at, where.end - at));
+    changes_.push_back(
+        {kind, where, excerpt(all.substr(where.begin, where.end - where.begin)), excerpt(after), std::move(joined)});
+}
+
+}  // namespace snell::accuracy

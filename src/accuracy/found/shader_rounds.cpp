@@ -1,0 +1,265 @@
+// Loops that go round less often.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/accuracy/found/shader.h"
+#include "src/glsl/read/lexer.h"
+#include "src/glsl/read/words.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+using glsl::Form;
+using glsl::Node;
+
+// What shrinks: the bound of a loop, or the argument that a function takes for one.
+struct RoundBound {
+    int node = -1;    // nodes
+    double base = 0;  // where counting begins, if it is known
+    int where = -1;   // what is shown: the comparison or the call
+    double step = 1;
+    bool includes = false;  // the loop's variable reaches the bound
+};
+
+class Rounds {
+public:
+    Rounds(const Shader& shader, Offers& offers) : s_(shader), offers_(offers) {
+        for (std::size_t k = 1; k < s_.unit.tokens.size(); ++k) {
+            const glsl::Token& t = s_.unit.tokens[k];
+            if (s_.unit.tokens[k - 1].text == "[")
+                sizes_.insert(t.macro >= 0 ? s_.unit.invocations[at(t.macro)].source : t.text);
+        }
+    }
+
+    void run() {
+        for (int n = 0; n < s_.nodes(); ++n)
+            if (s_.at(n).form == Form::loop)
+                for (const Counter& c : counters(s_, n)) loop(c);
+        std::size_t known = 0;
+        do {  // a function may hand its parameter on
+            known = parameters_.size();
+            for (int n = 0; n < s_.nodes(); ++n)
+                if (s_.at(n).form == Form::call) follow(n);
+        } while (parameters_.size() > known);
+        for (int n = 0; n < s_.nodes(); ++n)
+            if (s_.at(n).form == Form::call) call(n);
+    }
+
+private:
+    void loop(const Counter& c) {
+        if (c.target < 0) return;
+        int target = s_.bare(c.target);
+        RoundBound bound{target, 0, c.comparison, c.step, c.includes};
+        if (c.base >= 0 && s_.at(c.base).value.size() == 1) {
+            bound.base = s_.at(c.base).value.front();
+        } else {
+            // for( i = first; i < first + N; … )
+            const Node& sum = s_.at(target);
+            const std::vector<int> sides = s_.parts(target);
+            if (c.base < 0 || sum.form != Form::infix || sum.text != "+" || !s_.alike(sides[0], c.base)) return;
+            bound.node = s_.bare(sides[1]);
+        }
+        remember(bound.node);
+        for (const int share : {2, 4}) shrink(bound, share);
+    }
+
+    // The loop's bound is a parameter of the function: calls decide on it.
+    void remember(int node) {
+        const Node& n = s_.at(node);
+        const int function = s_.function_of(n.first);
+        if (n.form != Form::name || n.variable < 0 || function < 0) return;
+        const std::vector<glsl::Parameter>& parameters = s_.unit.functions[at(function)].parameters;
+        for (std::size_t p = 0; p < parameters.size(); ++p)
+            if (parameters[p].variable == n.variable) parameters_.emplace(function, p);
+    }
+
+    // The argument of a call that bounds a loop; -1: there is none.
+    int argument(int node) const {
+        const Node& n = s_.at(node);
+        const std::vector<int> given = s_.parts(node);
+        if (n.function < 0) return -1;
+        const glsl::Function& called = s_.unit.functions[at(n.function)];
+        for (const auto& [function, parameter] : parameters_) {
+            const glsl::Function& f = s_.unit.functions[at(function)];
+            const bool same = f.name == called.name && f.parameters.size() == called.parameters.size() &&
+                              std::equal(f.parameters.begin(), f.parameters.end(), called.parameters.begin(),
+                                         [](const auto& a, const auto& b) { return a.type.same(b.type); });
+            if (same && parameter < given.size()) return s_.bare(given[parameter]);
+        }
+        return -1;
+    }
+
+    void follow(int node) {
+        if (const int given = argument(node); given >= 0) remember(given);
+    }
+
+    void call(int node) {
+        const int given = argument(node);
+        if (given < 0 || s_.library[s_.token(s_.at(node).first).file]) return;
+        for (const int share : {2, 4}) shrink({given, 0, node, 1, false}, share);
+    }
+
+    void shrink(const RoundBound& bound, int share) {
+        const Node& n = s_.at(bound.node);
+        if (!n.type.scalar() || !n.type.numeric() || n.type.base == glsl::Base::dreal) return;
+        if (of_ladder(n)) return;
+        const bool macro = n.first >= 0 && s_.token(n.first).macro >= 0;
+        if (macro ? definition_of_macro(bound, share) : definition_of_name(bound, share)) return;
+        if (macro)
+            use_of_macro(bound, share);
+        else if (n.form == Form::number)
+            number(bound, share);
+        else if (s_.own(bound.node))
+            expression(bound, share);
+    }
+
+    // The number that bounds as many rounds as the share leaves; nothing if there is none left, or all.
+    static std::optional<double> fewer(const RoundBound& bound, double value, int share) {
+        const double more = bound.includes ? bound.step : 0, all = (value - bound.base + more) / bound.step;
+        const double left = std::floor(all / share);
+        if (!(left >= 1) || !(all < 1e7) || left >= all) return std::nullopt;
+        return bound.base + left * bound.step - more;
+    }
+
+    void number(const RoundBound& bound, int share) {
+        const Node& n = s_.at(bound.node);
+        const std::optional<double> value = fewer(bound, n.value.front(), share);
+        if (!value || !s_.own(bound.node) || !s_.own(bound.where)) return;
+        std::vector<Edit> edits{{s_.span(bound.node), literal(*value, n.type)}};
+        // A sum that is divided by the number of rounds stays a mean.
+        const int function = s_.function_of(n.first);
+        for (int k = 0; k < s_.nodes() && n.value.front() >= 4 && !offers_.full(); ++k) {
+            const Node& other = s_.at(k);
+            if (other.form == Form::number && other.type.base == glsl::Base::real && other.value == n.value &&
+                k != bound.node && s_.function_of(other.first) == function && s_.own(k))
+                edits.push_back({s_.span(k), literal(*value, other.type)});
+        }
+        offers_.add(ChangeKind::fewer_rounds, s_.span(bound.where), std::move(edits));
+    }
+
+    // A constant: where it is declared, so that the size of a step shrinks with the number of steps.
+    bool definition_of_name(const RoundBound& bound, int share) {
+        const Node& n = s_.at(bound.node);
+        if (n.form != Form::name || n.variable < 0 || sizes_.contains(n.text)) return false;
+        const int declared = s_.declarator(n.variable);
+        if (declared < 0 || !s_.at(declared).constant) return false;
+        const std::vector<int> inside = s_.parts(declared);
+        if (inside.size() != 1 || s_.at(inside[0]).form != Form::number || !s_.own(declared)) return false;
+        if (const auto value = fewer(bound, s_.at(inside[0]).value.front(), share))
+            offers_.add(ChangeKind::fewer_rounds, s_.span(declared),
+                        {{s_.span(inside[0]), literal(*value, s_.at(inside[0]).type)}});
+        return true;
+    }
+
+    std::string_view macro_of(const Node& n) const {
+        const std::int32_t macro = s_.token(n.first).macro;
+        for (int k = n.first; k <= n.last; ++k)
+            if (s_.token(k).macro != macro) return {};
+        return s_.unit.invocations[at(macro)].source;
+    }
+
+    bool definition_of_macro(const RoundBound& bound, int share) {
+        const Node& n = s_.at(bound.node);
+        const std::string_view name = macro_of(n);
+        if (name.empty() || n.form != Form::number || sizes_.contains(name)) return false;
+        const auto [known, fresh] = definitions_.try_emplace(name);
+        if (fresh) known->second = definition(name, s_.token(n.first).text);
+        const std::optional<Span>& place = known->second;
+        const auto value = fewer(bound, n.value.front(), share);
+        if (!place || !value) return false;
+        const std::string_view all = s_.sources.text(place->file);
+        const std::uint32_t line = static_cast<std::uint32_t>(all.rfind('\n', place->begin) + 1);
+        offers_.add(ChangeKind::fewer_rounds, {place->file, line, place->end}, {{*place, literal(*value, n.type)}});
+        return true;
+    }
+
+    void use_of_macro(const RoundBound& bound, int share) {
+        const Node& n = s_.at(bound.node);
+        const std::string_view name = macro_of(n);
+        const glsl::Token& t = s_.token(n.first);
+        const bool word = !name.empty() && name.find_first_of("( \t\n") == std::string_view::npos;
+        if (!word || !closed(n) || s_.library[t.file]) return;
+        const auto begin = t.offset, end = begin + static_cast<std::uint32_t>(name.size());
+        const Span use{s_.files[t.file], begin, end};
+        if (s_.text(use) == name)
+            offers_.add(ChangeKind::fewer_rounds, use, {{use, divided(std::string(name), n.type, share)}});
+    }
+
+    static std::string divided(const std::string& text, const glsl::Type& type, int share) {
+        if (type.base == glsl::Base::real) return fmt::format("{}*{}", share == 2 ? ".5" : ".25", text);
+        return fmt::format("{}/{}{}", text, share, type.base == glsl::Base::uinteger ? "u" : "");
+    }
+
+    void expression(const RoundBound& bound, int share) {
+        const Node& n = s_.at(bound.node);
+        if (!s_.own(bound.where)) return;
+        const std::string text = closed(n) ? s_.text(bound.node) : "(" + s_.text(bound.node) + ")";
+        std::vector<Edit> edits{{s_.span(bound.node), divided(text, n.type, share)}};
+        for (const int use : other_uses(bound.node))
+            edits.push_back({s_.span(use), "(" + divided(text, n.type, share) + ")"});
+        offers_.add(ChangeKind::fewer_rounds, s_.span(bound.where), std::move(edits));
+    }
+
+    // Other places of the function where a uniform or a parameter stands that nothing assigns: the size of a step
+    // shrinks with the number of steps.
+    std::vector<int> other_uses(int node) const {
+        const Node& n = s_.at(node);
+        const int function = s_.function_of(n.first);
+        std::vector<int> uses;
+        if (n.form != Form::name || n.variable < 0 || function < 0) return uses;
+        const int declared = s_.declarator(n.variable);
+        if (declared >= 0 && s_.at(declared).begin < declared) return {};  // a local whose value shrinks with it
+        for (const int use : s_.uses(n.variable)) {
+            if (s_.function_of(s_.at(use).first) != function) continue;
+            if (s_.written(use) || !s_.own(use)) return {};
+            if (use != node) uses.push_back(use);
+        }
+        return uses;
+    }
+
+    // Ladders choose among such numbers already.
+    bool of_ladder(const Node& n) const {
+        if (n.first < 0 || s_.token(n.first).macro < 0) return false;
+        const std::string_view name = s_.unit.invocations[at(s_.token(n.first).macro)].source;
+        return std::any_of(s_.defines.begin(), s_.defines.end(), [&](const auto& d) { return d.name == name; });
+    }
+
+    // The number of the only `#define NAME NUMBER` in the author's texts.
+    std::optional<Span> definition(std::string_view name, std::string_view number) const {
+        std::optional<Span> found;
+        for (std::size_t f = 0; f < s_.files.size(); ++f) {
+            const std::string_view all = s_.sources.text(s_.files[f]);
+            for (std::size_t i = all.find('#'); i != std::string_view::npos; i = all.find('#', i + 1)) {
+                std::array<glsl::Lexeme, 3> words;
+                std::size_t end = i + 1;
+                for (glsl::Lexeme& word : words) {
+                    end = glsl::skip_trivia(all, end).end;
+                    word = glsl::lex(all, end);
+                    end += word.text.size();
+                }
+                if (words[0].text != "define" || words[1].text != name) continue;
+                if (found || s_.library[f] || words[2].text != number) return std::nullopt;
+                const std::size_t begin = end - number.size();
+                found = {s_.files[f], static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+            }
+        }
+        return found;
+    }
+
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+    const Shader& s_;
+    Offers& offers_;
+    std::set<std::pair<int, std::size_t>> parameters_;             // of functions: they bound loops
+    std::set<std::string_view> sizes_;                             // of arrays: the text has as many values
+    std::map<std::string_view, std::optional<Span>> definitions_;  // of macros
+};
+
+}  // namespace
+
+void add_fewer_rounds(const Shader& shader, Offers& offers) { Rounds(shader, offers).run(); }
+
+}  // namespace snell::accuracy

@@ -1,0 +1,62 @@
+// What the light parse found, as a tree: expressions and the statements that hold them, with their tokens and types.
+// The parser writes it only if Unit::tree is set.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "src/glsl/read/token.h"
+
+namespace snell::glsl {
+
+enum class Form : std::uint8_t {
+    other,  // not understood
+    // expressions
+    name,
+    number,     // also true and false
+    group,      // ( … )
+    list,       // { …, … }
+    select,     // .text
+    index,      // […]
+    length,     // .length()
+    prefix,     // an operator of one operand
+    step,       // ++ and --
+    infix,      // an operator of two operands
+    comma,      // …, …
+    choose,     // … ? … : …
+    assign,     // target, value; text: the operator
+    construct,  // a constructor or a cast
+    call,       // of a function of the text
+    built_in,   // of a function of the language; text: its modern name
+    // statements
+    declarator,  // a variable outside of a parameter list, with its initialiser; text: its name
+    returned,    // return …;
+    evaluated,   // an expression and its semicolon
+    loop,        // text: for, while or do
+};
+
+// Nodes come behind their parts: those of node n are the nodes from `begin` to before n.
+struct Node {
+    Form form = Form::other;
+    int first = -1, last = -1;  // tokens
+    int begin = 0;
+    Type type;
+    std::string_view text;
+    bool constant = false;
+    std::vector<double> value;  // of constants, where known; column-major
+    int global = -1;            // names: Unit::globals
+    int variable = -1;          // names and declarators: Code::variables
+    int function = -1;          // calls: Unit::functions, if the overload is known
+};
+
+using Tree = std::vector<Node>;
+
+// The parts of a node, in the order of the text.
+inline std::vector<int> parts(const Tree& tree, int node) {
+    std::vector<int> found;
+    const int begin = tree[static_cast<std::size_t>(node)].begin;
+    for (int k = node - 1; k >= begin; k = tree[static_cast<std::size_t>(k)].begin - 1) found.push_back(k);
+    return {found.rbegin(), found.rend()};
+}
+
+}  // namespace snell::glsl
