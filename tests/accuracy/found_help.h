@@ -15,6 +15,8 @@
 
 namespace snell::accuracy {
 
+inline constexpr std::string_view vertex = "void main() { gl_Position = ftransform(); }\n";
+
 using Finder = void (*)(const Plan&, Files&, Sources&, std::vector<Change>&);
 
 // A scene as read, and the changes found in it.

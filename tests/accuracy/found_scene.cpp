@@ -111,7 +111,6 @@ namespace {
 
 using Afters = std::vector<std::string>;
 
-constexpr std::string_view vertex = "void main() { gl_Position = ftransform(); }\n";
 constexpr std::string_view waves =
     "void main() { vec4 v = gl_Vertex; v.z = sin(v.x); gl_Position = gl_ModelViewProjectionMatrix * v; }\n";
 constexpr std::string_view fragment = "void main() { gl_FragColor = vec4(1.); }\n";

@@ -23,6 +23,23 @@ bool by_place(const Edit& a, const Edit& b) {
     return std::tuple(a.span.file, a.span.begin, a.span.end) < std::tuple(b.span.file, b.span.begin, b.span.end);
 }
 
+// Edits that touch become one, so that their order is certain. Returns false if some overlap.
+bool join_neighbours(std::vector<Edit>& edits) {
+    std::vector<Edit> joined;
+    for (Edit& edit : edits) {
+        const bool follows = !joined.empty() && joined.back().span.file == edit.span.file;
+        if (follows && edit.span.begin < joined.back().span.end) return false;
+        if (follows && edit.span.begin == joined.back().span.end) {
+            joined.back().span.end = edit.span.end;
+            joined.back().text += edit.text;
+        } else {
+            joined.push_back(std::move(edit));
+        }
+    }
+    edits = std::move(joined);
+    return true;
+}
+
 }  // namespace
 
 Collector::Collector(const Files& files, const Sources& sources, std::vector<Change>& changes, std::size_t most)
@@ -37,7 +54,21 @@ Span Collector::first_reading(Span span) const {
     return span;
 }
 
-bool Collector::add(ChangeKind kind, Span where, std::vector<Edit> edits, std::string_view lint) {
+// The text at the span with those edits that are within it.
+std::string Collector::edited(Span span, const std::vector<Edit>& edits) const {
+    std::string made;
+    std::uint32_t at = span.begin;
+    const std::string_view file = sources_.text(span.file);
+    for (const Edit& edit : edits) {
+        if (edit.span.file != span.file || edit.span.begin < at || edit.span.end > span.end) continue;
+        made.append(file.substr(at, edit.span.begin - at)).append(edit.text);
+        at = edit.span.end;
+    }
+    return made.append(file.substr(at, span.end - at));
+}
+
+bool Collector::add(ChangeKind kind, Span where, std::vector<Edit> edits, std::string_view lint,
+                    const std::vector<Span>& more) {
     if (full()) return false;
     Change change;
     change.kind = kind;
@@ -50,23 +81,15 @@ bool Collector::add(ChangeKind kind, Span where, std::vector<Edit> edits, std::s
     }
     ranges::stable_sort(change.edits, by_place);
     change.edits.erase(std::unique(change.edits.begin(), change.edits.end()), change.edits.end());
-    if (change.edits.empty()) return false;
-    for (std::size_t i = 1; i < change.edits.size(); ++i) {
-        const Span &a = change.edits[i - 1].span, &b = change.edits[i].span;
-        if (a.file == b.file && b.begin < a.end) return false;
-    }
+    if (change.edits.empty() || !join_neighbours(change.edits)) return false;
     if (ranges::any_of(changes_, [&](const Change& other) { return other.edits == change.edits; })) return false;
-    const std::string_view old = text(change.where);
-    std::string made;
-    std::uint32_t at = change.where.begin;
-    for (const Edit& edit : change.edits) {
-        if (edit.span.file != change.where.file || edit.span.begin < at || edit.span.end > change.where.end) continue;
-        made.append(old.substr(at - change.where.begin, edit.span.begin - at)).append(edit.text);
-        at = edit.span.end;
+    std::string before(text(change.where)), after = edited(change.where, change.edits);
+    for (const Span& further : more) {
+        before.append("; ").append(text(further));
+        after.append("; ").append(edited(first_reading(further), change.edits));
     }
-    made.append(old.substr(at - change.where.begin));
-    change.before = excerpt(old);
-    change.after = excerpt(made);
+    change.before = excerpt(before);
+    change.after = excerpt(after);
     changes_.push_back(std::move(change));
     --left_;
     return true;
@@ -153,6 +176,7 @@ Shaders shaders(const Plan& plan, Files& files, Sources& sources) {
                 Diagnostics unheard;  // compiling reports them
                 glsl::preprocess(unit, stage.file, sources, options, unheard);
                 glsl::Parser(unit, options.target, unheard).run();
+                all.back().bodies = bodies(unit);
             }
             all[at->second].programs.push_back(planned.program);
         }
@@ -172,6 +196,79 @@ std::optional<Span> place(const glsl::Unit& unit, const Collector& to, int first
         if (begin != text.npos && text[begin] == '#') return std::nullopt;
     }
     return to.first_reading(span);
+}
+
+const Body* body_around(const Shader& shader, int token) {
+    const auto found = ranges::find_if(
+        shader.bodies, [&](const Body& body) { return body.function->open < token && token < body.function->close; });
+    return found == shader.bodies.end() ? nullptr : &*found;
+}
+
+const Piece* declaration_of(const Shader& shader, const Tree& name) {
+    const Body* body = name.kind == Tree::Kind::name ? body_around(shader, name.first) : nullptr;
+    const Piece* found = nullptr;
+    if (!body) return nullptr;
+    for (const Piece& piece : body->pieces) {
+        if (piece.kind == Piece::Kind::declaration && piece.name == name.text) {
+            if (found) return nullptr;
+            found = &piece;
+        }
+        bool assigned = false;
+        for_each(piece.value, [&](const Tree& tree) {
+            const bool changes = tree.kind == Tree::Kind::assign || tree.kind == Tree::Kind::postfix ||
+                                 tree.is(Tree::Kind::prefix, "++") || tree.is(Tree::Kind::prefix, "--");
+            assigned = assigned || (changes && shader.unit.at(tree.parts[0].first).text == name.text);
+        });
+        if (assigned) return nullptr;
+    }
+    const bool known = found && found->value.kind != Tree::Kind::other && found->name_token < name.first;
+    return known ? found : nullptr;
+}
+
+const Tree& resolved(const Shader& shader, const Tree& tree) {
+    const Tree* at = &bare(tree);
+    for (int steps = 0; steps < 4; ++steps) {
+        const Piece* piece = declaration_of(shader, *at);
+        if (!piece) break;
+        at = &bare(piece->value);
+    }
+    return *at;
+}
+
+std::optional<Edit> declared(const Shader& shader, const Collector& to, int token, std::string_view declaration) {
+    const std::string_view name =
+        declaration.substr(declaration.rfind(' ') + 1, declaration.size() - declaration.rfind(' ') - 2);
+    const Body* body = body_around(shader, token);
+    if (!body) return std::nullopt;
+    const auto first = place(shader.unit, to, body->function->first, body->function->first);
+    if (!first) return std::nullopt;
+    if (ranges::find(shader.unit.globals, name, &glsl::Global::name) != shader.unit.globals.end())
+        return before(*first, "");
+    return before(*first, std::string(declaration) + std::string(line_end(to.sources().text(first->file))));
+}
+
+std::optional<Edit> included(const Shader& shader, const Collector& to, std::string_view file) {
+    if (shader.unit.files.empty()) return std::nullopt;
+    const FileId main = to.first_reading({shader.unit.files.front(), 0, 0}).file;
+    for (const FileId other : shader.unit.files)
+        if (to.sources().name(other) == file) return Edit{{main, 0, 0}, ""};
+    const std::string_view text = to.sources().text(main), end = line_end(text);
+    // Behind #version and #extension, which must be first.
+    std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0, next = at;
+    for (int line = 1; next < text.size(); ++line) {
+        const std::size_t newline = text.find('\n', next);
+        const std::string_view words = text.substr(next, std::min(newline, text.size()) - next);
+        const std::size_t hash = words.find('#'), word = words.find_first_not_of(" \t#", hash == words.npos ? 0 : hash);
+        const std::string_view name = word == words.npos ? "" : words.substr(word);
+        next = newline == text.npos ? text.size() : newline + 1;
+        const bool begins = words.find_first_not_of(" \t") == hash && hash != words.npos;
+        if (begins && (name.starts_with("version") || name.starts_with("extension"))) at = next;
+        if (line > shader.unit.version_line && !begins && word != words.npos && !name.starts_with("//")) break;
+    }
+    const bool open = at > 0 && text[at - 1] != '\n' && at != 3;
+    const auto offset = static_cast<std::uint32_t>(at);
+    return Edit{{main, offset, offset},
+                std::string(open ? end : "") + "#include <" + std::string(file) + ">" + std::string(end)};
 }
 
 }  // namespace snell::accuracy::texts

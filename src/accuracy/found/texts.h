@@ -20,8 +20,9 @@ public:
     Collector(const Files& files, const Sources& sources, std::vector<Change>& changes, std::size_t most);
 
     // Adds a change unless it has no effect, overlapping edits, an edit of a text that is not the author's, or the
-    // edits of another change. Excerpts are of the text at `where`. Returns false if it was not added.
-    bool add(ChangeKind kind, Span where, std::vector<Edit> edits, std::string_view lint = {});
+    // edits of another change. Excerpts are of the text at `where`, and at `more`. Returns false if it was not added.
+    bool add(ChangeKind kind, Span where, std::vector<Edit> edits, std::string_view lint = {},
+             const std::vector<Span>& more = {});
     // True for texts that belong to the scene, false for those that snell itself provides.
     bool author(FileId file) const { return names_.contains(sources_.name(file)); }
     // The same place in the first of several readings of the file.
@@ -33,6 +34,8 @@ public:
     const Sources& sources() const { return sources_; }
 
 private:
+    std::string edited(Span span, const std::vector<Edit>& edits) const;
+
     const Sources& sources_;
     std::vector<Change>& changes_;
     std::size_t left_;
@@ -57,16 +60,6 @@ const Statement* statement_at(const std::vector<Statement>& all, Span place);
 std::string_view line_end(std::string_view text);
 
 // ---- shaders ------------------------------------------------------------------------------------------------
-
-// One stage as the translator reads it for the plan's rungs.
-struct Shader {
-    glsl::Unit unit;
-    std::vector<Index> programs;  // that use it
-};
-// A deque, because texts of a unit refer to the unit.
-using Shaders = std::deque<Shader>;
-// The stages of all programs, equal ones once. `sources` gets the texts of included shaders.
-Shaders shaders(const Plan& plan, Files& files, Sources& sources);
 
 // An expression.
 struct Tree {
@@ -131,9 +124,38 @@ struct Body {
 // The functions with a body, in the order of the text.
 std::vector<Body> bodies(const glsl::Unit& unit);
 
+// One stage as the translator reads it for the plan's rungs.
+struct Shader {
+    glsl::Unit unit;
+    std::vector<Index> programs;  // that use it
+    std::vector<Body> bodies;
+};
+// A deque, because texts of a unit refer to the unit.
+using Shaders = std::deque<Shader>;
+// The stages of all programs, equal ones once. `sources` gets the texts of included shaders.
+Shaders shaders(const Plan& plan, Files& files, Sources& sources);
+
+// The function around the token; null if there is none.
+const Body* body_around(const Shader& shader, int token);
+// The declaration of the variable that a name means, if it is a local one that has a value there and is assigned
+// nowhere else; null otherwise.
+const Piece* declaration_of(const Shader& shader, const Tree& name);
+// What a variable has as its value, if that is certain; the tree itself otherwise.
+const Tree& resolved(const Shader& shader, const Tree& tree);
+
 // The place of tokens in the author's text; nothing if a macro made them, they are in several texts, or directives are
 // between them.
 std::optional<Span> place(const glsl::Unit& unit, const Collector& to, int first, int last);
+inline std::optional<Span> place(const glsl::Unit& unit, const Collector& to, const Tree& tree) {
+    return place(unit, to, tree.first, tree.last);
+}
+inline Edit before(Span span, std::string text) { return {{span.file, span.begin, span.begin}, std::move(text)}; }
+inline Edit after(Span span, std::string text) { return {{span.file, span.end, span.end}, std::move(text)}; }
+// Declares a global variable before the function around the token. The edit is empty if the shader has it, and there is
+// none if there is no place for it.
+std::optional<Edit> declared(const Shader& shader, const Collector& to, int token, std::string_view declaration);
+// Includes a file of snell's library, such as "snell/fresnel.glsl". The edit is empty if the shader includes it.
+std::optional<Edit> included(const Shader& shader, const Collector& to, std::string_view file);
 // Calls `each` for the expression and all within it, outermost first.
 template <class Each>
 void for_each(const Tree& tree, const Each& each) {
