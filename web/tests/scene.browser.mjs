@@ -252,6 +252,7 @@ async function drop(contents) {
 
 test('scenes that are opened one after the other leave nothing behind', async () => {
     await show('a.glib');
+    await page.waitForSelector('.editor'); // it takes what is dropped
     const open = async (name, radius) => {
         await page.$eval('.status span', (status) => void (status.textContent = ''));
         // A folder of the first scene has the name of this one's shader.
