@@ -95,8 +95,7 @@ test('while the text is edited, the sliders stay; the text is below the picture'
     assert.ok(text.top >= picture.bottom && text.height > 100 && picture.height > 100);
     assert.ok(slider.width > 100 && slider.left >= text.right);
     await page.setViewport({ width: 390, height: 844 });
-    assert.equal(await page.$eval('#panel-controls', ({ hidden }) => hidden), true);
-    assert.equal(await page.$eval('#tab-text', ({ role }) => role), 'tab');
+    await page.waitForFunction(() => document.querySelector('#panel-controls').hidden && document.querySelector('#tab-text').role === 'tab');
     await page.setViewport({ width: 1000, height: 600 });
 });
 
