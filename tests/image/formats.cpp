@@ -8,7 +8,6 @@
 
 #include "src/content/image/decoded.h"
 #include "src/content/image/formats.h"
-#include "src/content/image/open_module.h"
 #include "tests/image/help.h"
 
 namespace snell::content {
@@ -410,21 +409,6 @@ TEST(ImageBasics, SpreadingToFourChannels) {
         expect(alpha, {.2, .2, .2, .4});
         expect(rgb, {.2, .4, .6, 1});
     }
-}
-
-// Galleries copy the process after this, and threads are not copied.
-TEST(ImageModule, OpeningStartsNoThread) {
-    const auto threads = [] {
-        const std::filesystem::directory_iterator tasks("/proc/self/task");
-        return std::distance(begin(tasks), end(tasks));
-    };
-    EXPECT_EXIT(
-        {
-            const auto before = threads();
-            open_image_module();
-            std::exit(threads() == before ? 0 : 1);
-        },
-        ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -162,8 +162,7 @@ PageParts page_parts(const std::string& scene, const std::string& title, const s
     const SceneFiles files = scene_files(scene, access);
     PageParts parts{title_for(scene, title), {}, {}, sizes_of(files.files), files.error};
     if (!parts.error.empty()) return parts;
-    parts.scene =
-        script_json(scene_json(files.scene, parts.title, link, start_texts(*opened.document, opened.view)));
+    parts.scene = script_json(scene_json(files.scene, parts.title, link, start_texts(*opened.document, opened.view)));
     parts.archive = base64(gzipped(archive(files.files)));
     return parts;
 }
