@@ -18,12 +18,12 @@ namespace snell::accuracy {
 
 namespace {
 
-using glsl::Piece;
+using glsl::Extent;
 using glsl::whole_groups;
 
 // The lines of a text that are there twice, and what they become.
 struct TwiceThere {
-    Piece lines;
+    Extent lines;
     std::vector<const Edit*> edits;
 };
 
@@ -47,13 +47,13 @@ public:
     // Why the edit can't be in an #if; "" if it can.
     std::string refusal(const Edit& edit) const {
         const auto [begin, end] = std::pair<std::size_t, std::size_t>(edit.span.begin, edit.span.end);
-        for (const auto& [piece, word] : divisions_.directives) {
-            const bool touched = begin < end ? begin < piece.end && piece.begin < end
-                                             : piece.begin < begin && begin <= piece.end && begin < text_.size();
-            if (touched && !(begin <= piece.begin && piece.end <= end))
+        for (const auto& [extent, word] : divisions_.directives) {
+            const bool touched = begin < end ? begin < extent.end && extent.begin < end
+                                             : extent.begin < begin && begin <= extent.end && begin < text_.size();
+            if (touched && !(begin <= extent.begin && extent.end <= end))
                 return word == "define" ? "the change is in a macro (#define), where no #if can be"
                                         : fmt::format("the change is in a directive (#{}), where no #if can be", word);
-            if (word == "version" && end <= piece.begin) return "the change is before #version, where no #if can be";
+            if (word == "version" && end <= extent.begin) return "the change is before #version, where no #if can be";
         }
         return {};
     }
@@ -62,7 +62,7 @@ public:
     std::vector<TwiceThere> regions(const std::vector<const Edit*>& edits) const {
         std::vector<TwiceThere> all;
         for (const Edit* edit : edits) {
-            const Piece lines = lines_of(*edit);
+            const Extent lines = lines_of(*edit);
             if (all.empty() || lines.begin > all.back().lines.end) {
                 all.push_back({lines, {edit}});
                 continue;
@@ -93,22 +93,22 @@ private:
         return start == divisions_.starts.end() ? text_.size() : *start;
     }
     bool within_statement(std::size_t place) const {
-        return ranges::any_of(divisions_.statements, [&](const Piece& s) { return s.begin < place && place < s.end; });
+        return ranges::any_of(divisions_.statements, [&](const Extent& s) { return s.begin < place && place < s.end; });
     }
 
-    Piece lines_of(const Edit& edit) const {
+    Extent lines_of(const Edit& edit) const {
         const std::size_t begin = edit.span.begin, end = edit.span.end;
         const bool inserted = begin == end;
         if (inserted && start_at(begin) == begin && (ends_line(edit.text) || begin == text_.size()) &&
             !within_statement(begin))
             return {begin, begin};
-        Piece lines{start_at(begin), end_from(inserted ? std::min(begin + 1, text_.size()) : end)};
+        Extent lines{start_at(begin), end_from(inserted ? std::min(begin + 1, text_.size()) : end)};
         for (bool grown = true; grown;) {
             grown = false;
-            for (const Piece& statement : divisions_.statements) {
+            for (const Extent& statement : divisions_.statements) {
                 if (statement.begin >= lines.end || statement.end <= lines.begin) continue;
-                const Piece more{std::min(lines.begin, start_at(statement.begin)),
-                                 std::max(lines.end, end_from(statement.end))};
+                const Extent more{std::min(lines.begin, start_at(statement.begin)),
+                                  std::max(lines.end, end_from(statement.end))};
                 grown = grown || more.begin < lines.begin || more.end > lines.end;
                 lines = more;
             }
@@ -180,7 +180,7 @@ public:
 private:
     struct Doubled {
         FileId file;
-        Piece lines;
+        Extent lines;
         std::string name;  // of the chosen changes
     };
 

@@ -88,7 +88,7 @@ private:
     std::size_t at_ = 0;
     int depth_ = 0;
     bool fresh_ = true;  // nothing but blanks was read since the line began
-    Piece statement_;
+    Extent statement_;
     Divisions divisions_{{0}, {}, {}};
 };
 

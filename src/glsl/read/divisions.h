@@ -8,18 +8,18 @@
 namespace snell::glsl {
 
 // Offsets.
-struct Piece {
+struct Extent {
     std::size_t begin = 0, end = 0;
 };
 
 struct Directive {
-    Piece piece;
+    Extent extent;
     std::string_view word;
 };
 
 struct Divisions {
     std::vector<std::size_t> starts;  // of lines that begin outside of comments, directives and continued lines
-    std::vector<Piece> statements;    // up to `;`, `{` or `}`; none contains a directive
+    std::vector<Extent> statements;   // up to `;`, `{` or `}`; none contains a directive
     std::vector<Directive> directives;
 };
 
