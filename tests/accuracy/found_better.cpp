@@ -295,6 +295,9 @@ TEST_F(FoundBetter, MoreRounds) {
     EXPECT_EQ(rounds("for (int i = 0; i < N; i++) gl_FragColor = vec4(i);\n", "#define N 6 // rounds\n")
                   .after(ChangeKind::more_rounds),
               (Afters{"#define N 12", "#define N 24"}));
+    EXPECT_EQ(rounds("for (int i = 1; i <= N && uX > 0.; i++) gl_FragColor = vec4(i);\n", "const int N = 6;\n")
+                  .after(ChangeKind::more_rounds),
+              (Afters{"N = 12", "N = 24"}));
     const Found march = rounds("for (float t = 0.; t < 1.; t += .1) gl_FragColor += vec4(t * .1);\n");
     EXPECT_EQ(line(march, ChangeKind::more_rounds, 0, "for ("),
               "for (float t = 0.; t < 1.; t += 0.05) gl_FragColor += vec4(t * 0.05);");

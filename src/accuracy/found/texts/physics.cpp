@@ -28,8 +28,14 @@ public:
     }
 
 private:
+    // The comparison of the counter, which may be one of several conditions.
+    static const Tree& limit(const Loop& loop) {
+        const Tree* limit = &bare(loop.condition);
+        while (limit->infix("&&")) limit = &bare(limit->parts[0]);
+        return *limit;
+    }
     bool counts(const Loop& loop) const {
-        const Tree& c = loop.condition;
+        const Tree& c = limit(loop);
         return (c.infix("<") || c.infix("<=")) && c.parts[0].is(Kind::name, loop.counter) && !loop.counter.empty() &&
                number_of(loop.start).has_value();
     }
@@ -48,7 +54,7 @@ private:
 
     void more(const Body& body, const Loop& loop) {
         if (!counts(loop) || indexes(loop)) return;
-        const Tree& bound = loop.condition.parts[1];
+        const Tree& bound = limit(loop).parts[1];
         if (!by_one(loop.step)) {
             if (loop.step.is(Kind::assign, "+=") && u_.at(loop.step.parts[1].first).kind == glsl::Kind::real)
                 for (const double factor : {2., 4.}) change(body, loop, loop.step.parts[1], 1 / factor, false);
