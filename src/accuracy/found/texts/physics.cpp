@@ -28,8 +28,14 @@ public:
     }
 
 private:
+    // The comparison of the counter, which may be one of several conditions.
+    static const Tree& limit(const Loop& loop) {
+        const Tree* limit = &bare(loop.condition);
+        while (limit->infix("&&")) limit = &bare(limit->parts[0]);
+        return *limit;
+    }
     bool counts(const Loop& loop) const {
-        const Tree& c = loop.condition;
+        const Tree& c = limit(loop);
         return (c.infix("<") || c.infix("<=")) && c.parts[0].is(Kind::name, loop.counter) && !loop.counter.empty() &&
                number_of(loop.start).has_value();
     }
@@ -48,7 +54,7 @@ private:
 
     void more(const Body& body, const Loop& loop) {
         if (!counts(loop) || indexes(loop)) return;
-        const Tree& bound = loop.condition.parts[1];
+        const Tree& bound = limit(loop).parts[1];
         if (!by_one(loop.step)) {
             if (loop.step.is(Kind::assign, "+=") && u_.at(loop.step.parts[1].first).kind == glsl::Kind::real)
                 for (const double factor : {2., 4.}) change(body, loop, loop.step.parts[1], 1 / factor, false);
@@ -157,7 +163,11 @@ public:
 
     void run() {
         for (const Body& body : s_.bodies)
-            for (const Piece& piece : body.pieces) for_each(piece.value, [&](const Tree& tree) { look(tree); });
+            for (const Piece& piece : body.pieces)
+                for_each(piece.value, [&](const Tree& tree) {
+                    look(tree);
+                    look_at_weights(tree);
+                });
     }
 
 private:
@@ -283,6 +293,45 @@ private:
         std::string more;
         for (int n = found.factors; n < 5; ++n) more += " * " + std::string(to_.text(*base));
         to_.add(ChangeKind::lint_fix, whole, {after(*last, more)});
+    }
+
+    bool mirrors(const Tree& tree, int steps = 3) const {
+        bool found = false;
+        for_each(tree, [&](const Tree& part) {
+            found = found || part.is(Kind::call, "reflect") || part.is(Kind::call, "snellReflect");
+            if (steps == 0 || found || part.kind != Kind::name) return;
+            const Tree& value = resolved(s_, part);
+            if (&value != &part) found = mirrors(value, steps - 1);
+        });
+        return found;
+    }
+
+    bool is_cosine(const Tree& tree) const {
+        const Tree& t = resolved(s_, tree);
+        if (t.is(Kind::prefix, "-") || t.call("clamp", 3) || t.call("abs", 1)) return is_cosine(t.parts[0]);
+        if (t.call("max", 2)) return is_cosine(t.parts[0]) || is_cosine(t.parts[1]);
+        return t.call("dot", 2);
+    }
+
+    // A power of the cosine as the share that is mirrored: it is largest where glass mirrors least.
+    void exchange(const Tree& share) {
+        const Tree& power = resolved(s_, share);
+        if (!power.call("pow", 2) || !is_cosine(power.parts[0])) return;
+        if (const auto place = span_of(u_, to_, power))
+            to_.add(ChangeKind::lint_fix, *place, {before(*place, "1. - ")});
+    }
+
+    void look_at_weights(const Tree& tree) {
+        if (tree.call("mix", 3) && mirrors(tree.parts[1]) && !mirrors(tree.parts[0])) return exchange(tree.parts[2]);
+        if (!tree.infix("+")) return;
+        for (const std::size_t n : {0u, 1u}) {  // mirrored * k + other * (1. - k)
+            const Tree &one = bare(tree.parts[n]), &other = bare(tree.parts[1 - n]);
+            if (!one.infix("*") || !other.infix("*")) continue;
+            for (const std::size_t m : {0u, 1u})
+                if (one.parts[m].kind == Kind::name && mirrors(one.parts[1 - m]) && !mirrors(other) &&
+                    (rest_of(other.parts[0], one.parts[m]) || rest_of(other.parts[1], one.parts[m])))
+                    exchange(one.parts[m]);
+        }
     }
 
     const Shader& s_;

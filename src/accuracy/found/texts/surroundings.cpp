@@ -64,13 +64,10 @@ void bend_twice(const Scene& scene, const Shader& shader, Collector& to) {
         if (!whole || !name || !eta) return;
         edits.push_back({*name, "snellRefractSphere"});
         const Tree& ratio = bend.parts[2];
-        const auto divides =
-            ratio.infix("/") ? span_of(unit, to, ratio.parts[0].last + 1, ratio.parts[1].first) : std::nullopt;
-        const auto divisor = divides ? span_of(unit, to, ratio.parts[1].first, ratio.parts[1].first) : std::nullopt;
-        if (divisor)
-            edits.push_back({{divides->file, divides->begin, divisor->begin}, ", "});
-        else
-            edits.push_back(after(*eta, ", 1."));
+        // n1 / n2 as two arguments.
+        const auto first = ratio.infix("/") ? span_of(unit, to, ratio.parts[0]) : std::nullopt;
+        const auto second = ratio.infix("/") ? span_of(unit, to, ratio.parts[1]) : std::nullopt;
+        edits.push_back(first && second ? Edit{{eta->file, first->end, second->begin}, ", "} : after(*eta, ", 1."));
         if (where) more.push_back(*whole);
         if (!where) where = whole;
     }

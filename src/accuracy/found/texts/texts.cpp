@@ -206,23 +206,11 @@ const Body* body_around(const Shader& shader, int token) {
 
 const Piece* declaration_of(const Shader& shader, const Tree& name) {
     const Body* body = name.kind == Tree::Kind::name ? body_around(shader, name.first) : nullptr;
-    const Piece* found = nullptr;
     if (!body) return nullptr;
-    for (const Piece& piece : body->pieces) {
-        if (piece.kind == Piece::Kind::declaration && piece.name == name.text) {
-            if (found) return nullptr;
-            found = &piece;
-        }
-        bool assigned = false;
-        for_each(piece.value, [&](const Tree& tree) {
-            const bool changes = tree.kind == Tree::Kind::assign || tree.kind == Tree::Kind::postfix ||
-                                 tree.is(Tree::Kind::prefix, "++") || tree.is(Tree::Kind::prefix, "--");
-            assigned = assigned || (changes && shader.unit.at(tree.parts[0].first).text == name.text);
-        });
-        if (assigned) return nullptr;
-    }
-    const bool known = found && found->value.kind != Tree::Kind::other && found->name_token < name.first;
-    return known ? found : nullptr;
+    const auto found = body->certain.find(name.text);
+    if (found == body->certain.end() || found->second < 0) return nullptr;
+    const Piece& piece = body->pieces[static_cast<std::size_t>(found->second)];
+    return piece.name_token < name.first ? &piece : nullptr;
 }
 
 const Tree& resolved(const Shader& shader, const Tree& tree) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -124,6 +125,8 @@ struct Body {
     const glsl::Function* function = nullptr;
     std::vector<Piece> pieces;
     std::vector<Loop> loops;
+    // Of declared variables: the piece that gives one its only value; -1: none does.
+    std::map<std::string_view, int> certain;
 };
 // The functions with a body, in the order of the text.
 std::vector<Body> bodies(const glsl::Unit& unit);
