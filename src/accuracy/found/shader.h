@@ -85,6 +85,7 @@ struct Counter {
     double step = 1;
     bool includes = false;  // <= or >=
 };
+// By its header, and by `if( name >= bound ) break;` in its body.
 std::vector<Counter> counters(const Shader& shader, int loop);
 
 // Collects changes, each once.

@@ -113,9 +113,9 @@ Power power_root(double exponent) {
     }
     const double bound = std::ceil(error * 1.1 * 1e4 + 1) / 1e4;
     std::string text = fmt::format(
-        "// pow(x, {:.6g}) by x^{:.0f}({:.6f}s + {:.6f}s^2 + {:.6f}s^3), s = sqrt(sqrt(x)): error below {:.4f} in "
+        "// pow(x, {:.6g}) by {}({:.6f}s{:+.6f}s^2{:+.6f}s^3), s = sqrt(sqrt(x)): error below {:.4f} in "
         "0..1\n",
-        exponent, whole, fit.a, fit.b, fit.c, bound);
+        exponent, whole > 0 ? fmt::format("x^{:.0f}", whole) : "", fit.a, fit.b, fit.c, bound);
     text += "TYPE NAME(TYPE x) { TYPE s = sqrt(sqrt(max(x, 0.))); return ";
     for (int k = 0; k < static_cast<int>(whole); ++k) text += "x * ";
     text += fmt::format("s * ({:.6f} + s * ({:.6f} + s * ({:.6f}))); }}\n", fit.a, fit.b, fit.c);

@@ -230,12 +230,30 @@ void add_counter(const Shader& s, int loop, const LoopHeader& header, int node, 
     }
 }
 
+// Whether a condition that ends with the token leads to `break`.
+bool breaks(const Shader& s, int last) {
+    const auto word = [&](int k) {
+        return k < static_cast<int>(s.unit.tokens.size()) ? s.token(k).text : std::string_view();
+    };
+    return word(last + 1) == ")" && word(last + (word(last + 2) == "{" ? 3 : 2)) == "break";
+}
+
 }  // namespace
 
 std::vector<Counter> counters(const Shader& shader, int loop) {
     std::vector<Counter> found;
     const LoopHeader header = header_of(shader, loop);
-    if (header.condition >= 0 && header.step >= 0) add_counter(shader, loop, header, header.condition, found);
+    if (header.condition < 0 || header.step < 0) return found;
+    add_counter(shader, loop, header, header.condition, found);
+    if (found.empty()) return found;
+    const Counter first = found.front();
+    for (int n = header.step + 1; n < loop; ++n) {
+        const Node& test = shader.at(n);
+        const std::vector<int> sides = shader.parts(n);
+        if (test.form != Form::infix || (test.text != ">=" && test.text != ">") || !breaks(shader, test.last)) continue;
+        if (variable_of(shader, sides[0]) == first.variable)
+            found.push_back({n, sides[1], first.base, first.variable, first.step, test.text == ">"});
+    }
     return found;
 }
 
