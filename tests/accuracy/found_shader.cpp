@@ -52,8 +52,13 @@ TEST_F(Rounds, AConstantIsChangedWhereItIsDefined) {
         << "an array has as many elements";
     EXPECT_EQ(lines("for (int i = 0; i < STEPS; i++) color += vN;",
                     "#ifdef X\n#define STEPS 40\n#else\n#define STEPS 8\n#endif\n"),
-              (Lines{"STEPS → STEPS/2", "STEPS → STEPS/4"}))
-        << "which one is meant depends on the driver's macros";
+              (Lines{"#define STEPS 8 → #define STEPS 4", "#define STEPS 8 → #define STEPS 2"}))
+        << "the definition that counts";
+    EXPECT_EQ(
+        lines("for (int i = 0; i < STEPS; i++) color += w[i] * vN;",
+              "#version 330 compatibility\n#define STEPS 4\nconst float w[STEPS] = float[STEPS](1., 2., 3., 4.);\n"),
+        (Lines{"STEPS → STEPS/2", "STEPS → STEPS/4"}))
+        << "an array has as many elements";
 }
 
 TEST_F(Rounds, AUniformIsDividedWhereverTheFunctionReadsIt) {
@@ -96,6 +101,7 @@ TEST_F(FoundShaders, TermsOfSumsAreLeftOut) {
     EXPECT_EQ(shaders(in_main("color = 1. + sin(vN);")).lines(without_term), Lines{})
         << "a number alone has another type, and costs nothing";
     EXPECT_EQ(shaders(in_main("color = uA * (vN * vP + sin(vN));")).lines(without_term).size(), 2U);
+    EXPECT_EQ(shaders(in_main("color = clamp(sin(vN) + cos(vP), 0., 1.);")).lines(without_term).size(), 2U);
     EXPECT_EQ(shaders(in_main("int n = 1 + uSteps; color = vec3(float(n));")).lines(without_term), Lines{});
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/shader.h"
@@ -192,8 +193,10 @@ private:
         const int function = s_.function_of(s_.at(calls.front()).first);
         const Span ahead = *s_.ahead_of(function);
         std::vector<Edit> edits;
+        std::vector<Span> shown;
         for (const int n : calls) {
             const Node& call = s_.at(n);
+            shown.push_back(s_.span(n));
             const std::vector<int> given = s_.parts(n);
             edits.push_back({ahead, helper(n)});
             edits.push_back({s_.span(call.first, call.first), name_of(n)});
@@ -201,11 +204,7 @@ private:
             const Span base = s_.span(given[0]), power = s_.span(given[1]);
             edits.push_back({{base.file, base.end, power.end}, ""});
         }
-        const bool one = calls.size() == 1;
-        const Span first = s_.span(calls.front()), last = s_.span(calls.back());
-        const bool row = first.file == last.file && first.begin < last.end;
-        offers_.add(ChangeKind::polynomial, one || !row ? first : Span{first.file, first.begin, last.end},
-                    std::move(edits));
+        offers_.add(ChangeKind::polynomial, shown, std::move(edits));
     }
 
     const Shader& s_;
@@ -239,8 +238,10 @@ void add_half_precision(const Shader& s, Offers& offers) {
     const std::string name = fmt::format("foundHalf_{}", ahead->begin);
     std::set<std::string_view> types;
     std::vector<Edit> edits;
+    std::vector<Span> shown;
     const auto wrap = [&](int node) {
         const Span span = s.span(node);
+        shown.push_back(span);
         edits.push_back(insertion(span, span.begin, name + "("));
         edits.push_back(insertion(span, span.end, ")"));
         types.insert(s.at(node).type.name);
@@ -257,11 +258,16 @@ void add_half_precision(const Shader& s, Offers& offers) {
         if (q.storage == glsl::Storage::in && q.interpolation != "flat") wrap(n);
     }
     if (edits.empty()) return;
-    const Span where = s.span(main->name_token, main->name_token);
     std::string helpers;
     for (const std::string_view type : types) helpers += polynomial_text("half", name, type);
     edits.push_back({*ahead, helpers});
-    offers.add(ChangeKind::half_precision, where, std::move(edits));
+    std::sort(shown.begin(), shown.end(), [](const Span& a, const Span& b) {
+        return std::tuple(a.file, a.begin, b.end) < std::tuple(b.file, b.begin, a.end);
+    });
+    std::vector<Span> outer;  // not what is shown within another
+    for (const Span& span : shown)
+        if (outer.empty() || outer.back().file != span.file || outer.back().end < span.end) outer.push_back(span);
+    offers.add(ChangeKind::half_precision, outer, std::move(edits));
 }
 
 }  // namespace snell::accuracy

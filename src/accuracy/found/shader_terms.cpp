@@ -97,7 +97,9 @@ private:
         const Node& n = s_.at(node);
         if (n.constant || depth > 30) return;
         if (is_sum(n)) return shorten(node, depth);
-        const bool through = n.form == Form::group || n.form == Form::construct || n.form == Form::choose ||
+        const bool kept = n.form == Form::built_in && (n.text == "clamp" || n.text == "min" || n.text == "max" ||
+                                                       n.text == "mix" || n.text == "normalize");
+        const bool through = kept || n.form == Form::group || n.form == Form::construct || n.form == Form::choose ||
                              (n.form == Form::infix && (n.text == "*" || n.text == "/"));
         if (!through) return;
         const std::vector<int> inside = s_.parts(node);
