@@ -59,6 +59,7 @@ TEST_F(Rounds, AConstantIsChangedWhereItIsDefined) {
               "#version 330 compatibility\n#define STEPS 4\nconst float w[STEPS] = float[STEPS](1., 2., 3., 4.);\n"),
         (Lines{"STEPS → STEPS/2", "STEPS → STEPS/4"}))
         << "an array has as many elements";
+    EXPECT_EQ(lines("for (int i = 0; i < STEPS; i++) color += vN;", "#define STEPS 1\n"), Lines{});
 }
 
 TEST_F(Rounds, AUniformIsDividedWhereverTheFunctionReadsIt) {

@@ -78,12 +78,13 @@ std::string power_product(int power) {
     return text + "return " + result + "; }\n";
 }
 
-// Coefficients of s, s^2, s^3 that fit s^p in 0..1 and are exact at both ends; the error is what is left.
+// Coefficients of s, s^2, s^3 that fit s^p in 0..1 and are exact at both ends; the error that is left, where the result
+// is multiplied by s^(4 whole).
 struct CubicFit {
     double a = 0, b = 0, c = 0, error = 1;
 };
 
-CubicFit cubic_fit(double power) {
+CubicFit cubic_fit(double power, double whole) {
     // u and v, where the error is 0, too, are those that make it smallest.
     CubicFit best;
     for (int i = 1; i < 12; ++i)
@@ -94,7 +95,9 @@ CubicFit cubic_fit(double power) {
             const double vw = (1 - fv) / (1 - v), c = (vw - uv) / (1 - u), b = uv - c * (u + v);
             CubicFit fit{fu - b * u - c * u * u, b, c, 0};
             for (double s = 0; s <= 1; s += 1. / 64)
-                fit.error = std::max(fit.error, std::abs(s * (fit.a + s * (b + s * c)) - std::pow(s, power)));
+                fit.error =
+                    std::max(fit.error, std::pow(s, 4 * whole) *
+                                            std::abs(s * (fit.a + s * (fit.b + s * fit.c)) - std::pow(s, power)));
             if (fit.error < best.error) best = fit;
         }
     return best;
@@ -105,7 +108,7 @@ Power power_root(double exponent) {
     const double part = std::modf(exponent, &whole);
     const double power = 4 * part;
     if (whole == 0 && power < .75) return {};  // too steep at 0
-    const CubicFit fit = cubic_fit(power);
+    const CubicFit fit = cubic_fit(power, whole);
     double error = 0;
     for (double s = 0; s <= 1; s += 1. / 1024) {
         const double x = s * s * s * s, made = std::pow(x, whole) * s * (fit.a + s * (fit.b + s * fit.c));

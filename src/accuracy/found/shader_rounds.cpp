@@ -170,7 +170,8 @@ private:
         if (fresh) known->second = definition(name, s_.token(n.first).text);
         const std::optional<Span>& place = known->second;
         const auto value = fewer(bound, n.value.front(), share);
-        if (!place || !value) return false;
+        if (!place) return false;
+        if (!value) return true;
         const std::string_view all = s_.sources.text(place->file);
         const std::uint32_t line = static_cast<std::uint32_t>(all.rfind('\n', place->begin) + 1);
         offers_.add(ChangeKind::fewer_rounds, {place->file, line, place->end}, {{*place, literal(*value, n.type)}});
@@ -182,7 +183,8 @@ private:
         const std::string_view name = macro_of(n);
         const glsl::Token& t = s_.token(n.first);
         const bool word = !name.empty() && name.find_first_of("( \t\n") == std::string_view::npos;
-        if (!word || !closed(n) || s_.library[t.file]) return;
+        const bool fewer_left = n.value.size() != 1 || fewer(bound, n.value.front(), share);
+        if (!word || !closed(n) || s_.library[t.file] || !fewer_left) return;
         const auto begin = t.offset, end = begin + static_cast<std::uint32_t>(name.size());
         const Span use{s_.files[t.file], begin, end};
         if (s_.text(use) == name)

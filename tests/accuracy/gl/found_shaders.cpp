@@ -45,7 +45,6 @@ protected:
         const auto with = changed(*document, {&*change});
         expect_clean(*with);
         const Picture a = draw(*document), b = draw(*with);
-        EXPECT_GT(a.count({0, 0, 0, 255}, 40), -1);
         int most = 0;
         for (std::size_t i = 0; i < a.rgba.size(); ++i)
             most = std::max(most, std::abs(static_cast<int>(a.rgba[i]) - static_cast<int>(b.rgba[i])));
@@ -89,12 +88,12 @@ TEST_F(FoundShadersGl, PolynomialsAreAsExactAsTheySay) {
                                    "pow(abs(vP), vec3(.4545))", "pow(vST.x, uShine)", "pow(vST, vec2(7.))"}) {
         const std::string shader =
             "varying vec3 vP;\nvarying vec2 vST;\nuniform float uShine;\nvoid main() { gl_FragColor = "
-            "vec4(.5 + .5 * length(vec3(0) + vec4(" +
-            call + ", 0., 0., 0.).xyz)); gl_FragColor.a = 1.; }\n";
+            "vec4(vec3(length(" +
+            call + ")), 1.); }\n";
         const int most =
             difference(scene(vertex, shader, "uShine 20."), ChangeKind::polynomial, call.substr(0, call.find(')')));
         EXPECT_GE(most, 0) << call;
-        EXPECT_LE(most, call.find("uShine") == std::string::npos ? 1 : 4) << call;
+        EXPECT_LE(most, call.find("uShine") == std::string::npos ? 1 : 6) << call;
     }
 }
 
@@ -108,7 +107,8 @@ TEST_F(FoundShadersGl, AMeanOfFewerSamplesOfOneValueIsTheSame) {
 
 TEST_F(FoundShadersGl, HalfPrecisionIsSeenWhereItIsMagnified) {
     const auto fragment = [](const std::string& magnified) {
-        return "varying vec3 vP;\nvoid main() { vec3 c = .5 + .5 * vP; gl_FragColor = vec4(" + magnified + ", 1.); }\n";
+        return "varying vec3 vP;\nvoid main() { vec3 c = .5 + .37 * vP; gl_FragColor = vec4(" + magnified +
+               ", 1.); }\n";
     };
     EXPECT_LE(difference(scene(vertex, fragment("c")), ChangeKind::half_precision, "vP"), 1);
     EXPECT_GE(difference(scene(vertex, fragment("fract(200. * c)")), ChangeKind::half_precision, "vP"), 8);
