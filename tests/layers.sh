@@ -23,6 +23,8 @@ complain "EGL and GLFW belong to src/platform" \
   "$(code | grep -vE '^src/platform/' | xargs grep -nE '#include <(epoxy/egl|EGL/|GLFW/)' | grep -vE '^src/ui/')"
 complain "OpenImageIO belongs to src/content/oiio" \
   "$(code | grep -vE '^src/content/oiio/' | xargs grep -nE '#include <OpenImageIO')"
+complain "Cairo belongs to src/accuracy/report/slide/cairo" \
+  "$(code | grep -vE '^src/accuracy/report/slide/cairo/' | xargs grep -nE '#include <cairo')"
 complain "Dear ImGui belongs to src/ui" "$(code | grep -vE '^src/ui/' | xargs grep -nE '#include <imgui|#include <backends/imgui')"
 complain "files are written by src/content/replace.cpp only, and by OpenImageIO beside their place: whole, or not at all" \
   "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/content/(replace.cpp|oiio/oiio.cpp)$' |
@@ -40,10 +42,10 @@ complain "libc++ lacks std::ranges and std::bit_cast where the browser's program
 
 complain "the files of a scene are opened by src/content/regular_file.cpp, which a browser replaces" \
   "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |
-     grep -vE '^src/content/(regular_file.cpp|replace.cpp|image/module.cpp|oiio/)' |
+     grep -vE '^src/content/(regular_file.cpp|replace.cpp|load_module.cpp|image/module.cpp|oiio/)' |
      xargs grep -nE '\bO_(PATH|RDONLY)\b|/proc/self|#include <(fcntl|unistd|sys/mman)')"
 complain "libraries that a browser lacks have units of their own, which src/platform/web replaces or does without" \
-  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|content/(image/(png_(read|write)|whole|module)|mesh/shp)\.)' |
+  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|content/(load_module|image/(png_(read|write)|whole|module)|mesh/shp)\.)' |
      xargs grep -nE '#include <(png|zlib|shapefil|dlfcn)')"
 complain "no #ifdef in what every platform builds" \
   "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |
@@ -67,10 +69,11 @@ allow src/lint 'parser|src/content|src/glsl|src/plan|src/lint'
 allow src/gl 'src/gl'
 allow src/runtime 'parser|shaders|src/content|src/glsl|src/plan|src/gl|src/runtime'
 allow src/document 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/document'
-allow src/accuracy 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/accuracy'
+allow src/accuracy 'parser|src/content|src/glsl|src/plan|src/lint|src/gl|src/runtime|src/document|src/accuracy'
 allow src/platform 'src/gl|src/platform|src/content'
 allow src/ui 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/platform|src/ui'
 
 complain "the program must not link OpenImageIO: it costs start-up" "$(ldd "$bin/snell" | grep -i openimageio)"
+complain "the program must not link Cairo: it costs start-up" "$(ldd "$bin/snell" | grep -i cairo)"
 complain "no target, namespace or header is called glib" "$(code | grep -iE '/glib\.' ; code | xargs grep -nE 'namespace glib')"
 exit $failed

@@ -107,10 +107,15 @@ Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
     Plan plan = with_knobs(plan_, knobs);
     if (directions_) plan = with_output(std::move(plan));
     RuntimeOptions how;
+    how.previous = settings_.previous;
     if (settings_.specialise)
         how.settle = [this](Controls& controls, const Scene& scene) {
             Diagnostics unheard;  // opening the scene has reported these
             for (const std::string& set : settings_.sets) set_control(controls, scene, set, unheard);
+            for (snell::Control& control : controls.items)
+                if (ranges::find(settings_.varying, scene.programs[control.program].name + "." + control.name) !=
+                    settings_.varying.end())
+                    control.varies = true;
         };
     stages_.push_back(std::make_unique<Stage>(knobs, std::move(plan), *files_, *sources_, caps_, how));
     for (const Diagnostic& diagnostic : stages_.back()->diagnostics.items())
@@ -120,6 +125,20 @@ Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
             problems_.add(diagnostic);
     return stages_.back().get();
 }
+
+void Bench::at(const Place& place) {
+    settings_.view = place.view;
+    settings_.time = place.time;
+    settings_.sets = place.sets;
+}
+
+void Bench::resize(int width, int height) {
+    if (width != settings_.width || height != settings_.height) targets_.clear();
+    settings_.width = width;
+    settings_.height = height;
+}
+
+const Runtime& Bench::runtime() { return stage({})->runtime; }
 
 gl::ExactTarget* Bench::target(int multisample) {
     const auto found = ranges::find(targets_, multisample, [](const auto& target) { return target.first; });
@@ -146,7 +165,6 @@ bool Bench::ready(const Variant& variant, bool directions) {
 // Samples are on a regular grid within the pixel; a single sample is at its usual position. Returns false if `stop`
 // ended it.
 bool Bench::draw(const std::vector<bool>* hidden, const Stop& stop) {
-    const View view;
     const bool several = knobs_.grid > 1;  // without this, the sum would add a cost that the scene does not have
     if (several) into_->begin();
     for (int i = 0; i < knobs_.grid; ++i)
@@ -155,7 +173,7 @@ bool Bench::draw(const std::vector<bool>* hidden, const Stop& stop) {
                 gl::finish();
                 if (stop()) return false;
             }
-            Frame frame{.time = settings_.time, .view = view, .controls = controls_};
+            Frame frame{.time = settings_.time, .view = settings_.view, .controls = controls_};
             frame.shift = {.5 - (i + .5) / knobs_.grid, .5 - (j + .5) / knobs_.grid};
             frame.hidden = hidden;
             current_->runtime.draw(frame, {into_->framebuffer(), into_->width(), into_->height()});

@@ -41,6 +41,18 @@ struct BenchSettings {
     double time = 0;                // seconds since the scene began
     std::vector<std::string> sets;  // assignments to uniforms, as for set_control
     bool specialise = true;         // programs are compiled for these values
+    View view = {};
+    std::vector<std::string> varying = {};  // "Program.uniform": programs take any value of these
+    // Of the same context: what did not change is shared with it.
+    const Runtime* previous = nullptr;
+};
+
+// Where a scene is drawn: what a user may change while it runs.
+struct Place {
+    View view;
+    double time = 0;
+    std::vector<std::string> sets;
+    bool operator==(const Place&) const = default;
 };
 
 // A shader can write the direction in which it looks up the environment, instead of a colour, if it tests SNELL_OUTPUT:
@@ -53,6 +65,12 @@ public:
 
     const Scene& scene() const { return plan_.scene; }
     const BenchSettings& settings() const { return settings_; }
+    // Pictures and times from now on are of this place.
+    void at(const Place& place);
+    // Pictures and times from now on are of this size.
+    void resize(int width, int height);
+    // The runtime that draws the scene at its own knobs.
+    const Runtime& runtime();
     // For each draw, whether the shaders of its program mention the ladder.
     std::vector<bool> draws_of(std::size_t ladder) const;
     // True if at least one shader can write directions.

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <random>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/rounds.h"
 
 namespace snell::accuracy {
 
@@ -179,6 +179,7 @@ private:
     void judge_reference(const Goal& goal) {
         const Reference& reference = *goal.reference;
         result_.finest = reference.knobs;
+        result_.reference = reference.picture;
         for (const Picture* picture : {&reference.picture, goal.last ? &*goal.last : nullptr})
             if (const NonFinite bad = picture ? non_finite(*picture, goal.own) : NonFinite{};
                 bad.count > 0 && !result_.broken) {
@@ -189,6 +190,7 @@ private:
             }
         if (!result_.cannot_say.empty() || reference.half.rgba.empty()) return;
         result_.residual = std::max(compare(reference.half, reference.picture, goal.own).light.rmse, rounding);
+        result_.whole_residual = std::max(compare(reference.half, reference.picture).light.rmse, rounding);
     }
 
     void draw_rung(std::size_t i, const Goal& goal) {
@@ -219,66 +221,29 @@ private:
         if (!result_.cannot_say.empty()) forget_errors(rung);
     }
 
-    // How many rounds are measured, and in which of them each rung takes part (every n-th), so that none uses more than
-    // its share of the time. Decided before the first round: rounds until the result pleases would favour chance.
-    struct Schedule {
-        std::size_t rounds = 0;
-        std::vector<std::size_t> stride;
-    };
-    Schedule schedule(const std::vector<std::optional<double>>& frame) const {
-        const auto rounds = static_cast<double>(options_.rounds), time = std::max(1e3 * left(), 0.0);
-        const double share = time / static_cast<double>(frame.size() + 1);
-        Schedule result{0, std::vector<std::size_t>(frame.size(), 1)};
-        double round = 0;
-        for (std::size_t i = 0; i < frame.size(); ++i) {
-            if (!frame[i]) continue;
-            const double sample = *frame[i] > 500 ? *frame[i] : *frame[i] + std::max(*frame[i], options_.at_least);
-            // Ensures at least three rounds.
-            const double most = std::max(std::floor(rounds / 3), 1.0);
-            const double stride = std::clamp(std::ceil(sample * rounds / std::max(share, 1e-3)), 1.0, most);
-            result.stride[i] = static_cast<std::size_t>(stride);
-            round += (i == result_.sweep.current ? 2 : 1) * sample / stride;
-        }
-        result.rounds = static_cast<std::size_t>(std::clamp(time / std::max(round, 1e-3), 1.0, rounds));
-        return result;
-    }
-
     void rounds() {
-        const std::size_t base = result_.sweep.current, again = result_.rungs.size();
+        const std::size_t base = result_.sweep.current;
         result_.clock = bench_.choose_clock(variant(base));
-        std::vector<std::optional<double>> frame(again);
-        for (std::size_t i = 0; i < again && !over(); ++i) {
-            say("warming up", static_cast<double>(i) / static_cast<double>(again), left());
-            if (result_.rungs[i].drawn) frame[i] = bench_.warm_up(variant(i), result_.clock);
+        std::vector<Entrant> entrants;
+        for (std::size_t i = 0; i < result_.rungs.size(); ++i)
+            entrants.push_back({[this, i](ClockKind clock) {
+                                    return result_.rungs[i].drawn ? bench_.warm_up(variant(i), clock) : std::nullopt;
+                                },
+                                [this, i](double at_least) { return bench_.time(variant(i), at_least); }});
+        Rounds rounds(std::move(entrants),
+                      {.clock = result_.clock,
+                       .base = base,
+                       .rounds = options_.rounds,
+                       .at_least = options_.at_least,
+                       .seed = options_.seed,
+                       .seconds_left = [this] { return left(); },
+                       .over = [this] { return over(); },
+                       .stopped = [this] { return stopped() || left() <= 0; },
+                       .report = [this](std::string_view doing, double done) { say(doing, done, left()); }});
+        while (rounds.step()) {
         }
-        const Schedule plan = schedule(frame);
-        std::mt19937_64 random(options_.seed);
-        for (std::size_t round = 0; round < plan.rounds; ++round) {
-            std::vector<std::size_t> order;
-            for (std::size_t i = 0; i < again; ++i)
-                if (frame[i] && round % plan.stride[i] == 0) order.push_back(i);
-            if (frame[base] && round % plan.stride[base] == 0) order.push_back(again);
-            for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-            for (RungResult& rung : result_.rungs)
-                for (auto* times : {&rung.cpu, &rung.wall, &rung.gpu}) times->push_back(0);
-            again_.push_back(0);
-            for (std::size_t i : order) {
-                if (stopped() || left() <= 0) return;
-                say("timing", static_cast<double>(round) / static_cast<double>(plan.rounds), left());
-                take(i, bench_.time(variant(i == again ? base : i), options_.at_least));
-            }
-        }
-    }
-
-    // Stores the times of the current round; an index behind the last rung is the control.
-    void take(std::size_t i, const Times& times) {
-        if (i == result_.rungs.size()) {
-            again_.back() = chosen(times, result_.clock);
-            return;
-        }
-        result_.rungs[i].cpu.back() = times.cpu;
-        result_.rungs[i].wall.back() = times.wall;
-        result_.rungs[i].gpu.back() = times.gpu;
+        for (std::size_t i = 0; i < result_.rungs.size(); ++i) take_times(result_.rungs[i], rounds.times()[i]);
+        again_ = rounds.again();
     }
 
     Bench& bench_;
@@ -314,12 +279,20 @@ void judge_residual(SweepResult& result) {
         result.finest.plan.tessellation > 1 ? fmt::format(", tessellation x{}", result.finest.plan.tessellation) : "");
     if (!result.cannot_say.empty())
         result.reference_note = result.cannot_say;
+    else if (result.sweep.kind == SweepKind::found)
+        result.reference_note = "compared with the scene as it is, at the place where the difference is largest";
     else if (result.residual)
         result.reference_note = *result.residual > 0
                                     ? fmt::format("reference good to {:.0f} dB ({})", psnr(*result.residual), knobs)
                                     : fmt::format("the reference does not change with finer knobs ({})", knobs);
     else if (result.reference_note.empty())
         result.reference_note = fmt::format("it is not known how good the reference is ({}): the time was up", knobs);
+    // Elsewhere the rungs don't differ, so what was extrapolated is spread over more pixels.
+    const double pixels = static_cast<double>(result.reference.pixels());
+    const double share = result.own_pixels > 0 && pixels > 0 ? static_cast<double>(result.own_pixels) / pixels : 1;
+    if (!result.residual) result.whole_residual.reset();
+    if (result.whole_residual)
+        result.whole_residual = std::max(*result.whole_residual, *result.residual * std::sqrt(share));
     for (RungResult& rung : result.rungs)
         rung.below_residual = rung.drawn && result.residual && rung.own.light.rmse <= *result.residual;
 }
@@ -344,7 +317,7 @@ void conclude_times(SweepResult& result, std::span<const double> base_again, std
     result.few_rounds = result.rungs[result.sweep.current].rounds <
                         std::max(fewest_rounds, rounds_for(static_cast<std::size_t>(timed)));
     const std::vector<Verdict> verdicts = pareto_front(points);
-    const bool row = result.sweep.kind != SweepKind::lattice;
+    const bool row = result.sweep.kind != SweepKind::lattice && result.sweep.kind != SweepKind::found;
     const std::vector<bool> cliff = row ? cliffs(points) : std::vector<bool>(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
         result.rungs[i].verdict = verdicts[i];
@@ -359,6 +332,14 @@ bool RungResult::hidden() const {
     if (!drawn || !elsewhere) return false;
     const auto [less, more] = std::minmax(alone.rmse, elsewhere->rmse);
     return more > visible && less < next_to_nothing * more;
+}
+
+void take_times(RungResult& rung, std::span<const Times> rounds) {
+    for (const Times& times : rounds) {
+        rung.cpu.push_back(times.cpu);
+        rung.wall.push_back(times.wall);
+        rung.gpu.push_back(times.gpu);
+    }
 }
 
 double SweepResult::error(const RungResult& rung) const {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,10 @@ struct SweepResult {
     bool few_rounds = false;  // too few to be sure of anything, so there is no front
     // RMSE of the light, over the pixels of `own`, by which the reference may be wrong.
     std::optional<double> residual;
-    Knobs finest;                // of the reference
-    std::string reference_note;  // how it was drawn, and how good it is
+    std::optional<double> whole_residual;  // the same over the whole picture
+    Picture reference;                     // that errors are measured against; empty if it was not drawn
+    Knobs finest;                          // of the reference
+    std::string reference_note;            // how it was drawn, and how good it is
     ClockKind clock = ClockKind::wall;
     bool interrupted = false;
     bool late = false;  // the time was up before every rung was drawn
@@ -82,6 +85,9 @@ struct MeasureOptions {
 
 // Measures all rungs of the sweep. The bench's context must be current.
 SweepResult measure(Bench& bench, const Sweep& sweep, const MeasureOptions& options);
+
+// Adds the times of each round.
+void take_times(RungResult& rung, std::span<const Times> rounds);
 
 // Computes the conclusions from the errors and times in `result`. measure() calls it; it is public for tests and for
 // interrupted measurements.

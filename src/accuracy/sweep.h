@@ -1,5 +1,5 @@
 // Sweeps: lists of variants to compare. They are the rungs of a ladder, the settings of a knob, or all combinations of
-// a few ladders.
+// a few ladders; or rungs that were found (src/accuracy/found/search.h).
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace snell::accuracy {
 
-enum class SweepKind { ladder, knob, lattice };
+enum class SweepKind { ladder, knob, lattice, found };
 
 // The rungs of those ladders that a sweep does not vary.
 enum class From { reference, scene };

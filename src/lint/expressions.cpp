@@ -95,6 +95,10 @@ Walker::Expr Walker::binary(int least) {
         ++p_;
         const Expr right = binary(level + 1);
         if (op == "-") want_near(left, right);
+        if (op == "*")
+            note_factor(left, right);
+        else
+            left.factor = {};
         left.v = combine(left.v, right.v, op);
         left.last = right.last;
         left.slot = -1;

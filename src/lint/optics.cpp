@@ -43,8 +43,8 @@ std::string_view space_words(Why why) {
 
 }  // namespace
 
-void Walker::report(Rule rule, int first, int last, std::string message, const Surroundings::Uniform* at) {
-    report_(rule, first, last, std::move(message), at);
+void Walker::report(Rule rule, int first, int last, std::string message, std::vector<Note> notes) {
+    report_(rule, first, last, std::move(message), std::move(notes));
 }
 
 std::string Walker::words(int first, int last) const {
@@ -55,6 +55,13 @@ std::string Walker::words(int first, int last) const {
         out += t.text;
     }
     return out.size() > 40 ? out.substr(0, 37) + "…" : out;
+}
+
+Span Walker::span(int first, int last) const {
+    Span span = u_.span(first);
+    const Span end = u_.span(last);
+    if (end.file == span.file && end.end > span.end) span.end = end.end;
+    return span;
 }
 
 void Walker::want_unit(const Expr& e, std::string_view function, std::string_view role) {
@@ -93,7 +100,11 @@ Value Walker::call_refract(const std::vector<Expr>& given) {
     v.name = i.name;
     if (i.id) incident_[i.id] = 1;
     if (i.opposite) incident_[i.opposite] = -1;
-    if (!i.refracted) v.bend = eta.eta.base ? eta.eta : Bend{eta.id, 0};
+    if (!i.refracted) {
+        v.bend = eta.eta.base ? eta.eta : Bend{eta.id, 0};
+        v.bend.first = given[2].first;
+        v.bend.last = given[2].last;
+    }
     return v;
 }
 
@@ -124,7 +135,7 @@ void Walker::want_ratio(const std::vector<Expr>& given) {
     report(Rule::index_as_ratio, e.first, e.last,
            fmt::format("'{}' is {}: as n1/n2 that is light that leaves something denser, not light that enters it",
                        called, *value),
-           at);
+           at ? std::vector<Note>{{at->span, "its value"}} : std::vector<Note>{});
 }
 
 Value Walker::call_dot(const std::vector<Expr>& given) {
@@ -156,6 +167,20 @@ void Walker::call_pow(const std::vector<Expr>& given, int first, int last) {
     report(Rule::pow_of_negative, base.first, base.last,
            fmt::format("'{}' can be {}: pow() is undefined there", words(base.first, base.last),
                        by_rounding ? "a little below 0, by rounding" : "negative"));
+}
+
+// A power by multiplication: (1 + c) * (1 + c).
+void Walker::note_factor(Expr& left, const Expr& right) {
+    const Cosine& factor = right.v.one_plus;
+    if (left.v.one_plus.sign != 0) left.factor = left.v.one_plus, left.factor_first = left.first;
+    if (factor.sign != 0 && factor == left.factor) {
+        if (!schlicks_.empty() && schlicks_.back().first == left.factor_first)
+            schlicks_.back().last = right.last;
+        else
+            schlicks_.push_back({left.factor_first, right.last, factor});
+    }
+    if (factor.sign == 0 || factor != left.factor) left.factor_first = right.first;
+    left.factor = factor;
 }
 
 void Walker::want_width(const std::vector<Expr>& given, int first, int last) {
@@ -238,9 +263,14 @@ void Walker::finish() {
         const auto red = channels.find('r'), blue = channels.find('b');
         if (red == channels.end() || blue == channels.end()) continue;
         if (blue->second.bend.shift <= red->second.bend.shift) continue;
+        std::vector<Note> notes;
+        for (const auto& [channel, name] : {std::pair(red, "red's n1/n2"), std::pair(blue, "blue's n1/n2")})
+            if (const Bend& bend = channel->second.bend; bend.first >= 0)
+                notes.push_back({span(bend.first, bend.last), name});
         report(Rule::dispersion_order, blue->second.token, blue->second.token,
                fmt::format("blue's n1/n2 is larger than red's by {:.3g}: blue is bent least",
-                           blue->second.bend.shift - red->second.bend.shift));
+                           blue->second.bend.shift - red->second.bend.shift),
+               std::move(notes));
     }
     // With conditionals, another rung or macro may read the variable.
     if (u_.has_conditionals) return;

@@ -164,21 +164,20 @@ private:
                 continue;
             }
             Walker walker(unit, around, given ? &*given : nullptr,
-                          [&](Rule rule, int first, int last, std::string message, const Surroundings::Uniform* at) {
-                              report_tokens(unit, rule, first, last, std::move(message), at);
+                          [&](Rule rule, int first, int last, std::string message, std::vector<Note> notes) {
+                              report_tokens(unit, rule, first, last, std::move(message), std::move(notes));
                           });
             given = walker.run();
         }
     }
 
-    void report_tokens(const Unit& unit, Rule rule, int first, int last, std::string message,
-                       const Surroundings::Uniform* at) {
+    void report_tokens(const Unit& unit, Rule rule, int first, int last, std::string message, std::vector<Note> notes) {
         Span span = unit.span(first);
         const Span end = unit.span(last);
         if (end.file == span.file && end.end > span.end) span.end = end.end;
         if (library_.contains(std::string(sources_.name(span.file)))) return;
         Diagnostic* d = report(rule, span, std::move(message));
-        if (d && at) d->notes.push_back({at->span, "its value"});
+        if (d) d->notes = std::move(notes);
     }
 
     // A local of a uniform's name, in any function; parameters are left alone.

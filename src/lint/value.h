@@ -39,7 +39,8 @@ struct Cosine {
 struct Bend {
     int base = 0;
     double shift = 0;
-    bool operator==(const Bend&) const = default;
+    int first = -1, last = -1;  // tokens of the eta that refract() was given
+    bool operator==(const Bend& o) const { return base == o.base && shift == o.shift; }
 };
 
 struct Value {

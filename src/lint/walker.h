@@ -35,8 +35,7 @@ using Varyings = std::map<std::string_view, Value>;
 class Walker {
 public:
     // A finding: the tokens it is at, and one line.
-    using Report =
-        std::function<void(Rule rule, int first, int last, std::string message, const Surroundings::Uniform* at)>;
+    using Report = std::function<void(Rule rule, int first, int last, std::string message, std::vector<Note> notes)>;
 
     // `given`: outputs of the vertex stage, for the fragment stage; nothing where other stages are between.
     Walker(const glsl::Unit& unit, const Surroundings& around, const Varyings* given, Report report);
@@ -53,6 +52,8 @@ private:
         int slot = -1;  // the variable it is, or is a part of
         bool whole = true;
         int first = -1, last = -1;  // tokens
+        Cosine factor = {};         // its last factor is 1 plus such a cosine,
+        int factor_first = -1;      // which begins at this token
     };
     // What the branches of the program so far have left.
     struct State {
@@ -124,6 +125,7 @@ private:
     Value call_texture(std::string_view name, const std::vector<Expr>& given, int first, int last);
     void want_width(const std::vector<Expr>& given, int first, int last);
     void want_near(const Expr& left, const Expr& right);
+    void note_factor(Expr& left, const Expr& right);
     void call_pow(const std::vector<Expr>& given, int first, int last);
     void want_unit(const Expr& e, std::string_view function, std::string_view role);
     void want_ratio(const std::vector<Expr>& given);
@@ -136,7 +138,8 @@ private:
     Value seed(const glsl::Global& global) const;
     int fresh() { return ++ids_; }
     std::string words(int first, int last) const;  // the text of tokens, for messages
-    void report(Rule rule, int first, int last, std::string message, const Surroundings::Uniform* at = nullptr);
+    Span span(int first, int last) const;          // of their text
+    void report(Rule rule, int first, int last, std::string message, std::vector<Note> notes = {});
 
     std::string_view text(int ahead = 0) const { return token(ahead).text; }
     const glsl::Token& token(int ahead = 0) const;

@@ -79,7 +79,7 @@ void controls_tab(const Facts& facts, Controls& controls, Memory& memory, Layout
 
 void tools_tab(const Facts& facts, Controls& controls, View& view, Memory& memory, Layout& layout, Requests& requests) {
     if (facts.scene) {
-        requests.measure = accuracy_section(facts, controls, memory.accuracy, layout);
+        accuracy_section(facts, controls, memory.accuracy, requests, layout);
         view_section(facts, view, memory, layout);
         pixels_section(memory.open, memory.pixels, layout);
         textures_section(facts, memory, layout);
@@ -117,8 +117,6 @@ void panel_window(const Facts& facts, const Rect& panel, Controls& controls, Vie
     ImGui::End();
 }
 
-bool has_ladders(const Facts& facts) { return facts.scene && !facts.scene->ladders.empty(); }
-
 // Closes Accuracy if it is in sight, and otherwise shows it.
 void switch_accuracy(Memory& memory) {
     memory.accuracy.open = !(memory.accuracy.open && memory.tab == Tab::tools && memory.panel);
@@ -137,13 +135,13 @@ void keys(const Facts& facts, View& view, Memory& memory, Requests& requests) {
     if (pressed(Key::f1)) memory.keys = !memory.keys;
     if (memory.keys && pressed(Key::escape)) {
         memory.keys = false;
-    } else {
+    } else if (!found_keys(facts, requests)) {
         // Full screen ends last, as it was there before anything that Escape ends.
         if (pressed(Key::escape) && !memory.hold.picking && memory.hold.object == none)
             requests.full_screen |= facts.full_screen;
         if (facts.scene) view_keys(view, memory.hold);
     }
-    if (has_ladders(facts) && pressed(Key::a)) switch_accuracy(memory);
+    if (facts.scene && pressed(Key::a)) switch_accuracy(memory);
 }
 
 // Shows for a moment how the panel comes back.
@@ -176,7 +174,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     layout.clear();
     Requests requests;
     const bool dialog = memory.browser.open || memory.picture.open || memory.save_as.open || memory.save_page.open ||
-                        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+                        memory.write_rung.open || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     if (!ImGui::GetIO().WantTextInput && !dialog) keys(facts, view, memory, requests);
     const Areas parts = areas(memory);
     follow_ladder(controls.rungs, memory.accuracy);

@@ -31,7 +31,7 @@ struct Part {
 
 // At most as many as status_line() adds.
 struct Parts {
-    std::array<Part, 14> items;
+    std::array<Part, 15> items;
     std::size_t count = 0;
 
     // `least` and `shortened` are those of Part.
@@ -94,7 +94,7 @@ void add_keys(const Facts& facts, Parts& parts) {
         parts.add("status.wheel", 13, "wheel: scale");
         parts.add("status.move", 12, "right drag: move");
         parts.add("status.reset", 11, "R: reset");
-        if (!facts.scene->ladders.empty()) parts.add("status.accuracy", 15, "A: accuracy");
+        parts.add("status.accuracy", 15, "A: accuracy");
     }
     parts.add("status.keys", 20, "F1: keys");
 }
@@ -126,6 +126,10 @@ bool collect(const Facts& facts, const Memory& memory, Parts& parts) {
     if (errors + warnings > 0) {
         const std::string text = counted(errors > 0 ? errors : warnings, errors > 0 ? "error" : "warning");
         parts.add("problems", 100, text).width += 2 * ImGui::GetStyle().FramePadding.x;
+    }
+    if (facts.found && !facts.found->shown.empty()) {
+        const std::string text = found_text(*facts.found) + ": Esc shows the scene";
+        parts.add("status.found", 95, text, 9 * em, 92).dim = false;
     }
     if (memory.hold.picking) {
         const bool picked = memory.hold.object != none;

@@ -1,56 +1,54 @@
-// Scenes and the changes that are found in their shaders.
+// Changes that are found in scenes on disk or from text.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "parser/read/parse.h"
 #include "src/accuracy/found/change.h"
 #include "tests/scratch.h"
 
-namespace snell::accuracy::test {
+namespace snell::accuracy {
 
-struct File {
-    std::string name, text;
-};
+inline constexpr std::string_view vertex = "void main() { gl_Position = ftransform(); }\n";
 
-// A scene that was read, without GL.
+using Finder = void (*)(const Plan&, Files&, Sources&, std::vector<Change>&);
+
+// A scene as read, and the changes found in it.
 struct Found {
-    explicit Found(const std::string& path);
-    Found(const Found&) = delete;
-    Found& operator=(const Found&) = delete;
-
     std::unique_ptr<Files> files;
     Sources sources;
     Diagnostics diagnostics;
     Plan plan;
     std::vector<Change> changes;
 
-    std::vector<const Change*> of(ChangeKind kind) const;
-    // "before → after" of each change of the kind.
-    std::vector<std::string> lines(ChangeKind kind) const;
-    // The text of a file, by the end of its path, with the change made.
-    std::string changed(const Change& change, std::string_view file) const;
-    // The first change of the kind whose excerpts contain the words; null if there is none.
-    const Change* find(ChangeKind kind, std::string_view before, std::string_view after = "") const;
+    // "kind: after" of each change of the kind, in order.
+    std::vector<std::string> after(ChangeKind kind) const;
+    // The text of a file with the n-th change of the kind; empty if there is none, or it leaves the file as it is.
+    std::string text(ChangeKind kind, std::size_t n, std::string_view file) const;
+    const Change* at(ChangeKind kind, std::size_t n = 0) const;
 };
 
-// `fragment` behind a vertex shader of vN (normal), vP (position) and vST, drawn by a sphere; `values` go on the
-// Program line, `state` ahead of it.
-class FoundShaders : public testing::Test {
-protected:
-    Found& shaders(std::string_view fragment, std::string_view values = "", std::string_view state = "",
-                   const std::vector<File>& more = {});
-    Found& scene(std::string_view text, const std::vector<File>& files);
-    Scratch folder_;
-    std::unique_ptr<Found> found_;
+// `instead`: texts that are read instead of files.
+Found found_in(const std::string& path, Finder finder,
+               std::shared_ptr<const std::map<std::string, std::string>> instead = nullptr);
+
+struct NamedText {
+    std::string_view name, text;
 };
+// "scene.glib" is added from `scene`; all files are in one folder.
+Found found_in_text(const Scratch& folder, std::string_view scene, const std::vector<NamedText>& others, Finder finder);
 
-// The translator's errors for all programs of the scene with the changes made.
-std::string translation_errors(const Found& found, const std::vector<const Change*>& changes);
+// All scenes of scenes/, tests/cases, tests/bad and tests/odd.
+std::vector<std::string> all_scenes();
 
-}  // namespace snell::accuracy::test
+// Every change of every scene has an effect, is made of edits of the author's texts that do not overlap, differs from
+// the others, and leads to a text with no more errors.
+void expect_sound(Finder finder);
+
+}  // namespace snell::accuracy

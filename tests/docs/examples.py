@@ -54,6 +54,8 @@ def small(command):
         return "snell check " + next(word for word in words if word.endswith(".glib"))
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
             "accuracy": {"--size": "48x36", "--no-time": "", "--budget": "3"}}.get(words[1], {})
+    if {"--list-found", "--apply", "--as-ladder"} & set(words):
+        less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):
         less = {"--size": "48x36", "--reps": "3", "--budget": "4"}
     if "--frames" in words:

@@ -320,6 +320,7 @@ void Desk::choose(const std::string& menu, const std::string& item) const {
     EXPECT_TRUE(wait([&](const auto& s) { return s["widgets"].contains(item); })) << item;
     settle();
     click(item, .2);
+    user("mousemove 2 2");  // or the tooltip of what lay beneath the menu stands in the picture a while later
 }
 
 void Desk::type(const std::string& widget, const std::string& text, Field field) const {

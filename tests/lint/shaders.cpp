@@ -134,6 +134,18 @@ TEST(LintSchlick, TheSign) {
     expect_silent(shader("1. + dot(e, n)"));
 }
 
+TEST(LintSchlick, TheSignInAPowerByMultiplication) {
+    const auto shader = [](std::string_view power) {
+        return body(std::string(unit_vectors) + "float c = clamp(dot(-e, n), 0., 1.);\nfloat k = .04 + .96 * " +
+                    std::string(power) + ";\ngl_FragColor = texture(uSky, reflect(e, n)) * k;");
+    };
+    EXPECT_EQ(shader("(1. + c) * (1. + c)").at("schlick-sign"), Places{"(1. + c) * (1. + c)"});
+    EXPECT_EQ(shader("(1. + c) * (1. + c) * (c + 1.)").at("schlick-sign"), Places{"(1. + c) * (1. + c) * (c + 1.)"});
+    expect_silent(shader("(1. - c) * (1. - c)"));
+    expect_silent(shader("(1. + c) * .5 + (1. + c)"));
+    expect_silent(shader("(1. + c) * (1. + uX)"));
+}
+
 TEST(LintDispersion, TheOrderOfColours) {
     const auto shader = [](std::string_view red, std::string_view blue) {
         return body(std::string(unit_vectors) + "vec3 r = refract(e, n, uEta" + std::string(red) +
@@ -141,7 +153,15 @@ TEST(LintDispersion, TheOrderOfColours) {
                         ");\ngl_FragColor = vec4(texture(uSky, r).r, 0., texture(uSky, b).b, 1.);",
                     "uEta <.1 .66 1.>");
     };
-    EXPECT_TRUE(shader("", " + .02").has(Rule::dispersion_order));
+    const Linted wrong = shader("", " + .02");
+    ASSERT_EQ(wrong.at("dispersion-order").size(), 1u) << wrong.text();
+    const std::vector<Note>& notes = wrong.found.items().front().notes;
+    ASSERT_EQ(notes.size(), 2u);
+    const auto text = [&](const Note& note) {
+        return wrong.sources.text(note.span.file).substr(note.span.begin, note.span.end - note.span.begin);
+    };
+    EXPECT_EQ(text(notes[0]), "uEta") << "red's";
+    EXPECT_EQ(text(notes[1]), "uEta + .02") << "blue's";
     EXPECT_TRUE(shader(" - .02", " + .02").has(Rule::dispersion_order));
     expect_silent(shader(" + .02", " - .02"));
     expect_silent(shader("", ""));

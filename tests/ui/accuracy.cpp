@@ -29,15 +29,19 @@ protected:
     AccuracyFacts values_;
 };
 
-TEST_F(AccuracyPanel, IsThereForScenesWithLaddersAndClosedAtFirst) {
+TEST_F(AccuracyPanel, IsThereForEverySceneAndClosedAtFirst) {
     EXPECT_TRUE(has("accuracy"));
     EXPECT_FALSE(memory_.accuracy.open);
     EXPECT_FALSE(has("accuracy.plot"));
     scene_.ladders.clear();
     controls_.rungs.clear();
-    EXPECT_FALSE(has("accuracy"));
+    EXPECT_TRUE(has("accuracy"));
     frame({key(Key::a, true)});
-    EXPECT_FALSE(memory_.accuracy.open) << "the key has no effect either";
+    EXPECT_TRUE(memory_.accuracy.open);
+    EXPECT_FALSE(has("accuracy.plot")) << "there is no ladder";
+    EXPECT_FALSE(has("accuracy.Split")) << "nor anything to compare with";
+    no_scene_ = true;
+    EXPECT_FALSE(has("accuracy"));
 }
 
 TEST_F(AccuracyPanel, OpensByAClickAndByAKey) {

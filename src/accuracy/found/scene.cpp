@@ -1,9 +1,256 @@
-#include "src/accuracy/found/change.h"
+// Changes of the scene's own text: numbers of cells, slices and texels, filters and encodings.
+#include <algorithm>
+#include <cmath>
+
+#include "parser/text/number.h"
+#include "parser/text/ranges.h"
+#include "parser/text_of.h"
+#include "src/accuracy/found/texts.h"
 
 namespace snell::accuracy {
 
+namespace {
+
+using texts::Collector;
+using texts::Statement;
+
+constexpr std::size_t most_scene_changes = 200;
+constexpr int fewest_slices = 3, most_parts = 2048, smallest_noise = 8;
+
+// A number of a shape's statement, with the value that a missing one has.
+struct Field {
+    double value = 0;
+    bool count = false;  // whole
+    bool round = false;  // of straight parts of something round
+};
+
+std::vector<Field> fields_of(const Shape& shape) {
+    std::vector<Field> fields;
+    std::visit(
+        [&](const auto& one) {
+            for_each_field(one, [&](const auto& value, bool round) {
+                using Value = std::decay_t<decltype(value)>;
+                if constexpr (std::is_arithmetic_v<Value>)
+                    fields.push_back({static_cast<double>(value), std::is_same_v<Value, int>, round});
+            });
+        },
+        shape);
+    return fields;
+}
+
+// True if the vertex shader certainly hands on only what is linear in the vertex: then no picture depends on the
+// number of cells of a flat quad.
+bool linear(const glsl::Unit& unit) {
+    const auto matrix_or_uniform = [&](std::string_view name) {
+        if (name.find("Matrix") != name.npos) return true;
+        return ranges::any_of(unit.globals, [&](const glsl::Global& g) {
+            return g.name == name &&
+                   (g.qualifiers.storage == glsl::Storage::uniform || g.qualifiers.storage == glsl::Storage::constant);
+        });
+    };
+    const auto plain_call = [](std::string_view name) {
+        return name == "main" || name == "ftransform" || name.starts_with("vec") || name.starts_with("mat");
+    };
+    for (const glsl::Function& function : unit.functions)
+        for (int k = std::max(function.open, 1); k < function.close; ++k) {
+            const std::string_view t = unit.at(k).text, next = unit.at(k + 1).text;
+            if (t == "/" || t == "*=" || t == "/=" || t == "?") return false;
+            if (next == "(" && unit.at(k).kind == glsl::Kind::identifier && !plain_call(t)) return false;
+            if (t != "*") continue;
+            const glsl::Token &a = unit.at(k - 1), &b = unit.at(k + 1);
+            const auto factor = [&](const glsl::Token& token) {
+                return token.kind == glsl::Kind::integer || token.kind == glsl::Kind::real ||
+                       matrix_or_uniform(token.text);
+            };
+            if (!factor(a) && !factor(b)) return false;
+        }
+    return true;
+}
+
+class SceneChanges {
+public:
+    SceneChanges(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes)
+        : scene_(plan.scene),
+          shaders_(texts::shaders(plan, files, sources)),
+          sources_(sources),
+          all_(texts::statements(files, sources)),
+          to_(files, sources, changes, most_scene_changes) {}
+
+    void run() {
+        for (const Draw& draw : scene_.draws) change_shape(draw);
+        change_noise("Noise2D", scene_.noise2d, TextureTarget::d2, 2, {"Noise2", "uNoise2"});
+        change_noise("Noise3D", scene_.noise3d, TextureTarget::d3, 3, {"Noise3", "uNoise3"});
+        change_filters();
+        decode();
+    }
+
+private:
+    const Statement* statement(Span span) const { return texts::statement_at(all_, to_.first_reading(span)); }
+
+    // The edits that give the statement these numbers; nothing where its arguments are not plain numbers.
+    std::vector<Edit> with_numbers(const Statement& at, const std::vector<Field>& fields,
+                                   const std::vector<double>& wanted) const {
+        std::vector<Edit> edits;
+        if (at.bracketed || at.arguments.size() > fields.size()) return {};
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < wanted.size(); ++i)
+            if (wanted[i] != fields[i].value) last = i + 1;
+        std::string added;
+        for (std::size_t i = 0; i < last; ++i) {
+            const std::string text = text_of::number(wanted[i], fields[i].count);
+            if (i >= at.arguments.size()) {
+                added += " " + text;
+                continue;
+            }
+            if (!read_number(to_.text(at.arguments[i])).usable()) return {};
+            if (wanted[i] != fields[i].value) edits.push_back({at.arguments[i], text});
+        }
+        if (!added.empty()) edits.push_back({{at.span.file, at.span.end, at.span.end}, added});
+        return edits;
+    }
+
+    // Multiplies the counts that `chosen` names, by `factor`, and keeps them between what makes sense.
+    template <class Chosen>
+    void scale(ChangeKind kind, const Statement& at, const std::vector<Field>& fields, double factor, int least,
+               const Chosen& chosen) {
+        std::vector<double> wanted;
+        for (const Field& field : fields) {
+            double value = field.value;
+            if (chosen(field)) value = std::max(std::round(value * factor), std::min<double>(least, value));
+            if (factor > 1 && value > most_parts) return;
+            wanted.push_back(value);
+        }
+        if (auto edits = with_numbers(at, fields, wanted); !edits.empty()) to_.add(kind, at.span, std::move(edits));
+    }
+
+    bool cells_matter(const Draw& draw) const {
+        if (draw.program == none) return false;
+        for (const texts::Shader& shader : shaders_) {
+            if (ranges::find(shader.programs, draw.program) == shader.programs.end()) continue;
+            if (shader.unit.stage != Stage::vertex && shader.unit.stage != Stage::fragment) return true;
+            if (shader.unit.stage == Stage::vertex && !linear(shader.unit)) return true;
+        }
+        return false;
+    }
+
+    void change_shape(const Draw& draw) {
+        const Statement* at = statement(draw.span);
+        if (!at) return;
+        const std::vector<Field> fields = fields_of(draw.shape);
+        if (std::holds_alternative<Quad>(draw.shape)) {
+            const auto cells = [](const Field& field) { return field.count; };
+            for (const double factor : {.5, .25}) scale(ChangeKind::fewer_cells, *at, fields, factor, 1, cells);
+            if (!cells_matter(draw)) return;
+            for (const double factor : {2., 4.}) scale(ChangeKind::finer_cells, *at, fields, factor, 1, cells);
+            return;
+        }
+        const auto round = [](const Field& field) { return field.round; };
+        if (ranges::none_of(fields, round)) return;
+        for (const double factor : {1. / 2, 1. / 3})
+            scale(ChangeKind::fewer_slices, *at, fields, factor, fewest_slices, round);
+        scale(ChangeKind::more_slices, *at, fields, 2, fewest_slices, round);
+    }
+
+    void change_noise(std::string_view command, int size, TextureTarget target, int unit,
+                      std::initializer_list<std::string_view> names) {
+        const auto own = [&](const Texture& t) { return t.unit == unit && t.target == target; };
+        const auto reads = [&](const texts::Shader& shader) {
+            return ranges::any_of(shader.unit.globals, [&](const glsl::Global& g) {
+                return g.type.base == glsl::Base::sampler && !g.uses.empty() &&
+                       std::find(names.begin(), names.end(), g.name) != names.end();
+            });
+        };
+        if (ranges::none_of(shaders_, reads) || ranges::any_of(scene_.textures, own) || all_.empty()) return;
+        const auto found =
+            std::find_if(all_.rbegin(), all_.rend(), [&](const Statement& s) { return s.command == command; });
+        for (const int part : {2, 4}) {
+            const int smaller = size / part;
+            if (smaller < smallest_noise) continue;
+            const std::string number = std::to_string(smaller);
+            if (found == all_.rend()) {
+                insert_line(ChangeKind::smaller_noise, all_.front().span, std::string(command) + " " + number);
+                continue;
+            }
+            const Span end{found->span.file, found->span.end, found->span.end};
+            const Edit edit = found->arguments.empty() ? Edit{end, " " + number} : Edit{found->arguments[0], number};
+            to_.add(ChangeKind::smaller_noise, found->span, {edit});
+        }
+    }
+
+    Edit line_before(Span statement, std::string_view line) const {
+        const Span at{statement.file, statement.begin, statement.begin};
+        return {at, std::string(line) + std::string(texts::line_end(sources_.text(at.file)))};
+    }
+    void insert_line(ChangeKind kind, Span before, std::string_view line) {
+        const Edit edit = line_before(before, line);
+        to_.add(kind, edit.span, {edit});
+    }
+
+    void change_filters() {
+        bool said = false;
+        for (const Statement& at : all_) {
+            if (at.command != "Filter") continue;
+            said = true;
+            if (at.arguments.empty()) {
+                to_.add(ChangeKind::filtered, at.span, {{{at.span.file, at.span.end, at.span.end}, " mipmap"}});
+                continue;
+            }
+            const std::string_view mode = to_.text(at.arguments[0]);
+            if (mode == "nearest") to_.add(ChangeKind::filtered, at.span, {{at.arguments[0], "linear"}});
+            if (mode == "nearest" || mode == "linear")
+                to_.add(ChangeKind::filtered, at.span, {{at.arguments[0], "mipmap"}});
+        }
+        const auto from_file = [](const Texture& t) { return !t.files.empty() && t.target != TextureTarget::d1; };
+        const auto first = ranges::find_if(scene_.textures, from_file);
+        if (said || first == scene_.textures.end()) return;
+        if (const Statement* at = statement(first->span)) insert_line(ChangeKind::filtered, at->span, "Filter mipmap");
+    }
+
+    // Files of floats hold light already, others hold no colours.
+    static bool holds_colours(const Texture& texture) {
+        if (texture.files.empty() || (texture.target != TextureTarget::d2 && texture.target != TextureTarget::cube))
+            return false;
+        constexpr std::string_view no_colours[] = {".hdr",   ".exr",  ".tex",  "normal", "bump", "height",
+                                                   "displa", "rough", "noise", "depth",  "mask"};
+        return ranges::none_of(texture.files, [&](const FileName& file) {
+            std::string name = file.name.substr(file.name.find_last_of('/') + 1);
+            for (char& c : name)
+                if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+            return ranges::any_of(no_colours, [&](std::string_view word) { return name.find(word) != name.npos; });
+        });
+    }
+
+    void decode() {
+        const auto says = [](const Texture& t) { return t.encoding.has_value(); };
+        const auto output = [](const Statement& s) { return s.command == "Output"; };
+        if (ranges::any_of(scene_.textures, says) || ranges::any_of(all_, output)) return;
+        std::vector<Edit> edits;
+        Span where;
+        bool averaged = false;
+        for (const Texture& texture : scene_.textures) {
+            averaged = averaged || texture.computed != Computed::no;
+            const Statement* at = statement(texture.span);
+            // Arguments behind the files would come before the word.
+            if (!at || !holds_colours(texture) || at->arguments.size() != texture.files.size() + 1) continue;
+            if (edits.empty()) where = at->span;
+            edits.push_back({{at->span.file, at->span.end, at->span.end}, " srgb"});
+        }
+        if (edits.empty()) return;
+        edits.push_back(line_before(all_.front().span, "Output srgb"));
+        to_.add(ChangeKind::decoded, where, std::move(edits), averaged ? "encoded-light" : "");
+    }
+
+    const Scene& scene_;
+    texts::Shaders shaders_;
+    const Sources& sources_;
+    std::vector<Statement> all_;
+    Collector to_;
+};
+
+}  // namespace
+
 void add_scene_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    static_cast<void>(plan), static_cast<void>(files), static_cast<void>(sources), static_cast<void>(changes);
+    SceneChanges(plan, files, sources, changes).run();
 }
 
 }  // namespace snell::accuracy

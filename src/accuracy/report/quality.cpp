@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/accuracy/report/numbers.h"
 #include "src/content/json.h"
 
 namespace snell::accuracy {
@@ -12,9 +13,7 @@ namespace snell::accuracy {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int schema = 1;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+constexpr int quality_schema = 1;
 
 }  // namespace
 
@@ -42,7 +41,7 @@ std::vector<Preset> presets_of(const Scene& scene, const Counsel& counsel) {
 }
 
 std::string quality_json(const Circumstances& where, const std::vector<Preset>& presets) {
-    Json json{{"schema", schema},           {"tool", where.tool}, {"date", where.date},
+    Json json{{"schema", quality_schema},   {"tool", where.tool}, {"date", where.date},
               {"renderer", where.renderer}, {"cpu", where.cpu},   {"size", {where.width, where.height}}};
     for (const Preset& preset : presets) {
         json["presets"][preset.name] = {{"ladders", preset.choices},         {"rmse", number(preset.rmse)},
@@ -55,7 +54,7 @@ std::string quality_json(const Circumstances& where, const std::vector<Preset>& 
 
 std::optional<StoredPreset> read_quality(std::string_view text, std::string_view name, std::string& error) {
     const Json json = content::parse_json(text);
-    if (!json.is_object() || json.value("schema", Json()) != schema) {
+    if (!json.is_object() || json.value("schema", Json()) != quality_schema) {
         error = "the file was written by another version of snell; measure again with 'snell accuracy --save-quality'";
         return std::nullopt;
     }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/accuracy/found/search.h"
 #include "src/accuracy/measure.h"
 
 namespace snell::accuracy {
@@ -26,6 +27,7 @@ struct Circumstances {
 struct Report {
     Circumstances where;
     std::vector<SweepResult> sweeps;
+    std::vector<FoundResult> found;     // of each scene whose rungs were sought
     std::vector<std::string> problems;  // of the scene, one line each
 };
 
@@ -58,8 +60,8 @@ std::string header_text(const Report& report);
 // A row of column names, then one row for each rung.
 std::string csv_text(const Report& report);
 std::string json_text(const Report& report);
-// A single file that needs no network; its plots are inline SVG.
-std::string html_text(const Report& report);
+// A single file that needs no network; its plots are inline SVG. It begins with `slide`, an element of HTML.
+std::string html_text(const Report& report, std::string_view slide = {});
 // A page of Markdown; `plots` has the path of the plot of each sweep.
 std::string markdown_text(const Report& report, const std::vector<std::string>& plots);
 // A plot for use in a paper: black on a transparent background, with its own fonts and sizes.

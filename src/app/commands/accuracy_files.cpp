@@ -1,11 +1,17 @@
 #include "src/app/commands/accuracy_files.h"
 
 #include <fmt/format.h>
+#include <sys/utsname.h>
 
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/merge.h"
+#include "src/accuracy/report/slide/slide.h"
 #include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/replace.h"
@@ -15,6 +21,25 @@ namespace snell::app {
 namespace {
 
 using namespace snell::accuracy;
+
+std::string cpu_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name")) {
+            const std::size_t colon = line.find(':');
+            return colon == std::string::npos ? line : line.substr(std::min(colon + 2, line.size()));
+        }
+    return "unknown processor";
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text;
+}
 
 bool write_text(const std::string& path, const std::string& text) {
     if (path.empty()) return true;
@@ -39,10 +64,54 @@ std::string link_from(const std::string& page, const std::string& file) {
     return std::filesystem::proximate(file, folder.empty() ? "." : folder, error).generic_string();
 }
 
+// The page is written without the slide if that can't be drawn.
+bool write_html(const std::string& path, const Report& report, const Slide& slide) {
+    if (path.empty()) return true;
+    std::string wrong;
+    const std::string element = slide_element(slide, wrong);
+    if (!wrong.empty()) fmt::print(stderr, "snell: warning: the report has no slide: {}\n", utf8::printable(wrong));
+    return write_text(path, html_text(report, element));
+}
+
+bool write_slide(const std::string& path, const Slide& slide) {
+    if (path.empty()) return true;
+    const SlideFile file = draw_slide(slide, slide_format(path).value_or(SlideFormat::png));
+    if (file.error.empty()) return write_text(path, file.bytes);
+    fmt::print(stderr, "snell: error: cannot draw '{}': {}\n", utf8::printable(path), utf8::printable(file.error));
+    return false;
+}
+
 }  // namespace
 
+double system_load() {
+    double loads[1]{};
+    return getloadavg(loads, 1) == 1 ? loads[0] : 0;
+}
+
+Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps, const BenchSettings& settings) {
+    Circumstances where;
+    where.scene = fmt::format("{}", fmt::join(options.scenes, ", "));
+    where.tool = std::string("snell ") + SNELL_VERSION;
+    where.date = today();
+    where.cpu = cpu_name();
+    utsname system{};
+    if (uname(&system) == 0) where.os = fmt::format("{} {}", system.sysname, system.release);
+    where.cores = static_cast<int>(std::thread::hardware_concurrency());
+    where.load_before = system_load();
+    where.renderer = caps.renderer;
+    where.vendor = caps.vendor;
+    where.gl = caps.version;
+    where.width = settings.width;
+    where.height = settings.height;
+    where.rounds = options.rounds;
+    where.time = options.time;
+    where.from = options.from;
+    where.sets = options.sets;
+    return where;
+}
+
 Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read) {
-    std::vector<std::string> files{options.html, options.json, options.csv, options.markdown};
+    std::vector<std::string> files{options.html, options.slide, options.json, options.csv, options.markdown};
     for (std::size_t i = 0; i < sweeps && !options.svg.empty(); ++i) files.push_back(plot_path(options.svg, i));
     for (const std::string& scene : options.scenes)
         if (options.save_quality) files.push_back(quality_path(scene));
@@ -54,7 +123,11 @@ bool write_reports(const AccuracyOptions& options, const Report& report) {
     std::vector<std::string> plots;  // as the page names them
     bool written = write_text(options.csv, csv_text(report));
     written = write_text(options.json, json_text(report)) && written;
-    written = write_text(options.html, html_text(report)) && written;
+    if (!options.html.empty() || !options.slide.empty()) {
+        const Slide slide = slide_of(report);
+        written = write_html(options.html, report, slide) && written;
+        written = write_slide(options.slide, slide) && written;
+    }
     for (std::size_t i = 0; i < report.sweeps.size() && !options.svg.empty(); ++i) {
         const std::string path = plot_path(options.svg, i);
         written = write_text(path, svg_text(report.sweeps[i])) && written;

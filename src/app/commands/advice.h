@@ -12,7 +12,7 @@ namespace snell::app {
 struct AccuracyOptions {
     std::vector<std::string> scenes;
     std::vector<std::string> merge;  // reports to compare instead of a measurement
-    std::string html, svg, json, csv, markdown;
+    std::string html, slide, svg, json, csv, markdown;
     std::vector<std::string> ladders, knobs;  // if both are empty: all
     std::string from = "reference";           // or "scene", "lattice"
     bool specialise = true;                   // programs are compiled for the values that they have
@@ -21,9 +21,13 @@ struct AccuracyOptions {
     int rounds = 31;
     double budget = 120;  // in seconds, for all sweeps together
     double time = 0;
+    bool no_found = false;                // measures ladders and knobs only
     bool no_time = false;                 // measures errors only
     std::optional<double> within, error;  // limits of a wanted combination: milliseconds, RMSE
     bool save_quality = false;            // writes presets to a file next to the scene
+    // Found rungs by their numbers, such as "3+7" and "3,7+9": what is written instead of a measurement.
+    std::string apply, as_ladder;
+    bool list_found = false;
     std::string context;
     Access access;
     double timeout = 120;  // in seconds for reading a scene, or for the few frames of one step
@@ -36,9 +40,11 @@ bool asks_for_advice(const AccuracyOptions& options);
 std::optional<double> parse_milliseconds(const std::string& text);
 
 // Measures, prints the combinations found as values and as a command line, writes the presets if requested, and adds
-// the measurements to the report. If a limit is not met, or there is no result, or a file cannot be written, it prints
+// the measurements to the report. Rungs of ladders are chosen, or knobs if the scene has no ladders; and rungs that
+// were found, if `found` is not null. If no limit is met, or there is no result, or a file cannot be written, it prints
 // the reason and returns false. asks_for_advice must be true.
 bool give_advice(const AccuracyOptions& options, const std::string& path, accuracy::Bench& bench, const Rungs& now,
-                 const accuracy::MeasureOptions& measuring, accuracy::Report& report);
+                 const accuracy::MeasureOptions& measuring, const accuracy::FoundResult* found,
+                 accuracy::Report& report);
 
 }  // namespace snell::app

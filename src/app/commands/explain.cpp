@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "src/accuracy/found/search.h"
+#include "src/accuracy/statistics.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/deadline.h"
@@ -25,7 +27,8 @@ namespace {
 struct ExplainOptions {
     std::string scene;
     bool json = false, no_time = false;
-    bool specialise = true;  // programs are compiled for the values that they have
+    bool without_effect = false;  // tries what changes no pixel
+    bool specialise = true;       // programs are compiled for the values that they have
     std::vector<std::string> sets, ladders;
     std::optional<std::pair<int, int>> size;
     double time = 0;
@@ -118,8 +121,67 @@ void time_all(ExplainReport& report, Document& document, const ExplainOptions& o
                    took / 1e3);
 }
 
+using accuracy::FoundResult, accuracy::FoundRung;
+
+// What the rung saves of a frame: the median of the differences to frames of the scene.
+std::optional<FrameCost> saved_by(const FoundRung& rung, const FoundResult& result) {
+    const accuracy::RungResult* without = result.times(rung);
+    if (!without || result.costs.rungs.empty()) return std::nullopt;
+    const accuracy::RungResult& with = result.costs.rungs.back();
+    const auto median = [&](const std::vector<double>& a, const std::vector<double>& b) {
+        std::vector<double> differences;
+        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+            if (a[i] > 0 && b[i] > 0) differences.push_back(a[i] - b[i]);
+        return differences.empty() ? 0 : accuracy::median(differences);
+    };
+    FrameCost cost{median(with.cpu, without->cpu), median(with.wall, without->wall), std::nullopt};
+    if (result.costs.clock == accuracy::ClockKind::gpu) cost.gpu = median(with.gpu, without->gpu);
+    return cost;
+}
+
+// Leaves out one thing after the other. `plan` has the chosen rungs.
+WithoutEffect find_without_effect(const ExplainReport& report, const Plan& plan, Document& document,
+                                  const ExplainOptions& options, const Running& running) {
+    std::vector<accuracy::Change> omissions;
+    std::vector<std::size_t> numbers;
+    const auto all = accuracy::find_changes(plan, *document.files, document.sources);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (accuracy::facts(all[i].kind).aim == accuracy::Aim::unused) {
+            omissions.push_back(all[i]);
+            numbers.push_back(i + 1);
+        }
+    WithoutEffect found;
+    found.tried = omissions.size();
+    if (omissions.empty()) return found;
+    accuracy::SearchOptions how;
+    how.seconds = .5e-3 * time_left(options, running);
+    how.rounds = options.rounds;
+    how.times = !options.no_time;
+    how.report = [&](const accuracy::Progress& progress) {
+        running.deadline.now(fmt::format("drawing '{}' without some of it", options.scene));
+        running.progress.show("leaving out what may have no effect", progress.done);
+    };
+    running.progress.begin();
+    const accuracy::BenchSettings settings{report.width, report.height, options.time, options.sets, options.specialise};
+    accuracy::Search search({options.scene, plan, *document.files, document.sources}, omissions, report.caps, settings,
+                            how);
+    while (search.step()) continue;
+    running.progress.clear();
+    const FoundResult& result = search.result();
+    found.places = result.places.size();
+    found.held_out = result.places.size() - result.searched;
+    found.late = result.late;
+    for (const FoundRung* rung : result.without_effect()) {
+        const std::size_t change = rung->changes.front();
+        found.rows.push_back({std::to_string(numbers[change]), result.positions[change], omissions[change].before,
+                              saved_by(*rung, result), rung->gpu_bytes, rung->bytes_decoded});
+    }
+    return found;
+}
+
 // Draws two frames and counts, then times frames for as long as there is time.
-void measure(ExplainReport& report, Document& document, const ExplainOptions& options, const Running& running) {
+void measure(ExplainReport& report, Document& document, const Plan& plan, const ExplainOptions& options,
+             const Running& running) {
     Runtime& runtime = *document.runtime;
     const auto& window = document.scene().window_size;
     std::tie(report.width, report.height) = options.size.value_or(std::pair(window[0], window[1]));
@@ -140,6 +202,7 @@ void measure(ExplainReport& report, Document& document, const ExplainOptions& op
     const double until = running.watch.milliseconds() + .25 * time_left(options, running);
     while (running.watch.milliseconds() < until && runtime.find_switched_off()) continue;
     report.explanation = runtime.explain();
+    if (options.without_effect) report.without_effect = find_without_effect(report, plan, document, options, running);
     if (!options.no_time) time_all(report, document, options, frame, surface, took, running);
 }
 
@@ -156,10 +219,12 @@ Exit explain(const ExplainOptions& options) {
     ProgressLine progress;
     RuntimeOptions how{.progress = progress.watcher()};
     if (options.specialise) how.settle = values_of(options);
+    Plan planned;
     const auto document = open_document(
         options.scene, report.caps, rungs_of(options, chosen),
         [&](const Plan& plan, Document& opened) {
             report.lints = lint::check(plan, opened.sources, runtime::include_reader(*opened.files));
+            if (options.without_effect) planned = plan;
         },
         how, options.access);
     if (document->runtime)
@@ -170,7 +235,7 @@ Exit explain(const ExplainOptions& options) {
         if (diagnostic.severity == Severity::error) errors.add(diagnostic);
     fmt::print(stderr, "{}", snell::render(errors, document->sources));
     if (!document->runtime) return exit_input;
-    measure(report, *document, options, {watch, deadline, progress});
+    measure(report, *document, planned, options, {watch, deadline, progress});
     deadline.rest();
     const std::string text =
         options.json ? explain_json(report, document->sources) : explain_text(report, document->sources);
@@ -188,6 +253,8 @@ Run add_explain(CLI::App& command) {
     command.add_option("SCENE", options->scene)->required();
     command.add_flag("--json", options->json, "print JSON");
     command.add_flag("--no-time", options->no_time, "do not time frames");
+    command.add_flag("--without-effect", options->without_effect,
+                     "leave out draws, textures, uniforms and statements, to find those that change no pixel");
     command.add_option("--reps", options->rounds, "rounds, in each of which every pass is left out once")
         ->check(CLI::Range(3, 10000));
     add_size(command, options->size, "WIDTHxHEIGHT (default: the scene's)");

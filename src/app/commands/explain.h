@@ -15,6 +15,21 @@
 
 namespace snell::app {
 
+// What can be left out of the scene's texts without changing a pixel at any of some places
+// (src/accuracy/found/places.h), of which some were not searched on.
+struct WithoutEffect {
+    struct Row {
+        std::string rung;                // its number, for `snell accuracy --apply`
+        std::string place;               // file:line:column
+        std::string what;                // the text that is left out
+        std::optional<FrameCost> frame;  // what it costs in each frame; nullopt: not timed
+        std::int64_t gpu_bytes = 0, bytes_decoded = 0;
+    };
+    std::vector<Row> rows;
+    std::size_t tried = 0, places = 0, held_out = 0;
+    bool late = false;  // the time was up before all were tried
+};
+
 struct ExplainReport {
     std::string scene, clock;  // such as "CPU time of the process"; empty if frames were not timed
     gl::Caps caps;
@@ -26,6 +41,7 @@ struct ExplainReport {
     std::optional<FrameCost> saved;  // by programs for these values against those for any; none: not measured
     Counters load, per_frame;        // for loading, and for one further frame
     Diagnostics lints;
+    std::optional<WithoutEffect> without_effect;  // nullopt: not asked for
 };
 
 std::string explain_text(const ExplainReport& report, const Sources& sources);

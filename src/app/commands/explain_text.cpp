@@ -67,6 +67,23 @@ std::string switched_off_text(const ExplainReport& report, const Sources& source
     return text;
 }
 
+std::string without_effect_text(const ExplainReport& report) {
+    if (!report.without_effect) return "";
+    const WithoutEffect& found = *report.without_effect;
+    std::string text = fmt::format("{:<63}{:>10}{:>11}\n", "CHANGES 0 PIXELS", "frame ms", "memory");
+    for (const WithoutEffect::Row& row : found.rows) {
+        text += fmt::format("  {:<61}{:>10}{:>11}\n", row.what, milliseconds(chosen(row.frame, report)),
+                            bytes_text(static_cast<std::uint64_t>(std::max<std::int64_t>(row.gpu_bytes, 0))));
+        text += fmt::format("      {}: found rung {}\n", row.place, row.rung);
+    }
+    text += found.tried == 0
+                ? "  nothing can be left out\n\n"
+                : fmt::format("  {} of {} that were left out, at {} places, {} of which were held out{}\n\n",
+                              found.rows.size(), found.tried, found.places, found.held_out,
+                              found.late ? "; the time was up before all were tried: give a longer --timeout" : "");
+    return text;
+}
+
 }  // namespace
 
 std::string explain_text(const ExplainReport& report, const Sources& sources) {
@@ -76,8 +93,8 @@ std::string explain_text(const ExplainReport& report, const Sources& sources) {
         text += fmt::format("  frame {:.2f} ms (±{:.2f}), {}, {} rounds{}", shown(report.frame, report.caps.software),
                             report.spread, report.clock, report.rounds,
                             report.rounds < report.asked ? fmt::format(" of {}: time was up", report.asked) : "");
-    text += fmt::format("\ndrawn  {}\n\n{:<52}{:>10}{:>11}{:>11}\n", report.explanation.redraw, "PAYS FOR", "load ms",
-                        "frame ms", "memory");
+    text += fmt::format("\ndrawn  {}\n\n", report.explanation.redraw) + without_effect_text(report);
+    text += fmt::format("{:<52}{:>10}{:>11}{:>11}\n", "PAYS FOR", "load ms", "frame ms", "memory");
     for (const Paid& paid : report.explanation.paid) {
         std::string what = fmt::format("  {} {}", name(paid.kind), paid.name);
         if (paid.triangles) what += fmt::format(", {} triangles", paid.triangles);
@@ -158,6 +175,19 @@ Json switched_off_json(const ExplainReport& report, const Sources& sources) {
     return json;
 }
 
+Json without_effect_json(const WithoutEffect& found) {
+    Json json{{"tried", found.tried}, {"places", found.places}, {"held_out", found.held_out}, {"late", found.late}};
+    json["rows"] = Json::array();
+    for (const WithoutEffect::Row& row : found.rows)
+        json["rows"].push_back({{"rung", row.rung},
+                                {"place", row.place},
+                                {"what", row.what},
+                                {"frame", row.frame ? cost_json(*row.frame) : Json(nullptr)},
+                                {"gpu_bytes", row.gpu_bytes},
+                                {"bytes_decoded", row.bytes_decoded}});
+    return json;
+}
+
 }  // namespace
 
 std::string explain_json(const ExplainReport& report, const Sources& sources) {
@@ -171,6 +201,7 @@ std::string explain_json(const ExplainReport& report, const Sources& sources) {
               {"frame", report.clock.empty() ? Json(nullptr) : cost_json(report.frame)}};
     if (!report.clock.empty()) json["frame"]["spread_ms"] = report.spread;
     json["redraw"] = report.explanation.redraw;
+    if (report.without_effect) json["without_effect"] = without_effect_json(*report.without_effect);
     json["pays"] = Json::array();
     for (const Paid& paid : report.explanation.paid) {
         Json one{{"kind", name(paid.kind)}, {"name", paid.name}, {"why", paid.why}};

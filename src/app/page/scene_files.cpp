@@ -7,7 +7,7 @@
 #include <set>
 
 #include "parser/text/utf8.h"
-#include "src/app/page/names.h"
+#include "src/app/open/copy_names.h"
 #include "src/content/image/decoded.h"
 #include "src/content/image/image.h"
 #include "src/document/document.h"
@@ -77,7 +77,7 @@ SceneFiles scene_files(const std::string& scene, const Access& access) {
     Files files(scene_folder(marked), access);
     const Used used = used_by(marked, files);
     if (!used.error.empty()) return {{}, {}, used.error};
-    PageNames names = page_names(marked, used.paths);
+    CopyNames names = copy_names(marked, used.paths, "a page");
     SceneFiles found{names.scene, {}, names.error};
     for (const NamedFile& named : names.files) {
         if (!found.error.empty()) return found;

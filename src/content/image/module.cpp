@@ -1,6 +1,5 @@
 #include "src/content/image/module.h"
 
-#include <dlfcn.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -8,9 +7,9 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "src/content/image/formats.h"
+#include "src/content/load_module.h"
 
 namespace snell::content {
 namespace {
@@ -18,33 +17,16 @@ namespace {
 constexpr const char* module_name = "snell_oiio.so";
 constexpr std::size_t message_size = 1024;
 
-template <class Function>
-bool find(void* module, const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(module, name));
-    return function != nullptr;
-}
-
 OiioModule open_module() {
     OiioModule result;
-    std::error_code error;
-    const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
-    const auto beside = executable.parent_path() / module_name;
-    const auto installed = executable.parent_path().parent_path() / "lib" / "snell" / module_name;
-    const auto& path = std::filesystem::exists(beside, error) ? beside : installed;
-    if (!std::filesystem::exists(path, error)) {
-        result.error = "cannot find the OpenImageIO module at " + beside.string() + " or " + installed.string();
-        return result;
-    }
-    void* const module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!module) {
-        result.error = std::string("cannot load the OpenImageIO module: ") + dlerror();
-        return result;
-    }
+    const LoadedModule module = load_module(module_name, "OpenImageIO");
+    result.error = module.error;
+    if (!module.error.empty()) return result;
     decltype(&snell_oiio_api_version) version = nullptr;
-    const bool fits = find(module, "snell_oiio_api_version", version) && version() == snell_oiio_version &&
-                      find(module, "snell_oiio_read", result.read) && find(module, "snell_oiio_begin", result.begin) &&
-                      find(module, "snell_oiio_rows", result.rows) && find(module, "snell_oiio_end", result.end);
-    if (!fits) result.error = path.string() + " is from another version of snell";
+    const bool fits = module.find("snell_oiio_api_version", version) && version() == snell_oiio_version &&
+                      module.find("snell_oiio_read", result.read) && module.find("snell_oiio_begin", result.begin) &&
+                      module.find("snell_oiio_rows", result.rows) && module.find("snell_oiio_end", result.end);
+    if (!fits) result.error = module.path + " is from another version of snell";
     return result;
 }
 

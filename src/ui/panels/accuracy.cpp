@@ -21,6 +21,10 @@ constexpr const char* error_meaning =
     "The error is the root mean square difference of light from the reference\n(the last rung of every ladder) over "
     "the "
     "whole picture, where white is 1";
+constexpr const char* found_meaning =
+    "The error is the root mean square difference of light from the scene as it is\nover the whole picture, where "
+    "white "
+    "is 1";
 
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
@@ -36,8 +40,8 @@ void remark(const Text& text) {
 // One sentence, with what else is known of the error.
 std::string error_tip(const AccuracyFacts& facts) {
     return fmt::format(
-        "{};\nthe largest is {}, {},\nand the root mean square of display values {}.", error_meaning,
-        error_text(facts.largest),
+        "{};\nthe largest is {}, {},\nand the root mean square of display values {}.",
+        facts.of_scene ? found_meaning : error_meaning, error_text(facts.largest),
         std::isfinite(facts.psnr) ? fmt::format("the signal-to-noise ratio {:.1f} dB", facts.psnr) : "nothing differs",
         error_text(facts.of_display));
 }
@@ -156,13 +160,29 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
         ImGui::EndCombo();
     }
     ImGui::SameLine();
-    ImGui::BeginDisabled(!facts.note.empty());
+    ImGui::BeginDisabled(!facts.note.empty() || facts.of_scene);
     const bool pressed = ImGui::Button(label, {button, 0});
     ImGui::EndDisabled();
     layout.note("accuracy.measure");
     if (facts.measured)
         ImGui::ProgressBar(static_cast<float>(*facts.measured), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     return pressed;
+}
+
+// Draws error over cost of the rungs of a ladder. Returns true if the user starts measuring all of them, or stops it.
+bool ladder_part(const Scene& scene, const AccuracyFacts& facts, Controls& controls, AccuracyMemory& memory,
+                 Layout& layout) {
+    memory.ladder = std::min(memory.ladder, scene.ladders.size() - 1);
+    ImGui::Spacing();
+    const bool measure = plot_tools(scene.ladders, facts, memory, layout);
+    accuracy_plot(facts.points, layout);
+    rung_table(scene.ladders[memory.ladder], facts, controls.rungs[memory.ladder], layout);
+    if (!facts.remark.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled("%s", facts.remark.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    return measure;
 }
 
 // Names what is on one side of the divider at `x`, as far as there is room.
@@ -228,36 +248,29 @@ void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
     memory.rungs = rungs;
 }
 
-bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Layout& layout) {
-    const std::vector<Ladder>& ladders = facts.scene->ladders;
-    if (ladders.empty() || controls.rungs.size() != ladders.size()) return false;
+void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Requests& requests,
+                      Layout& layout) {
     ImGui::SetNextItemOpen(memory.open);
     memory.open = ImGui::CollapsingHeader("Accuracy");
     layout.note("accuracy");
     keep_in_view(memory.open);
-    if (!memory.open || !facts.accuracy) return false;
+    if (!memory.open) return;
     const float indent = ImGui::GetStyle().FramePadding.x * .5F;
     ImGui::Indent(indent);
-    memory.ladder = std::min(memory.ladder, ladders.size() - 1);
-    figures(facts, layout);
-    show_buttons(memory, layout);
-    if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty()) legend();
+    if (facts.accuracy) {
+        figures(facts, layout);
+        show_buttons(memory, layout);
+        if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty()) legend();
+    }
     if (facts.animated) {
         ImGui::Checkbox("Pause time", &memory.hold_time);
         layout.note("accuracy.hold time");
     }
-    ImGui::Spacing();
-    const bool measure = plot_tools(ladders, *facts.accuracy, memory, layout);
-    accuracy_plot(facts.accuracy->points, layout);
-    rung_table(ladders[memory.ladder], *facts.accuracy, controls.rungs[memory.ladder], layout);
-    if (!facts.accuracy->remark.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("%s", facts.accuracy->remark.c_str());
-        ImGui::PopTextWrapPos();
-    }
+    if (facts.accuracy && !facts.scene->ladders.empty() && controls.rungs.size() == facts.scene->ladders.size())
+        requests.measure = ladder_part(*facts.scene, *facts.accuracy, controls, memory, layout);
+    found_rungs(facts, requests, layout);
     ImGui::Unindent(indent);
     ImGui::Spacing();
-    return measure;
 }
 
 std::pair<std::string, std::string> split_text(const std::vector<Ladder>& ladders, const Rungs& chosen) {
@@ -301,7 +314,10 @@ void accuracy_divider(const Facts& facts, const Controls& controls, const Rect& 
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
-    const auto [left, right] = split_text(facts.scene->ladders, controls.rungs);
+    const bool found = facts.accuracy->of_scene && facts.found;
+    const auto [left, right] = found
+                                   ? std::pair<std::string, std::string>(found_text(*facts.found), "the scene as it is")
+                                   : split_text(facts.scene->ladders, controls.rungs);
     sign(left, x, scene, true, layout);
     sign(right, x, scene, false, layout);
 }

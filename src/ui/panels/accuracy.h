@@ -1,5 +1,5 @@
-// The accuracy panel: the error of the shown picture compared with the reference (the last rung of every ladder), and
-// error and cost of the other rungs.
+// The accuracy panel: the error of the shown picture compared with the reference (the last rung of every ladder), error
+// and cost of the other rungs, and the rungs that snell finds by itself.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,7 @@
 namespace snell::ui {
 
 struct Facts;
+struct Requests;
 
 // Error and cost of one choice of rungs that was drawn.
 struct AccuracyPoint {
@@ -33,7 +34,8 @@ struct AccuracyPoint {
 };
 
 struct AccuracyFacts {
-    std::string note;  // why there is nothing to compare with; empty if there is
+    std::string note;       // why there is nothing to compare with; empty if there is
+    bool of_scene = false;  // a found rung is shown, and the reference is the scene as it is
     int samples = 0, wanted = 1;
     std::string_view clock;                   // the clock that measured the points, by one sample per pixel
     double error = 0, psnr = 0, largest = 0;  // of the light, in the mean of `samples` pictures, if `samples` is not 0
@@ -66,9 +68,9 @@ Heat heat(double fraction);
 
 // Plots the ladder that was changed since the last frame. Call it in every frame, whether the panel is in sight or not.
 void follow_ladder(const Rungs& rungs, AccuracyMemory& memory);
-// Draws the panel. Returns true if the user starts measuring all rungs of the plotted ladder, or stops it while it
-// runs.
-bool accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Layout& layout);
+// Draws the panel.
+void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Requests& requests,
+                      Layout& layout);
 
 std::string milliseconds_text(double milliseconds);
 std::string error_text(double error);                   // ".0031"

@@ -75,8 +75,11 @@ void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
     static const SaveAsWords page{"Save page", "Save a page for browsers, with these values, as",
                                   "One file that holds all files of the scene.\nRelative to the scene's folder",
                                   "save page"};
+    static const SaveAsWords rung{"Write rung", "Write the scene with this rung into the folder",
+                                  "Relative to the scene's folder", "write rung"};
     requests.save_as_now = save_as_window(memory.save_as, scene, layout);
     requests.save_page_now = save_as_window(memory.save_page, page, layout);
+    requests.write_rung_now = save_as_window(memory.write_rung, rung, layout);
 }
 
 }  // namespace snell::ui

@@ -1,4 +1,5 @@
-// The dialogs that ask for a name: to save the scene with its current values under another name, or as a page.
+// The dialogs that ask for a name: to save the scene with its current values under another name, or as
+// a page, and to write a found rung.
 #pragma once
 
 #include <array>

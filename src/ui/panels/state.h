@@ -23,6 +23,7 @@
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"
 #include "src/ui/panels/browser.h"
+#include "src/ui/panels/found.h"
 #include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
@@ -33,12 +34,6 @@ namespace snell::ui {
 
 // The tabs of the panel: what a scene puts on sliders, and what is measured and set beside it.
 enum class Tab : std::uint8_t { controls, tools };
-
-// A place in a file that an editor opens; line and column are 1-based.
-struct Place {
-    std::string file;  // path on disk; empty if there is no place
-    int line = 1, column = 1;
-};
 
 // A diagnostic, with files named as the user reads them, and the place that it refers to if that is in a file on disk.
 struct Problem {
@@ -77,7 +72,8 @@ struct Facts {
     bool changed = false;                              // whether any value or rung differs from the scene's
     bool revertible = false;                           // whether a save of values can be reverted
     std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists
-    const AccuracyFacts* accuracy = nullptr;           // set while its panel is open
+    const AccuracyFacts* accuracy = nullptr;           // set while its panel is open, if there is a reference
+    const FoundFacts* found = nullptr;                 // set while the panel of accuracy is open
     const Explanation* explanation = nullptr;          // set while Memory::costs
     const Sources* sources = nullptr;                  // the sources that the explanation's spans refer to
     const FrameCostFacts* frame_cost = nullptr;        // set while Memory::frame_cost
@@ -131,7 +127,7 @@ struct Memory {
     bool keys = false;  // whether the list of keys is open
     Browser browser;
     PictureMemory picture;
-    SaveAs save_as, save_page;
+    SaveAs save_as, save_page, write_rung;
     Rect scene;  // the scene's area in this frame
 };
 
@@ -147,9 +143,13 @@ struct Requests {
     int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none
     bool measure = false;                          // measures all rungs of the plotted ladder, or stops measuring
     bool measure_frame = false;                    // measures passes and draws of a frame, or stops measuring
-    bool browse = false;                           // lists the folder in Browser
-    std::string open;                              // path of a scene to open
-    bool full_screen = false;                      // fills the screen with the window, or ends that
+    bool find_rungs = false;                       // seeks rungs, or stops seeking
+    std::optional<std::string> show_rung;          // shows the picture of a found rung; "": of the scene
+    // Of the found rung that is shown: opens the dialog; writes it into the folder in SaveAs; copies the command.
+    bool write_rung = false, write_rung_now = false, copy_rung = false;
+    bool browse = false;       // lists the folder in Browser
+    std::string open;          // path of a scene to open
+    bool full_screen = false;  // fills the screen with the window, or ends that
     Place edit;
     PictureRequest picture = PictureRequest::none;
 };

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 
 namespace snell::accuracy {
 
@@ -219,8 +219,9 @@ private:
 std::span<const Polynomial> polynomials() { return formulas; }
 
 std::string polynomial_text(std::string_view function, std::string_view name, std::string_view type) {
-    const auto found = ranges::find(formulas, function, &Polynomial::function);
-    return found == formulas.end() ? std::string() : with_names(std::string(found->text), name, type);
+    const std::span<const Polynomial> all = polynomials();
+    const auto found = ranges::find(all, function, &Polynomial::function);
+    return found == all.end() ? std::string() : with_names(std::string(found->text), name, type);
 }
 
 Power power_text(std::optional<double> exponent, std::string_view name, std::string_view type) {

@@ -1,4 +1,4 @@
-#include "src/app/page/names.h"
+#include "src/app/open/copy_names.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ Folders folders_of(const fs::path& folder) {
     return parts;
 }
 
-// How many of the folders around the scene may be named in a page: none of those that lead to the user's home.
+// How many of the folders around the scene may be named in a copy: none of those that lead to the user's home.
 std::size_t most_up(const Folders& scene) {
     const std::size_t most = std::min(most_folders_up, scene.size());
     const char* home = std::getenv("HOME");
@@ -85,25 +85,24 @@ bool plain(std::string_view name) {
 
 std::string shown(const std::string& path) { return utf8::printable(fs::path(path).lexically_normal().string()); }
 
-std::string one_name(const std::string& a, const std::string& b) {
+std::string one_name(const std::string& a, const std::string& b, std::string_view copy) {
     return fmt::format(
-        "'{}' and '{}' have one name, and a page has all files that are not near the scene in the scene's folder: "
-        "rename "
+        "'{}' and '{}' have one name, and {} has all files that are not near the scene in the scene's folder: rename "
         "one of them",
-        shown(a), shown(b));
+        shown(a), shown(b), copy);
 }
 
-// Two of the files on the disk that a page could not tell apart; "" where there are none.
-std::string confused(const std::vector<NamedFile>& files, const std::set<std::string>& moved) {
+// Two of the files on the disk that a copy could not tell apart; "" where there are none.
+std::string confused(const std::vector<NamedFile>& files, const std::set<std::string>& moved, std::string_view copy) {
     std::map<std::string, std::string> known;
     for (const NamedFile& file : files) {
         if (!plain(file.name))
-            return fmt::format("'{}' has a name that a page cannot hold: rename it", shown(file.path));
+            return fmt::format("'{}' has a name that {} cannot hold: rename it", shown(file.path), copy);
         const auto [other, is_new] = known.emplace(lower_name(file.path), file.path);
         std::error_code error;
         const bool near = !moved.contains(file.path) && !moved.contains(other->second);
         if (!is_new && !near && !fs::equivalent(other->second, file.path, error))
-            return one_name(other->second, file.path);
+            return one_name(other->second, file.path, copy);
     }
     return {};
 }
@@ -122,7 +121,7 @@ std::string marked_path(const std::string& scene) {
     return (folder.empty() ? "." : folder) + std::string(mark) + path.filename().string();
 }
 
-PageNames page_names(const std::string& scene, const std::vector<std::string>& paths) {
+CopyNames copy_names(const std::string& scene, const std::vector<std::string>& paths, std::string_view copy) {
     const std::string folder = scene.substr(0, scene.rfind(mark) + mark.size());
     const Folders around = folders_of(fs::absolute(folder));
     const std::size_t most = most_up(around);
@@ -134,7 +133,7 @@ PageNames page_names(const std::string& scene, const std::vector<std::string>& p
         if (ways.back()) up = std::max(up, ways.back()->up);
     }
     const std::size_t root = around.size() - up;
-    PageNames names{joined(way_to(scene, folder, around)->place, root), {}, {}};
+    CopyNames names{joined(way_to(scene, folder, around)->place, root), {}, {}};
     std::set<std::string> moved;
     std::map<std::string, std::string> known;
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -147,9 +146,9 @@ PageNames page_names(const std::string& scene, const std::vector<std::string>& p
         if (is_new)
             names.files.push_back({paths[i], name});
         else if (content::whole_file(other->second) != content::whole_file(paths[i]))
-            names.error = one_name(other->second, paths[i]);
+            names.error = one_name(other->second, paths[i], copy);
     }
-    if (names.error.empty()) names.error = confused(names.files, moved);
+    if (names.error.empty()) names.error = confused(names.files, moved, copy);
     return names;
 }
 

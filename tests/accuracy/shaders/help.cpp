@@ -1,4 +1,4 @@
-#include "tests/accuracy/found_help.h"
+#include "tests/accuracy/shaders/help.h"
 
 #include <algorithm>
 #include <filesystem>

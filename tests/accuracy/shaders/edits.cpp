@@ -1,5 +1,5 @@
 // Cheaper changes of shaders: for each kind the exact edit, and what must be left alone.
-#include "tests/accuracy/found_help.h"
+#include "tests/accuracy/shaders/help.h"
 
 namespace snell::accuracy::test {
 namespace {

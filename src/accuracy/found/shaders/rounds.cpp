@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 #include "src/glsl/read/lexer.h"
 #include "src/glsl/read/words.h"
 

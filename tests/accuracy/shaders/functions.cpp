@@ -3,12 +3,12 @@
 #include <cmath>
 #include <random>
 
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 #include "src/content/image/image.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/run/machine.h"
-#include "tests/accuracy/found_help.h"
+#include "tests/accuracy/shaders/help.h"
 
 namespace snell::accuracy::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 
 namespace snell::accuracy {
 

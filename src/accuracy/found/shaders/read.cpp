@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"

@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 
 namespace snell::accuracy {
 

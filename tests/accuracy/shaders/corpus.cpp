@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "tests/accuracy/found_help.h"
+#include "tests/accuracy/shaders/help.h"
 
 namespace snell::accuracy::test {
 namespace {

@@ -1,0 +1,91 @@
+#include "src/accuracy/found/apply.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "parser/text/utf8.h"
+#include "src/accuracy/found/search.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+// "\n" in `text` as `line_end`; line ends that are there already stay.
+std::string with_line_ends(std::string_view text, std::string_view line_end) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool bare = text[i] == '\n' && (i == 0 || text[i - 1] != '\r');
+        if (bare)
+            result += line_end;
+        else
+            result += text[i];
+    }
+    return result;
+}
+
+// The first text of the same name: a shader that several others include is read once for each.
+FileId first_of_name(FileId file, const Sources& sources) {
+    for (FileId other = 0; other < file; ++other)
+        if (sources.name(other) == sources.name(file) && sources.text(other) == sources.text(file)) return other;
+    return file;
+}
+
+Change in_one_text(Change change, const Sources& sources) {
+    for (Edit& edit : change.edits) {
+        edit.span.file = first_of_name(edit.span.file, sources);
+        edit.text = with_line_ends(edit.text, line_end_of(sources.text(edit.span.file)));
+    }
+    std::stable_sort(change.edits.begin(), change.edits.end(), [](const Edit& a, const Edit& b) {
+        return std::pair(a.span.file, a.span.begin) < std::pair(b.span.file, b.span.begin);
+    });
+    change.edits.erase(std::unique(change.edits.begin(), change.edits.end()), change.edits.end());
+    return change;
+}
+
+}  // namespace
+
+std::optional<Chosen> choose_changes(std::string_view name, std::span<const Change> changes, const Sources& sources,
+                                     std::string& error) {
+    error = changes.empty() ? "snell finds nothing to change in this scene" : "";
+    if (!error.empty()) return std::nullopt;
+    const auto indices = parse_rung(name, changes, error);
+    if (!indices) return std::nullopt;
+    Chosen chosen;
+    for (const std::size_t index : *indices) {
+        chosen.numbers.push_back(index + 1);
+        chosen.changes.push_back(in_one_text(changes[index], sources));
+    }
+    for (std::size_t b = 1; b < chosen.changes.size(); ++b)
+        for (std::size_t a = 0; a < b; ++a)
+            if (!compatible(chosen.changes[a], chosen.changes[b])) {
+                error = fmt::format("{} and {} change the same text", chosen.numbers[a], chosen.numbers[b]);
+                return std::nullopt;
+            }
+    return chosen;
+}
+
+std::string chosen_name(const Chosen& chosen, std::string_view separator) {
+    return fmt::format("{}", fmt::join(chosen.numbers, separator));
+}
+
+std::string change_place(const Change& change, const Sources& sources) {
+    const Position at = sources.position(change.where.file, change.where.begin);
+    return fmt::format("{}:{}:{}", utf8::printable(sources.name(change.where.file)), at.line, at.column);
+}
+
+std::string change_line(const Change& change, const Sources& sources) {
+    const auto shown = [](const std::string& text) {
+        return text.empty() ? std::string("(nothing)") : utf8::printable(text);
+    };
+    return fmt::format("{}: {} → {}", change_place(change, sources), shown(change.before), shown(change.after));
+}
+
+std::string_view line_end_of(std::string_view text) {
+    const std::size_t end = text.find_first_of("\r\n");
+    if (end == std::string_view::npos || text[end] == '\n') return "\n";
+    return text.substr(end).starts_with("\r\n") ? "\r\n" : "\r";
+}
+
+}  // namespace snell::accuracy

@@ -1,0 +1,44 @@
+// Which combinations of changes are tried: greedy climbs below several limits of error. No GL, no time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "src/accuracy/found/change.h"
+
+namespace snell::accuracy {
+
+// Adds one change after the other while the error of the picture stays below a limit. Each climb has another limit, or
+// another order: by error first, then as a generator with that seed shuffles. Which combinations these are depends on
+// the errors alone.
+class Climbs {
+public:
+    struct Single {
+        std::size_t change = 0;
+        double error = 0;
+    };
+    // `singles` are those that save time.
+    Climbs(std::vector<Single> singles, std::span<const Change> changes, std::uint64_t seed);
+
+    // The next combination whose error is wanted, of at least two changes, ascending; nullopt: there is none left.
+    std::optional<std::vector<std::size_t>> next();
+    // Tells the error of the last one; infinite: it is of no use.
+    void tell(double error);
+
+private:
+    struct Climb {
+        double limit = 0;
+        std::vector<Single> order;
+    };
+    bool fits(std::size_t change) const;
+
+    std::span<const Change> changes_;
+    std::vector<Climb> climbs_;
+    std::size_t climb_ = 0, step_ = 0;
+    std::vector<std::size_t> chosen_;
+    std::vector<std::pair<std::vector<std::size_t>, double>> known_;
+};
+
+}  // namespace snell::accuracy

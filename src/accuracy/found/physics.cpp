@@ -1,0 +1,323 @@
+#include "src/accuracy/found/physics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "parser/text/ranges.h"
+
+namespace snell::accuracy::physics {
+
+namespace {
+
+using texts::after;
+using texts::before;
+using texts::Body;
+using texts::Collector;
+using texts::Piece;
+using texts::Shader;
+using texts::Tree;
+using Kind = Tree::Kind;
+using Edits = std::vector<Edit>;
+
+constexpr int most_rounds = 4096;  // that a loop is given: drivers end long ones
+
+// A number as GLSL writes one of this kind.
+std::string number_text(double value, bool whole) {
+    std::string text = whole ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+    if (!whole && text.find_first_of(".e") == text.npos) text += ".";
+    return text;
+}
+
+bool adds(const Edit& edit) { return !edit.text.empty(); }
+
+// ---- more rounds --------------------------------------------------------------------------------------------
+
+class Rounds {
+public:
+    Rounds(const Shader& shader, const Sources& sources, Collector& to)
+        : s_(shader), u_(shader.unit), sources_(sources), to_(to) {}
+
+    void run() {
+        for (const Body& body : s_.bodies)
+            for (const texts::Loop& loop : body.loops)
+                if (u_.at(loop.word).text == "for") more(body, loop);
+    }
+
+private:
+    bool counts(const texts::Loop& loop) const {
+        const Tree& c = loop.condition;
+        return (c.infix("<") || c.infix("<=")) && c.parts[0].is(Kind::name, loop.counter) && !loop.counter.empty() &&
+               texts::number(loop.start).has_value();
+    }
+    bool by_one(const Tree& step) const {
+        return step.is(Kind::postfix, "++") || step.is(Kind::prefix, "++") ||
+               (step.is(Kind::assign, "+=") && texts::number(step.parts[1]) == 1.);
+    }
+    // An element of an array may not be there for more rounds.
+    bool indexes(const texts::Loop& loop) const {
+        for (int k = loop.first; k <= loop.last && k < static_cast<int>(u_.tokens.size()); ++k)
+            if (u_.at(k).text == "[")
+                for (int j = k + 1; j <= loop.last && u_.at(j).text != "]"; ++j)
+                    if (u_.at(j).text == loop.counter) return true;
+        return false;
+    }
+
+    void more(const Body& body, const texts::Loop& loop) {
+        if (!counts(loop) || indexes(loop)) return;
+        const Tree& bound = loop.condition.parts[1];
+        if (!by_one(loop.step)) {
+            if (loop.step.is(Kind::assign, "+=") && u_.at(loop.step.parts[1].first).kind == glsl::Kind::real)
+                for (const double factor : {2., 4.}) change(body, loop, loop.step.parts[1], 1 / factor, false);
+            return;
+        }
+        const Tree& value = texts::bare(bound);
+        for (const double factor : {2., 4.}) {
+            if (value.kind == Kind::number && u_.at(value.first).macro < 0)
+                change(body, loop, value, factor, true);
+            else if (value.kind == Kind::number)
+                change_macro(value, factor);
+            else if (const auto constant = constant_of(value))
+                change_constant(*constant, factor);
+        }
+    }
+
+    static bool sensible(double rounds) { return rounds >= 2 && rounds <= most_rounds; }
+
+    // The number and, in the same function, others that say the same, such as the divisor of a mean.
+    void change(const Body& body, const texts::Loop& loop, const Tree& number, double factor, bool bound) {
+        const auto value = texts::number(number);
+        const auto head = texts::place(u_, to_, loop.word, loop.close);
+        if (!value || !head || !(*value > 0)) return;
+        const double start = texts::number(loop.start).value_or(0);
+        if (bound && (*value <= start || !sensible((*value - start) * factor))) return;
+        Edits edits;
+        std::vector<Span> more;
+        const bool alone = bound && *value < 3;  // 1 and 2 are in many formulas
+        for (int k = body.function->open; k < body.function->close; ++k) {
+            const glsl::Token& t = u_.at(k);
+            const bool numeral = t.kind == glsl::Kind::integer || t.kind == glsl::Kind::real;
+            if (!numeral || (alone && k != number.first)) continue;
+            const Tree leaf{Kind::number, k, k, t.text, {}};
+            const auto place = texts::place(u_, to_, leaf);
+            if (texts::number(leaf) != *value || !place) continue;
+            edits.push_back({*place, number_text(*value * factor, t.kind == glsl::Kind::integer)});
+            if (place->begin < head->begin || place->end > head->end) more.push_back(*place);
+        }
+        to_.add(ChangeKind::more_rounds, *head, std::move(edits), {}, more);
+    }
+
+    // The tokens of the number that a constant has.
+    std::optional<int> constant_of(const Tree& name) const {
+        if (name.kind != Kind::name) return std::nullopt;
+        if (const Piece* local = texts::declaration_of(s_, name))
+            return local->value.kind == Kind::number ? std::optional(local->value.first) : std::nullopt;
+        for (const glsl::Global& g : u_.globals)
+            if (g.name == name.text && g.qualifiers.storage == glsl::Storage::constant && g.init_first >= 0 &&
+                g.init_first == g.init_last && u_.at(g.init_first).kind == glsl::Kind::integer)
+                return g.init_first;
+        return std::nullopt;
+    }
+
+    void change_constant(int token, double factor) {
+        const Tree leaf{Kind::number, token, token, u_.at(token).text, {}};
+        const auto value = texts::number(leaf);
+        const auto place = texts::place(u_, to_, leaf), name = texts::place(u_, to_, token - 2, token);
+        if (!value || !place || !name || !sensible(*value * factor)) return;
+        to_.add(ChangeKind::more_rounds, *name, {{*place, number_text(*value * factor, true)}});
+    }
+
+    // The line that defines the macro.
+    void change_macro(const Tree& use, double factor) {
+        const glsl::Token& token = u_.at(use.first);
+        const FileId file = u_.span(use.first).file;
+        const std::string_view text = sources_.text(file);
+        std::size_t end = token.offset;
+        while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+        const std::string_view name = text.substr(std::min<std::size_t>(token.offset, text.size()), end - token.offset);
+        const auto value = texts::number(use);
+        if (name.empty() || !value || !sensible(*value * factor)) return;
+        for (std::size_t at = text.find("#define"); at != text.npos; at = text.find("#define", at + 1)) {
+            const std::size_t word = text.find_first_not_of(" \t", at + 7);
+            if (word == text.npos || text.substr(word, name.size()) != name) continue;
+            const std::size_t number = text.find_first_not_of(" \t", word + name.size());
+            if (number == text.npos || number == word + name.size() ||
+                text.substr(number, token.text.size()) != token.text)
+                continue;
+            const auto begin = static_cast<std::uint32_t>(number),
+                       last = begin + static_cast<std::uint32_t>(token.text.size());
+            to_.add(ChangeKind::more_rounds, {file, static_cast<std::uint32_t>(at), last},
+                    {{{file, begin, last}, number_text(*value * factor, true)}});
+            return;
+        }
+    }
+
+    const Shader& s_;
+    const glsl::Unit& u_;
+    const Sources& sources_;
+    Collector& to_;
+};
+
+// ---- Fresnel ------------------------------------------------------------------------------------------------
+
+// f0 + (1 - f0) (1 - c)^power
+struct Schlick {
+    const Tree* f0 = nullptr;
+    const Tree* base = nullptr;      // 1 - c
+    const Tree* exponent = nullptr;  // null: a product
+    const Tree* last = nullptr;      // of the product's factors
+    int factors = 0;
+};
+
+class Fresnel {
+public:
+    Fresnel(const Shader& shader, Collector& to) : s_(shader), u_(shader.unit), to_(to) {}
+
+    void run() {
+        for (const Body& body : s_.bodies)
+            for (const Piece& piece : body.pieces) texts::for_each(piece.value, [&](const Tree& tree) { look(tree); });
+    }
+
+private:
+    static void factors(const Tree& tree, std::vector<const Tree*>& all) {
+        if (!tree.infix("*")) return all.push_back(&tree);
+        factors(tree.parts[0], all);
+        factors(tree.parts[1], all);
+    }
+
+    bool power(std::vector<const Tree*> of, Schlick& found) const {
+        if (of.size() == 1) {
+            const Tree& whole = texts::resolved(s_, *of[0]);
+            if (whole.call("pow", 2)) return found.base = &whole.parts[0], found.exponent = &whole.parts[1], true;
+            if (!whole.infix("*")) return false;
+            of.clear();
+            factors(whole, of);
+        }
+        if (of.size() < 2 || ranges::any_of(of, [&](const Tree* f) { return !texts::same(u_, *f, *of[0]); }))
+            return false;
+        found.base = of[0];
+        found.last = of.back();
+        found.factors = static_cast<int>(of.size());
+        return true;
+    }
+
+    bool rest_of(const Tree& factor, const Tree& f0) const {
+        const Tree& t = texts::bare(factor);
+        const auto a = texts::number(t), b = texts::number(f0);
+        if (a && b) return std::abs(*a + *b - 1) < .02;
+        return t.infix("-") && texts::number(t.parts[0]) == 1. && texts::same(u_, t.parts[1], f0);
+    }
+
+    std::optional<Schlick> schlick(const Tree& tree) const {
+        Schlick found;
+        if (tree.call("mix", 3) && texts::number(tree.parts[1]) == 1.) {
+            for (const int n : {0, 2}) {
+                found.f0 = &tree.parts[static_cast<std::size_t>(n)];
+                if (power({&tree.parts[static_cast<std::size_t>(2 - n)]}, found)) return found;
+            }
+            return std::nullopt;
+        }
+        if (!tree.infix("+")) return std::nullopt;
+        for (const std::size_t n : {0u, 1u}) {
+            found.f0 = &tree.parts[n];
+            std::vector<const Tree*> product;
+            factors(texts::bare(tree.parts[1 - n]), product);
+            const auto rest = ranges::find_if(product, [&](const Tree* f) { return rest_of(*f, *found.f0); });
+            if (rest == product.end()) continue;
+            product.erase(rest);
+            if (!product.empty() && power(product, found)) return found;
+        }
+        return std::nullopt;
+    }
+
+    // The cosine of 1 - c, as text; empty if it is none.
+    std::string cosine(const Tree& tree) const {
+        const Tree& t = texts::resolved(s_, tree);
+        const auto text = [&](const Tree& part) {
+            const auto place = texts::place(u_, to_, part);
+            return place ? std::string(to_.text(*place)) : std::string();
+        };
+        if (t.infix("-") && texts::number(t.parts[0]) == 1.) return text(t.parts[1]);
+        if (t.infix("+") && texts::number(t.parts[0]) == 1. && texts::bare(t.parts[1]).is(Kind::call, "dot"))
+            return "-" + text(t.parts[1]);
+        if (t.call("clamp", 3) || t.call("max", 2) || t.call("abs", 1))
+            return cosine(texts::number(t.parts[0]) ? t.parts.back() : t.parts[0]);
+        return "";
+    }
+
+    bool scalar(const Tree& tree) const {
+        const Tree& t = texts::bare(tree);
+        if (t.kind == Kind::number) return true;
+        if (t.kind == Kind::select) return t.text.size() == 1;
+        if (t.kind == Kind::infix || t.kind == Kind::prefix)
+            return ranges::all_of(t.parts, [&](const Tree& p) { return scalar(p); });
+        if (t.kind == Kind::call) {
+            for (const glsl::Function& f : u_.functions)
+                if (f.name == t.text) return f.result.floating() && f.result.scalar();
+            return t.text == "dot" || t.text == "length" || (t.text == "pow" && !t.parts.empty() && scalar(t.parts[0]));
+        }
+        if (t.kind != Kind::name) return false;
+        if (const Body* body = texts::body_around(s_, t.first)) {
+            for (const Piece& piece : body->pieces)
+                if (piece.name == t.text && piece.kind == Piece::Kind::declaration) return piece.type == "float";
+            for (int k = body->function->name_token; k < body->function->parameters_end; ++k)
+                if (u_.at(k).text == t.text) return u_.at(k - 1).text == "float";
+        }
+        return ranges::any_of(u_.globals, [&](const glsl::Global& g) {
+            return g.name == t.text && g.type.floating() && g.type.scalar();
+        });
+    }
+
+    void look(const Tree& tree) {
+        const auto found = schlick(tree);
+        const auto whole = found ? texts::place(u_, to_, tree) : std::nullopt;
+        if (!whole) return;
+        const std::string c = cosine(*found->base);
+        if (c.empty()) return;
+        fifth_power(*found, *whole);
+        const auto f0 = texts::place(u_, to_, *found->f0);
+        if (!f0 || !scalar(*found->f0)) return;
+        std::string index;
+        if (const auto value = texts::number(*found->f0)) {
+            if (*value < 0 || *value >= 1) return;
+            index = number_text((1 + std::sqrt(*value)) / (1 - std::sqrt(*value)), false);
+        } else {
+            index = fmt::format("(1. + sqrt({0})) / (1. - sqrt({0}))", to_.text(*f0));
+        }
+        const auto include = texts::included(s_, to_, "snell/fresnel.glsl");
+        if (!include) return;
+        Edits edits{{*whole, fmt::format("snellFresnelExact({}, 1., {})", c, index)}};
+        if (adds(*include)) edits.push_back(*include);
+        to_.add(ChangeKind::exact_fresnel, *whole, std::move(edits));
+    }
+
+    void fifth_power(const Schlick& found, Span whole) {
+        if (found.exponent) {
+            const auto place = texts::place(u_, to_, *found.exponent);
+            if (place && texts::number(*found.exponent) != 5.) to_.add(ChangeKind::lint_fix, whole, {{*place, "5."}});
+            return;
+        }
+        const auto base = texts::place(u_, to_, *found.base), last = texts::place(u_, to_, *found.last);
+        if (!base || !last || found.factors >= 5) return;
+        std::string more;
+        for (int n = found.factors; n < 5; ++n) more += " * " + std::string(to_.text(*base));
+        to_.add(ChangeKind::lint_fix, whole, {after(*last, more)});
+    }
+
+    const Shader& s_;
+    const glsl::Unit& u_;
+    Collector& to_;
+};
+
+}  // namespace
+
+void add_physics(const Plan& plan, const texts::Shaders& shaders, const Sources& sources, Collector& to) {
+    for (const Shader& shader : shaders) {
+        Rounds(shader, sources, to).run();
+        Fresnel(shader, to).run();
+    }
+    static_cast<void>(plan);
+}
+
+}  // namespace snell::accuracy::physics

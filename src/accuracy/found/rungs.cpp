@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <random>
+
+#include "parser/text/ranges.h"
+#include "src/accuracy/found/climb.h"
+#include "src/accuracy/found/search.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+// RMSE of light: invisible, at the limit of eight bits, visible if one looks for it, plain to see.
+constexpr std::array<double, 4> error_limits{.001, 1 / 255.0, .016, .06};
+constexpr std::size_t shuffles = 2;  // of each limit, besides the order by error
+
+}  // namespace
+
+std::size_t FoundRung::worst_place() const {
+    return held_out && at[worst_searched] < at[worst_held_out] ? worst_held_out : worst_searched;
+}
+
+const Difference* FoundRung::worst() const { return at.empty() ? nullptr : &at[worst_place()]; }
+
+const RungResult* FoundResult::times(const FoundRung& rung) const {
+    if (!rung.timed) return nullptr;
+    const RungResult& result = sweep_of(rung).rungs[*rung.timed];
+    return result.rounds > 0 ? &result : nullptr;
+}
+
+const FoundRung* FoundResult::find(std::string_view name) const {
+    const auto found = ranges::find(rungs, name, &FoundRung::name);
+    return found == rungs.end() ? nullptr : &*found;
+}
+
+std::vector<const FoundRung*> FoundResult::front() const {
+    std::vector<const FoundRung*> members;
+    if (!timed.trusted()) return members;
+    for (const FoundRung& rung : rungs)
+        if (const RungResult* times_of = times(rung);
+            rung.aim == Aim::cheaper && times_of && times_of->verdict.standing == Standing::front)
+            members.push_back(&rung);
+    ranges::stable_sort(members, {}, [&](const FoundRung* rung) { return times(*rung)->ratio.middle; });
+    return members;
+}
+
+std::vector<const FoundRung*> FoundResult::without_effect() const {
+    std::vector<const FoundRung*> found;
+    for (const FoundRung& rung : rungs)
+        if (rung.aim == Aim::unused && rung.outcome == Outcome::tried && rung.held_out && rung.pixels_changed == 0)
+            found.push_back(&rung);
+    return found;
+}
+
+std::string rung_name(std::span<const std::size_t> changes) {
+    std::string name;
+    for (const std::size_t change : changes) name += fmt::format("{}{}", name.empty() ? "" : "+", change + 1);
+    return name;
+}
+
+std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::span<const Change> changes,
+                                                   std::string& wrong) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t at = 0; at <= name.size();) {
+        const std::size_t end = std::min(name.find('+', at), name.size());
+        std::size_t number = 0;
+        const auto [rest, error] = std::from_chars(name.data() + at, name.data() + end, number);
+        if (error != std::errc() || rest != name.data() + end || number < 1 || number > changes.size()) {
+            wrong = fmt::format(
+                "'{}' is not the number of a found rung; they go from 1 to {}, and combinations are "
+                "written as 3+7",
+                name.substr(at, end - at), changes.size());
+            return std::nullopt;
+        }
+        numbers.push_back(number - 1);
+        at = end + 1;
+    }
+    ranges::sort(numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (!compatible(changes[numbers[i]], changes[numbers[j]])) {
+                wrong = fmt::format("{} and {} change the same text", numbers[j] + 1, numbers[i] + 1);
+                return std::nullopt;
+            }
+    return numbers;
+}
+
+Climbs::Climbs(std::vector<Single> singles, std::span<const Change> changes, std::uint64_t seed) : changes_(changes) {
+    ranges::stable_sort(singles, {}, [](const Single& single) { return single.error; });
+    for (const double limit : error_limits) {
+        Climb climb{limit, {}};
+        ranges::copy_if(singles, std::back_inserter(climb.order),
+                        [&](const Single& single) { return single.error <= limit; });
+        climbs_.push_back(std::move(climb));
+    }
+    std::mt19937_64 random(seed);
+    for (std::size_t i = 0; i < shuffles * error_limits.size(); ++i) {
+        Climb climb = climbs_[i % error_limits.size()];
+        for (std::size_t k = climb.order.size(); k > 1; --k) std::swap(climb.order[k - 1], climb.order[random() % k]);
+        climbs_.push_back(std::move(climb));
+    }
+}
+
+bool Climbs::fits(std::size_t change) const {
+    return ranges::all_of(chosen_, [&](std::size_t other) { return compatible(changes_[change], changes_[other]); });
+}
+
+std::optional<std::vector<std::size_t>> Climbs::next() {
+    for (; climb_ < climbs_.size(); ++climb_, step_ = 0, chosen_.clear()) {
+        const Climb& climb = climbs_[climb_];
+        for (; step_ < climb.order.size(); ++step_) {
+            const std::size_t change = climb.order[step_].change;
+            if (!fits(change)) continue;
+            std::vector<std::size_t> more = chosen_;
+            more.insert(std::upper_bound(more.begin(), more.end(), change), change);
+            const auto known = ranges::find(known_, more, &std::pair<std::vector<std::size_t>, double>::first);
+            if (more.size() > 1 && known == known_.end()) return more;
+            if (more.size() == 1 || known->second <= climb.limit) chosen_ = std::move(more);
+        }
+    }
+    return std::nullopt;
+}
+
+void Climbs::tell(double error) {
+    std::vector<std::size_t> more = chosen_;
+    const std::size_t change = climbs_[climb_].order[step_].change;
+    more.insert(std::upper_bound(more.begin(), more.end(), change), change);
+    known_.emplace_back(std::move(more), error);
+}
+
+}  // namespace snell::accuracy

@@ -1,0 +1,145 @@
+// Finds rungs: tries every change of a scene at several places, then combinations of those that save time, and times
+// what is worth it. Needs a current context.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/accuracy/found/change.h"
+#include "src/accuracy/found/places.h"
+#include "src/accuracy/measure.h"
+
+namespace snell::accuracy {
+
+// How much a changed picture differs from that of the scene as it is, at the same place.
+struct Difference {
+    Error whole, own;                 // over the whole picture, and over the pixels in which the changed draws show
+    std::size_t pixels_changed = 0;   // in which any channel differs by any bit
+    std::optional<double> flip = {};  // mean over `own`; nullopt: not computed, because it is costly
+    bool operator<(const Difference& other) const { return own.light.rmse < other.own.light.rmse; }
+};
+
+enum class Outcome : std::uint8_t {
+    tried,
+    refused,    // the changed scene has an error or a warning that the scene has not: FoundRung::reason
+    not_tried,  // the time was up, or it was stopped
+};
+
+// A change, or a combination of compatible changes, that was tried.
+struct FoundRung {
+    std::string name;                  // such as "3", or "3+7+12": numbers of changes, from 1
+    std::vector<std::size_t> changes;  // indices into FoundResult::changes, ascending
+    Aim aim = Aim::cheaper;
+    Outcome outcome = Outcome::not_tried;
+    std::string reason;  // why it was refused, or not tried
+
+    // By FoundResult::places; as many as were drawn. For a better change: the error that the scene makes.
+    std::vector<Difference> at;
+    std::size_t worst_searched = 0, worst_held_out = 0;  // indices into `at`, by the light's RMSE over `own`
+    std::size_t pixels_changed = 0;                      // at all places together
+    int width = 0, height = 0;                           // of the pictures that were compared
+    bool held_out = false;                               // it was drawn at the places that are held out, too
+    // It was harmless only where it was searched: its error at a place that is held out is visible, and more than twice
+    // as large. Such a rung is never on the front.
+    bool only_where_tried = false;
+
+    double quick_ratio = 0;            // of its time to the scene's, by a few frames; 0: not known
+    std::optional<std::size_t> timed;  // index into FoundResult::timed (cheaper) or costs (better, unused)
+    // Unused only: what the scene would not need without it.
+    std::int64_t gpu_bytes = 0, bytes_decoded = 0;
+
+    const Difference* searched() const { return at.empty() ? nullptr : &at[worst_searched]; }
+    const Difference* unseen() const { return held_out ? &at[worst_held_out] : nullptr; }
+    // The worst of all places; null if it was not drawn.
+    const Difference* worst() const;
+    std::size_t worst_place() const;
+};
+
+struct FoundResult {
+    std::string scene;  // as the user gave it
+    std::uint64_t seed = 1;
+    std::vector<Change> changes;         // as find_changes lists them
+    std::vector<std::string> positions;  // file:line:column of each change
+    std::vector<Place> places;           // the scene's own first
+    std::size_t searched = 0;            // how many of the places were searched on; the others are held out
+    // One for each change, in their order, then combinations. Of Aim::unused, those that change any pixel have the
+    // places up to the first where they do so.
+    std::vector<FoundRung> rungs;
+    // The times of those that are cheaper and may be on the front, with their verdicts, and the scene as it is, which
+    // is the last rung, the reference and the current one. Errors are those of the worst place, FLIP too; pictures are
+    // of the scene's own place. Fit for plots, choose() and standing_text().
+    SweepResult timed;
+    // The times of those that are better, and of those that change no pixel; the scene is the last rung.
+    SweepResult costs;
+    int width = 0, height = 0;                // of the scene's picture
+    int search_width = 0, search_height = 0;  // of the pictures of the search: smaller, where frames are slow
+    bool interrupted = false, late = false;
+
+    // The rungs on the front: cheaper, with the cheapest first. The scene itself is not among them.
+    std::vector<const FoundRung*> front() const;
+    // The times and the standing of a rung; null if it was not timed.
+    const RungResult* times(const FoundRung& rung) const;
+    const SweepResult& sweep_of(const FoundRung& rung) const { return rung.aim == Aim::cheaper ? timed : costs; }
+    const FoundRung* find(std::string_view name) const;
+    // Those that change no pixel at any place, and were held out, too.
+    std::vector<const FoundRung*> without_effect() const;
+};
+
+// The scene whose rungs are sought: what parse_document and make_plan gave for it, with the rungs that are chosen.
+struct Original {
+    std::string path;
+    const Plan& plan;
+    Files& files;
+    Sources& sources;
+};
+
+struct SearchOptions {
+    PlaceOptions places;
+    double seconds = 30;
+    int rounds = 31;  // of the times at the end; fewer if they do not fit
+    bool times = true;
+    // The pictures that are compared have at most so many pixels: their sides are halved until then. Times are of whole
+    // pictures. By the time that is granted, not by what is left of it, so that errors do not depend on the machine.
+    std::size_t pixels = 131072;
+    double at_least = 20;           // minimum milliseconds of a sample
+    std::size_t combinations = 24;  // at most so many are tried
+    Stop stop = {};
+    std::function<void(const Progress&)> report = {};
+};
+
+// A search, a step at a time: one change is tried, or one round is timed. What it draws is the scene's plan with one
+// sample a pixel. Errors come first and in a fixed order, so that the single rungs and their errors do not depend on
+// time as long as it suffices.
+class Search {
+public:
+    Search(const Original& original, std::vector<Change> changes, const gl::Caps& caps, const BenchSettings& settings,
+           SearchOptions options);
+    ~Search();
+    Search(Search&&) noexcept;
+
+    // False: there is nothing left to do.
+    bool step();
+    // What is known by now. conclude()d after the last step.
+    const FoundResult& result() const;
+    FoundResult take();
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// All steps of a search, for the changes that find_changes lists.
+FoundResult search(const Original& original, const gl::Caps& caps, const BenchSettings& settings,
+                   const SearchOptions& options);
+
+// Numbers of changes such as "3+7", as indices from 0; nullopt and `wrong` if it is none of `changes`, or two of them
+// are not compatible. choose_changes (apply.h) knows texts that are included several times, too.
+std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::span<const Change> changes,
+                                                   std::string& wrong);
+std::string rung_name(std::span<const std::size_t> changes);
+
+}  // namespace snell::accuracy

@@ -1,0 +1,357 @@
+// Expressions and statements of shaders, as far as changes need them.
+#include <algorithm>
+
+#include "parser/text/real.h"
+#include "src/accuracy/found/texts.h"
+#include "src/glsl/read/words.h"
+
+namespace snell::accuracy::texts {
+
+using glsl::Unit;
+
+namespace {
+
+constexpr int deepest = 60;
+
+class Reader {
+public:
+    Reader(const Unit& unit, int at) : u_(unit), p_(at) {}
+
+    Tree assignment() {
+        if (++depth_ > deepest) return --depth_, Tree{};
+        Tree left = choice();
+        if (glsl::assigns(text())) {
+            const std::string_view op = text();
+            ++p_;
+            left = join(Tree::Kind::assign, op, std::move(left), assignment());
+        }
+        --depth_;
+        return left;
+    }
+
+private:
+    using Kind = Tree::Kind;
+
+    const glsl::Token& token(int ahead = 0) const {
+        const auto i = static_cast<std::size_t>(p_ + ahead);
+        return i < u_.tokens.size() ? u_.tokens[i] : u_.tokens.back();
+    }
+    std::string_view text() const { return token().text; }
+    // A tree with something in it that was not understood is not understood itself.
+    static Tree join(Kind kind, std::string_view text, Tree a, Tree b) {
+        const bool known = a.kind != Kind::other && b.kind != Kind::other;
+        Tree tree{known ? kind : Kind::other, a.first, b.last, text, {}};
+        tree.parts.push_back(std::move(a));
+        tree.parts.push_back(std::move(b));
+        return tree;
+    }
+
+    Tree choice() {
+        Tree condition = infix(1);
+        if (text() != "?") return condition;
+        ++p_;
+        Tree yes = assignment();
+        if (text() != ":") return {};
+        ++p_;
+        Tree no = assignment();
+        Tree tree = join(Kind::choose, "?", std::move(condition), std::move(yes));
+        if (no.kind == Kind::other) tree.kind = Kind::other;
+        tree.last = no.last;
+        tree.parts.push_back(std::move(no));
+        return tree;
+    }
+
+    Tree infix(int least) {
+        Tree left = prefix();
+        for (int level = glsl::precedence(text()); level >= least && level > 0; level = glsl::precedence(text())) {
+            const std::string_view op = text();
+            ++p_;
+            left = join(Kind::infix, op, std::move(left), infix(level + 1));
+        }
+        return left;
+    }
+
+    Tree prefix() {
+        const std::string_view op = text();
+        if (op != "-" && op != "+" && op != "!" && op != "~" && op != "++" && op != "--") return postfix();
+        if (++depth_ > deepest) return --depth_, Tree{};
+        const int first = p_++;
+        Tree operand = prefix();
+        --depth_;
+        Tree tree{operand.kind == Kind::other ? Kind::other : Kind::prefix, first, operand.last, op, {}};
+        tree.parts.push_back(std::move(operand));
+        return tree;
+    }
+
+    Tree postfix() {
+        Tree tree = primary();
+        while (tree.kind != Kind::other) {
+            if (text() == "." && token(1).kind == glsl::Kind::identifier) {
+                tree = wrap(Kind::select, token(1).text, std::move(tree), p_ + 1);
+                p_ += 2;
+                if (text() == "(") return {};
+            } else if (text() == "[") {
+                ++p_;
+                Tree index = assignment();
+                if (text() != "]") return {};
+                tree = join(Kind::index, "[", std::move(tree), std::move(index));
+                tree.last = p_++;
+            } else if (text() == "++" || text() == "--") {
+                tree = wrap(Kind::postfix, text(), std::move(tree), p_);
+                ++p_;
+            } else {
+                break;
+            }
+        }
+        return tree;
+    }
+
+    static Tree wrap(Kind kind, std::string_view text, Tree inner, int last) {
+        Tree tree{kind, inner.first, last, text, {}};
+        tree.parts.push_back(std::move(inner));
+        return tree;
+    }
+
+    Tree primary() {
+        const glsl::Token& t = token();
+        const int first = p_;
+        if (t.kind == glsl::Kind::integer || t.kind == glsl::Kind::real)
+            return ++p_, Tree{Kind::number, first, first, t.text, {}};
+        if (t.text == "(") {
+            ++p_;
+            Tree inner = assignment();
+            if (text() != ")" || inner.kind == Kind::other) return {};
+            Tree tree{Kind::group, first, p_++, "(", {}};
+            tree.parts.push_back(std::move(inner));
+            return tree;
+        }
+        if (t.kind != glsl::Kind::identifier || glsl::is_statement_word(t.text)) return {};
+        ++p_;
+        if (text() != "(") return {Kind::name, first, first, t.text, {}};
+        ++p_;
+        Tree tree{Kind::call, first, first, t.text, {}};
+        while (text() != ")") {
+            tree.parts.push_back(assignment());
+            if (tree.parts.back().kind == Kind::other) return {};
+            if (text() == ",")
+                ++p_;
+            else if (text() != ")")
+                return {};
+        }
+        tree.last = p_++;
+        return tree;
+    }
+
+    const Unit& u_;
+    int p_, depth_ = 0;
+};
+
+}  // namespace
+
+Tree expression(const Unit& unit, int first) { return Reader(unit, first).assignment(); }
+
+const Tree& bare(const Tree& tree) {
+    const Tree* inner = &tree;
+    while (inner->kind == Tree::Kind::group) inner = &inner->parts.front();
+    return *inner;
+}
+
+std::optional<double> number(const Tree& tree) {
+    const Tree& t = bare(tree);
+    if (t.is(Tree::Kind::prefix, "-")) {
+        const auto value = number(t.parts.front());
+        return value ? std::optional(-*value) : std::nullopt;
+    }
+    double value = 0;
+    if (t.kind != Tree::Kind::number) return std::nullopt;
+    read_real(t.text.data(), t.text.data() + t.text.size(), value);
+    return value;
+}
+
+bool same(const Unit& unit, const Tree& a, const Tree& b) {
+    const Tree &x = bare(a), &y = bare(b);
+    if (x.last - x.first != y.last - y.first || x.first < 0) return false;
+    for (int k = 0; k <= x.last - x.first; ++k)
+        if (unit.at(x.first + k).text != unit.at(y.first + k).text) return false;
+    return true;
+}
+
+namespace {
+
+// Reads the pieces of one body, token by token; what it does not understand it leaves out.
+class BodyReader {
+public:
+    BodyReader(const Unit& unit, const glsl::Function& function) : u_(unit), end_(function.close) {
+        body_.function = &function;
+        for (int k = function.open + 1; k < end_;) k = statement(k);
+        for (Piece& piece : body_.pieces)
+            for (std::size_t i = 0; i < body_.loops.size(); ++i)
+                if (piece.first >= body_.loops[i].first && piece.last <= body_.loops[i].last)
+                    piece.loops.push_back(static_cast<int>(i));
+    }
+    Body take() { return std::move(body_); }
+
+private:
+    std::string_view text(int k) const { return k < end_ ? u_.at(k).text : std::string_view(); }
+
+    int matching(int open) const {
+        int depth = 0;
+        for (int k = open; k < end_; ++k) {
+            const std::string_view t = text(k);
+            if (t == "(" || t == "[" || t == "{") ++depth;
+            if (t == ")" || t == "]" || t == "}") --depth;
+            if (depth <= 0) return k;
+        }
+        return end_;
+    }
+    int semicolon(int from) const {
+        for (int k = from; k < end_; ++k) {
+            if (text(k) == "(" || text(k) == "[" || text(k) == "{") k = matching(k);
+            if (text(k) == ";") return k;
+            if (text(k) == "}") return k;
+        }
+        return end_;
+    }
+    // The last token of the statement, with every `else`.
+    int statement_end(int from) const {
+        int last = text(from) == "{" ? matching(from) : end_;
+        if (last == end_ &&
+            (text(from) == "for" || text(from) == "while" || text(from) == "if" || text(from) == "switch"))
+            last = from + 1 < end_ ? statement_end_of(matching(from + 1) + 1) : end_;
+        else if (last == end_)
+            last = semicolon(from);
+        while (text(last + 1) == "else" && last + 2 < end_) last = statement_end_of(last + 2);
+        return std::min(last, end_);
+    }
+    int statement_end_of(int from) const {
+        if (from >= end_ || nesting_ > deepest) return end_;
+        ++nesting_;
+        const int last = statement_end(from);
+        --nesting_;
+        return last;
+    }
+
+    int add(Piece::Kind kind, int first, int last, int value) {
+        Piece piece;
+        piece.kind = kind;
+        piece.first = first;
+        piece.last = last;
+        piece.depth = depth_;
+        piece.value = expression(u_, value);
+        body_.pieces.push_back(std::move(piece));
+        return last + 1;
+    }
+
+    int statement(int k) {
+        const std::string_view t = text(k);
+        if (t == "{") return ++depth_, k + 1;
+        if (t == "}") return --depth_, k + 1;
+        if (t == ";" || t == "else" || t == "do") return k + 1;
+        if ((t == "if" || t == "switch") && text(k + 1) == "(") {
+            add(Piece::Kind::condition, k, matching(k + 1), k + 2);
+            return matching(k + 1) + 1;
+        }
+        if ((t == "for" || t == "while") && text(k + 1) == "(") return loop(k);
+        if (t == "case" || t == "default") {
+            while (k < end_ && text(k) != ":") ++k;
+            return k + 1;
+        }
+        const int last = semicolon(k);
+        if (t == "return") return add(Piece::Kind::result, k, last, k + 1);
+        if (t == "discard" || t == "break" || t == "continue") return last + 1;
+        if (declares(k)) return declaration(k, last);
+        add(Piece::Kind::expression, k, last, k);
+        if (body_.pieces.back().value.last != last - 1) body_.pieces.back().value = {};
+        return last + 1;
+    }
+
+    bool declares(int k) const {
+        if (glsl::is_qualifier(text(k)) || text(k) == "struct") return true;
+        if (u_.at(k).kind != glsl::Kind::identifier || k + 1 >= end_) return false;
+        int next = k + 1;
+        if (text(next) == "[") next = matching(next) + 1;
+        return next < end_ && u_.at(next).kind == glsl::Kind::identifier && !glsl::is_statement_word(text(k));
+    }
+
+    int declaration(int k, int last) {
+        const int first = k;
+        while (k < last && glsl::is_qualifier(text(k))) {
+            if (text(k) == "layout" && text(k + 1) == "(") k = matching(k + 1);
+            ++k;
+        }
+        const std::string_view type = text(k++);
+        if (type == "struct") return last + 1;
+        if (text(k) == "[") k = matching(k) + 1;
+        const std::size_t begin = body_.pieces.size();
+        while (k < last && u_.at(k).kind == glsl::Kind::identifier) {
+            Piece piece;
+            piece.kind = Piece::Kind::declaration;
+            piece.first = first;
+            piece.last = last;
+            piece.depth = depth_;
+            piece.type = type;
+            piece.name = text(k);
+            piece.name_token = k++;
+            if (text(k) == "[") k = matching(k) + 1, piece.type = "";
+            if (text(k) == "=") {
+                piece.value = expression(u_, k + 1);
+                while (k < last && text(k) != ",")
+                    k = text(k) == "(" || text(k) == "[" || text(k) == "{" ? matching(k) + 1 : k + 1;
+            }
+            body_.pieces.push_back(std::move(piece));
+            if (text(k) != ",") break;
+            ++k;
+        }
+        if (body_.pieces.size() > begin + 1)
+            for (std::size_t i = begin; i < body_.pieces.size(); ++i) body_.pieces[i].whole = false;
+        return last + 1;
+    }
+
+    int loop(int word) {
+        Loop loop;
+        loop.word = word;
+        loop.open = word + 1;
+        loop.close = matching(loop.open);
+        loop.first = loop.close + 1;
+        loop.last = loop.first < end_ ? statement_end(loop.first) : end_;
+        if (text(word) == "for") {
+            const int first = semicolon(loop.open + 1), second = first < loop.close ? semicolon(first + 1) : first;
+            int start = loop.open + 1;
+            if (declares(start) && start + 1 < first) {
+                while (glsl::is_qualifier(text(start))) ++start;
+                loop.counter = text(start + 1);
+                if (text(start + 2) == "=") loop.start = expression(u_, start + 3);
+            } else if (text(start + 1) == "=") {
+                loop.counter = text(start);
+                loop.start = expression(u_, start + 2);
+            }
+            if (second < loop.close) {
+                loop.condition = expression(u_, first + 1);
+                loop.step = expression(u_, second + 1);
+            }
+        } else {
+            loop.condition = expression(u_, loop.open + 1);
+        }
+        const int body = loop.close + 1;
+        body_.loops.push_back(std::move(loop));
+        return body;
+    }
+
+    const Unit& u_;
+    int end_, depth_ = 0;
+    mutable int nesting_ = 0;
+    Body body_;
+};
+
+}  // namespace
+
+std::vector<Body> bodies(const Unit& unit) {
+    std::vector<Body> all;
+    for (const glsl::Function& function : unit.functions)
+        if (function.open >= 0 && function.close > function.open &&
+            function.close < static_cast<int>(unit.tokens.size()))
+            all.push_back(BodyReader(unit, function).take());
+    return all;
+}
+
+}  // namespace snell::accuracy::texts

@@ -1,0 +1,252 @@
+#include "src/accuracy/found/trial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "parser/text/ranges.h"
+#include "src/accuracy/found/apply.h"
+#include "src/document/document.h"
+#include "src/gl/debug.h"
+#include "src/plan/used_files.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+constexpr double quick_sample = 6;  // milliseconds
+constexpr int quick_pairs = 3;
+
+bool overlap(const Span& a, const Span& b) { return a.file == b.file && a.begin <= b.end && b.begin <= a.end; }
+
+// The messages that a runtime has for its values too, and the errors of OpenGL that were made meanwhile.
+void add_problems(Bench& bench, Diagnostics& diagnostics) {
+    diagnostics.append(bench.runtime().value_problems());
+    diagnostics.append(bench.problems());
+    for (const std::string& error : gl::take_errors()) diagnostics.warning("opengl-error", error);
+}
+
+// Of pixels that only lie in a part of the picture: the same sums, over more pixels.
+Figures over_more(Figures figures, std::size_t of, std::size_t among) {
+    const double share = among > 0 ? static_cast<double>(of) / static_cast<double>(among) : 0;
+    if (!std::isfinite(figures.rmse)) return figures;
+    figures.rmse *= std::sqrt(share);
+    figures.mean *= share;
+    figures.psnr = psnr(figures.rmse);
+    return figures;
+}
+
+Figures no_difference() { return {0, psnr(0), 0, 0}; }
+
+}  // namespace
+
+Trials::Trials(const Original& original, std::span<const Change> changes, const gl::Caps& caps,
+               const BenchSettings& settings)
+    : original_(original), changes_(changes), caps_(caps), settings_(settings) {
+    settings_.previous = nullptr;
+}
+
+void Trials::open_scene(const PlaceOptions& options) {
+    BenchSettings any = settings_;
+    any.specialise = false;
+    Bench probe(original_.plan, original_.files, original_.sources, caps_, any);
+    const Runtime& runtime = probe.runtime();
+    const Place own{settings_.view, settings_.time, settings_.sets};
+    places_ = make_places(runtime.controls(), runtime.scene(), runtime.animated(), own, options);
+    settings_.varying = varying(places_, own);
+    settings_.previous = &runtime;
+    scene_ = open({});
+    if (scene_.bench) settings_.previous = &scene_.bench->runtime();
+}
+
+void Trials::resize(int width, int height) {
+    settings_.width = width;
+    settings_.height = height;
+    scene_.bench->resize(width, height);
+}
+
+Trial Trials::open(std::span<const std::size_t> changes, bool shared) {
+    Trial trial;
+    std::map<std::string, std::string> texts;
+    if (!changes.empty()) {
+        const auto chosen = choose_changes(rung_name(changes), changes_, original_.sources, trial.refused);
+        if (!chosen) return trial;
+        std::vector<const Change*> these;
+        for (const Change& change : chosen->changes) these.push_back(&change);
+        texts = changed_texts(these, original_.sources);
+    }
+    Access access = original_.files.access();
+    if (access.instead)
+        for (const auto& [path, text] : *access.instead) texts.try_emplace(path, text);
+    access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(texts));
+    trial.files = std::make_unique<Files>(original_.files.folder(), std::move(access));
+    trial.sources = std::make_unique<Sources>();
+    auto parsed = parse_document(original_.path, *trial.files, *trial.sources, trial.problems);
+    if (!parsed) {
+        trial.refused = "the scene cannot be read";
+        return trial;
+    }
+    Plan plan = make_plan(std::move(parsed->scene), *trial.files, *trial.sources, trial.problems);
+    carry_over(original_.plan.rungs, original_.plan.scene, plan.rungs, plan.scene);
+    BenchSettings settings = settings_;
+    if (!shared) settings.previous = nullptr;
+    gl::take_errors();
+    trial.bench = std::make_unique<Bench>(std::move(plan), *trial.files, *trial.sources, caps_, settings);
+    add_problems(*trial.bench, trial.problems);
+    if (scene_.bench) judge(trial);
+    return trial;
+}
+
+// A change that makes an error or a warning is none that anybody should make.
+void Trials::judge(Trial& trial) const {
+    for (const Diagnostic& problem : trial.problems.items()) {
+        if (problem.severity == Severity::note) continue;
+        const bool old = ranges::any_of(scene_.problems.items(), [&](const Diagnostic& other) {
+            return other.code == problem.code && other.message == problem.message;
+        });
+        if (old) continue;
+        const std::string place =
+            problem.has_span
+                ? fmt::format("line {}: ", trial.sources->position(problem.span.file, problem.span.begin).line)
+                : "";
+        trial.refused = fmt::format("{}{}: {}", place, name(problem.severity), problem.message);
+        trial.bench.reset();
+        return;
+    }
+}
+
+std::optional<Picture> Trials::picture(Trial& trial, std::size_t place) {
+    trial.bench->resize(settings_.width, settings_.height);
+    trial.bench->at(places_[place]);
+    auto picture = trial.bench->picture(variant());
+    trial.bench->at(places_.front());
+    if (const auto errors = gl::take_errors(); !errors.empty()) trial.refused = "OpenGL reports " + errors.front();
+    return picture;
+}
+
+Trials::Key Trials::key(std::size_t place) const {
+    return {place, static_cast<std::size_t>(settings_.width), static_cast<std::size_t>(settings_.height)};
+}
+
+const Picture& Trials::original(std::size_t place) {
+    const auto found = pictures_.find(key(place));
+    if (found != pictures_.end()) return found->second;
+    scene_.bench->at(places_[place]);
+    Picture& kept = pictures_[key(place)];
+    kept = scene_.bench->picture(variant()).value_or(Picture{});
+    scene_.bench->at(places_.front());
+    return kept;
+}
+
+Difference Trials::compare(const Picture& picture, std::size_t place, std::span<const std::size_t> changes, bool flip) {
+    const Picture& reference = original(place);
+    Difference difference;
+    Region changed = where_different(picture, reference);
+    difference.pixels_changed = count(changed);
+    Region own = region(place, draws_of(changes));
+    for (std::size_t i = 0; i < own.size(); ++i) own[i] |= changed[i];
+    const std::size_t pixels = own.empty() ? reference.pixels() : count(own);
+    if (difference.pixels_changed == 0) {
+        difference.whole = difference.own = {.light = no_difference(), .display = no_difference()};
+        difference.whole.pixels = reference.pixels();
+        difference.own.pixels = pixels;
+        difference.flip = 0;
+        return difference;
+    }
+    difference.own = accuracy::compare(picture, reference, own);
+    difference.whole = difference.own;
+    difference.whole.pixels = reference.pixels() - difference.own.nonfinite;
+    for (Figures Error::*figures : {&Error::light, &Error::display})
+        difference.whole.*figures = over_more(difference.own.*figures, difference.own.pixels, difference.whole.pixels);
+    if (flip) difference.flip = mean_of(flip_map(picture, reference), own);
+    return difference;
+}
+
+std::vector<bool> Trials::draws_of(std::span<const std::size_t> changes) {
+    std::vector<bool> all(original_.plan.scene.draws.size(), false);
+    for (const std::size_t change : changes)
+        for (const Edit& edit : changes_[change].edits) {
+            const std::vector<bool> more = draws_of(edit);
+            if (more.empty()) return {};
+            for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || more[i];
+        }
+    return all;
+}
+
+std::vector<bool> Trials::draws_of(const Edit& edit) {
+    const Plan& plan = original_.plan;
+    const std::string_view file = original_.sources.name(edit.span.file);
+    std::vector<bool> programs(plan.programs.size(), false);
+    Files reader(original_.files.folder(), original_.files.access());
+    for (std::size_t i = 0; i < programs.size(); ++i)
+        programs[i] = overlap(plan.scene.programs[i].span, edit.span) ||
+                      ranges::any_of(shader_texts(plan.programs[i], original_.sources, reader),
+                                     [&](const ShaderText& shader) { return shader.path == file; });
+    std::vector<bool> draws;
+    for (const Draw& draw : plan.scene.draws)
+        draws.push_back((draw.program != none && programs[draw.program]) || overlap(draw.span, edit.span));
+    if (ranges::find(draws, true) == draws.end()) draws.clear();
+    return draws;
+}
+
+const Region& Trials::region(std::size_t place, const std::vector<bool>& draws) {
+    Region& kept = regions_[{key(place), draws}];
+    if (!kept.empty() || draws.empty()) return kept;
+    const Picture& whole = original(place);
+    scene_.bench->at(places_[place]);
+    if (const auto without = scene_.bench->picture(variant(), &draws)) kept = where_different(whole, *without);
+    scene_.bench->at(places_.front());
+    return kept;
+}
+
+double Trials::quick_ratio(Trial& trial, ClockKind clock, const Stop& stop) {
+    if (!trial.bench->warm_up(variant(), clock)) return 0;
+    std::vector<double> ratios;
+    for (int i = 0; i < quick_pairs && !(stop && stop()); ++i) {
+        const double changed = chosen(trial.bench->time(variant(), quick_sample), clock);
+        const double unchanged = chosen(scene().time(variant(), quick_sample), clock);
+        if (unchanged > 0) ratios.push_back(changed / unchanged);
+    }
+    return ratios.empty() ? 0 : median(ratios);
+}
+
+Entrant Trials::entrant(Bench& bench) const {
+    return {[&bench, variant = variant()](ClockKind clock) { return bench.warm_up(variant, clock); },
+            [&bench, variant = variant()](double at_least) { return bench.time(variant, at_least); }};
+}
+
+RungResult Trials::summary(const FoundRung& rung, Trial& trial) {
+    const Difference& worst = *rung.worst();
+    RungResult shown{.name = rung.name, .steps = rung.changes, .drawn = true};
+    shown.picture = picture(trial, 0).value_or(Picture{});
+    shown.whole = worst.whole;
+    shown.own = worst.own;
+    shown.alone = worst.own.light;
+    shown.flip = worst.flip.value_or(std::nan(""));
+    return shown;
+}
+
+RungResult Trials::scene_summary() {
+    RungResult shown{.name = "scene", .drawn = true};
+    shown.picture = original(0);
+    shown.own = shown.whole = {.light = no_difference(), .display = no_difference()};
+    shown.alone = no_difference();
+    return shown;
+}
+
+void Trials::find_savings(FoundRung& rung, Trial& trial) {
+    const auto gap = [](std::uint64_t more, std::uint64_t less) {
+        return static_cast<std::int64_t>(more) - static_cast<std::int64_t>(less);
+    };
+    rung.gpu_bytes = gap(scene().runtime().counters().gpu_bytes, trial.bench->runtime().counters().gpu_bytes);
+    if (rung.gpu_bytes == 0) return;
+    const auto decoded = [&](std::span<const std::size_t> without) {
+        const Trial alone = open(without, false);  // what is shared is not decoded again
+        return alone.bench ? alone.bench->runtime().counters().bytes_decoded : 0;
+    };
+    rung.bytes_decoded = gap(decoded({}), decoded(rung.changes));
+}
+
+}  // namespace snell::accuracy

@@ -1,0 +1,80 @@
+// A scene as changes leave it: opened again with other texts, drawn, and compared with the scene as it is.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "src/accuracy/found/search.h"
+#include "src/accuracy/rounds.h"
+
+namespace snell::accuracy {
+
+struct Trial {
+    std::string refused;  // why it is not worth drawing; empty if it is
+    std::unique_ptr<Files> files;
+    std::unique_ptr<Sources> sources;
+    std::unique_ptr<Bench> bench;
+    Diagnostics problems;
+};
+
+// Tries changes of one scene. Pictures of the scene as it is are kept.
+class Trials {
+public:
+    // `original` and `changes` must outlive this.
+    Trials(const Original& original, std::span<const Change> changes, const gl::Caps& caps,
+           const BenchSettings& settings);
+
+    // Opens the scene as it is, and makes the places: it tells what sliders there are.
+    void open_scene(const PlaceOptions& options);
+    const std::vector<Place>& places() const { return places_; }
+    // Draws at its own place, in the size of the settings, until told otherwise.
+    Bench& scene() { return *scene_.bench; }
+    // All pictures are of this size from now on.
+    void resize(int width, int height);
+
+    // Opens the scene with these changes, which are compatible; with none, as it is. `shared`: with the textures,
+    // meshes and programs of the scene as it is.
+    Trial open(std::span<const std::size_t> changes, bool shared = true);
+    std::optional<Picture> picture(Trial& trial, std::size_t place);
+    const Picture& original(std::size_t place);
+    // The difference of that picture at a place. `flip`: with FLIP.
+    Difference compare(const Picture& picture, std::size_t place, std::span<const std::size_t> changes, bool flip);
+
+    // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known.
+    double quick_ratio(Trial& trial, ClockKind clock, const Stop& stop);
+    Entrant entrant(Bench& bench) const;
+    // What plots and tables show: the error of the worst place, and the picture of the scene's own.
+    RungResult summary(const FoundRung& rung, Trial& trial);
+    RungResult scene_summary();
+    // What the scene need not load and keep without these changes' texts: FoundRung::gpu_bytes and bytes_decoded.
+    void find_savings(FoundRung& rung, Trial& trial);
+
+    // Of the scene with its own rungs.
+    Variant variant() const { return {original_.plan.rungs, {}}; }
+
+private:
+    void judge(Trial& trial) const;
+    // By draw of the scene, whether the changes may change what it shows; empty: everything may be changed.
+    std::vector<bool> draws_of(std::span<const std::size_t> changes);
+    std::vector<bool> draws_of(const Edit& edit);
+    // The pixels of the scene as it is that these draws show in; empty: all.
+    const Region& region(std::size_t place, const std::vector<bool>& draws);
+
+    Original original_;
+    std::span<const Change> changes_;
+    gl::Caps caps_;
+    BenchSettings settings_;
+    std::vector<Place> places_;
+    Trial scene_;  // as it is
+    // By place and size.
+    using Key = std::array<std::size_t, 3>;
+    Key key(std::size_t place) const;
+    std::map<Key, Picture> pictures_;
+    std::map<std::pair<Key, std::vector<bool>>, Region> regions_;
+};
+
+}  // namespace snell::accuracy

@@ -1,0 +1,76 @@
+#include "src/accuracy/rounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace snell::accuracy {
+
+Rounds::Rounds(std::vector<Entrant> entrants, RoundOptions options)
+    : entrants_(std::move(entrants)),
+      options_(std::move(options)),
+      frame_(entrants_.size()),
+      times_(entrants_.size()),
+      stride_(entrants_.size(), 1),
+      random_(options_.seed) {}
+
+bool Rounds::step() {
+    if (warmed_ < entrants_.size()) return warm_next();
+    if (!decided_) decide();
+    return round_ < rounds_ && time_round();
+}
+
+bool Rounds::warm_next() {
+    const std::size_t i = warmed_++;
+    if (options_.over()) {
+        warmed_ = entrants_.size();
+        return true;
+    }
+    options_.report("warming up", static_cast<double>(i) / static_cast<double>(entrants_.size()));
+    frame_[i] = entrants_[i].warm_up(options_.clock);
+    return true;
+}
+
+void Rounds::decide() {
+    const auto rounds = static_cast<double>(options_.rounds), time = std::max(1e3 * options_.seconds_left(), 0.0);
+    const double share = time / static_cast<double>(frame_.size() + 1);
+    double round = 0;
+    for (std::size_t i = 0; i < frame_.size(); ++i) {
+        if (!frame_[i]) continue;
+        const double sample = *frame_[i] > 500 ? *frame_[i] : *frame_[i] + std::max(*frame_[i], options_.at_least);
+        // Ensures at least three rounds.
+        const double most = std::max(std::floor(rounds / 3), 1.0);
+        const double stride = std::clamp(std::ceil(sample * rounds / std::max(share, 1e-3)), 1.0, most);
+        stride_[i] = static_cast<std::size_t>(stride);
+        round += (i == options_.base ? 2 : 1) * sample / stride;
+    }
+    rounds_ = static_cast<std::size_t>(std::clamp(time / std::max(round, 1e-3), 1.0, rounds));
+    decided_ = true;
+}
+
+bool Rounds::time_round() {
+    const std::size_t again = entrants_.size(), base = options_.base;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < again; ++i)
+        if (frame_[i] && round_ % stride_[i] == 0) order.push_back(i);
+    if (frame_[base] && round_ % stride_[base] == 0) order.push_back(again);
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random_() % i]);
+    for (auto& times : times_) times.push_back({});
+    again_.push_back(0);
+    for (const std::size_t i : order) {
+        if (options_.stopped()) return false;
+        options_.report("timing", static_cast<double>(round_) / static_cast<double>(rounds_));
+        take(i, entrants_[i == again ? base : i].time(options_.at_least));
+    }
+    ++round_;
+    return true;
+}
+
+// An index behind the last entrant is the control.
+void Rounds::take(std::size_t entrant, const Times& times) {
+    if (entrant == entrants_.size())
+        again_.back() = chosen(times, options_.clock);
+    else
+        times_[entrant].back() = times;
+}
+
+}  // namespace snell::accuracy

@@ -1,0 +1,211 @@
+#include "src/app/commands/found_rungs.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "parser/text/utf8.h"
+#include "src/accuracy/found/apply.h"
+#include "src/accuracy/found/ladder.h"
+#include "src/app/open/deadline.h"
+#include "src/app/open/write_copy.h"
+#include "src/app/picture/outputs.h"
+#include "src/content/json.h"
+#include "src/content/replace.h"
+#include "src/document/document.h"
+#include "src/plan/used_files.h"
+
+namespace snell::app {
+
+namespace {
+
+using namespace snell::accuracy;
+
+Exit refuse(const std::string& what, const std::string& help = "", Exit status = exit_input) {
+    fmt::print(stderr, "snell: error: {}\n", utf8::printable(what));
+    if (!help.empty()) fmt::print(stderr, "   help: {}\n", utf8::printable(help));
+    return status;
+}
+
+// A scene that was read, and what can be changed in it.
+struct Found {
+    Found(const std::string& path, const Access& access) : files(scene_folder(path), access) {}
+
+    Files files;
+    Sources sources;
+    Plan plan;
+    FileId scene = 0;
+    std::vector<Change> changes;
+};
+
+// Returns null after it printed why the scene cannot be read.
+std::unique_ptr<Found> find_in(const std::string& path, const Access& access) {
+    auto found = std::make_unique<Found>(path, access);
+    Diagnostics diagnostics(access.limits), errors;
+    auto parsed = parse_document(path, found->files, found->sources, diagnostics);
+    if (parsed) {
+        found->scene = parsed->file;
+        found->plan = make_plan(std::move(parsed->scene), found->files, found->sources, diagnostics);
+        found->changes = find_changes(found->plan, found->files, found->sources);
+    }
+    for (const Diagnostic& diagnostic : diagnostics.items())
+        if (diagnostic.severity == Severity::error) errors.add(diagnostic);
+    fmt::print(stderr, "{}", snell::render(errors, found->sources));
+    if (!parsed) return nullptr;
+    return found;
+}
+
+std::string_view aim_name(Aim aim) {
+    return aim == Aim::cheaper ? "cheaper" : aim == Aim::better ? "better" : "unused";
+}
+
+std::string list_text(const Found& found) {
+    if (found.changes.empty()) return "snell finds nothing to change in this scene\n";
+    std::string text;
+    for (std::size_t i = 0; i < found.changes.size(); ++i)
+        text += fmt::format("{:>4}  {:<20} {}\n", i + 1, facts(found.changes[i].kind).name,
+                            change_line(found.changes[i], found.sources));
+    return text;
+}
+
+std::string list_json(const std::string& scene, const Found& found) {
+    nlohmann::ordered_json json{{"schema", 1}, {"scene", scene}, {"found", nlohmann::ordered_json::array()}};
+    for (std::size_t i = 0; i < found.changes.size(); ++i) {
+        const Change& change = found.changes[i];
+        const Position at = found.sources.position(change.where.file, change.where.begin);
+        const KindFacts& kind = facts(change.kind);
+        json["found"].push_back({{"number", i + 1},
+                                 {"kind", kind.name},
+                                 {"aim", aim_name(kind.aim)},
+                                 {"file", found.sources.name(change.where.file)},
+                                 {"line", at.line},
+                                 {"column", at.column},
+                                 {"before", change.before},
+                                 {"after", change.after}});
+    }
+    return content::json_text(json) + "\n";
+}
+
+Exit list_found(const AccuracyOptions& options, const Found& found) {
+    fmt::print("{}", list_text(found));
+    if (options.json.empty()) return exit_fine;
+    const std::vector<std::string> read = used_files(found.plan, found.sources, found.files);
+    const Exit wrong = check_outputs(std::vector{options.json}, read);
+    if (wrong != exit_fine) return wrong;
+    const std::string error = content::replace_file(options.json, list_json(options.scenes.front(), found));
+    return error.empty() ? exit_fine : refuse(error);
+}
+
+// What is to be written.
+struct Texts {
+    std::vector<Chosen> chosen;
+    std::vector<std::string> statements;  // of ladders
+    std::map<std::string, std::string> by_path;
+};
+
+std::optional<std::vector<Chosen>> choose(const std::string& names, const Found& found, const std::string& scene) {
+    std::vector<Chosen> chosen;
+    for (std::size_t at = 0; at <= names.size();) {
+        const std::size_t end = std::min(names.find(',', at), names.size());
+        std::string error;
+        auto one = choose_changes(std::string_view(names).substr(at, end - at), found.changes, found.sources, error);
+        if (!one) {
+            refuse(error, fmt::format("'snell accuracy {} --list-found' lists them", scene));
+            return std::nullopt;
+        }
+        chosen.push_back(std::move(*one));
+        at = end + 1;
+    }
+    return chosen;
+}
+
+std::optional<Texts> texts_of(const AccuracyOptions& options, Found& found) {
+    const bool ladders = !options.as_ladder.empty();
+    auto chosen = choose(ladders ? options.as_ladder : options.apply, found, options.scenes.front());
+    if (!chosen) return std::nullopt;
+    Texts texts{std::move(*chosen), {}, {}};
+    std::vector<const Change*> changes;
+    AsLadders made;
+    if (ladders) {
+        made = as_ladders(found.plan, found.files, found.sources, found.scene, texts.chosen);
+        if (!made.error.empty()) {
+            Diagnostics wrong;
+            wrong.error("no-ladder", made.where.value_or(Span{}), made.error, made.help);
+            fmt::print(stderr, "{}", snell::render(wrong, found.sources));
+            return std::nullopt;
+        }
+        changes.push_back(&made.change);
+        texts.statements = made.statements;
+    } else {
+        for (const Change& change : texts.chosen.front().changes) changes.push_back(&change);
+    }
+    texts.by_path = changed_texts(changes, found.sources);
+    return texts;
+}
+
+Exit write_texts(const AccuracyOptions& options, Found& found) {
+    if (options.html.empty())
+        return refuse("--apply and --as-ladder need a folder to write to", "add -o FOLDER", exit_usage);
+    const auto texts = texts_of(options, found);
+    if (!texts) return exit_input;
+    const WrittenCopy copy = write_copy(options.scenes.front(), options.access, texts->by_path, options.html);
+    if (!copy.error.empty()) return refuse(copy.error);
+    for (const Chosen& chosen : texts->chosen)
+        for (const Change& change : chosen.changes) fmt::print("{}\n", change_line(change, found.sources));
+    for (const std::string& statement : texts->statements) fmt::print("{}\n", statement);
+    fmt::print("wrote {} ({} file{})\n", utf8::printable(copy.scene), copy.files.size(),
+               copy.files.size() == 1 ? "" : "s");
+    return exit_fine;
+}
+
+// Not by CLI11's excludes(), which --help would print next to every option.
+bool fits(const CLI::App& command, const AccuracyOptions& options) {
+    const std::string asked = options.list_found ? "--list-found" : options.apply.empty() ? "--as-ladder" : "--apply";
+    const std::set<std::string> fitting{"SCENE",     "--limit", "--confine",
+                                        "--timeout", asked,     options.list_found ? "--json" : "--output"};
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0 || fitting.contains(option->get_single_name()) ||
+            fitting.contains("--" + option->get_single_name()))
+            continue;
+        refuse(fmt::format("{} excludes {}: it measures nothing", asked, option->get_name()), "", exit_usage);
+        return false;
+    }
+    return true;
+}
+
+std::string check_not_empty(const std::string& text) { return text.empty() ? "a number is missing" : ""; }
+
+}  // namespace
+
+void add_found_rungs(CLI::App& command, AccuracyOptions& options) {
+    command.add_flag("--list-found", options.list_found, "list the found rungs with their numbers and measure nothing");
+    command.add_option("--apply", options.apply, "write the scene with found rung 3, or 3+7, into the folder -o")
+        ->check(check_not_empty);
+    command
+        .add_option("--as-ladder", options.as_ladder,
+                    "the same as ladders, such as 3,7: one for each; the picture stays")
+        ->check(check_not_empty);
+}
+
+bool only_texts(const AccuracyOptions& options) {
+    return options.list_found || !options.apply.empty() || !options.as_ladder.empty();
+}
+
+Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command) {
+    if (!fits(command, options)) return exit_usage;
+    if (options.scenes.size() != 1) return refuse("give one scene: found rungs are those of a scene", "", exit_usage);
+    Deadline deadline(options.timeout);
+    deadline.begin(fmt::format("reading '{}'", options.scenes.front()));
+    const auto found = find_in(options.scenes.front(), options.access);
+    if (!found) return exit_input;
+    const Exit status = options.list_found ? list_found(options, *found) : write_texts(options, *found);
+    deadline.rest();
+    return status;
+}
+
+}  // namespace snell::app

@@ -1,0 +1,28 @@
+// Modules of snell: libraries that would cost time at every start, opened when they are first needed.
+#pragma once
+
+#include <string>
+
+namespace snell::content {
+
+struct LoadedModule {
+    void* handle = nullptr;
+    std::string path;
+    std::string error;  // why it cannot be used; empty if it can
+
+    // Looks up a function; returns false if the module does not have it.
+    template <class Function>
+    bool find(const char* name, Function& function) const {
+        function = reinterpret_cast<Function>(symbol(name));
+        return function != nullptr;
+    }
+
+private:
+    void* symbol(const char* name) const;
+};
+
+// Looks for the file in the executable's folder, then in ../lib/snell. `library` is its name in errors. The module
+// stays open.
+LoadedModule load_module(const std::string& file, const std::string& library);
+
+}  // namespace snell::content

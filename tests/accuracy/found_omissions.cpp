@@ -1,0 +1,101 @@
+// What can be left out: the exact text that stays.
+#include "tests/accuracy/found_help.h"
+
+namespace snell::accuracy {
+namespace {
+
+using Befores = std::vector<std::string>;
+
+Befores left_out(const Found& found, ChangeKind kind) {
+    Befores all;
+    for (const Change& change : found.changes)
+        if (change.kind == kind) all.push_back(change.before);
+    return all;
+}
+
+class FoundOmissions : public testing::Test {
+protected:
+    Found found(std::string_view scene, std::string_view fragment = "void main() { gl_FragColor = vec4(1.); }\n") {
+        return found_in_text(folder_, scene, {{"a.vert", vertex}, {"a.frag", fragment}, {"p.png", ""}}, add_omissions);
+    }
+    Found shader(std::string_view fragment) {
+        return found("Vertex a.vert\nFragment a.frag\nProgram P\nBox\n", fragment);
+    }
+    Scratch folder_;
+};
+
+TEST_F(FoundOmissions, ADrawGoesAndItsCommentStays) {
+    const Found two = found("Sphere 1. \\\n  # many\n  9 9 # far\nBox\n");
+    EXPECT_EQ(left_out(two, ChangeKind::no_draw).size(), 2u);
+    EXPECT_EQ(two.text(ChangeKind::no_draw, 0, "scene.glib"), "  # many\n # far\nBox\n");
+    EXPECT_EQ(two.text(ChangeKind::no_draw, 1, "scene.glib"), "Sphere 1. \\\n  # many\n  9 9 # far\n\n");
+}
+
+TEST_F(FoundOmissions, AListOfVerticesLeavesItsStateBehind) {
+    const Found list = found("glBegin gl_triangles\nglColor 1 0 0\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\nBox\n");
+    EXPECT_EQ(list.text(ChangeKind::no_draw, 0, "scene.glib"), "\nglColor 1 0 0\n\n\n\nBox\n");
+}
+
+TEST_F(FoundOmissions, TexturesThatNothingElseNeeds) {
+    const Found some =
+        found("Texture2D 5 64 64\nTexture2D 1 p.png\nCubeMap 6 p.png\nIrradiance 7 6\nRenderToTexture 5\n");
+    EXPECT_EQ(left_out(some, ChangeKind::no_texture), (Befores{"Texture2D 1 p.png", "Irradiance 7 6"}));
+}
+
+TEST_F(FoundOmissions, UniformsOfAProgramLine) {
+    const Found two = found("Vertex a.vert\nFragment a.frag\nProgram P uA <0. 1. 2.> \\\n    uB 3.\nBox\n");
+    EXPECT_EQ(left_out(two, ChangeKind::no_uniform), (Befores{"uA <0. 1. 2.>", "uB 3."}));
+    EXPECT_EQ(two.text(ChangeKind::no_uniform, 1, "scene.glib"),
+              "Vertex a.vert\nFragment a.frag\nProgram P uA <0. 1. 2.> \\\n    \nBox\n");
+    for (std::size_t n = 0; n < 2; ++n) {
+        Scratch other;
+        const Found again = found_in_text(other, two.text(ChangeKind::no_uniform, n, "scene.glib"),
+                                          {{"a.vert", vertex}, {"a.frag", vertex}}, nullptr);
+        ASSERT_EQ(again.plan.scene.programs.size(), 1u);
+        ASSERT_EQ(again.plan.scene.programs[0].uniforms.size(), 1u);
+        EXPECT_EQ(again.plan.scene.programs[0].uniforms[0].name, n == 0 ? "uB" : "uA");
+        EXPECT_EQ(again.plan.scene.draws.size(), 1u);
+    }
+}
+
+TEST_F(FoundOmissions, StatementsOfShaders) {
+    const Found some = shader(
+        "void lit(inout float x) { x *= 2.; }\nvoid main() {\n    float a = 1.; float unused = 2.;\n    if (a > 0.) a "
+        "+= "
+        "1.; // more\n    lit(a);\n    gl_FragColor = vec4(a);\n}\n");
+    EXPECT_EQ(left_out(some, ChangeKind::no_statement),
+              (Befores{"x *= 2.", "float unused = 2.;", "a += 1.", "lit(a)"}));
+    EXPECT_NE(some.text(ChangeKind::no_statement, 2, "a.frag").find("if (a > 0.) ; // more\n"), std::string::npos);
+    EXPECT_NE(some.text(ChangeKind::no_statement, 1, "a.frag").find("float a = 1.; \n"), std::string::npos);
+}
+
+TEST_F(FoundOmissions, WhatEndsALoopStays) {
+    const Found loops = shader(
+        "void main() {\n    float s = 0., t = 0.;\n    for (int i = 0; i < 9; i++) { s += .1; i = i + 1; }\n"
+        "    gl_FragColor = vec4(s);\n    gl_FragColor.a = 1.;\n}\n");
+    EXPECT_EQ(left_out(loops, ChangeKind::no_statement),
+              (Befores{"s += .1", "gl_FragColor = vec4(s)", "gl_FragColor.a = 1."}));
+    EXPECT_TRUE(left_out(shader("void main() {\n    float t = 0.;\n    while (t < 1.) t += .1;\n    gl_FragColor = "
+                                "vec4(t);\n}\n"),
+                         ChangeKind::no_statement)
+                    .empty());
+}
+
+TEST_F(FoundOmissions, WhatMacrosMakeIsLeftAlone) {
+    EXPECT_TRUE(
+        left_out(shader("#define SET(x) x = 1.;\nvoid main() {\n    float a = 0.;\n    SET(a)\n    gl_FragColor "
+                        "= vec4(a);\n}\n"),
+                 ChangeKind::no_statement)
+            .empty());
+}
+
+TEST_F(FoundOmissions, AtMostTwoHundred) {
+    std::string many;
+    for (int i = 0; i < 300; ++i) many += "Box " + std::to_string(i + 1) + "\n";
+    EXPECT_EQ(found(many).changes.size(), 200u);
+}
+
+TEST(FoundOmissionsAll, ChangesAreSound) { expect_sound(add_omissions); }
+
+}  // namespace
+}  // namespace snell::accuracy

@@ -1,0 +1,237 @@
+// Changes whose errors are known: what a search says of them must be that.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "src/accuracy/found/search.h"
+#include "tests/accuracy/gl/common.h"
+
+namespace snell::test {
+namespace {
+
+using namespace accuracy;
+
+class FoundSearch : public AccuracyTest {
+protected:
+    void read_scene(std::string_view scene) { bench_of_text(scene, 32, 32); }
+
+    void write_full(std::string_view fragment) {
+        folder.write("full.vert",
+                     "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
+        folder.write("full.frag", "#version 330 compatibility\n" + std::string(fragment));
+    }
+
+    // Replaces the first `before` in any of the texts.
+    Change change(ChangeKind kind, std::string_view before, std::string_view after) {
+        for (FileId file = 0; file < read->sources.size(); ++file)
+            if (const std::size_t at = read->sources.text(file).find(before); at != std::string_view::npos) {
+                const Span span{file, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + before.size())};
+                return {kind, span, std::string(before), std::string(after), {{span, std::string(after)}}};
+            }
+        ADD_FAILURE() << "no text has " << before;
+        return {};
+    }
+
+    FoundResult search(std::vector<Change> changes, bool times = false) {
+        SearchOptions options;
+        options.times = times;
+        options.rounds = 15;
+        options.at_least = .5;
+        BenchSettings settings{32, 32, 0, {}};
+        Search found({folder.path("scene.glib"), read->plan, *read->files, read->sources}, std::move(changes), caps,
+                     settings, options);
+        while (found.step()) {
+        }
+        return found.take();
+    }
+};
+
+constexpr std::string_view full_scene =
+    "Vertex full.vert\nFragment full.frag\nProgram Full uGain <1. 1. 1.>\nQuadXY 0 1\n";
+
+TEST_F(FoundSearch, AnErrorIsTheOneThatHalfOfTheRoundsMake) {
+    // Linear light: 8 rounds of 1/16 give .5, of which 4 rounds are .25; both are encoded by the curve of sRGB.
+    write_full(R"(
+float encoded(float x) { return x <= .0031308 ? 12.92 * x : 1.055 * pow(x, 1. / 2.4) - .055; }
+void main() {
+    float sum = 0.;
+    for (int i = 0; i < 8; ++i) sum += 1. / 16.;
+    gl_FragColor = vec4(vec3(encoded(sum)), 1.);
+}
+)");
+    read_scene(full_scene);
+    const FoundResult found = search({change(ChangeKind::fewer_rounds, "i < 8", "i < 4")});
+    ASSERT_EQ(found.rungs.size(), 1u);
+    const FoundRung& rung = found.rungs[0];
+    ASSERT_EQ(rung.outcome, Outcome::tried) << rung.reason;
+    EXPECT_EQ(rung.name, "1");
+    EXPECT_TRUE(rung.held_out);
+    ASSERT_EQ(rung.at.size(), 8u);
+    for (const Difference& at : rung.at) EXPECT_NEAR(at.own.light.rmse, .25, 1e-5);
+    EXPECT_EQ(rung.worst()->pixels_changed, 32u * 32u);
+    EXPECT_NEAR(rung.worst()->own.display.rmse, 1.055 * (std::pow(.5, 1 / 2.4) - std::pow(.25, 1 / 2.4)), 1e-5);
+    EXPECT_TRUE(found.positions[0].ends_with("full.frag:6:21")) << found.positions[0];
+}
+
+TEST_F(FoundSearch, TheWholePictureHasTheSameErrorOverMorePixels) {
+    folder.write("a.vert", "#version 330 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n");
+    folder.write("a.frag", "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n");
+    // A quarter of the picture.
+    read_scene("Background 0 0 0\nVertex a.vert\nFragment a.frag\nProgram A\nTranslate 0 0 0\nQuadXY 0 .5\n");
+    const FoundResult found = search({change(ChangeKind::without_term, "vec4(1.)", "vec4(0.)")});
+    const Difference& worst = *found.rungs[0].worst();
+    EXPECT_EQ(worst.own.pixels, 256u);
+    EXPECT_NEAR(worst.own.light.rmse, 1, 1e-6);
+    EXPECT_NEAR(worst.whole.light.rmse, .5, 1e-6);
+    EXPECT_NEAR(worst.whole.light.mean, .25, 1e-6);
+}
+
+TEST_F(FoundSearch, WhatIsHarmlessOnlyAtTheScenesOwnValuesIsFoundOut) {
+    write_full("uniform float uMix;\nvoid main() { gl_FragColor = vec4(vec3(.5 + .4 * uMix), 1.); }\n");
+    read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uMix <0. 0. 1.>\nQuadXY 0 1\n");
+    const FoundResult found = search({change(ChangeKind::without_term, " + .4 * uMix", "")});
+    const FoundRung& rung = found.rungs[0];
+    EXPECT_EQ(rung.at[0].pixels_changed, 0u);
+    EXPECT_GT(rung.pixels_changed, 0u);
+    EXPECT_GT(rung.worst()->own.light.rmse, .05);
+}
+
+TEST_F(FoundSearch, AnErrorThatOnlyHeldOutPlacesShowIsMarkedAndNeverOnTheFront) {
+    // A value that the searched places do not have and a held-out one has: the places are known, so it can be chosen.
+    write_full("uniform float uMix;\nvoid main() { gl_FragColor = vec4(vec3(uMix > .5 ? .9 : .1), 1.); }\n");
+    read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uMix <0. 0. 1.>\nQuadXY 0 1\n");
+    const FoundResult first = search({});
+    double searched = 0, held_out = 0;
+    for (std::size_t i = 0; i < first.places.size(); ++i)
+        for (const std::string& set : first.places[i].sets) {
+            const double value = std::stod(set.substr(set.find('=') + 1));
+            double& most = i < first.searched ? searched : held_out;
+            most = std::max(most, value);
+        }
+    ASSERT_GT(held_out, searched) << "another seed has such a place";
+    const std::string limit = std::to_string((searched + held_out) / 2);
+    folder.write("full.frag",
+                 "#version 330 compatibility\nuniform float uMix;\nvoid main() { gl_FragColor = vec4(vec3(uMix > " +
+                     limit + " ? .9 : .1), 1.); }\n");
+    read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uMix <0. 0. 1.>\nQuadXY 0 1\n");
+    const FoundResult found = search({change(ChangeKind::without_term, "uMix > " + limit + " ? .9 : .1", ".1")});
+    const FoundRung& rung = found.rungs[0];
+    EXPECT_EQ(rung.searched()->pixels_changed, 0u);
+    ASSERT_TRUE(rung.held_out);
+    EXPECT_TRUE(rung.only_where_tried);
+    EXPECT_GT(rung.worst()->own.light.rmse, .5);
+    EXPECT_TRUE(found.front().empty());
+    EXPECT_FALSE(rung.timed);
+}
+
+TEST_F(FoundSearch, ANumberThatIsNoneIsAnInfiniteError) {
+    write_full("uniform float uGain;\nvoid main() { gl_FragColor = vec4(vec3(.5 * uGain), 1.); }\n");
+    read_scene(full_scene);
+    const FoundResult found = search({change(ChangeKind::polynomial, ".5 * uGain", "sqrt(-uGain)")});
+    ASSERT_EQ(found.rungs[0].outcome, Outcome::tried);
+    EXPECT_TRUE(std::isinf(found.rungs[0].worst()->own.light.rmse));
+    EXPECT_TRUE(std::isinf(found.rungs[0].worst()->whole.light.rmse));
+    EXPECT_FALSE(found.rungs[0].timed);
+}
+
+TEST_F(FoundSearch, WhatDoesNotCompileOrWarnsIsRefusedWithTheReason) {
+    write_full("void main() { gl_FragColor = vec4(.5); }\n");
+    read_scene(full_scene);
+    const FoundResult found = search({change(ChangeKind::polynomial, "vec4(.5)", "vec4(x)"),
+                                      change(ChangeKind::no_draw, "QuadXY 0 1", "Quadxy 0 1 nonsense"),
+                                      change(ChangeKind::polynomial, "vec4(.5)", "vec4(.25)")});
+    EXPECT_EQ(found.rungs[0].outcome, Outcome::refused);
+    EXPECT_NE(found.rungs[0].reason.find("x"), std::string::npos) << found.rungs[0].reason;
+    EXPECT_EQ(found.rungs[1].outcome, Outcome::refused);
+    EXPECT_EQ(found.rungs[2].outcome, Outcome::tried) << found.rungs[2].reason;
+    EXPECT_TRUE(found.rungs[0].at.empty());
+    complaints.clear();  // the driver refused the first
+}
+
+TEST_F(FoundSearch, TheSameSeedGivesTheSameRungsAndErrorsToTheBit) {
+    write_full(
+        "uniform float uGain, uHue;\nvoid main() { float s = 0.; for (int i = 0; i < 6; ++i) s += sin(uHue * float(i) "
+        "+ gl_FragCoord.x);\n gl_FragColor = vec4(.5 + .05 * s, uHue, pow(uGain, 2.), 1.); }\n");
+    read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uGain <0. .4 1.> uHue <0. .3 1.>\nQuadXY 0 1\n");
+    const std::vector<Change> changes{change(ChangeKind::fewer_rounds, "i < 6", "i < 3"),
+                                      change(ChangeKind::polynomial, "pow(uGain, 2.)", "uGain * uGain"),
+                                      change(ChangeKind::without_term, " + .05 * s", "")};
+    const FoundResult a = search(changes), b = search(changes);
+    ASSERT_EQ(a.rungs.size(), b.rungs.size());
+    EXPECT_EQ(a.places, b.places);
+    EXPECT_GT(a.rungs[0].worst()->own.light.rmse, 0);
+    for (std::size_t i = 0; i < a.rungs.size(); ++i) {
+        EXPECT_EQ(a.rungs[i].name, b.rungs[i].name);
+        ASSERT_EQ(a.rungs[i].at.size(), b.rungs[i].at.size());
+        for (std::size_t place = 0; place < a.rungs[i].at.size(); ++place) {
+            EXPECT_EQ(a.rungs[i].at[place].own.light.rmse, b.rungs[i].at[place].own.light.rmse);
+            EXPECT_EQ(a.rungs[i].at[place].pixels_changed, b.rungs[i].at[place].pixels_changed);
+        }
+    }
+}
+
+TEST_F(FoundSearch, ADrawOutOfSightChangesNoPixelAndTheOtherIsNotListed) {
+    read_scene("LookAt 0 0 4  0 0 0  0 1 0\nSphere 1\nTranslate 0 0 60\nSphere 1\n");
+    std::vector<Change> changes{change(ChangeKind::no_draw, "Sphere 1\nTranslate", "\nTranslate"),
+                                change(ChangeKind::no_draw, "60\nSphere 1", "60\n")};
+    const FoundResult found = search(changes);
+    ASSERT_EQ(found.without_effect().size(), 1u);
+    EXPECT_EQ(found.without_effect()[0]->name, "2");
+    EXPECT_GT(found.without_effect()[0]->gpu_bytes, -1);
+    EXPECT_EQ(found.rungs[0].at.size(), 1u) << "it ends at the first place that shows it";
+}
+
+TEST_F(FoundSearch, WhatIsCheaperAndHarmlessIsOnTheFrontAndCombinesWithOthers) {
+    write_full(R"(
+uniform float uStep;
+void main() {
+    float x = gl_FragCoord.x, y = x;
+    for (int i = 0; i < 900; ++i) x = x * .999 + uStep * sin(x);
+    for (int j = 0; j < 901; ++j) y = y * .999 + uStep * cos(y);
+    gl_FragColor = vec4(vec3(.25 + .002 * step(0., x) + 1e-30 * y), 1.);
+}
+)");
+    read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uStep <.001 .001 .001>\nQuadXY 0 1\n");
+    FoundResult found;
+    for (int attempt = 0; attempt < 3 && found.front().empty(); ++attempt)
+        found = search({change(ChangeKind::fewer_rounds, "i < 900", "i < 90"),
+                        change(ChangeKind::fewer_rounds, "j < 901", "j < 90"),
+                        change(ChangeKind::without_term, " + .002 * step(0., x)", "")},
+                       true);
+    ASSERT_FALSE(found.front().empty());
+    ASSERT_NE(found.find("1+2"), nullptr);
+    EXPECT_EQ(found.front()[0]->changes.size() > 1, true) << "combinations save more: " << found.front()[0]->name;
+    EXPECT_LT(found.times(*found.front()[0])->ratio.high, .5);
+    EXPECT_EQ(found.find("1")->pixels_changed, 0u);
+    EXPECT_TRUE(found.front()[0]->held_out);
+    for (const FoundRung& rung : found.rungs)
+        if (rung.timed) {
+            EXPECT_EQ(found.timed.rungs[*rung.timed].name, rung.name);
+        }
+}
+
+TEST_F(FoundSearch, WithoutTimeNothingIsTriedAndThatIsSaid) {
+    write_full("void main() { gl_FragColor = vec4(.5); }\n");
+    read_scene(full_scene);
+    SearchOptions options;
+    options.seconds = 0;
+    Search none({folder.path("scene.glib"), read->plan, *read->files, read->sources},
+                {change(ChangeKind::polynomial, ".5", ".4")}, caps, {32, 32, 0, {}}, options);
+    while (none.step()) {
+    }
+    EXPECT_EQ(none.result().rungs[0].outcome, Outcome::not_tried);
+    EXPECT_EQ(none.result().rungs[0].reason, "the time was up");
+    EXPECT_TRUE(none.result().late);
+    int asked = 0;
+    options.seconds = 30;
+    options.stop = [&] { return ++asked > 1; };
+    Search stopped({folder.path("scene.glib"), read->plan, *read->files, read->sources},
+                   {change(ChangeKind::polynomial, ".5", ".4")}, caps, {32, 32, 0, {}}, options);
+    while (stopped.step()) {
+    }
+    EXPECT_TRUE(stopped.result().interrupted);
+    EXPECT_EQ(stopped.result().rungs[0].reason, "the search was stopped");
+}
+
+}  // namespace
+}  // namespace snell::test

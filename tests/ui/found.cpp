@@ -1,0 +1,195 @@
+// The rungs that snell finds by itself, in the accuracy panel: what is listed, and what clicks and keys ask for.
+#include "src/ui/panels/found.h"
+
+#include "src/ui/panels/panels.h"
+#include "tests/ui/screen.h"
+
+namespace snell::ui {
+namespace {
+
+class FoundPanel : public UiTest {
+protected:
+    FoundPanel() {
+        memory_.tab = Tab::tools;
+        memory_.accuracy.open = true;
+        facts_.found = &found_;
+        screen_.height = 1600;
+    }
+    FoundRow& add(const std::string& name, FoundRow::Group group = FoundRow::Group::cheaper) {
+        found_.asked = true;
+        FoundRow& row = found_.rows.emplace_back();
+        row.group = group;
+        row.name = name;
+        row.kind = "fewer-rounds";
+        row.where = "glass.frag:12";
+        row.place = {"/scenes/glass.frag", 12, 5};
+        row.before = "i < 8";
+        row.after = "i < 4";
+        return row;
+    }
+    // Returns all requests that the click made, since they stand for one frame only.
+    Requests clicked(const std::string& name, double fraction = .5) {
+        const Rect at = place(name);
+        frame({move(at.x + at.width * fraction, at.y + at.height / 2)});
+        Requests all;
+        for (const bool down : {true, false}) {
+            frame({button(down)});
+            if (requests_.show_rung) all.show_rung = requests_.show_rung;
+            if (!requests_.edit.file.empty()) all.edit = requests_.edit;
+            all.find_rungs |= requests_.find_rungs;
+            all.write_rung |= requests_.write_rung;
+            all.copy_rung |= requests_.copy_rung;
+        }
+        frame({}, 1);
+        return all;
+    }
+
+    FoundFacts found_;
+};
+
+TEST_F(FoundPanel, TheButtonStartsAndStopsTheSearch) {
+    EXPECT_FALSE(has("found.none")) << "nobody asked";
+    EXPECT_TRUE(clicked("found.find").find_rungs);
+    EXPECT_FALSE(requests_.find_rungs) << "once";
+    found_.asked = true;
+    found_.progress = .5;
+    found_.doing = "trying 3 of 8";
+    EXPECT_TRUE(has("found.doing"));
+    EXPECT_FALSE(has("found.none")) << "not yet";
+    EXPECT_TRUE(clicked("found.find").find_rungs) << "it stops the search";
+    found_.progress.reset();
+    EXPECT_TRUE(has("found.none"));
+    found_.note = "The files have errors.";
+    EXPECT_FALSE(clicked("found.find").find_rungs);
+    EXPECT_TRUE(has("found.note"));
+}
+
+TEST_F(FoundPanel, IsThereWithoutLaddersOnlyWhileAccuracyIsOpen) {
+    EXPECT_TRUE(has("found.find"));
+    EXPECT_FALSE(has("accuracy.plot"));
+    memory_.accuracy.open = false;
+    EXPECT_FALSE(has("found.find"));
+}
+
+TEST_F(FoundPanel, EachGroupHasItsHeading) {
+    add("1").error = .01;
+    EXPECT_TRUE(has("found.heading.Cheaper"));
+    EXPECT_FALSE(has("found.heading.What the picture lacks"));
+    EXPECT_FALSE(has("found.heading.Changes nothing"));
+    add("2", FoundRow::Group::better);
+    add("3", FoundRow::Group::unused);
+    add("4", FoundRow::Group::untried).remark = "the time was up";
+    const Rect cheaper = place("found.heading.Cheaper"), first = place("found.row.1");
+    const Rect better = place("found.heading.What the picture lacks"), second = place("found.row.2");
+    const Rect unused = place("found.heading.Changes nothing"), third = place("found.row.3");
+    EXPECT_LT(cheaper.y, first.y);
+    EXPECT_LT(first.y, better.y);
+    EXPECT_LT(better.y, second.y);
+    EXPECT_LT(second.y, unused.y);
+    EXPECT_LT(unused.y, third.y);
+    EXPECT_FALSE(has("found.row.4")) << "folded";
+    click(place("found.untried"), MouseButton::left, .1);
+    EXPECT_TRUE(has("found.row.4"));
+    EXPECT_FALSE(clicked("found.row.4", .9).show_rung) << "there is no picture of it";
+}
+
+TEST_F(FoundPanel, AClickOnARowShowsItsPictureAndAnotherTheScene) {
+    add("1");
+    add("2+3");
+    EXPECT_EQ(clicked("found.row.2+3", .9).show_rung, "2+3");
+    EXPECT_EQ(clicked("found.row.1", .9).show_rung, "1");
+    found_.shown = "1";
+    EXPECT_EQ(clicked("found.row.1", .9).show_rung, "");
+    EXPECT_EQ(clicked("found.row.2+3", .9).show_rung, "2+3") << "another one";
+}
+
+TEST_F(FoundPanel, AClickOnThePlaceOpensTheEditorAndNothingElse) {
+    add("1");
+    const Requests asked = clicked("found.place.1");
+    EXPECT_EQ(asked.edit.file, "/scenes/glass.frag");
+    EXPECT_EQ(asked.edit.line, 12);
+    EXPECT_FALSE(asked.show_rung);
+    found_.rows[0].place = {};
+    EXPECT_EQ(clicked("found.place.1").show_rung, "1") << "a built-in text has no place";
+}
+
+TEST_F(FoundPanel, EscapeEndsTheShowingBeforeAnythingElse) {
+    memory_.hold.picking = true;
+    add("1");
+    found_.shown = "1";
+    EXPECT_TRUE(has("status.found"));
+    frame({key(Key::escape, true)});
+    EXPECT_EQ(requests_.show_rung, "");
+    EXPECT_TRUE(memory_.hold.picking);
+    frame({key(Key::escape, false)});
+    found_.shown.clear();
+    EXPECT_FALSE(has("status.found"));
+    frame({key(Key::escape, true)});
+    EXPECT_FALSE(requests_.show_rung);
+    EXPECT_FALSE(memory_.hold.picking);
+}
+
+TEST_F(FoundPanel, WhatIsShownCanBeWritten) {
+    add("1");
+    EXPECT_FALSE(has("found.write"));
+    found_.shown = "1";
+    EXPECT_TRUE(clicked("found.write").write_rung);
+    EXPECT_TRUE(clicked("found.copy").copy_rung);
+    open_save_as(memory_.write_rung, "room-rung-1");
+    click(place("write rung save"));
+    memory_.write_rung.open = true;
+    frame({key(Key::escape, true)});
+    EXPECT_FALSE(requests_.show_rung) << "the key is the dialog's";
+    EXPECT_FALSE(memory_.write_rung.open);
+}
+
+TEST_F(FoundPanel, RungsOfAnOlderTextAreGrey) {
+    add("1");
+    found_.older = true;
+    EXPECT_TRUE(has("found.older"));
+    EXPECT_EQ(clicked("found.row.1", .9).show_rung, "1") << "the values are others, the rung is the same";
+    found_.stale = true;
+    EXPECT_TRUE(has("found.stale"));
+    EXPECT_FALSE(has("found.older"));
+    EXPECT_FALSE(clicked("found.row.1", .9).show_rung);
+    EXPECT_TRUE(clicked("found.find").find_rungs) << "they can be sought again";
+}
+
+// Many rows cost no more than those in sight.
+TEST_F(FoundPanel, OnlyRowsInSightAreDrawn) {
+    screen_.height = 700;
+    for (int i = 1; i <= 1000; ++i) add(std::to_string(i));
+    frame();
+    const auto drawn = std::ranges::count_if(
+        layout_.items(), [](const Placed& placed) { return placed.name.starts_with("found.row."); });
+    EXPECT_GT(drawn, 3);
+    EXPECT_LT(drawn, 30);
+    const Rect first = place("found.row.1"), second = place("found.row.2"), third = place("found.row.3");
+    EXPECT_NEAR(second.y - first.y, third.y - second.y, .01);
+}
+
+TEST_F(FoundPanel, TheSplitNamesTheRungAndTheScene) {
+    AccuracyFacts accuracy;
+    accuracy.samples = accuracy.wanted = 16;
+    accuracy.of_scene = true;
+    facts_.accuracy = &accuracy;
+    add("1");
+    found_.shown = "1";
+    EXPECT_FALSE(has("accuracy.plot")) << "there is no ladder";
+    click(place("accuracy.Split"), MouseButton::left, .2);
+    EXPECT_TRUE(has("accuracy.divider"));
+    EXPECT_TRUE(has("accuracy.left"));
+    EXPECT_TRUE(has("accuracy.right"));
+    EXPECT_EQ(found_text(found_), "found rung 1");
+    found_.shown = "1+2";
+    EXPECT_EQ(found_text(found_), "found rungs 1+2");
+}
+
+TEST(FoundTexts, AreShort) {
+    EXPECT_EQ(ratio_text(.724), "\u00D7.72");
+    EXPECT_EQ(ratio_text(1.308), "\u00D71.31");
+    EXPECT_EQ(ratio_text(12.4), "\u00D712");
+}
+
+}  // namespace
+}  // namespace snell::ui
