@@ -123,6 +123,13 @@ TEST_F(FoundShaders, LoopsMustEnd) {
         Lines{});
 }
 
+TEST_F(FoundShaders, FunctionsThatMayEndALoopStay) {
+    EXPECT_EQ(shaders(in_main("float t = 0.;\nwhile (exp(-t) > .00001) t += .5;\ncolor = vec3(t);")).lines(polynomial),
+              Lines{})
+        << "the polynomial never gets as small";
+    EXPECT_EQ(shaders(in_main("for (int i = 0; i < 9; i++) color += exp(-vP * vP);")).lines(polynomial).size(), 1U);
+}
+
 TEST_F(FoundShaders, BlendsBecomeEitherSide) {
     EXPECT_EQ(shaders(in_main("color = mix(vN, vP * uA, uB);")).lines(without_term),
               (Lines{"mix(vN, vP * uA, uB) → vN", "mix(vN, vP * uA, uB) → (vP * uA)"}));

@@ -156,7 +156,7 @@ public:
             const Node& call = s_.at(n);
             if (call.form != Form::built_in || call.constant || !real_vector(call.type) || !s_.own(n)) continue;
             const int function = s_.function_of(call.first);
-            if (!s_.ahead_of(function) || helper(n).empty()) continue;
+            if (!s_.ahead_of(function) || s_.in_free_loop(call.first) || helper(n).empty()) continue;
             by_function[function].push_back(n);
             offer({n});
         }

@@ -192,7 +192,7 @@ public:
             const std::set<Index>& textures = textures_of(s_.bare(given[0]));
             if (textures.empty()) continue;
             if (call.text == "texture" && given.size() == 2) coarser(n, textures);
-            if (textures.size() == 1) mean(n, *textures.begin());
+            if (textures.size() == 1 && !s_.in_free_loop(call.first)) mean(n, *textures.begin());
         }
     }
 
