@@ -41,4 +41,7 @@ private:
     std::vector<std::pair<std::vector<std::size_t>, double>> known_;
 };
 
+// At most so many of these, evenly spaced.
+std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t most);
+
 }  // namespace snell::accuracy

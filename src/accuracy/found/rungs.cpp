@@ -131,4 +131,12 @@ void Climbs::tell(double error) {
     known_.emplace_back(std::move(more), error);
 }
 
+std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t most) {
+    if (all.size() <= most) return all;
+    std::vector<std::size_t> some;
+    for (std::size_t i = 0; i < most; ++i)
+        some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(most - 1, 1)]);
+    return some;
+}
+
 }  // namespace snell::accuracy

@@ -16,7 +16,7 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr double quick_sample = 6;  // milliseconds
+constexpr double quick_sample = 6, slow_frame = 30;  // milliseconds
 constexpr int quick_pairs = 3;
 
 bool overlap(const Span& a, const Span& b) { return a.file == b.file && a.begin <= b.end && b.begin <= a.end; }
@@ -202,7 +202,9 @@ const Region& Trials::region(std::size_t place, const std::vector<bool>& draws) 
 }
 
 double Trials::quick_ratio(Trial& trial, ClockKind clock, const Stop& stop) {
-    if (!trial.bench->warm_up(variant(), clock)) return 0;
+    const auto warm = trial.bench->warm_up(variant(), clock);
+    if (!warm) return 0;
+    if (*warm > slow_frame) return *warm / std::max(scene().warm_up(variant(), clock).value_or(0), 1e-3);
     std::vector<double> ratios;
     for (int i = 0; i < quick_pairs && !(stop && stop()); ++i) {
         const double changed = chosen(trial.bench->time(variant(), quick_sample), clock);
@@ -212,8 +214,11 @@ double Trials::quick_ratio(Trial& trial, ClockKind clock, const Stop& stop) {
     return ratios.empty() ? 0 : median(ratios);
 }
 
-Entrant Trials::entrant(Bench& bench) const {
-    return {[&bench, variant = variant()](ClockKind clock) { return bench.warm_up(variant, clock); },
+Entrant Trials::entrant(Bench& bench, std::array<int, 2> size) const {
+    return {[&bench, size, variant = variant()](ClockKind clock) {
+                bench.resize(size[0], size[1]);
+                return bench.warm_up(variant, clock);
+            },
             [&bench, variant = variant()](double at_least) { return bench.time(variant, at_least); }};
 }
 

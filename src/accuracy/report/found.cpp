@@ -28,7 +28,6 @@ std::string of_changes(const FoundResult& found, const FoundRung& rung, std::str
     return text;
 }
 
-// The largest number of pixels that are different at any of the places.
 std::string shown_error(const FoundRung& rung) {
     return rung.at.empty() ? "?" : known_text("{:.2g}", rung.worst()->own.light.rmse);
 }
@@ -229,9 +228,12 @@ std::string found_words(const FoundResult& found) {
         text += fmt::format(" {} not tried: {}.", untried,
                             found.interrupted ? "the search was stopped" : "the time was up");
     text += fmt::format(
-        " Errors are differences from the scene as it is, in pictures of {} × {}, at the place where they are largest; "
-        "times are of {} × {}.",
-        found.search_width, found.search_height, found.width, found.height);
+        " Errors are differences from the scene as it is, in pictures of {} × {}, at the place where they are largest.",
+        found.search_width, found.search_height);
+    if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)
+        text +=
+            fmt::format(" Times are of pictures of {} × {}{}.", found.timed_size[0], found.timed_size[1],
+                        found.timed_size[0] < found.width ? ", because larger ones take too long for the budget" : "");
     const bool timed = !found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0;
     if (timed && found.timed.few_rounds) text += " There are too few rounds to compare costs.";
     if (timed && !found.timed.few_rounds && found.timed.control.noisy)
@@ -331,6 +333,7 @@ FoundJson found_json(const FoundResult& found) {
                    {"words", found_words(found)},
                    {"size", {found.width, found.height}},
                    {"search_size", {found.search_width, found.search_height}},
+                   {"timed_size", found.timed_size},
                    {"clock", name(found.timed.clock)},
                    {"trusted", found.timed.trusted()},
                    {"interrupted", found.interrupted},
