@@ -139,4 +139,23 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t
     return some;
 }
 
+std::vector<std::size_t> in_layers(const FoundResult& found, std::vector<std::size_t> rungs, std::size_t most) {
+    constexpr double margin = .03;  // of the quick times
+    const auto error = [&](std::size_t i) { return found.rungs[i].worst()->own.light.rmse; };
+    const auto surpasses = [&](std::size_t by, std::size_t i) {
+        return error(by) <= error(i) && found.rungs[by].quick_ratio < found.rungs[i].quick_ratio * (1 - margin);
+    };
+    std::vector<std::size_t> some;
+    while (!rungs.empty() && some.size() < most) {
+        std::vector<std::size_t> layer, rest;
+        for (const std::size_t i : rungs)
+            (ranges::any_of(rungs, [&](std::size_t by) { return surpasses(by, i); }) ? rest : layer).push_back(i);
+        ranges::stable_sort(layer, {}, error);
+        layer = spread(layer, most - some.size());
+        some.insert(some.end(), layer.begin(), layer.end());
+        rungs = std::move(rest);
+    }
+    return some;
+}
+
 }  // namespace snell::accuracy

@@ -205,20 +205,11 @@ struct Search::Impl {
 
     // ---- places that were held out ---------------------------------------------------------------------------
 
-    // Of those that save time: the ones that no other one surpasses by its error and its quick time.
     std::vector<std::size_t> promising() const {
-        constexpr double margin = .03;  // of the quick times
-        std::vector<std::size_t> found;
-        const auto surpassed = [&](const FoundRung& rung) {
-            return ranges::any_of(result.rungs, [&](const FoundRung& other) {
-                return useful(other) && rmse_of(other) <= rmse_of(rung) &&
-                       other.quick_ratio < rung.quick_ratio * (1 - margin);
-            });
-        };
+        std::vector<std::size_t> some;
         for (std::size_t i = 0; i < result.rungs.size(); ++i)
-            if (useful(result.rungs[i]) && !(options.times && surpassed(result.rungs[i]))) found.push_back(i);
-        ranges::stable_sort(found, {}, [&](std::size_t i) { return rmse_of(result.rungs[i]); });
-        return options.times ? spread(found, most_held_out) : found;
+            if (useful(result.rungs[i])) some.push_back(i);
+        return options.times ? in_layers(result, std::move(some), most_held_out) : some;
     }
 
     void begin_hold_out() {
@@ -240,7 +231,7 @@ struct Search::Impl {
         rung.held_out = result.places.size() > result.searched;
         const double seen = rung.searched()->own.light.rmse;
         const double unseen = rung.held_out ? rung.unseen()->own.light.rmse : seen;
-        rung.only_where_tried = !(unseen <= 2 * seen) && !(unseen <= visible_error);
+        rung.only_where_tried = rung.aim == Aim::cheaper && !(unseen <= 2 * seen) && !(unseen <= visible_error);
         for (const std::size_t place : {std::size_t{0}, rung.worst_place()})
             if (!rung.at[place].flip && !over(end))
                 if (const auto picture = trials->picture(trial, place))

@@ -102,7 +102,8 @@ Trial Trials::open(std::span<const std::size_t> changes, bool shared) {
 // A change that makes an error or a warning is none that anybody should make.
 void Trials::judge(Trial& trial) const {
     for (const Diagnostic& problem : trial.problems.items()) {
-        if (problem.severity == Severity::note) continue;
+        // A slider that nothing reads any more is a consequence, not a mistake.
+        if (problem.severity == Severity::note || problem.code == "unknown-uniform") continue;
         const bool old = ranges::any_of(scene_.problems.items(), [&](const Diagnostic& other) {
             return other.code == problem.code && other.message == problem.message;
         });

@@ -65,8 +65,10 @@ std::string shown_cost(const FoundResult& found, const FoundRung& rung) {
 Listed listed(const FoundResult& found, Aim aim, bool all) {
     Listed rungs;
     for (const FoundRung& rung : found.rungs)
-        if (rung.aim == aim && (all || rung.timed || (rung.outcome == Outcome::tried && rung.only_where_tried) ||
-                                (aim == Aim::better && rung.outcome == Outcome::tried)))
+        if (rung.aim == aim &&
+            (all || rung.timed || (rung.outcome == Outcome::tried && rung.only_where_tried) ||
+             (aim == Aim::better && rung.outcome == Outcome::tried)) &&
+            (all || aim == Aim::cheaper || rung.pixels_changed > 0))
             rungs.push_back(&rung);
     ranges::stable_sort(rungs, {}, [&](const FoundRung* rung) {
         const RungResult* times = found.times(*rung);
