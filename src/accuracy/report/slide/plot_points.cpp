@@ -72,7 +72,8 @@ private:
                 low = std::min(low, p.error);
                 high = std::max(high, p.error);
             }
-        if (slide_.floor > low / 100) low = std::min(low, slide_.floor * .75);
+        if (slide_.floor > low / 100)
+            low = std::min(low, slide_.floor * std::min(.75, std::pow(slide_.floor / high, .12)));
         const double from = frame_.y1 - (has_zero() ? strip : 0), to = frame_.y0 + (has_infinite() ? strip : 0);
         return high > 0 ? Axis(low, high, from, to) : Axis(.001, 1, from, to);
     }
