@@ -72,7 +72,8 @@ private:
                 low = std::min(low, p.error);
                 high = std::max(high, p.error);
             }
-        if (slide_.floor > low / 100) low = std::min(low, slide_.floor * .75);
+        if (slide_.floor > low / 100)
+            low = std::min(low, slide_.floor * std::min(.75, std::pow(slide_.floor / high, .12)));
         const double from = frame_.y1 - (has_zero() ? strip : 0), to = frame_.y0 + (has_infinite() ? strip : 0);
         return high > 0 ? Axis(low, high, from, to) : Axis(.001, 1, from, to);
     }
@@ -209,7 +210,9 @@ private:
                                          {-side - w, -text_row - 4},
                                          {-side - w, 4.}}) {
                 const double top = y + dy + (dy < -text_row / 2 ? -far : dy > -text_row / 2 ? far : 0);
-                const SlideBox box = page_.text_box(x + dx, top, words);
+                // Above and below, it may be shifted to stay inside the frame.
+                const double inside = std::clamp(x + dx, frame_.x0 + 6, std::max(frame_.x1 - w - 6, frame_.x0 + 6));
+                const SlideBox box = page_.text_box(dx == -w / 2 ? inside : x + dx, top, words);
                 if (free(box) && (far <= near || lead(p, box))) {
                     place(box, words);
                     return;
