@@ -10,6 +10,7 @@
 #include <map>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/found/apply.h"
 #include "src/accuracy/found/climb.h"
 #include "src/accuracy/found/trial.h"
 #include "src/accuracy/rounds.h"
@@ -39,9 +40,7 @@ struct Search::Impl {
         result.height = how.height;
         for (std::size_t i = 0; i < result.changes.size(); ++i) {
             const Change& change = result.changes[i];
-            const Position at = scene.sources.position(change.where.file, change.where.begin);
-            result.positions.push_back(
-                fmt::format("{}:{}:{}", scene.sources.name(change.where.file), at.line, at.column));
+            result.positions.push_back(change_place(change, scene.sources));
             result.rungs.push_back({.name = std::to_string(i + 1), .changes = {i}, .aim = facts(change.kind).aim});
         }
         trials.emplace(original, result.changes, caps, settings);

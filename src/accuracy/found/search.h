@@ -104,7 +104,7 @@ struct SearchOptions {
     bool times = true;
     // The pictures that are compared have at most so many pixels: their sides are halved until then. Times are of whole
     // pictures. By the time that is granted, not by what is left of it, so that errors do not depend on the machine.
-    std::size_t pixels = 65536;
+    std::size_t pixels = 131072;
     double at_least = 20;           // minimum milliseconds of a sample
     std::size_t combinations = 24;  // at most so many are tried
     Stop stop = {};
@@ -137,7 +137,7 @@ FoundResult search(const Original& original, const gl::Caps& caps, const BenchSe
                    const SearchOptions& options);
 
 // Numbers of changes such as "3+7", as indices from 0; nullopt and `wrong` if it is none of `changes`, or two of them
-// are not compatible.
+// are not compatible. choose_changes (apply.h) knows texts that are included several times, too.
 std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::span<const Change> changes,
                                                    std::string& wrong);
 std::string rung_name(std::span<const std::size_t> changes);

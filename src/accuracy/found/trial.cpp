@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/found/apply.h"
 #include "src/document/document.h"
 #include "src/gl/debug.h"
 #include "src/plan/used_files.h"
@@ -67,14 +68,19 @@ void Trials::resize(int width, int height) {
 }
 
 Trial Trials::open(std::span<const std::size_t> changes, bool shared) {
-    std::vector<const Change*> these;
-    for (const std::size_t i : changes) these.push_back(&changes_[i]);
-    auto texts = changed_texts(these, original_.sources);
+    Trial trial;
+    std::map<std::string, std::string> texts;
+    if (!changes.empty()) {
+        const auto chosen = choose_changes(rung_name(changes), changes_, original_.sources, trial.refused);
+        if (!chosen) return trial;
+        std::vector<const Change*> these;
+        for (const Change& change : chosen->changes) these.push_back(&change);
+        texts = changed_texts(these, original_.sources);
+    }
     Access access = original_.files.access();
     if (access.instead)
         for (const auto& [path, text] : *access.instead) texts.try_emplace(path, text);
     access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(texts));
-    Trial trial;
     trial.files = std::make_unique<Files>(original_.files.folder(), std::move(access));
     trial.sources = std::make_unique<Sources>();
     auto parsed = parse_document(original_.path, *trial.files, *trial.sources, trial.problems);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/accuracy/report/found.h"
+#include "src/accuracy/report/numbers.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/json.h"
 
@@ -12,9 +14,6 @@ namespace snell::accuracy {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// JSON has no infinity; null stands for it.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::vector<double> present(const std::vector<double>& times) {
     std::vector<double> result;
@@ -26,26 +25,6 @@ std::vector<double> present(const std::vector<double>& times) {
 Interval interval(const std::vector<double>& times) {
     const std::vector<double> values = present(times);
     return values.empty() ? Interval{} : bootstrap_median(values);
-}
-
-Json interval_json(const Interval& interval) {
-    return {{"median", number(interval.middle)}, {"lo95", number(interval.low)}, {"hi95", number(interval.high)}};
-}
-
-Json figures_json(const Figures& figures) {
-    return {{"rmse", number(figures.rmse)},
-            {"psnr_db", number(figures.psnr)},
-            {"max_abs", number(figures.max)},
-            {"mean_abs", number(figures.mean)}};
-}
-
-// An RMSE of null with pixels that are not finite is infinite, unless `cannot_say` tells why nothing is known.
-Json error_json(const Error& error) {
-    return {{"light", figures_json(error.light)},
-            {"display", figures_json(error.display)},
-            {"correlation", number(error.correlation)},
-            {"pixels", error.pixels},
-            {"nonfinite", error.nonfinite}};
 }
 
 Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t index) {
@@ -96,6 +75,7 @@ struct Row {
     const Circumstances& where;
     const SweepResult& sweep;
     std::size_t index;
+    std::string place = {}, change = {};  // of a rung that was found
     const RungResult& rung = sweep.rungs[index];
     bool timed() const { return rung.rounds > 0; }
     const std::vector<double>& times() const {
@@ -178,6 +158,8 @@ constexpr Column columns[]{
     {"date", [](const Row& r) { return cell(r.where.date); }},
     {"load_before", [](const Row& r) { return cell(r.where.load_before); }},
     {"load_after", [](const Row& r) { return cell(r.where.load_after); }},
+    {"place", [](const Row& r) { return cell(std::string_view(r.place)); }},
+    {"change", [](const Row& r) { return cell(std::string_view(r.change)); }},
 };
 
 std::string row_text(const Row& row) {
@@ -231,6 +213,15 @@ std::string csv_text(const Report& report) {
     text += '\n';
     for (const SweepResult& sweep : report.sweeps)
         for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row_text({report.where, sweep, i});
+    for (const FoundResult& found : report.found)
+        for (const Aim aim : {Aim::cheaper, Aim::better, Aim::unused}) {
+            const SweepResult listed = as_sweep(found, aim);
+            for (std::size_t i = 0; i < listed.rungs.size(); ++i) {
+                const FoundRung* rung = found.find(listed.rungs[i].name);
+                text += row_text(
+                    {report.where, listed, i, rung ? place_of(found, *rung) : "", rung ? change_of(found, *rung) : ""});
+            }
+        }
     return text;
 }
 
@@ -254,6 +245,8 @@ std::string json_text(const Report& report) {
               {"warnings", report.problems}};
     json["ladders"] = Json::array();
     for (const SweepResult& sweep : report.sweeps) json["ladders"].push_back(sweep_json(sweep));
+    json["found"] = Json::array();
+    for (const FoundResult& found : report.found) json["found"].push_back(found_json(found));
     return content::json_text(json) + "\n";
 }
 

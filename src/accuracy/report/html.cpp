@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/image/image.h"
@@ -205,6 +206,7 @@ std::string html_text(const Report& report, std::string_view slide) {
         "of "
         "one ladder's costs hold together at 95 %.</p>\n",
         errors_are);
+    for (const FoundResult& found : report.found) out += found_html(found);
     for (const SweepResult& sweep : report.sweeps) out += section(sweep);
     for (const std::string& problem : report.problems)
         out += fmt::format("<p class=\"facts\">{}</p>", escaped(problem));

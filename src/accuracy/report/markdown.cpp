@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
 
@@ -55,6 +56,7 @@ std::string markdown_text(const Report& report, const std::vector<std::string>& 
         "control says that it was too noisy.\n",
         w.cpu, w.cores, w.os, w.renderer, w.gl, w.tool, w.date, w.width, w.height, w.rounds, w.from, w.load_before,
         w.load_after, errors_are);
+    for (const FoundResult& found : report.found) text += found_markdown(found);
     for (std::size_t i = 0; i < report.sweeps.size(); ++i)
         text += part(report.sweeps[i], i < plots.size() ? plots[i] : std::string());
     return text;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/accuracy/report/numbers.h"
 #include "src/content/json.h"
 
 namespace snell::accuracy {
@@ -13,8 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr int quality_schema = 1;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/accuracy/found/search.h"
 #include "src/accuracy/measure.h"
 
 namespace snell::accuracy {
@@ -26,6 +27,7 @@ struct Circumstances {
 struct Report {
     Circumstances where;
     std::vector<SweepResult> sweeps;
+    std::vector<FoundResult> found;     // of each scene whose rungs were sought
     std::vector<std::string> problems;  // of the scene, one line each
 };
 

@@ -1,6 +1,5 @@
 // `snell accuracy`: the error of each rung and its cost, here and now.
 #include <fmt/format.h>
-#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,12 +9,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <thread>
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
+#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 #include "src/accuracy/report/slide/slide.h"
 #include "src/app/commands/accuracy_files.h"
@@ -44,52 +42,6 @@ void on_interrupt(int) {
     std::signal(SIGINT, SIG_DFL);
 }
 
-std::string cpu_name() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name")) {
-            const std::size_t colon = line.find(':');
-            return colon == std::string::npos ? line : line.substr(std::min(colon + 2, line.size()));
-        }
-    return "unknown processor";
-}
-
-double load() {
-    double loads[1]{};
-    return getloadavg(loads, 1) == 1 ? loads[0] : 0;
-}
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return text;
-}
-
-Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps, const BenchSettings& settings) {
-    Circumstances where;
-    where.scene = fmt::format("{}", fmt::join(options.scenes, ", "));
-    where.tool = std::string("snell ") + SNELL_VERSION;
-    where.date = today();
-    where.cpu = cpu_name();
-    utsname system{};
-    if (uname(&system) == 0) where.os = fmt::format("{} {}", system.sysname, system.release);
-    where.cores = static_cast<int>(std::thread::hardware_concurrency());
-    where.load_before = load();
-    where.renderer = caps.renderer;
-    where.vendor = caps.vendor;
-    where.gl = caps.version;
-    where.width = settings.width;
-    where.height = settings.height;
-    where.rounds = options.rounds;
-    where.time = options.time;
-    where.from = options.from;
-    where.sets = options.sets;
-    return where;
-}
-
 // Named ladders only, named knobs only, or everything that the scene has.
 std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, bool software,
                               Diagnostics& diagnostics) {
@@ -106,6 +58,11 @@ std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, 
     for (Sweep& sweep : knob_sweeps(plan.scene, plan.rungs, knobs, from, software, diagnostics))
         sweeps.push_back(std::move(sweep));
     return sweeps;
+}
+
+// Rungs are sought unless the options name what is measured.
+bool seeks(const AccuracyOptions& options) {
+    return !options.no_found && options.ladders.empty() && options.knobs.empty() && options.from != "lattice";
 }
 
 void show_progress(const Progress& progress, std::size_t sweep, std::size_t sweeps, double later) {
@@ -125,6 +82,12 @@ struct Subject {
     std::vector<std::string> read;  // the files that it may read
     bool errors = false;
     bool measurable = false;
+
+    std::size_t rungs() const {
+        std::size_t count = 0;
+        for (const Sweep& sweep : sweeps) count += sweep.rungs.size();
+        return count;
+    }
 };
 
 // Prints the problems of the scene. `software`: the renderer that will draw it.
@@ -142,7 +105,7 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
     }
     fmt::print(stderr, "{}", snell::render(diagnostics, subject->sources));
     const bool readable = !subject->plan.rungs.empty() || !diagnostics.has_errors();
-    subject->measurable = !subject->sweeps.empty() || (asks_for_advice(options) && readable);
+    subject->measurable = !subject->sweeps.empty() || ((asks_for_advice(options) || seeks(options)) && readable);
     subject->errors = diagnostics.has_errors() || !subject->measurable;
     if (!subject->measurable && !diagnostics.has_errors())
         fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n",
@@ -166,6 +129,15 @@ void note_broken(const SweepResult& sweep, const Scene& scene, Diagnostics& diag
 struct Work {
     static constexpr std::size_t advice_rungs = 16;  // about as many combinations as it tries
     std::size_t sweeps = 0, rungs = 0;
+
+    // Two thirds of a scene's time are for rungs that are found.
+    static std::size_t found_rungs(std::size_t others) { return 2 * std::max(others, advice_rungs); }
+    void add(const AccuracyOptions& options, std::size_t subject_sweeps, std::size_t others) {
+        sweeps += subject_sweeps;
+        rungs += others;
+        if (asks_for_advice(options)) ++sweeps, rungs += advice_rungs;
+        if (seeks(options)) ++sweeps, rungs += found_rungs(others);
+    }
 };
 
 // Measures one sweep after another, and prints each when it is done. The budget is shared by those to come.
@@ -177,6 +149,24 @@ public:
     // A quarter of the budget is for the references, which the sweeps of a scene share.
     References references() const {
         return References(options_.budget / 4 / static_cast<double>(options_.scenes.size()));
+    }
+
+    // Finds rungs, before anything else is measured.
+    void find(Subject& subject, const gl::Caps& caps, const BenchSettings& settings, Report& report) {
+        References unused = references();
+        const std::size_t share = Work::found_rungs(subject.rungs());
+        const MeasureOptions measuring = next(share, unused);
+        const double per_minute = options_.budget / 60;
+        SearchOptions how{.seconds = measuring.seconds, .rounds = options_.rounds, .times = measuring.times};
+        how.pixels = static_cast<std::size_t>(131072 * std::clamp(per_minute, 1.0, 64.0));
+        how.stop = measuring.stop;
+        how.report = measuring.report;
+        FoundResult found = search({subject.path, subject.plan, *subject.files, subject.sources}, caps, settings, how);
+        if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+        fmt::print("{}", found_text(found));
+        std::fflush(stdout);
+        report.found.push_back(std::move(found));
+        finish(share);
     }
 
     void measure_all(Bench& bench, const Subject& subject, References& references, Report& report) {
@@ -193,8 +183,9 @@ public:
     }
 
     bool advise(Bench& bench, const Subject& subject, References& references, Report& report) {
-        const bool told = give_advice(options_, subject.path, bench, subject.plan.rungs,
-                                      next(Work::advice_rungs, references), report);
+        const bool told =
+            give_advice(options_, subject.path, bench, subject.plan.rungs, next(Work::advice_rungs, references),
+                        seeks(options_) ? &report.found.back() : nullptr, report);
         finish(Work::advice_rungs);
         return told;
     }
@@ -252,7 +243,11 @@ bool note_nothing_drawn(const Report& report) {
     const bool drawn = ranges::any_of(report.sweeps, [](const SweepResult& sweep) {
         return sweep.interrupted || ranges::any_of(sweep.rungs, &RungResult::drawn);
     });
-    if (drawn || report.sweeps.empty()) return false;
+    const bool tried = ranges::any_of(report.found, [](const FoundResult& found) {
+        return found.interrupted || found.changes.empty() ||
+               ranges::any_of(found.rungs, [](const FoundRung& rung) { return rung.outcome != Outcome::not_tried; });
+    });
+    if (drawn || tried || (report.sweeps.empty() && report.found.empty())) return false;
     fmt::print(stderr, "snell: error: no rung was drawn: the time was up; give more --budget, or a smaller --size\n");
     return true;
 }
@@ -273,9 +268,7 @@ Exit accuracy(const AccuracyOptions& options) {
         errors = errors || subject->errors;
         read.insert(read.end(), subject->read.begin(), subject->read.end());
         if (!subject->measurable) continue;
-        work.sweeps += subject->sweeps.size() + (asks_for_advice(options) ? 1 : 0);
-        for (const Sweep& sweep : subject->sweeps) work.rungs += sweep.rungs.size();
-        if (asks_for_advice(options)) work.rungs += Work::advice_rungs;
+        work.add(options, subject->sweeps.size(), subject->rungs());
         subjects.push_back(std::move(subject));
     }
     if (subjects.empty()) return exit_input;
@@ -285,12 +278,13 @@ Exit accuracy(const AccuracyOptions& options) {
     const std::array<int, 2> window = subjects.front()->plan.scene.window_size;
     const auto [width, height] = options.size.value_or(std::pair(window[0], window[1]));
     const BenchSettings settings{width, height, options.time, options.sets, options.specialise};
-    Report report{circumstances(options, caps, settings), {}, {}};
+    Report report{.where = circumstances(options, caps, settings)};
     interrupted = false;
     const auto before = std::signal(SIGINT, on_interrupt);
     Measurement run(options, work, deadline);
     for (const auto& subject : subjects) {
         deadline.begin(fmt::format("compiling '{}'", subject->path));
+        if (seeks(options)) run.find(*subject, caps, settings, report);
         Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
         References references = run.references();
         run.measure_all(bench, *subject, references, report);
@@ -301,7 +295,7 @@ Exit accuracy(const AccuracyOptions& options) {
     }
     std::signal(SIGINT, before);
     deadline.rest();
-    report.where.load_after = load();
+    report.where.load_after = system_load();
     errors = note_nothing_drawn(report) || errors;
     fmt::print("\n{}", header_text(report));
     if (!write_reports(options, report)) return exit_input;
@@ -376,6 +370,7 @@ Run add_accuracy(CLI::App& command) {
     command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
         ->check(CLI::Range(1.0, 1e6))
         ->check(check_finite);
+    command.add_flag("--no-found", options->no_found, "do not look for changes of the scene's own text");
     CLI::Option* untimed = command.add_flag("--no-time", options->no_time, "errors only");
     command
         .add_option_function<std::string>(

@@ -1,8 +1,13 @@
 #include "src/app/commands/accuracy_files.h"
 
 #include <fmt/format.h>
+#include <sys/utsname.h>
 
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/merge.h"
@@ -16,6 +21,25 @@ namespace snell::app {
 namespace {
 
 using namespace snell::accuracy;
+
+std::string cpu_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name")) {
+            const std::size_t colon = line.find(':');
+            return colon == std::string::npos ? line : line.substr(std::min(colon + 2, line.size()));
+        }
+    return "unknown processor";
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text;
+}
 
 bool write_text(const std::string& path, const std::string& text) {
     if (path.empty()) return true;
@@ -58,6 +82,33 @@ bool write_slide(const std::string& path, const Slide& slide) {
 }
 
 }  // namespace
+
+double system_load() {
+    double loads[1]{};
+    return getloadavg(loads, 1) == 1 ? loads[0] : 0;
+}
+
+Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps, const BenchSettings& settings) {
+    Circumstances where;
+    where.scene = fmt::format("{}", fmt::join(options.scenes, ", "));
+    where.tool = std::string("snell ") + SNELL_VERSION;
+    where.date = today();
+    where.cpu = cpu_name();
+    utsname system{};
+    if (uname(&system) == 0) where.os = fmt::format("{} {}", system.sysname, system.release);
+    where.cores = static_cast<int>(std::thread::hardware_concurrency());
+    where.load_before = system_load();
+    where.renderer = caps.renderer;
+    where.vendor = caps.vendor;
+    where.gl = caps.version;
+    where.width = settings.width;
+    where.height = settings.height;
+    where.rounds = options.rounds;
+    where.time = options.time;
+    where.from = options.from;
+    where.sets = options.sets;
+    return where;
+}
 
 Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read) {
     std::vector<std::string> files{options.html, options.slide, options.json, options.csv, options.markdown};

@@ -1,4 +1,4 @@
-// The files that `snell accuracy` writes.
+// The files that `snell accuracy` writes, and what they say of the machine.
 #pragma once
 
 #include "src/accuracy/report/report.h"
@@ -6,6 +6,12 @@
 #include "src/app/open/exit_status.h"
 
 namespace snell::app {
+
+// The load average over one minute; 0 if it is unknown.
+double system_load();
+// The machine and the options, for reports.
+accuracy::Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps,
+                                      const accuracy::BenchSettings& settings);
 
 // Says whether all can be written, and are none of the files that are `read`, with as many plots as are known before
 // the measurement.

@@ -76,25 +76,9 @@ bool save_presets(const std::string& path, const Scene& scene, const Counsel& co
     return true;
 }
 
-}  // namespace
-
-bool asks_for_advice(const AccuracyOptions& options) { return options.within || options.error || options.save_quality; }
-
-std::optional<double> parse_milliseconds(const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    const std::string unit = end;
-    if (end == text.c_str() || !std::isfinite(value) || value <= 0) return std::nullopt;
-    if (unit.empty() || unit == "ms") return value;
-    return unit == "s" ? std::optional(1e3 * value) : std::nullopt;
-}
-
-bool give_advice(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
-                 const MeasureOptions& measuring, Report& report) {
-    if (bench.scene().ladders.empty()) {
-        fmt::print(stderr, "snell: error: '{}' has no ladders: there is nothing to choose\n", utf8::printable(path));
-        return false;
-    }
+// False, if no limit is met. `saved`: the presets were written, if they were wanted.
+bool advise_ladders(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
+                    const MeasureOptions& measuring, Report& report, bool& saved) {
     std::vector<Wish> wishes;
     if (options.save_quality) ranges::copy(quality_wishes(), std::back_inserter(wishes));
     if (options.within || options.error) wishes.push_back({options.within, options.error});
@@ -110,9 +94,111 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
         fmt::print("{}", advice_text(path, bench.scene(), advice, counsel.sweeps[advice.sweep]));
         counsel.advice.pop_back();
     }
-    const bool saved = !options.save_quality || save_presets(path, bench.scene(), counsel, report.where);
+    saved = !options.save_quality || save_presets(path, bench.scene(), counsel, report.where);
     for (SweepResult& sweep : counsel.sweeps) report.sweeps.push_back(std::move(sweep));
-    return saved && met;
+    return met;
+}
+
+// Each knob alone, as they change what no ladder does.
+bool advise_knobs(const std::string& path, Bench& bench, const Rungs& now, const Wish& wish,
+                  const MeasureOptions& measuring, Report& report) {
+    Diagnostics unheard;  // no name was given that could be wrong
+    const std::vector<std::string> names(knob_names.begin(), knob_names.end());
+    const auto sweeps = knob_sweeps(bench.scene(), now, names, From::reference, gl::query_caps().software, unheard);
+    bool met = false;
+    for (const Sweep& sweep : sweeps) {
+        MeasureOptions one = measuring;
+        one.seconds = measuring.seconds / static_cast<double>(sweeps.size());
+        if (measuring.stop && measuring.stop()) break;
+        SweepResult result = measure(bench, sweep, one);
+        result.scene = path;
+        fmt::print("{}", table_text(result));
+        if (const auto best = choose(result, wish); best && fulfils(result, result.rungs[*best], wish)) {
+            const RungResult& rung = result.rungs[*best];
+            fmt::print("\n{}: of the knob {} it is '{}'\n  RMSE {:.3g} from the reference, {} times\n", wish_text(wish),
+                       sweep.name, rung.name, rung.own.light.rmse, ratio_text(rung.ratio));
+            met = true;
+        }
+        report.sweeps.push_back(std::move(result));
+    }
+    return met;
+}
+
+// What `choose` takes of the rungs that were found; the last one is the scene as it is.
+std::string found_choice_text(const std::string& path, const FoundResult& found, std::size_t best) {
+    const RungResult& rung = found.timed.rungs[best];
+    if (best == found.timed.sweep.current)
+        return fmt::format("the scene as it is, {:.3g} ms [{:.3g}, {:.3g}]\n", rung.milliseconds, rung.low, rung.high);
+    return fmt::format(
+        "found rung {}\n  RMSE {:.3g} from the scene as it is, at the worst of {} places; {:.3g} ms [{:.3g}, {:.3g}] "
+        "of "
+        "{}, {} times what the scene takes\n  snell accuracy {} --apply {} -o FOLDER\n",
+        rung.name, rung.own.light.rmse, found.places.size(), rung.milliseconds, rung.low, rung.high,
+        name(found.timed.clock), ratio_text(rung.ratio), path, rung.name);
+}
+
+bool advise_found(const std::string& path, const FoundResult& found, const Wish& wish) {
+    const auto best = choose(found.timed, wish);
+    if (!best) {
+        fmt::print("\n{}: can't say of found rungs: none was timed\n", wish_text(wish));
+        return false;
+    }
+    const bool met = fulfils(found.timed, found.timed.rungs[*best], wish);
+    fmt::print("\n{}: {} {}", wish_text(wish),
+               !met                ? "no found rung is; the nearest is"
+               : wish.milliseconds ? "the most exact is"
+                                   : "the cheapest is",
+               found_choice_text(path, found, *best));
+    if (found.timed.few_rounds || found.timed.control.noisy)
+        fmt::print("  the costs are not sure: {}\n",
+                   found.timed.few_rounds ? "there were too few rounds" : "the machine is too noisy");
+    return met;
+}
+
+// A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
+bool explain_presets(const std::string& path, const FoundResult& found) {
+    fmt::print(
+        stderr,
+        "snell: error: '{}' has no ladders, so no presets were written: a preset names a rung of each ladder\n   "
+        "help: 'snell accuracy {} --as-ladder N -o FOLDER' writes a scene with found rung N as a ladder\n",
+        utf8::printable(path), utf8::printable(path));
+    const std::array<Wish, 3> wishes = quality_wishes();
+    for (std::size_t i = 0; i < wishes.size(); ++i)
+        if (const auto best = choose(found.timed, wishes[i]))
+            fmt::print("{}{:<8}  {}", i == 0 ? "\nof the found rungs these would be\n" : "", quality_names[i],
+                       found_choice_text(path, found, *best));
+    return false;
+}
+
+}  // namespace
+
+bool asks_for_advice(const AccuracyOptions& options) { return options.within || options.error || options.save_quality; }
+
+std::optional<double> parse_milliseconds(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    const std::string unit = end;
+    if (end == text.c_str() || !std::isfinite(value) || value <= 0) return std::nullopt;
+    if (unit.empty() || unit == "ms") return value;
+    return unit == "s" ? std::optional(1e3 * value) : std::nullopt;
+}
+
+bool give_advice(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
+                 const MeasureOptions& measuring, const FoundResult* found, Report& report) {
+    const bool limited = options.within || options.error;
+    const Wish wish{options.within, options.error};
+    bool met = false, saved = true;
+    if (!bench.scene().ladders.empty()) {
+        met = advise_ladders(options, path, bench, now, measuring, report, saved);
+    } else if (!found) {
+        fmt::print(stderr, "snell: error: '{}' has no ladders: there is nothing to choose\n", utf8::printable(path));
+        return false;
+    } else {
+        saved = !options.save_quality || explain_presets(path, *found);
+        if (limited) met = advise_knobs(path, bench, now, wish, measuring, report);
+    }
+    if (limited && found) met = advise_found(path, *found, wish) || met;
+    return saved && (met || !limited);
 }
 
 }  // namespace snell::app

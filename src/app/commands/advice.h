@@ -21,6 +21,7 @@ struct AccuracyOptions {
     int rounds = 31;
     double budget = 120;  // in seconds, for all sweeps together
     double time = 0;
+    bool no_found = false;                // measures ladders and knobs only
     bool no_time = false;                 // measures errors only
     std::optional<double> within, error;  // limits of a wanted combination: milliseconds, RMSE
     bool save_quality = false;            // writes presets to a file next to the scene
@@ -39,9 +40,11 @@ bool asks_for_advice(const AccuracyOptions& options);
 std::optional<double> parse_milliseconds(const std::string& text);
 
 // Measures, prints the combinations found as values and as a command line, writes the presets if requested, and adds
-// the measurements to the report. If a limit is not met, or there is no result, or a file cannot be written, it prints
+// the measurements to the report. Rungs of ladders are chosen, or knobs if the scene has no ladders; and rungs that
+// were found, if `found` is not null. If no limit is met, or there is no result, or a file cannot be written, it prints
 // the reason and returns false. asks_for_advice must be true.
 bool give_advice(const AccuracyOptions& options, const std::string& path, accuracy::Bench& bench, const Rungs& now,
-                 const accuracy::MeasureOptions& measuring, accuracy::Report& report);
+                 const accuracy::MeasureOptions& measuring, const accuracy::FoundResult* found,
+                 accuracy::Report& report);
 
 }  // namespace snell::app

@@ -1,0 +1,354 @@
+#include "src/accuracy/report/found.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
+#include "src/accuracy/report/numbers.h"
+#include "src/accuracy/report/plot.h"
+#include "src/accuracy/report/report.h"
+#include "src/document/view_text.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+using FoundJson = nlohmann::ordered_json;
+using Listed = std::vector<const FoundRung*>;
+
+template <class One>
+std::string of_changes(const FoundResult& found, const FoundRung& rung, std::string_view between, const One& one) {
+    std::string text;
+    for (const std::size_t change : rung.changes)
+        text += fmt::format("{}{}", text.empty() ? "" : between, one(found.changes[change], change));
+    return text;
+}
+
+// The largest number of pixels that are different at any of the places.
+std::string shown_error(const FoundRung& rung) {
+    return rung.at.empty() ? "?" : known_text("{:.2g}", rung.worst()->own.light.rmse);
+}
+std::string shown_display(const FoundRung& rung) {
+    return rung.at.empty() ? "?" : known_text("{:.2g}", rung.worst()->own.display.rmse);
+}
+std::string shown_flip(const FoundRung& rung) {
+    return rung.at.empty() || !rung.worst()->flip ? "" : fmt::format("{:.4f}", *rung.worst()->flip);
+}
+std::string shown_ratio(const FoundResult& found, const FoundRung& rung) {
+    const RungResult* times = found.times(rung);
+    if (times) return ratio_text(times->ratio);
+    return rung.quick_ratio > 0 ? fmt::format("about {:.2f}", rung.quick_ratio) : "";
+}
+
+// What something costs that nobody sees: the difference of the times.
+std::string shown_cost(const FoundResult& found, const FoundRung& rung) {
+    std::string text;
+    if (const RungResult* times = found.times(rung)) {
+        const double scene = found.costs.rungs.back().milliseconds;
+        text = fmt::format("costs {:.3g} ms of {:.3g}", std::max(scene - times->milliseconds, 0.0), scene);
+    }
+    const auto add = [&](std::int64_t bytes, std::string_view what) {
+        if (bytes > 0)
+            text +=
+                fmt::format("{}{:.3g} MB {}", text.empty() ? "costs " : ", ", 1e-6 * static_cast<double>(bytes), what);
+    };
+    add(rung.gpu_bytes, "of GPU memory");
+    add(rung.bytes_decoded, "decoded");
+    return text.empty() ? "its time was not measured" : text;
+}
+
+// Those that were timed first, the cheapest on top, then the others by their numbers. `all`: also those that were
+// neither timed nor save anything.
+Listed listed(const FoundResult& found, Aim aim, bool all) {
+    Listed rungs;
+    for (const FoundRung& rung : found.rungs)
+        if (rung.aim == aim && (all || rung.timed || (rung.outcome == Outcome::tried && rung.only_where_tried) ||
+                                (aim == Aim::better && rung.outcome == Outcome::tried)))
+            rungs.push_back(&rung);
+    ranges::stable_sort(rungs, {}, [&](const FoundRung* rung) {
+        const RungResult* times = found.times(*rung);
+        return times ? times->ratio.middle : std::numeric_limits<double>::infinity();
+    });
+    return rungs;
+}
+
+std::size_t count_of(const FoundResult& found, Outcome outcome) {
+    return static_cast<std::size_t>(ranges::count(found.rungs, outcome, &FoundRung::outcome));
+}
+
+constexpr std::string_view lacking = "What the picture lacks, and what it would cost";
+constexpr std::string_view invisible = "What changes no pixel";
+
+std::string rows_text(const FoundResult& found, const Listed& rungs) {
+    std::size_t name = 4, place = 5;
+    for (const FoundRung* rung : rungs) {
+        name = std::max(name, rung->name.size());
+        if (rung->changes.size() == 1) place = std::max(place, place_of(found, *rung).size());
+    }
+    std::string text = fmt::format("  {:<{}}  {:>20}  {:>8}  {:>8}  {:>6}  {:<{}}  {}\n", "rung", name, "time", "RMSE",
+                                   "display", "FLIP", "place", place, "change");
+    for (const FoundRung* rung : rungs) {
+        const bool one = rung->changes.size() == 1;
+        const std::string standing = standing_of(found, *rung);
+        text += fmt::format("  {:<{}}  {:>20}  {:>8}  {:>8}  {:>6}  {:<{}}  {}{}{}\n", rung->name, name,
+                            shown_ratio(found, *rung), shown_error(*rung), shown_display(*rung), shown_flip(*rung),
+                            one ? utf8::printable(place_of(found, *rung)) : "", place, kind_of(found, *rung),
+                            one ? ": " + utf8::printable(change_of(found, *rung)) : "",
+                            standing.empty() ? "" : " (" + standing + ")");
+    }
+    return text;
+}
+
+FoundJson difference_json(const Difference& difference) {
+    FoundJson json{{"own", error_json(difference.own)},
+                   {"whole", error_json(difference.whole)},
+                   {"pixels_changed", difference.pixels_changed}};
+    if (difference.flip) json["flip_mean"] = number(*difference.flip);
+    return json;
+}
+
+FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
+    constexpr std::array<std::string_view, 3> aims{"cheaper", "better", "unused"},
+        outcomes{"tried", "refused", "not tried"};
+    FoundJson json{{"rung", rung.name},
+                   {"aim", aims[static_cast<std::size_t>(rung.aim)]},
+                   {"outcome", outcomes[static_cast<std::size_t>(rung.outcome)]},
+                   {"standing", standing_of(found, rung)}};
+    json["changes"] = FoundJson::array();
+    for (const std::size_t i : rung.changes) {
+        const Change& change = found.changes[i];
+        json["changes"].push_back({{"number", i + 1},
+                                   {"kind", facts(change.kind).name},
+                                   {"place", found.positions[i]},
+                                   {"before", change.before},
+                                   {"after", change.after}});
+        if (!change.lint.empty()) json["changes"].back()["lint"] = change.lint;
+    }
+    if (!rung.reason.empty()) json["reason"] = rung.reason;
+    if (rung.at.empty()) return json;
+    json["size"] = {rung.width, rung.height};
+    json["worst_place"] = rung.worst_place();
+    json["error"] = difference_json(*rung.worst());
+    json["searched"] = difference_json(*rung.searched());
+    if (const Difference* unseen = rung.unseen()) json["held_out"] = difference_json(*unseen);
+    json["only_where_tried"] = rung.only_where_tried;
+    json["pixels_changed"] = rung.pixels_changed;
+    json["at"] = FoundJson::array();
+    for (const Difference& difference : rung.at) json["at"].push_back(difference_json(difference));
+    if (rung.quick_ratio > 0) json["quick_ratio"] = rung.quick_ratio;
+    if (const RungResult* times = found.times(rung)) {
+        json["n_rounds"] = times->rounds;
+        json["ms"] = interval_json({times->low, times->milliseconds, times->high});
+        json["ratio_to_scene"] = interval_json(times->ratio);
+    }
+    if (rung.aim == Aim::unused) json["saves"] = {{"gpu_bytes", rung.gpu_bytes}, {"bytes_decoded", rung.bytes_decoded}};
+    return json;
+}
+
+std::string cells_html(const FoundResult& found, const FoundRung& rung) {
+    const std::string place = rung.changes.size() == 1 ? place_of(found, rung) : "";
+    return fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td "
+        "style=\"text-align:left\">{}</td><td "
+        "style=\"text-align:left\">{}</td><td>{}</td></tr>",
+        rung.name, shown_ratio(found, rung), shown_error(rung), shown_display(rung), shown_flip(rung),
+        rung.pixels_changed, escaped(place),
+        escaped(kind_of(found, rung) + (place.empty() ? "" : ": " + change_of(found, rung))),
+        escaped(standing_of(found, rung)));
+}
+
+std::string table_html(const FoundResult& found, const Listed& rungs) {
+    std::string text =
+        "<div class=\"scroll\"><table><tr><th>rung</th><th>time</th><th>RMSE</th><th>RMSE of display</th><th>FLIP</th>"
+        "<th>pixels</th><th>place</th><th>change</th><th></th></tr>";
+    for (const FoundRung* rung : rungs) text += cells_html(found, *rung);
+    return text + "</table></div>";
+}
+
+std::string table_markdown(const FoundResult& found, const Listed& rungs) {
+    std::string text =
+        "\n| rung | time | RMSE | RMSE of display | FLIP | place | change | |\n|---|--:|--:|--:|--:|---|---|---|\n";
+    for (const FoundRung* rung : rungs) {
+        const bool one = rung->changes.size() == 1;
+        text += fmt::format(
+            "| {} | {} | {} | {} | {} | {} | {}{} | {} |\n", rung->name, shown_ratio(found, *rung), shown_error(*rung),
+            shown_display(*rung), shown_flip(*rung), one ? escaped(place_of(found, *rung)) : "", kind_of(found, *rung),
+            one ? ": <code>" + escaped(change_of(found, *rung)) + "</code>" : "", standing_of(found, *rung));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string place_of(const FoundResult& found, const FoundRung& rung) {
+    return of_changes(found, rung, " ", [&](const Change&, std::size_t i) { return found.positions[i]; });
+}
+
+std::string change_of(const FoundResult& found, const FoundRung& rung) {
+    const auto shown = [](const std::string& text) { return text.empty() ? "(nothing)" : text; };
+    return of_changes(found, rung, "; ", [&](const Change& change, std::size_t) {
+        return shown(change.before) + " → " + shown(change.after);
+    });
+}
+
+std::string kind_of(const FoundResult& found, const FoundRung& rung) {
+    return rung.changes.size() == 1 ? std::string(facts(found.changes[rung.changes[0]].kind).name) : "combination";
+}
+
+std::string standing_of(const FoundResult& found, const FoundRung& rung) {
+    if (rung.outcome == Outcome::refused) return "refused: " + rung.reason;
+    if (rung.outcome == Outcome::not_tried) return "not tried: " + rung.reason;
+    if (rung.at.empty()) return "";
+    if (!std::isfinite(rung.worst()->own.light.rmse))
+        return pixels_text(rung.worst()->own.nonfinite) + " NaN or infinite";
+    if (rung.only_where_tried) return "only in the frame that was tried";
+    if (rung.aim == Aim::unused)
+        return rung.held_out && rung.pixels_changed == 0 ? "changes 0 pixels" : "changes pixels";
+    if (const RungResult* times = found.times(rung))
+        return rung.aim == Aim::cheaper ? standing_text(found.timed, *times) : "";
+    if (rung.timed) return "not timed";
+    if (rung.aim == Aim::better) return rung.held_out ? "" : "not held out: the time was up";
+    if (rung.quick_ratio >= .97) return "saves no time";
+    return rung.held_out ? "not timed" : "another one saves more";
+}
+
+std::string found_words(const FoundResult& found) {
+    const std::size_t tried = count_of(found, Outcome::tried), refused = count_of(found, Outcome::refused),
+                      untried = count_of(found, Outcome::not_tried);
+    std::string text = fmt::format(
+        "{} change{} found; {} tried, alone and combined, at {} places, of which {} were held out from the search "
+        "(seed {}).",
+        found.changes.size(), found.changes.size() == 1 ? " was" : "s were", tried, found.places.size(),
+        found.places.size() - std::min(found.searched, found.places.size()), found.seed);
+    if (refused > 0) text += fmt::format(" {} would not compile, or make another error or warning.", refused);
+    if (untried > 0)
+        text += fmt::format(" {} not tried: {}.", untried,
+                            found.interrupted ? "the search was stopped" : "the time was up");
+    text += fmt::format(
+        " Errors are differences from the scene as it is, in pictures of {} × {}, at the place where they are largest; "
+        "times are of {} × {}.",
+        found.search_width, found.search_height, found.width, found.height);
+    const bool timed = !found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0;
+    if (timed && found.timed.few_rounds) text += " There are too few rounds to compare costs.";
+    if (timed && !found.timed.few_rounds && found.timed.control.noisy)
+        text += fmt::format(
+            " The measurement is too noisy to compare costs: the scene, timed twice, took {} times as long the second "
+            "time.",
+            ratio_text(found.timed.control.ratio));
+    return text;
+}
+
+SweepResult as_sweep(const FoundResult& found, Aim aim) {
+    SweepResult sweep = aim == Aim::cheaper ? found.timed : found.costs;
+    sweep.scene = found.scene;
+    sweep.sweep.name = fmt::format("found: {}", aim == Aim::cheaper  ? "cheaper"
+                                                : aim == Aim::better ? "better"
+                                                                     : "unused");
+    sweep.rungs.clear();
+    for (const FoundRung& rung : found.rungs) {
+        if (rung.aim != aim) continue;
+        const RungResult* times = found.times(rung);
+        RungResult shown = times ? *times : RungResult{.name = rung.name};
+        shown.drawn = !rung.at.empty();
+        if (shown.drawn) {
+            shown.own = rung.worst()->own;
+            shown.whole = rung.worst()->whole;
+            shown.alone = shown.own.light;
+            shown.flip = rung.worst()->flip.value_or(std::nan(""));
+        }
+        sweep.rungs.push_back(std::move(shown));
+    }
+    sweep.sweep.reference = sweep.sweep.current = sweep.rungs.size();
+    return sweep;
+}
+
+std::string found_text(const FoundResult& found) {
+    if (found.changes.empty()) return "\nfound rungs: there is nothing in this scene that could be changed\n";
+    std::string text = fmt::format("\nfound rungs\n  {}\n", found_words(found));
+    if (const Listed none = found.without_effect(); !none.empty()) {
+        text += fmt::format("{}\n", invisible);
+        for (const FoundRung* rung : none)
+            text += fmt::format("  {:<4}  {}: {}: changes 0 pixels, {}\n", rung->name,
+                                utf8::printable(place_of(found, *rung)), utf8::printable(change_of(found, *rung)),
+                                shown_cost(found, *rung));
+    }
+    if (const Listed rungs = listed(found, Aim::cheaper, false); !rungs.empty())
+        text += "Cheaper\n" + rows_text(found, rungs);
+    else
+        text += "  None of them saves time.\n";
+    if (const Listed rungs = listed(found, Aim::better, false); !rungs.empty())
+        text += fmt::format("{}\n", lacking) + rows_text(found, rungs);
+    if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)
+        text += fmt::format("  control: {}, {}\n", ratio_text(found.timed.control.ratio), name(found.timed.clock));
+    return text;
+}
+
+std::string found_markdown(const FoundResult& found) {
+    std::string text = fmt::format("\n## {}: found rungs\n\n{}\n", escaped(found.scene), found_words(found));
+    if (const Listed none = found.without_effect(); !none.empty()) {
+        text += fmt::format("\n{}:\n\n", invisible);
+        for (const FoundRung* rung : none)
+            text += fmt::format("- {}: {}: <code>{}</code> changes 0 pixels, {}\n", rung->name,
+                                escaped(place_of(found, *rung)), escaped(change_of(found, *rung)),
+                                shown_cost(found, *rung));
+    }
+    text += table_markdown(found, listed(found, Aim::cheaper, true));
+    if (const Listed better = listed(found, Aim::better, true); !better.empty())
+        text += fmt::format("\n{}:\n", lacking) + table_markdown(found, better);
+    return text;
+}
+
+std::string found_html(const FoundResult& found) {
+    std::string text =
+        fmt::format("<section><h2>Found rungs</h2><p class=\"words\">{}</p>", escaped(found_words(found)));
+    if (const Listed none = found.without_effect(); !none.empty()) {
+        text += fmt::format("<h3>{}</h3><ul>", invisible);
+        for (const FoundRung* rung : none)
+            text += fmt::format("<li>{}: {}: <code>{}</code> changes 0 pixels, {}</li>", rung->name,
+                                escaped(place_of(found, *rung)), escaped(change_of(found, *rung)),
+                                shown_cost(found, *rung));
+        text += "</ul>";
+    }
+    if (found.timed.rungs.size() > 1 && found.timed.rungs.back().rounds > 0)
+        text += "<div class=\"scroll\">" + plot_svg(found.timed) + "</div>";
+    text += table_html(found, listed(found, Aim::cheaper, true));
+    if (const Listed better = listed(found, Aim::better, true); !better.empty())
+        text += fmt::format("<h3>{}</h3>", lacking) + table_html(found, better);
+    text += "<p class=\"facts\">Places:";
+    for (std::size_t i = 0; i < found.places.size(); ++i)
+        text += fmt::format(" {}{}: {};", i, i < found.searched ? "" : " (held out)",
+                            escaped(place_text(found.places[i], found.places[0])));
+    return text + "</p></section>\n";
+}
+
+FoundJson found_json(const FoundResult& found) {
+    FoundJson json{{"scene", found.scene},
+                   {"seed", found.seed},
+                   {"words", found_words(found)},
+                   {"size", {found.width, found.height}},
+                   {"search_size", {found.search_width, found.search_height}},
+                   {"clock", name(found.timed.clock)},
+                   {"trusted", found.timed.trusted()},
+                   {"interrupted", found.interrupted},
+                   {"late", found.late}};
+    json["aa_control"] = interval_json(found.timed.control.ratio);
+    json["places"] = FoundJson::array();
+    for (std::size_t i = 0; i < found.places.size(); ++i)
+        json["places"].push_back({{"held_out", i >= found.searched},
+                                  {"view", view_text(found.places[i].view)},
+                                  {"time", found.places[i].time},
+                                  {"sets", found.places[i].sets}});
+    json["front"] = FoundJson::array();
+    for (const FoundRung* rung : found.front()) json["front"].push_back(rung->name);
+    json["without_effect"] = FoundJson::array();
+    for (const FoundRung* rung : found.without_effect()) json["without_effect"].push_back(rung->name);
+    json["rungs"] = FoundJson::array();
+    for (const FoundRung& rung : found.rungs) json["rungs"].push_back(found_rung_json(found, rung));
+    return json;
+}
+
+}  // namespace snell::accuracy
