@@ -126,6 +126,9 @@ public:
     }
     void found_untried() {
         found();
+        scene_.ladders.clear();
+        controls_.rungs.clear();
+        facts_.accuracy = nullptr;
         sought_.progress.reset();
         sought_.shown.clear();
         sought_.older = false;

@@ -27,6 +27,9 @@ std::string shell_word(std::string_view word) {
     return quoted + "'";
 }
 
+// A path that no command takes for an option.
+std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
+
 }  // namespace
 
 std::vector<std::string> value_options(const Document& document, const View& view) {
@@ -50,10 +53,9 @@ std::vector<std::string> value_options(const Document& document, const View& vie
 
 std::string render_command(const Document& document, const Picture& picture) {
     const std::string stem = std::filesystem::path(document.path).stem().string();
-    const auto file = [](const std::string& name) { return name.starts_with('-') ? "./" + name : name; };
-    std::string line = fmt::format("snell render {} -o {} --size {}x{}", shell_word(file(document.path)),
-                                   shell_word(file(picture.file.empty() ? stem + ".png" : picture.file)), picture.width,
-                                   picture.height);
+    std::string line =
+        fmt::format("snell render {} -o {} --size {}x{}", file_word(document.path),
+                    file_word(picture.file.empty() ? stem + ".png" : picture.file), picture.width, picture.height);
     if (picture.samples > 1) line += fmt::format(" --samples {}", picture.samples);
     if (picture.transparent) line += " --transparent";
     if (picture.frames > 0) line += fmt::format(" --frames {} --fps {}", picture.frames, picture.rate);
@@ -61,6 +63,10 @@ std::string render_command(const Document& document, const Picture& picture) {
     if (picture.time != 0) line += fmt::format(" --time {}", picture.time);
     for (const std::string& word : value_options(document, picture.view)) line += ' ' + shell_word(word);
     return line;
+}
+
+std::string apply_command(const std::string& scene, const std::string& rung, const std::string& folder) {
+    return fmt::format("snell accuracy {} --apply {} -o {}", file_word(scene), rung, file_word(folder));
 }
 
 }  // namespace snell

@@ -25,5 +25,7 @@ std::vector<std::string> value_options(const Document& document, const View& vie
 // Returns a line for a POSIX shell that draws the same picture: the values and rungs that differ from the scene's, and
 // view, time and size. The syntax cannot distinguish programs of the same name: the value of the last one is used.
 std::string render_command(const Document& document, const Picture& picture);
+// Likewise, one that writes the scene with a found rung, such as "3+7", into the folder.
+std::string apply_command(const std::string& scene, const std::string& rung, const std::string& folder);
 
 }  // namespace snell

@@ -140,12 +140,21 @@ void App::keep_by_hand() {
     restart_.keep(carry({nullptr, workspace_.session().files(), changed_text(*document), {}}));
 }
 
-bool App::moving() {
+Document* App::shown_document() {
+    Document* document = workspace_.document();
+    return document ? &measuring_.shown(*document) : nullptr;
+}
+
+bool App::running() {
     const Document* document = workspace_.document();
-    if (!document) return false;
     const ui::Memory& memory = interface_.memory();
-    const bool timed = document->runtime->animated() || memory.animating();
-    return (timed && !interface_.held() && !memory.clock.paused) || !document->runtime->settled();
+    const bool timed = document && (document->runtime->animated() || memory.animating());
+    return timed && !interface_.held() && !memory.clock.paused;
+}
+
+bool App::moving() {
+    const Document* document = shown_document();
+    return document && (running() || !document->runtime->settled());
 }
 
 bool App::visible() {
@@ -221,13 +230,13 @@ bool App::look() {
 }
 
 bool App::specialise() {
-    Document* document = workspace_.document();
+    Document* document = shown_document();
     if (interface_.memory().animating()) return false;  // the values are others in every frame
     if (specialised_ || !options_.specialise || !document || window_->now() < touched_ + until_still) return false;
     hang_.begin("compiling programs for the values as they are");
     specialised_ = !display_.specialise(*document);
     hang_.rest();
-    if (specialised_ && measuring_.outdated(*document)) settle(1);
+    if (specialised_ && measuring_.outdated(*workspace_.document())) settle(1);
     return !specialised_;
 }
 
@@ -249,6 +258,7 @@ void App::keep_picture() {
 void App::reload() {
     restart_.trying();
     workspace_.reload(interface_.view(), interface_.memory().notice);
+    measuring_.leave();
     settle(until_equal);
 }
 
@@ -306,7 +316,11 @@ void App::serve(const ui::Requests& requests) {
         picking_.serve(requests, *document, stand, interface_.density(), memory.hold);
     show_scene(workspace_.serve(requests, shown, *window_, interface_.view(), memory));
     if (workspace_.follow_rungs()) settle(until_equal);
-    measuring_.serve(requests, memory);
+    if (const std::string command = measuring_.serve(requests, workspace_.document(), display_, memory);
+        !command.empty()) {
+        window_->set_clipboard(command);
+        memory.notice = "copied: " + command;
+    }
     if (requests.reload) reload();
     if (requests.full_screen) window_->set_full_screen(!window_->full_screen());
 }
@@ -318,7 +332,8 @@ void App::show(bool repaint) {
     remember_size();
     const bool drew = document && draw_scene();
     if (lost()) return;
-    const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_, memory);
+    const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_,
+                                                    !running() && !interface_.pressed(), memory);
     if (drew || told) settle(1);  // the panels show the new cost and values
     const std::array now{interface_.picture(), measuring_.revision(memory)};
     if (drew || told || repaint || now != presented_) {
@@ -350,14 +365,17 @@ bool App::draw_scene() {
                       document.runtime->animated() ? time : 0, std::move(view), values_of(document.controls)};
     const bool held = interface_.pressed();
     const Wanted wanted{held, memory.always_sharp || (memory.animating() && !held), measuring_.wants_picture()};
-    if (!display_.prepare({revision, stand, document.controls.rungs, memory.hold.object}, document, wanted))
-        return false;
+    Document& shown = measuring_.shown(document);
+    const std::uint64_t showing = measuring_.showing();
+    // Objects are those of the scene: a found rung may have others.
+    const Index object = shown.scene().draws.size() == document.scene().draws.size() ? memory.hold.object : none;
+    if (!display_.prepare({revision, stand, document.controls.rungs, showing, object}, shown, wanted)) return false;
     hang_.begin("drawing a frame");
-    display_.draw(document, measuring_.begin_picture(revision), density);
+    display_.draw(shown, measuring_.begin_picture(revision + (showing << 32U)), density);
     hang_.rest();
     if (lost()) return false;
     measuring_.end_picture(display_.counters().frame_ms);
-    session.drawn_well();
+    if (showing == 0) session.drawn_well();
     return true;
 }
 

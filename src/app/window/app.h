@@ -47,8 +47,12 @@ private:
     // because the current one may be their cause.
     void keep_by_hand();
 
+    // The document whose picture the window shows: the scene's, or that of a found rung. Null: there is no scene.
+    Document* shown_document();
     // True if the next frame would be another picture even without input.
     bool moving();
+    // True if time or values change by themselves.
+    bool running();
     bool visible();
     // Seconds to sleep if there is no input.
     double pause();

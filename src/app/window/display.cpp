@@ -43,7 +43,9 @@ bool Display::moved(const Drawn& next) const {
 
 bool Display::prepare(Drawn next, Document& document, const Wanted& wanted) {
     next_ = std::move(next);
-    if (wanted.sharp || next_.revision != drawn_.revision || next_.rungs != drawn_.rungs) coarseness_ = {};
+    if (wanted.sharp || next_.revision != drawn_.revision || next_.rungs != drawn_.rungs ||
+        next_.showing != drawn_.showing)
+        coarseness_ = {};
     next_.grain = wanted.sharp ? 0 : coarseness_.next(moved(next_), wanted.held, window_.now());
     if (wanted.again || next_ != drawn_ || !document.runtime->settled()) {
         const PixelSize size = coarse_size(next_);

@@ -21,8 +21,9 @@ struct Drawn {
     std::uint64_t revision = 0;
     Stand stand;
     Rungs rungs;
-    Index object = none;  // the object with the outline
-    int grain = 0;        // an index into `grains`
+    std::uint64_t showing = 0;  // of a found rung, see Measuring; 0: of the scene
+    Index object = none;        // the object with the outline
+    int grain = 0;              // an index into `grains`
 
     bool operator==(const Drawn&) const = default;
 };

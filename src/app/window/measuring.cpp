@@ -3,22 +3,31 @@
 namespace snell {
 
 Measuring::Measuring(const std::string& scene, const gl::Caps& caps)
-    : caps_(caps), accuracy_(scene, caps), frame_costs_(caps), textures_(caps.es) {}
+    : caps_(caps), accuracy_(scene, caps), found_(scene, caps), frame_costs_(caps), textures_(caps.es) {}
 
 void Measuring::begin_scene(const std::string& scene) {
     accuracy_ = AccuracyView(scene, caps_);
+    found_ = FoundView(scene, caps_);
     explained_ = {};
 }
 
-bool Measuring::follow(Document& document, bool stale, const Display& display, const ui::Memory& memory) {
+void Measuring::leave() {
+    accuracy_.leave();
+    found_.leave();
+}
+
+bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory) {
     const Stand& stand = display.drawn().stand;
-    accuracy_.follow(document, stale, stand, memory.accuracy);
+    const bool found = found_.follow(scene, stale, stand, still, memory.accuracy);
+    accuracy_.follow(scene, stale, stand, memory.accuracy, found_.rung());
+    Document& document = found_.shown(scene);
     const bool opened = frame_costs_.open(memory.frame_cost, display.drawn().revision, display.counters().frame_ms);
-    if (memory.scene.width <= 0) return opened;
+    if (memory.scene.width <= 0) return opened || found;
     const float density = static_cast<float>(stand.width) / memory.scene.width;
     const bool texels =
         textures_.follow(document, display.drawn().revision, display.counters().frames, memory, density);
-    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density) || opened || texels;
+    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density) || opened || texels ||
+           found;
 }
 
 bool Measuring::step(Document* document, const Display& display) {
@@ -28,16 +37,23 @@ bool Measuring::step(Document* document, const Display& display) {
         if (!linking_) explanation_ = document->runtime->explain();
         return !linking_;
     }
-    return (document && frame_costs_.step(*document, display.drawn().stand, display.samples())) || accuracy_.step();
+    if (frame_costs_.busy())
+        return document && frame_costs_.step(found_.shown(*document), display.drawn().stand, display.samples());
+    return accuracy_.busy() ? accuracy_.step() : found_.step();
 }
 
-void Measuring::serve(const ui::Requests& requests, const ui::Memory& memory) {
+std::string Measuring::serve(const ui::Requests& requests, Document* document, const Display& display,
+                             ui::Memory& memory) {
     if (requests.measure) accuracy_.measure(memory.accuracy);
     if (requests.measure_frame) frame_costs_.measure();
+    if (requests.find_rungs || requests.show_rung) accuracy_.leave_rung();
+    if (document) found_.serve(requests, *document, display.drawn().stand, memory);
+    return requests.copy_rung ? found_.command() : "";
 }
 
 void Measuring::tell(ui::Facts& facts, const Document* document, const ui::Memory& memory) {
     facts.accuracy = accuracy_.facts(memory.accuracy);
+    facts.found = document && memory.accuracy.open ? found_.facts() : nullptr;
     facts.frame_cost = frame_costs_.facts(document);
     facts.pixels = pixels_.facts();
     facts.textures = textures_.facts();

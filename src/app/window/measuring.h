@@ -9,6 +9,7 @@
 
 #include "src/app/window/display.h"
 #include "src/app/window/measure/accuracy_view.h"
+#include "src/app/window/measure/found_view.h"
 #include "src/app/window/measure/frame_costs.h"
 #include "src/app/window/measure/pixel_view.h"
 #include "src/app/window/measure/texture_view.h"
@@ -22,6 +23,13 @@ public:
     Measuring(const std::string& scene, const gl::Caps& caps);
     // Forgets what was measured of the scene before.
     void begin_scene(const std::string& scene);
+    // Call it when the scene was read again: its document may be another one.
+    void leave();
+
+    // The document whose picture the window shows in place of the scene's: that of a found rung, or the scene's own.
+    Document& shown(Document& scene) { return found_.shown(scene); }
+    // Another number for each found rung that is shown; 0: the scene is shown.
+    std::uint64_t showing() const { return found_.showing(); }
 
     // True if the picture must be drawn although it is unchanged.
     bool wants_picture() const { return frame_costs_.wants_picture(); }
@@ -32,15 +40,15 @@ public:
     }
     void end_picture(double milliseconds) { frame_costs_.end(milliseconds); }
 
-    // Call it after each frame, whether the picture was drawn or is unchanged. Returns true if the panels must be shown
-    // again.
-    bool follow(Document& document, bool stale, const Display& display, const ui::Memory& memory);
+    // Call it after each frame, whether the picture was drawn or is unchanged. `still`: nothing moves, by hand or by
+    // itself. Returns true if the panels must be shown again.
+    bool follow(Document& document, bool stale, const Display& display, bool still, const ui::Memory& memory);
     // True if step() has something to do.
-    bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_; }
+    bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_ || found_.busy(); }
     // Draws one picture to measure it. Returns true if there is something new to show.
     bool step(Document* document, const Display& display);
-    // Starts and stops what the panels ask for.
-    void serve(const ui::Requests& requests, const ui::Memory& memory);
+    // Starts and stops what the panels ask for. Returns a command to be copied, or "".
+    std::string serve(const ui::Requests& requests, Document* document, const Display& display, ui::Memory& memory);
 
     // Fills in the results, without the explanation.
     void tell(ui::Facts& facts, const Document* document, const ui::Memory& memory);
@@ -56,6 +64,7 @@ public:
 private:
     gl::Caps caps_;
     AccuracyView accuracy_;
+    FoundView found_;
     FrameCosts frame_costs_;
     PixelView pixels_;
     TextureView textures_;

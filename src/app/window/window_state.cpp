@@ -60,6 +60,24 @@ json accuracy_of(const ui::AccuracyMemory& memory, const ui::AccuracyFacts& fact
             {"points", std::move(points)}};
 }
 
+json found_of(const ui::FoundFacts& facts) {
+    json rows = json::array();
+    for (const ui::FoundRow& row : facts.rows) {
+        rows.push_back({{"name", row.name},
+                        {"group", static_cast<int>(row.group)},
+                        {"kind", row.kind},
+                        {"where", row.where},
+                        {"ratio", row.ratio},
+                        {"front", row.front},
+                        {"remark", row.remark}});
+        if (row.error) rows.back()["error"] = *row.error;
+    }
+    return {{"rows", std::move(rows)},  {"searching", facts.progress.has_value()},
+            {"waiting", facts.waiting}, {"older", facts.older},
+            {"stale", facts.stale},     {"remark", facts.remark},
+            {"shown", facts.shown}};
+}
+
 // Values are written as text, because JSON has neither NaN nor infinity.
 json pixels_of(const ui::PixelFacts& facts) {
     json pixels = json::object();
@@ -124,6 +142,7 @@ void write_window_state(const std::string& file, const WindowCounters& counters,
             state["counters"][std::string(counter.name)] = drawn.*counter.value;
     }
     if (measured.accuracy) state["accuracy"] = accuracy_of(memory.accuracy, *measured.accuracy);
+    if (measured.found && measured.found->asked) state["found"] = found_of(*measured.found);
     if (measured.pixels) state["pixels"] = pixels_of(*measured.pixels);
     if (measured.textures) state["textures"] = textures_of(*measured.textures);
     if (measured.frame_cost) state["frame_cost"] = frame_cost_of(*measured.frame_cost);

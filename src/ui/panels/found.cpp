@@ -27,8 +27,8 @@ std::string ratio_number(double ratio) {
 
 std::string time_of(const FoundRow& row) {
     if (row.ratio <= 0) return {};
-    if (row.high <= 0) return fmt::format("time about {}", ratio_text(row.ratio));
-    return fmt::format("time {} [{}, {}]", ratio_text(row.ratio), ratio_number(row.low), ratio_number(row.high));
+    if (row.high <= 0) return "about " + ratio_text(row.ratio);
+    return fmt::format("{} [{}, {}]", ratio_text(row.ratio), ratio_number(row.low), ratio_number(row.high));
 }
 
 std::string errors_of(const FoundRow& row) {
@@ -36,7 +36,7 @@ std::string errors_of(const FoundRow& row) {
     if (row.group == Group::unused)
         return row.bytes > 0 ? bytes_text(row.bytes) + " of GPU memory" : "no pixel differs";
     if (!row.error) return {};
-    return fmt::format("error {}{}", error_text(*row.error),
+    return fmt::format("{} {}{}", row.group == Group::better ? "the scene is off by" : "error", error_text(*row.error),
                        row.flip ? fmt::format(", FLIP {}", error_text(*row.flip)) : "");
 }
 
@@ -49,21 +49,19 @@ std::string tip_of(const FoundRow& row) {
     return text;
 }
 
-void put(const char* first, const char* last, ImVec2 at, bool dim = false) {
+void put(const Text& text, ImVec2 at, bool dim) {
     ImGui::SetCursorScreenPos(at);
     ImGui::PushStyleColor(ImGuiCol_Text, dim ? palette().dim : palette().text);
-    ImGui::TextUnformatted(first, last);
+    ImGui::TextUnformatted(text.begin(), text.end());
     ImGui::PopStyleColor();
 }
-
-void put(const Text& text, ImVec2 at, bool dim = false) { put(text.begin(), text.end(), at, dim); }
 
 // The place, as a link to the editor, and the change. Returns true if the pointer is on the link.
 bool change_line(const Facts& facts, const FoundRow& row, ImVec2 at, float width, Requests& requests, Layout& layout) {
     const float em = ImGui::GetFontSize();
     const Text where = shortened(row.where, width * .6F);
     const float taken = width_of(where.view());
-    put(where, at);
+    put(where, at, facts.found->stale);
     const bool on_link = ImGui::IsItemHovered();
     layout.note("found.place", row.name);
     if (edit_link(facts, row.place)) requests.edit = row.place;
@@ -78,19 +76,18 @@ bool change_line(const Facts& facts, const FoundRow& row, ImVec2 at, float width
     return on_link && !row.place.file.empty();
 }
 
-// Lines of text in each row. In narrow panels the time has a line of its own.
-int lines_of(Group group, float width) { return group == Group::untried || width >= 19 * ImGui::GetFontSize() ? 3 : 4; }
+// In narrow panels the time has a line of its own, the last one.
+bool narrow(float width) { return width < 18 * ImGui::GetFontSize(); }
+int lines_of(Group group, float width) { return group != Group::untried && narrow(width) ? 4 : 3; }
 
-void numbers_lines(const FoundRow& row, ImVec2 at, float width, int lines, Layout& layout) {
-    const float line = ImGui::GetTextLineHeight();
-    const std::string errors = errors_of(row), time = time_of(row);
-    put(shortened(errors, width), at, row.group == Group::untried);
-    layout.note("found.error", row.name);
-    if (time.empty()) return;
-    if (lines > 3) return put(shortened(time, width), {at.x, at.y + line});
-    const float used = errors.empty() ? 0 : width_of(errors) + width_of(", ");
-    if (used > 0) put(Text(","), {at.x + used - width_of(", "), at.y});
-    put(shortened(time, width - used), {at.x + used, at.y});
+// The first line is number and kind; the time is at its right end, if there is room.
+void first_line(const FoundRow& row, ImVec2 at, float width, int lines, bool dim) {
+    const std::string time = time_of(row);
+    const bool beside = lines < 4 && !time.empty();
+    const float taken = beside ? width_of(time) : 0, gap = beside ? ImGui::GetFontSize() : 0;
+    put(shortened(Text("{}  {}", row.name, row.kind).view(), width - taken - gap), at, dim);
+    if (beside) return put(Text(time), {at.x + width - taken, at.y}, dim);
+    if (!time.empty()) put(Text("time {}", time), {at.x, at.y + 3 * ImGui::GetTextLineHeight()}, dim);
 }
 
 void row(const Facts& facts, const FoundRow& row, Requests& requests, Layout& layout) {
@@ -98,9 +95,10 @@ void row(const Facts& facts, const FoundRow& row, Requests& requests, Layout& la
     const float width = ImGui::GetContentRegionAvail().x;
     const int lines = lines_of(row.group, width);
     const bool shown = facts.found->shown == row.name;
-    const ImVec2 at = ImGui::GetCursorScreenPos(), end(ImGui::GetCursorPosX(), ImGui::GetCursorPosY());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float left = ImGui::GetCursorPosX();
     ImGui::PushID(row.name.c_str());
-    ImGui::BeginDisabled(row.group == Group::untried && row.where.empty());
+    ImGui::BeginDisabled(facts.found->stale);
     const bool pressed = ImGui::Selectable("##row", shown, ImGuiSelectableFlags_AllowItemOverlap,
                                            {width, line * static_cast<float>(lines)});
     const bool over = ImGui::IsItemHovered();
@@ -110,12 +108,15 @@ void row(const Facts& facts, const FoundRow& row, Requests& requests, Layout& la
     if (row.front)
         ImGui::GetWindowDrawList()->AddCircleFilled({at.x + indent * .4F, at.y + line * .5F}, em * .24F,
                                                     ImGui::GetColorU32(palette().accent));
-    put(shortened(Text("{}  {}", row.name, row.kind).view(), width - indent), {at.x + indent, at.y});
+    const bool dim = facts.found->stale;
+    first_line(row, {at.x + indent, at.y}, width - indent, lines, dim);
     const bool on_link = change_line(facts, row, {at.x + indent, at.y + line}, width - indent, requests, layout);
-    numbers_lines(row, {at.x + indent, at.y + 2 * line}, width - indent, lines, layout);
+    put(shortened(errors_of(row), width - indent), {at.x + indent, at.y + 2 * line},
+        dim || row.group == Group::untried);
+    layout.note("found.error", row.name);
     ImGui::EndDisabled();
     ImGui::PopID();
-    ImGui::SetCursorPos({end.x, below.y});
+    ImGui::SetCursorPos({left, below.y});
     if (pressed && !on_link && row.group != Group::untried) requests.show_rung = shown ? "" : row.name;
 }
 
@@ -133,6 +134,17 @@ void rows_of(const Facts& facts, Group group, Requests& requests, Layout& layout
     clipper.End();
 }
 
+// At the right end of the line, if there is room.
+void time_heading() {
+    constexpr const char* text = "\u00D7 the scene's time";
+    const float right = ImGui::GetContentRegionMax().x - width_of(text);
+    if (narrow(ImGui::GetContentRegionAvail().x)) return;
+    ImGui::SameLine();
+    if (ImGui::GetCursorPosX() > right) return ImGui::NewLine();
+    ImGui::SetCursorPosX(right);
+    ImGui::TextDisabled("%s", text);
+}
+
 void groups(const Facts& facts, Requests& requests, Layout& layout) {
     constexpr std::array<std::pair<Group, const char*>, 3> headings{
         {{Group::cheaper, "Cheaper"}, {Group::better, "What the picture lacks"}, {Group::unused, "Changes nothing"}}};
@@ -142,6 +154,7 @@ void groups(const Facts& facts, Requests& requests, Layout& layout) {
         ImGui::Spacing();
         wrapped(heading, true);
         layout.note("found.heading", heading);
+        time_heading();
         rows_of(facts, group, requests, layout);
     }
     const auto untried = ranges::count(rows, Group::untried, &FoundRow::group);
@@ -201,9 +214,7 @@ void found_rungs(const Facts& facts, Requests& requests, Layout& layout) {
     }
     remarks(found, layout);
     if (!found.shown.empty()) shown_rung(found, requests, layout);
-    ImGui::BeginDisabled(found.stale);
     groups(facts, requests, layout);
-    ImGui::EndDisabled();
 }
 
 bool found_keys(const Facts& facts, Requests& requests) {

@@ -37,17 +37,29 @@ std::vector<std::byte> heat_of(const std::vector<float>& differences) {
 
 }  // namespace
 
-void AccuracyView::follow(Document& shown, bool stale, const Stand& stand, const ui::AccuracyMemory& memory) {
-    if (!memory.open || shown.scene().ladders.empty() || stand.width <= 0) {
-        refinement_.reset();
+void AccuracyView::follow(Document& scene, bool stale, const Stand& stand, const ui::AccuracyMemory& memory,
+                          Document* rung) {
+    const bool wanted = memory.open && stand.width > 0, ladders = wanted && !scene.scene().ladders.empty();
+    if (!ladders) refinement_.reset();
+    if (!wanted || !rung) beside_.reset();
+    if (!wanted || (!ladders && !rung)) {
         still_ = {};
         uploaded_ = 0;
         return;
     }
-    if (!refinement_) refinement_ = std::make_unique<Refinement>(path_, caps_);
-    refinement_->follow(shown, stale, stand);
+    if (ladders && !refinement_) refinement_ = std::make_unique<Refinement>(path_, caps_);
+    if (rung && !beside_) beside_ = std::make_unique<Refinement>(path_, caps_);
+    if (rung)
+        beside_->follow(*rung, false, stand, &scene);
+    else
+        refinement_->follow(scene, stale, stand);
     if (memory.show == Show::picture) return;
-    while (!refinement_->reference() && refinement_->busy() && refinement_->comparable()) refinement_->step();
+    while (!now()->reference() && now()->busy() && now()->comparable()) now()->step();
+}
+
+void AccuracyView::leave() {
+    beside_.reset();
+    if (refinement_) refinement_->leave();
 }
 
 void AccuracyView::measure(const ui::AccuracyMemory& memory) {
@@ -55,23 +67,24 @@ void AccuracyView::measure(const ui::AccuracyMemory& memory) {
 }
 
 const ui::AccuracyFacts* AccuracyView::facts(const ui::AccuracyMemory& memory) {
-    if (!refinement_) return nullptr;
-    facts_ = refinement_->facts(memory.ladder);
+    if (!now()) return nullptr;
+    facts_ = now()->facts(memory.ladder);
+    if (beside_ && refinement_) facts_.points = refinement_->facts(memory.ladder).points;
     return &facts_;
 }
 
 std::uint64_t AccuracyView::revision(const ui::AccuracyMemory& memory) const {
-    if (!refinement_ || memory.show == Show::picture) return 0;
-    return 4 * refinement_->revision() + static_cast<std::uint64_t>(memory.show);
+    if (!now() || memory.show == Show::picture) return 0;
+    return 4 * now()->revision() + (beside_ ? std::uint64_t{1} << 62U : 0) + static_cast<std::uint64_t>(memory.show);
 }
 
 void AccuracyView::show(int y, const ui::AccuracyMemory& memory) {
-    const accuracy::Picture* reference = refinement_ ? refinement_->reference() : nullptr;
+    const accuracy::Picture* reference = now() ? now()->reference() : nullptr;
     if (!reference || memory.show == Show::picture) return;
     if (uploaded_ != revision(memory)) {
         uploaded_ = revision(memory);
         still_.set(reference->width, reference->height,
-                   memory.show == Show::split ? bytes_of(*reference) : heat_of(refinement_->differences()));
+                   memory.show == Show::split ? bytes_of(*reference) : heat_of(now()->differences()));
     }
     const double left = memory.show == Show::split ? memory.divider * reference->width : 0;
     still_.show(0, y, static_cast<int>(std::lround(left)));

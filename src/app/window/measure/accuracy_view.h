@@ -17,14 +17,18 @@ public:
     AccuracyView(std::string path, const gl::Caps& caps) : path_(std::move(path)), caps_(caps) {}
 
     // Call it after each frame, whether the picture was drawn or is unchanged; see Refinement::follow. Uploads the
-    // comparison picture, so that both halves show the same moment.
-    void follow(Document& shown, bool stale, const Stand& stand, const ui::AccuracyMemory& memory);
-    bool busy() const { return refinement_ && refinement_->busy(); }
+    // comparison picture, so that both halves show the same moment. `rung`, if it is not null, is the document of a
+    // found rung, which is shown in place of the scene and compared with it.
+    void follow(Document& scene, bool stale, const Stand& stand, const ui::AccuracyMemory& memory, Document* rung);
+    // Call it before the document of the rung, or of the scene, is destroyed.
+    void leave_rung() { beside_.reset(); }
+    void leave();
+    bool busy() const { return now() && now()->busy(); }
     // Returns true if the panel or the picture changed.
-    bool step() { return refinement_ && refinement_->step(); }
+    bool step() { return now() && now()->step(); }
     // Starts measuring all rungs of the plotted ladder, or stops it.
     void measure(const ui::AccuracyMemory& memory);
-    // Null while the panel is closed. Valid until the next call.
+    // Null while the panel is closed, and where there is nothing to compare with. Valid until the next call.
     const ui::AccuracyFacts* facts(const ui::AccuracyMemory& memory);
     // Draws the reference or the heat map over the window's picture, whose bottom left is at pixel (0, y).
     void show(int y, const ui::AccuracyMemory& memory);
@@ -32,9 +36,12 @@ public:
     std::uint64_t revision(const ui::AccuracyMemory& memory) const;
 
 private:
+    // What is compared with the picture in the window.
+    Refinement* now() const { return beside_ ? beside_.get() : refinement_.get(); }
+
     std::string path_;
     gl::Caps caps_;
-    std::unique_ptr<Refinement> refinement_;
+    std::unique_ptr<Refinement> refinement_, beside_;  // of the scene, if it has ladders; of a found rung
     ui::AccuracyFacts facts_;
     gl::Still still_;
     std::uint64_t uploaded_ = 0;  // revision() of what still_ shows

@@ -34,6 +34,8 @@ std::size_t Refinement::level(int samples) {
 
 void Refinement::open_reference() {
     reference_.reset();
+    note_.clear();
+    if (scene_) return;
     if (stale_) {
         note_ = "The files have errors: there is nothing to compare with.";
         return;
@@ -41,15 +43,14 @@ void Refinement::open_reference() {
     RuntimeOptions options;
     options.previous = &*shown_->runtime;
     reference_ = open_document(path_, caps_, choose_last, nullptr, options, shown_->files->access());
-    note_.clear();
     if (!reference_->runtime || reference_->scene().ladders.size() != shown_->scene().ladders.size())
         note_ = "The scene cannot be read.";
     else if (reference_->diagnostics.errors() > shown_->diagnostics.errors())
         note_ = "With the last rung of every ladder: " + first_error(reference_->diagnostics);
 }
 
-void Refinement::follow(Document& shown, bool stale, const Stand& stand) {
-    const bool another = shown_ != &shown || stale != stale_;
+void Refinement::follow(Document& shown, bool stale, const Stand& stand, Document* scene) {
+    const bool another = shown_ != &shown || scene_ != scene || stale != stale_;
     if (!another && stand == stand_ && shown.controls.rungs == controls_.rungs) return;
     const bool resized = stand.width != stand_.width || stand.height != stand_.height;
     const bool elsewhere = another || stand != stand_;
@@ -58,6 +59,7 @@ void Refinement::follow(Document& shown, bool stale, const Stand& stand) {
         cold_ = true;
     }
     shown_ = &shown;
+    scene_ = scene;
     stale_ = stale;
     stand_ = stand;
     controls_ = shown.controls;
@@ -93,14 +95,15 @@ bool Refinement::step() {
 }
 
 bool Refinement::reference_step() {
+    Document& reference = reference_document();
     Controls last = controls_;
-    last.rungs = reference_->runtime->rungs();
-    choose_last(reference_->scene(), last.rungs);
+    last.rungs = scene_ ? scene_->controls.rungs : reference.runtime->rungs();
+    if (!scene_) choose_last(reference.scene(), last.rungs);
     const View view = without_axes();
-    means_->reference.add(*reference_->runtime, {.time = stand_.time, .view = view, .controls = last}, false);
+    means_->reference.add(*reference.runtime, {.time = stand_.time, .view = view, .controls = last}, false);
     const std::size_t reached = level(means_->reference.samples());
     if (reached == levels.size()) return false;
-    references_[reached] = means_->reference.picture(*reference_->runtime);
+    references_[reached] = means_->reference.picture(*reference.runtime);
     reference_samples_ = levels[reached];
     return false;  // until there is something to compare with it
 }
@@ -162,6 +165,7 @@ std::vector<float> Refinement::differences() const {
 ui::AccuracyFacts Refinement::facts(std::size_t ladder) const {
     ui::AccuracyFacts facts;
     facts.note = note_;
+    facts.of_scene = scene_ != nullptr;
     facts.samples = samples_;
     facts.wanted = levels.back();
     facts.clock = accuracy::name(caps_.software ? accuracy::ClockKind::cpu : accuracy::ClockKind::wall);

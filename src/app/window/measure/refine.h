@@ -1,5 +1,6 @@
-// Compares the picture of the chosen rungs with the reference, which has the last rung of every ladder. While nothing
-// else happens, both are refined sample by sample; each step draws one picture.
+// Compares the picture of the chosen rungs with the reference, which has the last rung of every ladder, or that of a
+// found rung with the scene as it is. While nothing else happens, both are refined sample by sample; each step draws
+// one picture.
 #pragma once
 
 #include <array>
@@ -30,8 +31,10 @@ public:
 
     // Tells what the window shows; call it before step(). Anything that changes the picture restarts the refinement.
     // The reference is a separate document, which shares with the shown one everything that both need. `stale` says
-    // that the files have changed since.
-    void follow(Document& shown, bool stale, const Stand& stand);
+    // that the files have changed since. With `scene` that is the reference instead.
+    void follow(Document& shown, bool stale, const Stand& stand, Document* scene = nullptr);
+    // Call it before a document of follow() is destroyed; follow() comes before step() then.
+    void leave() { shown_ = scene_ = nullptr; }
     // True if there is a reference, as far as the files are concerned.
     bool comparable() const { return note_.empty(); }
     // True if another step would improve the result.
@@ -63,6 +66,7 @@ private:
     };
 
     void open_reference();
+    Document& reference_document() { return scene_ ? *scene_ : *reference_; }
     bool reference_step();
     bool chosen_step();
     bool cost_step();
@@ -70,7 +74,7 @@ private:
 
     std::string path_;
     gl::Caps caps_;
-    Document* shown_ = nullptr;
+    Document *shown_ = nullptr, *scene_ = nullptr;
     bool stale_ = false;
     std::unique_ptr<Document> reference_;
     std::string note_;  // why there is no reference

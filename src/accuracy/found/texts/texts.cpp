@@ -1,4 +1,4 @@
-#include "src/accuracy/found/texts.h"
+#include "src/accuracy/found/texts/texts.h"
 
 #include <algorithm>
 #include <map>
@@ -184,7 +184,7 @@ Shaders shaders(const Plan& plan, Files& files, Sources& sources) {
     return all;
 }
 
-std::optional<Span> place(const glsl::Unit& unit, const Collector& to, int first, int last) {
+std::optional<Span> span_of(const glsl::Unit& unit, const Collector& to, int first, int last) {
     if (first < 0 || last < first || last >= static_cast<int>(unit.tokens.size())) return std::nullopt;
     const glsl::Token &a = unit.at(first), &b = unit.at(last);
     if (a.macro >= 0 || b.macro >= 0 || a.file != b.file || b.offset < a.offset) return std::nullopt;
@@ -240,7 +240,7 @@ std::optional<Edit> declared(const Shader& shader, const Collector& to, int toke
         declaration.substr(declaration.rfind(' ') + 1, declaration.size() - declaration.rfind(' ') - 2);
     const Body* body = body_around(shader, token);
     if (!body) return std::nullopt;
-    const auto first = place(shader.unit, to, body->function->first, body->function->first);
+    const auto first = span_of(shader.unit, to, body->function->first, body->function->first);
     if (!first) return std::nullopt;
     if (ranges::find(shader.unit.globals, name, &glsl::Global::name) != shader.unit.globals.end())
         return before(*first, "");

@@ -1,8 +1,10 @@
 // Expressions and statements of shaders, as far as changes need them.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "parser/text/real.h"
-#include "src/accuracy/found/texts.h"
+#include "src/accuracy/found/texts/texts.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::accuracy::texts {
@@ -156,16 +158,22 @@ const Tree& bare(const Tree& tree) {
     return *inner;
 }
 
-std::optional<double> number(const Tree& tree) {
+std::optional<double> number_of(const Tree& tree) {
     const Tree& t = bare(tree);
     if (t.is(Tree::Kind::prefix, "-")) {
-        const auto value = number(t.parts.front());
+        const auto value = number_of(t.parts.front());
         return value ? std::optional(-*value) : std::nullopt;
     }
     double value = 0;
     if (t.kind != Tree::Kind::number) return std::nullopt;
     read_real(t.text.data(), t.text.data() + t.text.size(), value);
     return value;
+}
+
+std::string numeral(double value, bool whole) {
+    std::string text = whole ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+    if (!whole && text.find_first_of(".e") == text.npos) text += ".";
+    return text;
 }
 
 bool same(const Unit& unit, const Tree& a, const Tree& b) {

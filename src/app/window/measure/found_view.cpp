@@ -1,0 +1,224 @@
+#include "src/app/window/measure/found_view.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
+#include "src/accuracy/found/apply.h"
+#include "src/accuracy/found/search.h"
+#include "src/app/open/command_text.h"
+#include "src/app/open/write_copy.h"
+#include "src/app/window/measure/found_rows.h"
+
+namespace snell {
+
+namespace {
+
+// Without what the numbers of found rungs do not depend on.
+Stand circumstances(Stand stand) {
+    stand.width = stand.height = 0;
+    stand.time = 0;
+    stand.view.axes = false;
+    stand.view.mouse_x = stand.view.mouse_y = 0;
+    return stand;
+}
+
+std::vector<std::string> assignments(const Document& scene) {
+    std::vector<std::string> sets;
+    for (const Control& control : scene.controls.items)
+        if (control.active && control.value != control.initial)
+            sets.push_back(fmt::format("{}.{}={}", scene.scene().programs[control.program].name, control.name,
+                                       fmt::join(control.value, ",")));
+    return sets;
+}
+
+// The folder that a rung is written to if the user names no other one: beside the scene.
+std::filesystem::path folder_for(const std::string& scene, const std::string& rung) {
+    const std::filesystem::path path(scene);
+    return path.parent_path() / (path.stem().string() + "-rung-" + rung);
+}
+
+}  // namespace
+
+// The texts that are sought in stay after the search, for what is shown and written.
+struct FoundView::Sought {
+    Sought(const std::string& path, const Access& access) : files(scene_folder(path), access) {}
+
+    Files files;
+    Sources sources;
+    Plan plan;
+    std::vector<accuracy::Change> changes;
+    std::optional<accuracy::Search> search;
+    Stand at;
+    Rungs rungs;
+    std::string doing = "opening the scene";
+    double done = 0;
+};
+
+FoundView::FoundView(std::string path, const gl::Caps& caps) : path_(std::move(path)), caps_(caps) {}
+FoundView::~FoundView() = default;
+FoundView::FoundView(FoundView&&) noexcept = default;
+FoundView& FoundView::operator=(FoundView&&) noexcept = default;
+
+bool FoundView::follow(const Document& scene, bool stale, const Stand& stand, bool still,
+                       const ui::AccuracyMemory& memory) {
+    if (!memory.open) {
+        rung_.reset();
+        facts_.shown.clear();
+        end("The search was stopped.");
+        return false;
+    }
+    const char* note = stale ? "The files have errors: no rungs can be sought." : "";
+    const bool older = sought_ && (scene.controls.rungs != sought_->rungs || circumstances(stand) != sought_->at);
+    const bool waiting = sought_ && sought_->search && !still;
+    const bool changed = facts_.note != note || facts_.older != older || facts_.waiting != waiting;
+    facts_.note = note;
+    facts_.older = older;
+    facts_.waiting = waiting;
+    if (older) end("The search was stopped, because something was changed.");
+    return changed;
+}
+
+void FoundView::leave() {
+    end("The search was stopped, because the files have changed.");
+    facts_.stale = facts_.asked;
+    facts_.shown.clear();
+    rung_.reset();
+}
+
+bool FoundView::busy() const { return sought_ && sought_->search && !facts_.waiting; }
+
+bool FoundView::step() {
+    if (!busy()) return false;
+    const bool more = sought_->search->step();
+    if (!more) {
+        end("");
+        return true;
+    }
+    facts_.doing = sought_->doing;
+    facts_.progress = sought_->done;
+    facts_.rows = found_rows(sought_->search->result(), sought_->sources, true);
+    return true;
+}
+
+void FoundView::begin(Document& scene, const Stand& stand) {
+    sought_ = std::make_unique<Sought>(path_, scene.files->access());
+    Sought& sought = *sought_;
+    facts_ = {.asked = true, .progress = 0, .doing = sought.doing};
+    rung_.reset();  // the numbers may be others now
+    sought.at = circumstances(stand);
+    sought.rungs = scene.controls.rungs;
+    Diagnostics unheard;  // the window shows those of the scene
+    auto parsed = parse_document(path_, sought.files, sought.sources, unheard);
+    if (!parsed) return end("The scene cannot be read.");
+    sought.plan = make_plan(std::move(parsed->scene), sought.files, sought.sources, unheard);
+    // Of the text's own rungs, so that the numbers are those of `snell accuracy`.
+    sought.changes = accuracy::find_changes(sought.plan, sought.files, sought.sources);
+    carry_over(scene.controls.rungs, scene.scene(), sought.plan.rungs, sought.plan.scene);
+    accuracy::SearchOptions options;
+    options.report = [&sought](const accuracy::Progress& progress) {
+        sought.doing = progress.doing;
+        sought.done = progress.done;
+    };
+    sought.search.emplace(accuracy::Original{path_, sought.plan, sought.files, sought.sources}, sought.changes, caps_,
+                          accuracy::BenchSettings{.width = stand.width,
+                                                  .height = stand.height,
+                                                  .time = stand.time,
+                                                  .sets = assignments(scene),
+                                                  .view = sought.at.view},
+                          std::move(options));
+}
+
+void FoundView::end(const char* why) {
+    if (!facts_.progress) return;
+    facts_.progress.reset();
+    facts_.waiting = false;
+    facts_.remark = why;
+    if (!sought_->search) return;
+    const accuracy::FoundResult& result = sought_->search->result();
+    facts_.rows = found_rows(result, sought_->sources, false);
+    if (facts_.remark.empty() && result.late) facts_.remark = "The time was up before everything was tried.";
+    if (facts_.remark.empty() && result.timed.control.noisy)
+        facts_.remark = "The machine is too busy to tell which rungs are worth their time.";
+    sought_->search.reset();
+}
+
+std::map<std::string, std::string> FoundView::texts(const std::string& name, std::string& error) const {
+    if (!sought_) return {};
+    const auto chosen = accuracy::choose_changes(name, sought_->changes, sought_->sources, error);
+    if (!chosen) return {};
+    std::vector<const accuracy::Change*> changes;
+    for (const accuracy::Change& change : chosen->changes) changes.push_back(&change);
+    return accuracy::changed_texts(changes, sought_->sources);
+}
+
+void FoundView::show(const std::string& name, Document& scene, std::string& notice) {
+    rung_.reset();
+    facts_.shown.clear();
+    if (name.empty() || facts_.stale) return;
+    std::string error;
+    Access access = scene.files->access();
+    access.instead = std::make_shared<const std::map<std::string, std::string>>(texts(name, error));
+    RuntimeOptions options;
+    options.previous = &*scene.runtime;
+    const auto choose = [&](const Scene& changed, Rungs& rungs) {
+        carry_over(scene.controls.rungs, scene.scene(), rungs, changed);
+    };
+    if (error.empty()) rung_ = open_document(path_, caps_, choose, nullptr, options, access);
+    if (rung_ && rung_->runtime && no_new_errors(scene.diagnostics, rung_->diagnostics)) {
+        facts_.shown = name;
+        ++showings_;
+        return;
+    }
+    rung_.reset();
+    notice = fmt::format("found rung {} cannot be drawn{}{}", name, error.empty() ? "" : ": ", error);
+}
+
+Document& FoundView::shown(Document& scene) {
+    if (!rung_) return scene;
+    rung_->controls = scene.controls;
+    return *rung_;
+}
+
+void FoundView::write(const Document& scene, ui::Memory& memory) {
+    ui::SaveAs& dialog = memory.write_rung;
+    const auto folder = std::filesystem::path(path_).parent_path() / dialog.file.data();
+    if (dialog.file[0] == '\0') {
+        dialog.error = "the folder needs a name";
+        return;
+    }
+    dialog.error.clear();
+    const auto changed = texts(facts_.shown, dialog.error);
+    if (!dialog.error.empty()) return;
+    const app::WrittenCopy copy = app::write_copy(path_, scene.files->access(), changed, folder.string());
+    dialog.error = utf8::printable(copy.error);
+    if (!dialog.error.empty()) return;
+    dialog.open = false;
+    memory.notice = fmt::format("wrote {}", utf8::printable(copy.scene));
+}
+
+void FoundView::serve(const ui::Requests& requests, Document& scene, const Stand& stand, ui::Memory& memory) {
+    if (requests.find_rungs) {
+        if (facts_.progress)
+            end("The search was stopped.");
+        else
+            begin(scene, stand);
+    }
+    if (requests.show_rung) show(*requests.show_rung, scene, memory.notice);
+    if (facts_.shown.empty()) {
+        memory.write_rung.open = false;
+        return;
+    }
+    if (requests.write_rung) ui::open_save_as(memory.write_rung, folder_for(path_, facts_.shown).filename().string());
+    if (requests.write_rung_now) write(scene, memory);
+}
+
+std::string FoundView::command() const {
+    return facts_.shown.empty() ? "" : apply_command(path_, facts_.shown, folder_for(path_, facts_.shown).string());
+}
+
+}  // namespace snell

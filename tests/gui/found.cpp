@@ -1,0 +1,231 @@
+// Found rungs in a real window: they are sought while nothing moves, and shown in place of the scene.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "tests/gui/desk.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+// The loop makes red; the second quad lies behind the first, so that it may be left out.
+constexpr const char* loop_scene = R"(##OpenGL GLIB
+Perspective 50
+LookAt 0 0 4  0 0 0  0 1 0
+Background 0 0 0
+Vertex paint.vert
+Fragment paint.frag
+Program Paint uGreen <0. .4 1.>
+QuadXY 0. 1.
+)";
+constexpr const char* loop_vertex =
+    "#version 330 compatibility\nout vec2 vAt;\n"
+    "void main() { vAt = gl_Vertex.xy; gl_Position = ftransform(); }\n";
+constexpr const char* loop_fragment = R"(#version 330 compatibility
+uniform float uGreen;
+in vec2 vAt;
+void main() {
+    float red = 0.;
+    for (int i = 0; i < 16; ++i)
+        red += .05 * (1. + sin(float(i) + 3. * vAt.x)) * .5;
+    gl_FragColor = vec4(red, uGreen, .2, 1.);
+}
+)";
+
+class FoundWindow : public Desk {
+protected:
+    void SetUp() override {
+        Desk::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        save("scene.glib", loop_scene);
+        save("paint.vert", loop_vertex);
+        save("paint.frag", loop_fragment);
+        open("scene.glib", {"--size", "820x740"});
+        user("key a");
+        settle();
+    }
+
+    void seek() {
+        click("found.find");
+        ASSERT_TRUE(wait([](const json& s) { return s.contains("found"); }));
+    }
+    json found() {
+        EXPECT_TRUE(wait([](const json& s) { return s.contains("found") && !s["found"]["searching"]; }, 60));
+        away();
+        return state()["found"];
+    }
+    // The name of the rung with fewer rounds, as soon as it was tried; the search is stopped then.
+    std::string fewer_rounds() {
+        seek();
+        const auto tried = [](const json& s) { return !first_of(s["found"]["rows"], "fewer-rounds").empty(); };
+        EXPECT_TRUE(wait(tried, 30));
+        if (state()["found"]["searching"]) click("found.find");
+        return first_of(found()["rows"], "fewer-rounds");
+    }
+    // No tooltip lies over anything.
+    void away() {
+        user("mousemove 5 5");
+        settle();
+    }
+    static std::string first_of(const json& rows, const std::string& kind) {
+        for (const json& row : rows)
+            if (row["kind"] == kind) return row["name"];
+        return {};
+    }
+    bool wait_shown(const std::string& name) {
+        const bool shown = wait([&](const json& s) { return s["found"]["shown"] == name; });
+        away();
+        return shown;
+    }
+    // The pixels of the scene's area.
+    std::vector<Pixel> scene_now() {
+        const Picture all = look();
+        const std::array<int, 4> area = state()["scene"];
+        std::vector<Pixel> pixels;
+        for (int y = 0; y < area[3]; ++y)
+            for (int x = 0; x < area[2]; ++x) pixels.push_back(all.at(area[0] + x, area[1] + y));
+        return pixels;
+    }
+    // What `snell render` draws of a scene in the size of the scene's area.
+    std::vector<Pixel> rendered(const std::string& name) {
+        const std::array<int, 4> area = state()["scene"];
+        const std::string size = std::to_string(area[2]) + "x" + std::to_string(area[3]);
+        EXPECT_EQ(run({"render", file(name), "-o", file("out/picture.png"), "--size", size, "--samples", "4"}, ""), 0);
+        const Picture picture = read_picture("out/picture.png");
+        std::vector<Pixel> pixels;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) pixels.push_back(picture.at(x, y));
+        return pixels;
+    }
+};
+
+TEST_F(FoundWindow, ARungIsShownAsItWouldBeWrittenAndTheSceneComesBack) {
+    EXPECT_FALSE(state().contains("found")) << "nobody asked";
+    const std::vector<Pixel> before = scene_now();
+    EXPECT_EQ(before, rendered("scene.glib"));
+    seek();
+    const json all = found();
+    const std::string name = first_of(all["rows"], "fewer-rounds");
+    ASSERT_NE(name, "") << all;
+    EXPECT_EQ(scene_now(), before) << "the search shows nothing";
+
+    click("found.row." + name, .9);
+    ASSERT_TRUE(wait_shown(name)) << state();
+    const std::vector<Pixel> shown = scene_now();
+    ASSERT_EQ(run({"accuracy", file("scene.glib"), "--apply", name, "-o", file("applied")}, ""), 0);
+    EXPECT_EQ(shown, rendered("applied/scene.glib"));
+    EXPECT_NE(shown, before);
+
+    user("key Escape");
+    ASSERT_TRUE(wait_shown(""));
+    EXPECT_EQ(scene_now(), before);
+    EXPECT_EQ(bytes("paint.frag"), loop_fragment);
+    EXPECT_EQ(bytes("scene.glib"), loop_scene);
+    EXPECT_EQ(state()["gl_errors"], json::array());
+    // Then it rests.
+    const json resting = state();
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    EXPECT_EQ(state(), resting);
+}
+
+TEST_F(FoundWindow, ASliderStopsTheSearchAndMovesTheShownRung) {
+    const std::string name = fewer_rounds();
+    ASSERT_NE(name, "");
+    click("found.row." + name, .9);
+    ASSERT_TRUE(wait_shown(name));
+    const Pixel shown = scene_pixel(20, 20);
+    EXPECT_NEAR(shown.green, std::lround(255 * .4), 1);
+    click("controls");
+    drag(on("Paint.uGreen", .4), on("Paint.uGreen", .7));
+    away();
+    const double green = state()["controls"]["Paint.uGreen"][0];
+    EXPECT_GT(green, .5);
+    EXPECT_NEAR(scene_pixel(20, 20).green, std::lround(255 * green), 1);
+    EXPECT_EQ(scene_pixel(20, 20).red, shown.red) << "still the rung";
+    EXPECT_TRUE(state()["found"]["older"]);
+    // A search that goes on is stopped by the next change.
+    click("tools");
+    seek();
+    EXPECT_FALSE(state()["found"]["older"]);
+    EXPECT_TRUE(state()["found"]["searching"]) << state()["found"];
+    click("controls");
+    drag(on("Paint.uGreen", green), on("Paint.uGreen", .2));
+    EXPECT_TRUE(wait([](const json& s) { return s["found"]["older"] && !s["found"]["searching"]; }));
+    EXPECT_NE(state()["found"]["remark"], "");
+}
+
+TEST_F(FoundWindow, RungsOfAnOlderTextAreNotShown) {
+    const std::string name = fewer_rounds();
+    ASSERT_NE(name, "");
+    click("found.row." + name, .9);
+    ASSERT_TRUE(wait_shown(name));
+    std::string edited = loop_fragment;
+    edited.replace(edited.find(".2, 1."), 2, ".9");
+    save("paint.frag", edited);
+    ASSERT_TRUE(wait([](const json& s) { return s["found"]["stale"] && s["found"]["shown"] == ""; }));
+    away();
+    EXPECT_EQ(scene_now(), rendered("scene.glib"));
+    click("found.row." + name, .9);
+    away();
+    EXPECT_EQ(state()["found"]["shown"], "");
+    // What is broken is not sought in, and what is mended is.
+    save("paint.frag", "nonsense");
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    click("found.find");
+    EXPECT_FALSE(state()["found"]["searching"]);
+    save("paint.frag", edited);
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }));
+    settle();
+    click("found.find");
+    EXPECT_TRUE(wait([](const json& s) { return !s["found"]["stale"]; }));
+    EXPECT_TRUE(alive());
+}
+
+TEST_F(FoundWindow, TheSplitShowsTheSceneBesideTheRung) {
+    const std::string name = fewer_rounds();
+    ASSERT_NE(name, "");
+    const std::vector<Pixel> before = scene_now();
+    const Pixel left = scene_pixel(-40, 20), right = scene_pixel(40, 20);
+    click("found.row." + name, .9);
+    ASSERT_TRUE(wait_shown(name));
+    EXPECT_NE(scene_pixel(-40, 20), left);
+    EXPECT_NE(scene_pixel(40, 20), right);
+    ASSERT_TRUE(wait(
+        [](const json& s) { return s.contains("accuracy") && s["accuracy"]["samples"] == s["accuracy"]["wanted"]; }));
+    EXPECT_GT(state()["accuracy"]["error"], 0);
+    click("accuracy.Split", .2);
+    away();
+    EXPECT_NE(scene_pixel(-40, 20), left);
+    const Pixel beside = scene_pixel(40, 20);
+    EXPECT_NEAR(beside.red, right.red, 1);
+    EXPECT_NEAR(beside.green, right.green, 1);
+    user("key a");  // closed, and with it the showing
+    away();
+    EXPECT_EQ(scene_now(), before);
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+TEST_F(FoundWindow, ARungIsWrittenIntoAFolder) {
+    const std::string name = fewer_rounds();
+    ASSERT_NE(name, "");
+    click("found.row." + name, .9);
+    ASSERT_TRUE(wait_shown(name));
+    click("found.copy");
+    EXPECT_EQ(state()["notice"].get<std::string>().find("copied: snell accuracy "), 0U) << state()["notice"];
+    click("found.write");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("write rung save"); }));
+    settle();
+    click("write rung save");
+    ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().find("wrote ") == 0; }));
+    ASSERT_EQ(run({"accuracy", file("scene.glib"), "--apply", name, "-o", file("applied")}, ""), 0);
+    const std::string folder = "scene-rung-" + name + "/";
+    for (const char* each : {"scene.glib", "paint.frag", "paint.vert"})
+        EXPECT_EQ(bytes(folder + each), bytes(std::string("applied/") + each)) << each;
+    EXPECT_EQ(bytes("paint.frag"), loop_fragment) << "the author's own stays";
+}
+
+}  // namespace
+}  // namespace snell::test
