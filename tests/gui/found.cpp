@@ -103,7 +103,12 @@ protected:
 };
 
 TEST_F(FoundWindow, ARungIsShownAsItWouldBeWrittenAndTheSceneComesBack) {
-    EXPECT_FALSE(state().contains("found")) << "nobody asked";
+    away();
+    const json idle = state();
+    EXPECT_FALSE(idle.contains("found")) << "nobody asked";
+    EXPECT_TRUE(idle["widgets"].contains("found.find"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    EXPECT_EQ(state(), idle) << "and it costs nothing";
     const std::vector<Pixel> before = scene_now();
     EXPECT_EQ(before, rendered("scene.glib"));
     seek();
@@ -205,7 +210,32 @@ TEST_F(FoundWindow, TheSplitShowsTheSceneBesideTheRung) {
     user("key a");  // closed, and with it the showing
     away();
     EXPECT_EQ(scene_now(), before);
+    EXPECT_FALSE(state().contains("found"));
     EXPECT_EQ(state()["gl_errors"], json::array());
+    user("key a");
+    away();
+    EXPECT_EQ(first_of(state()["found"]["rows"], "fewer-rounds"), name) << "what was found is still known";
+    EXPECT_EQ(state()["found"]["shown"], "");
+}
+
+TEST_F(FoundWindow, TheSearchWaitsWhileThePictureMoves) {
+    std::string moving = loop_fragment;
+    moving.replace(moving.find("uniform float uGreen"), 13, "uniform float Timer, ");
+    moving.replace(moving.find("uGreen, .2"), 10, "uGreen, .2 * Timer");
+    save("paint.frag", moving);
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("accuracy.hold time"); }));
+    settle();
+    click("accuracy.hold time", .1);
+    user("mousemove 5 5");
+    click("found.find");
+    ASSERT_TRUE(wait([](const json& s) { return s.contains("found") && s["found"]["waiting"]; }));
+    const std::size_t frames = state()["frames"];
+    ASSERT_TRUE(wait([&](const json& s) { return s["frames"] > frames + 5; })) << "time goes on";
+    EXPECT_EQ(state()["found"]["rows"], json::array());
+    EXPECT_TRUE(state()["found"]["searching"]);
+    user("key space");
+    const auto tried = [](const json& s) { return !s["found"]["rows"].empty() && !s["found"]["waiting"]; };
+    EXPECT_TRUE(wait(tried, 30)) << "and now it does not";
 }
 
 TEST_F(FoundWindow, ARungIsWrittenIntoAFolder) {

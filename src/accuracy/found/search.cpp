@@ -65,7 +65,15 @@ struct Search::Impl {
         tasks.emplace_back([this] { begin_costs(); });
     }
 
+    // Only steps take time: a window may rest between them.
     bool step() {
+        entered = std::chrono::steady_clock::now();
+        const bool more = advance();
+        before = spent();
+        return more;
+    }
+
+    bool advance() {
         if (rounds) {
             if (!rounds->step()) end_rounds();
             return true;
@@ -78,7 +86,9 @@ struct Search::Impl {
         return true;
     }
 
-    double spent() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+    double spent() const {
+        return before + std::chrono::duration<double>(std::chrono::steady_clock::now() - entered).count();
+    }
     double left(double part) const { return part * options.seconds - spent(); }
     bool stopped() {
         if (!result.interrupted && options.stop && options.stop()) result.interrupted = true;
@@ -360,7 +370,8 @@ struct Search::Impl {
     ClockKind clock = ClockKind::wall;
     std::string_view doing = "opening the scene";
     std::deque<std::function<void()>> tasks;
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    double before = 0;  // seconds of the steps before this one
+    std::chrono::steady_clock::time_point entered;
 };
 
 Search::Search(const Original& original, std::vector<Change> changes, const gl::Caps& caps,

@@ -242,8 +242,9 @@ bool App::specialise() {
 
 bool App::measure() {
     if (!measuring_.busy()) return false;
-    hang_.begin("measuring");
-    const bool measured = measuring_.step(workspace_.document(), display_);
+    const auto alive = [this] { hang_.begin("measuring"); };
+    alive();
+    const bool measured = measuring_.step(workspace_.document(), display_, alive);
     hang_.rest();
     if (measured) settle(1);
     return measured;

@@ -30,7 +30,7 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
            found;
 }
 
-bool Measuring::step(Document* document, const Display& display) {
+bool Measuring::step(Document* document, const Display& display, const std::function<void()>& alive) {
     linking_ = linking_ && document;
     if (linking_) {
         linking_ = document->runtime->find_switched_off();
@@ -39,7 +39,7 @@ bool Measuring::step(Document* document, const Display& display) {
     }
     if (frame_costs_.busy())
         return document && frame_costs_.step(found_.shown(*document), display.drawn().stand, display.samples());
-    return accuracy_.busy() ? accuracy_.step() : found_.step();
+    return accuracy_.busy() ? accuracy_.step() : found_.step(alive);
 }
 
 std::string Measuring::serve(const ui::Requests& requests, Document* document, const Display& display,

@@ -45,8 +45,9 @@ public:
     bool follow(Document& document, bool stale, const Display& display, bool still, const ui::Memory& memory);
     // True if step() has something to do.
     bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_ || found_.busy(); }
-    // Draws one picture to measure it. Returns true if there is something new to show.
-    bool step(Document* document, const Display& display);
+    // Draws one picture to measure it, or some, with `alive` called between them. Returns true if there is something
+    // new to show.
+    bool step(Document* document, const Display& display, const std::function<void()>& alive);
     // Starts and stops what the panels ask for. Returns a command to be copied, or "".
     std::string serve(const ui::Requests& requests, Document* document, const Display& display, ui::Memory& memory);
 

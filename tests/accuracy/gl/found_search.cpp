@@ -1,7 +1,9 @@
 // Changes whose errors are known: what a search says of them must be that.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "src/accuracy/found/search.h"
 #include "tests/accuracy/gl/common.h"
@@ -239,6 +241,26 @@ TEST_F(FoundSearch, WithoutTimeNothingIsTriedAndThatIsSaid) {
     }
     EXPECT_TRUE(stopped.result().interrupted);
     EXPECT_EQ(stopped.result().rungs[0].reason, "the search was stopped");
+}
+
+TEST_F(FoundSearch, WhatPassesBetweenStepsIsNotSpent) {
+    write_full("void main() { gl_FragColor = vec4(.5 + .25); }\n");
+    read_scene(full_scene);
+    SearchOptions options;
+    options.times = false;
+    options.seconds = 60;
+    double left = 0;
+    options.report = [&](const Progress& progress) { left = progress.seconds_left; };
+    Search found({folder.path("scene.glib"), read->plan, *read->files, read->sources},
+                 {change(ChangeKind::without_term, " + .25", "")}, caps, BenchSettings{32, 32, 0, {}}, options);
+    ASSERT_TRUE(found.step());
+    const auto began = std::chrono::steady_clock::now();
+    ASSERT_TRUE(found.step());
+    const double before = left;
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    ASSERT_TRUE(found.step());
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
+    EXPECT_LE(before - left, passed.count() - .3 + 1e-3) << "a window may wait until nothing moves";
 }
 
 }  // namespace

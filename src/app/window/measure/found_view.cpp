@@ -18,6 +18,8 @@ namespace snell {
 
 namespace {
 
+constexpr double patience = 120;  // seconds that a search draws; the user may stop it
+
 // Without what the numbers of found rungs do not depend on.
 Stand circumstances(Stand stand) {
     stand.width = stand.height = 0;
@@ -57,6 +59,7 @@ struct FoundView::Sought {
     Rungs rungs;
     std::string doing = "opening the scene";
     double done = 0;
+    const std::function<void()>* alive = nullptr;  // during a step
 };
 
 FoundView::FoundView(std::string path, const gl::Caps& caps) : path_(std::move(path)), caps_(caps) {}
@@ -92,9 +95,11 @@ void FoundView::leave() {
 
 bool FoundView::busy() const { return sought_ && sought_->search && !facts_.waiting; }
 
-bool FoundView::step() {
+bool FoundView::step(const std::function<void()>& alive) {
     if (!busy()) return false;
+    sought_->alive = &alive;
     const bool more = sought_->search->step();
+    sought_->alive = nullptr;
     if (!more) {
         end("");
         return true;
@@ -120,6 +125,11 @@ void FoundView::begin(Document& scene, const Stand& stand) {
     sought.changes = accuracy::find_changes(sought.plan, sought.files, sought.sources);
     carry_over(scene.controls.rungs, scene.scene(), sought.plan.rungs, sought.plan.scene);
     accuracy::SearchOptions options;
+    options.seconds = patience;
+    options.stop = [&sought] {
+        if (sought.alive) (*sought.alive)();
+        return false;
+    };
     options.report = [&sought](const accuracy::Progress& progress) {
         sought.doing = progress.doing;
         sought.done = progress.done;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -29,8 +30,9 @@ public:
     void leave();
     // True if step() has something to do.
     bool busy() const;
-    // Tries one change, or times one round. Returns true: there is something new to show.
-    bool step();
+    // Tries one change, or times one round, which may take many frames: `alive` is called between them. Returns true:
+    // there is something new to show.
+    bool step(const std::function<void()>& alive);
 
     // Starts and stops the search, shows rungs and writes them. `stand` is that of the picture in the window.
     void serve(const ui::Requests& requests, Document& scene, const Stand& stand, ui::Memory& memory);
