@@ -139,20 +139,46 @@ std::optional<FrameCost> saved_by(const FoundRung& rung, const FoundResult& resu
     return cost;
 }
 
-// Leaves out one thing after the other; what costs most is the first row. `plan` has the chosen rungs.
-WithoutEffect find_without_effect(const ExplainReport& report, const Plan& plan, Document& document,
-                                  const ExplainOptions& options, const Running& running) {
-    std::vector<accuracy::Change> omissions;
+// What may be left out, by its number among all changes of the scene.
+struct Omissions {
+    std::vector<accuracy::Change> changes;
     std::vector<std::size_t> numbers;
+};
+
+Omissions omissions_of(const Plan& plan, Document& document) {
+    Omissions omissions;
     const auto all = accuracy::find_changes(plan, *document.files, document.sources);
     for (std::size_t i = 0; i < all.size(); ++i)
         if (accuracy::facts(all[i].kind).aim == accuracy::Aim::unused) {
-            omissions.push_back(all[i]);
-            numbers.push_back(i + 1);
+            omissions.changes.push_back(all[i]);
+            omissions.numbers.push_back(i + 1);
         }
-    WithoutEffect found;
-    found.tried = omissions.size();
-    if (omissions.empty()) return found;
+    return omissions;
+}
+
+// The most expensive first.
+WithoutEffect without_effect(const FoundResult& result, const Omissions& omissions, bool software) {
+    WithoutEffect found{
+        {}, omissions.changes.size(), result.places.size(), result.places.size() - result.searched, result.late};
+    for (const FoundRung* rung : result.without_effect()) {
+        const std::size_t change = rung->changes.front();
+        found.rows.push_back({std::to_string(omissions.numbers[change]), result.positions[change],
+                              omissions.changes[change].before, saved_by(*rung, result), rung->gpu_bytes,
+                              rung->bytes_decoded});
+    }
+    const auto costs = [&](const WithoutEffect::Row& row) {
+        return std::pair(row.frame ? shown(*row.frame, software) : 0, row.gpu_bytes);
+    };
+    std::stable_sort(found.rows.begin(), found.rows.end(),
+                     [&](const auto& a, const auto& b) { return costs(a) > costs(b); });
+    return found;
+}
+
+// Leaves out one thing after the other. `plan` has the chosen rungs.
+WithoutEffect find_without_effect(const ExplainReport& report, const Plan& plan, Document& document,
+                                  const ExplainOptions& options, const Running& running) {
+    const Omissions omissions = omissions_of(plan, document);
+    if (omissions.changes.empty()) return {};
     accuracy::SearchOptions how;
     how.seconds = .5e-3 * time_left(options, running);
     how.rounds = options.rounds;
@@ -163,25 +189,11 @@ WithoutEffect find_without_effect(const ExplainReport& report, const Plan& plan,
     };
     running.progress.begin();
     const accuracy::BenchSettings settings{report.width, report.height, options.time, options.sets, options.specialise};
-    accuracy::Search search({options.scene, plan, *document.files, document.sources}, omissions, report.caps, settings,
-                            how);
+    accuracy::Search search({options.scene, plan, *document.files, document.sources}, omissions.changes, report.caps,
+                            settings, how);
     while (search.step()) continue;
     running.progress.clear();
-    const FoundResult& result = search.result();
-    found.places = result.places.size();
-    found.held_out = result.places.size() - result.searched;
-    found.late = result.late;
-    for (const FoundRung* rung : result.without_effect()) {
-        const std::size_t change = rung->changes.front();
-        found.rows.push_back({std::to_string(numbers[change]), result.positions[change], omissions[change].before,
-                              saved_by(*rung, result), rung->gpu_bytes, rung->bytes_decoded});
-    }
-    const auto costs = [&](const WithoutEffect::Row& row) {
-        return std::pair(row.frame ? shown(*row.frame, report.caps.software) : 0, row.gpu_bytes);
-    };
-    std::stable_sort(found.rows.begin(), found.rows.end(),
-                     [&](const auto& a, const auto& b) { return costs(a) > costs(b); });
-    return found;
+    return without_effect(search.result(), omissions, report.caps.software);
 }
 
 // Draws two frames and counts, then times frames for as long as there is time.
