@@ -212,6 +212,16 @@ TEST_F(FoundApply, StatementsOfSeveralLinesAreDoubledWhole) {
               "  gl_FragColor = vec4(a + b + c[1].x);\n}\n");
 }
 
+TEST_F(FoundApply, ListsOfValuesAreOneStatement) {
+    read_shader(
+        "#version 420\nconst float c[2] = {\n  4.,\n  5.\n};\nout vec4 color;\nvoid main() {\n  color = "
+        "vec4(c[1]);\n}\n");
+    const std::string text = texts(ladders({change({edit("q.frag", "5.", "7.")})}).change).at("q.frag");
+    EXPECT_NE(text.find("#if FOUND_1 == FOUND_1_fewer_rounds\nconst float c[2] = {\n  4.,\n  7.\n};\n#else\n"),
+              std::string::npos)
+        << text;
+}
+
 TEST_F(FoundApply, LinesWithinCommentsAndContinuedLinesAreNotDivided) {
     read_shader(
         "/* a\n b */ float g = 1.; /* c\n d */\nvoid main() {\n  float a = 2.; // e \\\n  f = 7.;\n"
@@ -274,6 +284,7 @@ TEST_F(FoundApply, EditsInDirectivesAreRefused) {
     refused(edit("q.frag", "#ifdef B", "#ifdef C"), "one end of a group");
     refused(edit("q.frag", "ifdef A", "ifdef C"), "in a directive (#ifdef)");
     refused(edit("q.frag", "1.;\n#else\n  a = 2.", "3."), "one end of a group");
+    refused(edit("q.frag", "#endif\nvoid main() {\n  float a = HALF;\n#ifdef B", ""), "one end of a group");
     refused(inserted("q.frag", "#version", "float f;\n"), "before #version");
     expect_both({change({edit("q.frag", "  a = 1.;\n", "")})});
     expect_both({change({edit("q.frag", "#ifdef B\n  a = 1.;\n#else\n  a = 2.;\n#endif\n", "  a = 3.;\n")})});

@@ -224,6 +224,60 @@ TEST_F(FoundBetter, PowerTwoIsNotSchlicks) {
     EXPECT_EQ(fixed(".04 + .96 * pow(1. - c, 5.)"), "");
 }
 
+TEST_F(FoundBetter, TheMirrorGrowsTowardTheEdge) {
+    const auto fixed = [&](std::string_view power, std::string_view color) {
+        return line(body(std::string(unit) +
+                         "vec3 r = reflect(e, n), t = refract(e, n, .66);\nvec3 mirrored = "
+                         "texture(uSky, r).rgb, refracted = texture(uSky, t).rgb;\nfloat k = " +
+                         std::string(power) + ";\ngl_FragColor.rgb = " + std::string(color) + ";\n"),
+                    ChangeKind::lint_fix, 0, "float k");
+    };
+    constexpr std::string_view cosine = "pow(max(dot(n, -e), 0.), 1.55)";
+    const std::string exchanged = "float k = 1. - " + std::string(cosine) + ";";
+    EXPECT_EQ(fixed(cosine, "mirrored * k + refracted * (1. - k)"), exchanged);
+    EXPECT_EQ(fixed(cosine, "(1. - k) * refracted + k * mirrored"), exchanged);
+    EXPECT_EQ(fixed(cosine, "mix(refracted, mirrored, k)"), exchanged);
+    EXPECT_EQ(fixed(cosine, "mix(mirrored, refracted, k)"), "");
+    EXPECT_EQ(fixed("1. - pow(max(dot(n, -e), 0.), 1.55)", "mix(refracted, mirrored, k)"), "");
+}
+
+TEST_F(FoundBetter, LightThatLeavesABall) {
+    const auto bent = [&](std::string_view statements, std::string_view shape = "Sphere 1") {
+        return line(body(std::string(unit) + std::string(statements), "uEta <1. 1.5 2.>", shape),
+                    ChangeKind::both_interfaces, 0, shows);
+    };
+    EXPECT_EQ(bent("gl_FragColor = texture(uSky, refract(e, n, 1. / uEta));\n"),
+              "gl_FragColor = texture(uSky, snellRefractSphere(e, n, 1., uEta));");
+    EXPECT_EQ(bent("gl_FragColor = texture(uSky, refract(e, n, .66));\n"),
+              "gl_FragColor = texture(uSky, snellRefractSphere(e, n, .66, 1.));");
+    EXPECT_EQ(bent("gl_FragColor = texture(uSky, refract(e, n, .66));\n", "Torus"), "") << "only balls are symmetric";
+    EXPECT_EQ(bent("vec3 t = refract(e, n, .66);\ngl_FragColor = texture(uSky, refract(t, -n, 1.5));\n"), "");
+    EXPECT_EQ(bent("vec3 t = refract(e, n, .66);\ngl_FragColor = texture(uSky, 2. * dot(t, e) * t - e);\n"), "");
+}
+
+TEST_F(FoundBetter, ARoomThatIsNear) {
+    const std::string look = std::string(unit) + "vec3 r = reflect(e, n);\ngl_FragColor = texture(uSky, r);\n";
+    const Found found = body(look, "", "Sphere 1\nBox 8 6 10");
+    const std::string fragment = found.text(ChangeKind::box_projection, 0, "a.frag");
+    EXPECT_TRUE(fragment.starts_with("#version 330 compatibility\n#include <snell/environment.glsl>\n")) << fragment;
+    EXPECT_NE(fragment.find("\nin vec3 snellPosition;\nvoid main() {"), std::string::npos) << fragment;
+    EXPECT_EQ(line(found, ChangeKind::box_projection, 0, shows),
+              "gl_FragColor = texture(uSky, snellBoxDirection(snellPosition, r, vec3(4., 3., 5.), vec3(0., 0., 0.)));");
+    const std::string vertex = found.text(ChangeKind::box_projection, 0, "w.vert");
+    EXPECT_NE(vertex.find("\nout vec3 snellPosition;\nuniform mat4 uModelMatrix;\nvoid main() { snellPosition = "
+                          "vec3(uModelMatrix * gl_Vertex);\n"),
+              std::string::npos)
+        << vertex;
+    // Walls on each side.
+    EXPECT_EQ(
+        line(body(look, "", "Sphere 1\nQuadYZ -4 5\nQuadYZ 6 5\nQuadXZ -5 5\nQuadXZ 5 5\nQuadXY 5 5\nQuadXY -5 5"),
+             ChangeKind::box_projection, 0, shows),
+        "gl_FragColor = texture(uSky, snellBoxDirection(snellPosition, r, vec3(5., 5., 5.), vec3(1., 0., 0.)));");
+    for (const std::string_view no_room : {"Sphere 1", "Sphere 1\nBox 1 1 1", "Sphere 1\nQuadYZ 5 5\nQuadYZ -5 5",
+                                           "Sphere 1\nTranslate 9 0 0\nBox 8 6 10"})
+        EXPECT_TRUE(body(look, "", no_room).after(ChangeKind::box_projection).empty()) << no_room;
+}
+
 TEST_F(FoundBetter, MoreRounds) {
     const auto rounds = [&](std::string_view statements, std::string_view outside = "") {
         return body(statements, "", "Sphere 1", outside);
@@ -241,6 +295,9 @@ TEST_F(FoundBetter, MoreRounds) {
     EXPECT_EQ(rounds("for (int i = 0; i < N; i++) gl_FragColor = vec4(i);\n", "#define N 6 // rounds\n")
                   .after(ChangeKind::more_rounds),
               (Afters{"#define N 12", "#define N 24"}));
+    EXPECT_EQ(rounds("for (int i = 1; i <= N && uX > 0.; i++) gl_FragColor = vec4(i);\n", "const int N = 6;\n")
+                  .after(ChangeKind::more_rounds),
+              (Afters{"N = 12", "N = 24"}));
     const Found march = rounds("for (float t = 0.; t < 1.; t += .1) gl_FragColor += vec4(t * .1);\n");
     EXPECT_EQ(line(march, ChangeKind::more_rounds, 0, "for ("),
               "for (float t = 0.; t < 1.; t += 0.05) gl_FragColor += vec4(t * 0.05);");

@@ -1,4 +1,8 @@
 // What can be left out: the exact text that stays.
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
 #include "tests/accuracy/found_help.h"
 
 namespace snell::accuracy {
@@ -93,6 +97,54 @@ TEST_F(FoundOmissions, AtMostTwoHundred) {
     std::string many;
     for (int i = 0; i < 300; ++i) many += "Box " + std::to_string(i + 1) + "\n";
     EXPECT_EQ(found(many).changes.size(), 200u);
+}
+
+void all_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
+    changes = find_changes(plan, files, sources);
+}
+
+// Damaged scenes and shaders: nothing but edits within the texts.
+TEST(FoundTotal, StandsAnything) {
+    std::uint32_t seed = 7;
+    const auto random = [&](std::size_t below) {
+        seed = seed * 1664525u + 1013904223u;
+        return (seed >> 8) % std::max<std::size_t>(below, 1);
+    };
+    constexpr std::string_view pieces[] = {"(",    ")",   "{", "}",  ";",    "[", "=",
+                                           "for(", "if(", "?", "do", "\\\n", "<", "#if 1\n"};
+    const auto damaged = [&](std::string text) {
+        for (int n = 0; n < 4; ++n) {
+            const std::size_t at = random(text.size()), length = random(12);
+            text.replace(at, std::min(length, text.size() - at), pieces[random(std::size(pieces))]);
+        }
+        return text;
+    };
+    for (const char* path : {"scenes/light/glass/glass.glib", "scenes/light/end-to-end/end-to-end.glib",
+                             "scenes/refraction-room/refraction-room.glib", "tests/cases/Ladder.glib"}) {
+        const Found whole = found_in(path, all_changes);
+        for (int round = 0; round < 12; ++round) {
+            std::map<std::string, std::string> texts;
+            for (FileId file = 0; file < whole.sources.size(); ++file)
+                if (std::filesystem::exists(whole.sources.name(file)))
+                    texts[std::string(whole.sources.name(file))] = damaged(std::string(whole.sources.text(file)));
+            const Found found =
+                found_in(path, all_changes, std::make_shared<const std::map<std::string, std::string>>(texts));
+            for (const Change& change : found.changes)
+                for (const Edit& edit : change.edits)
+                    ASSERT_LE(edit.span.end, found.sources.text(edit.span.file).size());
+        }
+    }
+    const std::string deep(5000, '('), sum = [] {
+        std::string text = "float x = 1.";
+        for (int i = 0; i < 5000; ++i) text += " + x";
+        return text + ";\n";
+    }();
+    for (const std::string& body :
+         {deep, sum, "x = " + deep + ";", std::string(5000, '{'), "if(a)" + deep, "-" + std::string(5000, '-')}) {
+        Scratch folder;
+        found_in_text(folder, "Vertex a.vert\nFragment a.frag\nProgram P\nBox\n",
+                      {{"a.vert", vertex}, {"a.frag", "void main() {\n" + body + "\n}\n"}}, all_changes);
+    }
 }
 
 TEST(FoundOmissionsAll, ChangesAreSound) { expect_sound(add_omissions); }

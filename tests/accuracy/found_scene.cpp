@@ -85,6 +85,10 @@ void expect_sound(const std::string& path, const Found& found, const Change& cha
         EXPECT_LE(change.edits[i - 1].span.end, edit.span.begin) << place;
     }
     const Found after = found_in(path, nullptr, std::make_shared<const std::map<std::string, std::string>>(texts));
+    for (FileId file = 0; file < after.sources.size(); ++file)
+        if (const auto text = texts.find(std::string(after.sources.name(file))); text != texts.end()) {
+            EXPECT_EQ(after.sources.text(file), text->second) << place;
+        }
     EXPECT_LE(after.diagnostics.errors(), found.diagnostics.errors())
         << place << "\n"
         << render(after.diagnostics, after.sources) << "\n"
@@ -201,6 +205,26 @@ TEST_F(FoundScene, BrokenStatementsAreLeftAlone) {
 }
 
 TEST(FoundSceneAll, ChangesAreSound) { expect_sound(add_scene_changes); }
+
+// Whatever was read before: finding changes adds the texts of included shaders.
+TEST(FoundSceneAll, ChangesAreTheSameASecondTime) {
+    const auto list = [](const Found& found, const std::vector<Change>& changes) {
+        std::vector<std::string> lines;
+        for (const Change& change : changes)
+            lines.push_back(std::string(found.sources.name(change.where.file)) + " " +
+                            std::to_string(change.where.begin) + " " + std::string(facts(change.kind).name) + " " +
+                            change.after);
+        return lines;
+    };
+    for (const std::string& path : all_scenes()) {
+        Found found =
+            found_in(path, [](const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
+                changes = find_changes(plan, files, sources);
+            });
+        const std::vector<Change> again = find_changes(found.plan, *found.files, found.sources);
+        EXPECT_EQ(list(found, found.changes), list(found, again)) << path;
+    }
+}
 
 }  // namespace
 }  // namespace snell::accuracy

@@ -97,7 +97,8 @@ TEST(Merge, ScenesOfOneNameInOneReportAreNotMixed) {
     NamedReport both = report("one", .5, .8, true, "x/scene.glib");
     const std::string ladders = "\"ladders\": [", other = report("one", .5, 1.3, true, "y/scene.glib").json;
     const std::size_t from = other.find(ladders) + ladders.size();
-    both.json.insert(both.json.find(ladders) + ladders.size(), other.substr(from, other.rfind(']') - from) + ",");
+    const std::size_t end = other.rfind(']', other.find("\"found\": ["));
+    both.json.insert(both.json.find(ladders) + ladders.size(), other.substr(from, end - from) + ",");
     const std::string text = merged({both, report("two", .5, .8, true, "x/scene.glib")});
     EXPECT_NE(text.find("\nx/scene.glib: L\n"), std::string::npos) << text;
     EXPECT_EQ(text.find("not portable"), std::string::npos) << text;

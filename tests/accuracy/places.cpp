@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "src/accuracy/found/climb.h"
 
 namespace snell::accuracy {
 namespace {
@@ -109,6 +112,32 @@ TEST(Places, WhatTheUserSetsStaysAndAStillSceneHasOneTime) {
     }
     const auto names = varying(places, own);
     EXPECT_EQ(names.size(), 3u);
+}
+
+// Errors add up here, so which combinations stay below a limit is known.
+TEST(Climbs, ChangesAreAddedByTheirErrorsWhileThePictureStaysBelowALimit) {
+    std::vector<Change> changes;
+    for (std::uint32_t i = 0; i < 4; ++i)
+        changes.push_back({ChangeKind::polynomial, {}, "", "", {{{0, 9 * i, 9 * i + 2}, "x"}}});
+    changes[3].edits[0].span = changes[0].edits[0].span;  // these two exclude each other
+    const std::vector<double> errors{.0002, .0005, .0009, .0001};
+    Climbs climbs({{0, errors[0]}, {1, errors[1]}, {2, errors[2]}, {3, errors[3]}}, changes, 1);
+    std::vector<std::vector<std::size_t>> tried;
+    while (const auto next = climbs.next()) {
+        double sum = 0;
+        for (const std::size_t change : *next) sum += errors[change];
+        EXPECT_EQ(std::count(tried.begin(), tried.end(), *next), 0) << "each once";
+        tried.push_back(*next);
+        climbs.tell(sum);
+    }
+    ASSERT_GE(tried.size(), 3u);
+    EXPECT_EQ(tried[0], (std::vector<std::size_t>{1, 3})) << "the two smallest that go together";
+    EXPECT_EQ(tried[1], (std::vector<std::size_t>{1, 2, 3}))
+        << "more than .001 in all: the first climb ends without it";
+    for (const auto& one : tried) {
+        EXPECT_GT(one.size(), 1u);
+        EXPECT_FALSE(one.front() == 0 && one.back() == 3);
+    }
 }
 
 }  // namespace

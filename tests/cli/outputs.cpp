@@ -52,6 +52,27 @@ TEST_F(Outputs, OfAccuracyAreLookedAtBeforeItMeasures) {
     }
 }
 
+TEST_F(Outputs, SlideIsLookedAtBeforeItMeasures) {
+    for (const char* place : {"none/r.png", "out/none/r.pdf"}) {
+        const Outcome refused = measure(std::string("--slide ") + place);
+        EXPECT_EQ(refused.status, 1) << refused.output;
+        EXPECT_TRUE(refused.says("there is no folder")) << refused.output;
+        EXPECT_FALSE(refused.says("RMSE")) << refused.output;
+    }
+    for (const char* wrong :
+         {"--slide r.gif", "--slide png", "--slide ''", "--slide r.svg -o r.svg", "--slide a.png --csv ./a.png"}) {
+        const Outcome refused = measure(wrong);
+        EXPECT_EQ(refused.status, 2) << wrong << ' ' << refused.output;
+        EXPECT_FALSE(refused.says("RMSE")) << refused.output;
+    }
+    EXPECT_TRUE(measure("--slide r.gif").says("'r.gif' does not end in .png, .svg or .pdf"));
+    for (const std::string name : {"r.PNG", "r.svg", "r.pdf"}) {
+        const Outcome outcome = measure("--slide " + name);
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        EXPECT_GT(bytes_of(folder.path(name)).size(), 1000U) << name;
+    }
+}
+
 // Whatever a scene reads, by whatever statement, include or rung.
 TEST_F(Outputs, NoFileThatASceneReadsIsOverwritten) {
     const std::string png = content::encode_png(content::checkerboard(8));

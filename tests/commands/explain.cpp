@@ -1,6 +1,7 @@
 // `snell explain`: its JSON has its keys, and says of a scene what is true of it.
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -48,6 +49,42 @@ const std::string two_of_twenty = [] {
            "Ortho -1 1 -1 1\nVertex plain.vert\nFragment texture.frag\nProgram A uUnit 4 uGone 3\n"
            "QuadXY\nProgram B uUnit 9\nQuadXY\n";
 }();
+
+// A sphere far to the side is in no view; the other one is, and so is the value of its colour.
+TEST_F(Explain, SaysWhatChangesNoPixelFirst) {
+    folder.write("p.frag",
+                 "uniform float uRed;\nvoid main() {\n  float gone = sin(gl_FragCoord.x);\n  gone = gone * 2.;\n"
+                 "  gl_FragColor = vec4(uRed, .2, 0., 1.);\n}\n");
+    const std::string scene =
+        "Ortho -1.5 1.5 -1.5 1.5\nLookAt 0 0 3 0 0 0 0 1 0\nVertex plain.vert\nFragment p.frag\n"
+        "Program P uRed <0. .5 1.>\nSphere 1 30 30\nPushMatrix\nTranslate 500 0 0\nSphere 1 200 200\nPopMatrix\n";
+    const json report = explain(scene, "--no-time --without-effect --timeout 100");
+    const json& found = report["without_effect"];
+    EXPECT_EQ(found["late"], false);
+    EXPECT_GE(found["places"], 8);
+    EXPECT_GE(found["held_out"], 4);
+    std::map<std::string, json> rows;
+    for (const json& row : found["rows"]) rows[row["what"]] = row;
+    ASSERT_TRUE(rows.contains("Sphere 1 200 200")) << found;
+    EXPECT_EQ(found["rows"][0]["what"], "Sphere 1 200 200") << "the largest is first";
+    EXPECT_GT(rows["Sphere 1 200 200"]["gpu_bytes"], 2'000'000);
+    EXPECT_TRUE(rows["Sphere 1 200 200"]["place"].get<std::string>().ends_with("scene.glib:9:1"));
+    EXPECT_TRUE(rows.contains("gone = gone * 2."));
+    EXPECT_TRUE(rows.contains("vST = gl_MultiTexCoord0.st"));
+    EXPECT_EQ(rows.size(), 3u) << "and nothing that can be seen: " << found;
+    EXPECT_FALSE(explain(scene).contains("without_effect"));
+    const std::string text =
+        snell("explain " + folder.path("scene.glib") + " --size 32x32 --without-effect --no-time").output;
+    EXPECT_LT(text.find("CHANGES 0 PIXELS"), text.find("PAYS FOR"));
+    // Its number is that of the list, and what is written without it is the same picture.
+    const std::string rung = rows["Sphere 1 200 200"]["rung"];
+    ASSERT_EQ(snell("accuracy " + folder.path("scene.glib") + " --apply " + rung + " -o " + folder.path("less")).status,
+              0);
+    for (const char* name : {"scene.glib", "less/scene.glib"})
+        EXPECT_EQ(snell("render " + folder.path(name) + " --size 32x32 -o " + folder.path(name) + ".png").status, 0);
+    EXPECT_EQ(bytes_of(folder.path("scene.glib.png")), bytes_of(folder.path("less/scene.glib.png")));
+    EXPECT_EQ(bytes_of(folder.path("less/scene.glib")).find("200 200"), std::string::npos);
+}
 
 TEST_F(Explain, SaysWhatIsPaidForAndWhy) {
     const json report = explain(two_of_twenty);

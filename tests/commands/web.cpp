@@ -158,7 +158,8 @@ TEST_F(Web, BakedPicturesAreThoseOfRender) {
     folder.write("s.glib", "WindowSize 32 24\n" + plain);
     const Outcome made = web("s.glib -o p.html --baked uRed --steps 4 --samples 1 --lossless --view rotate_y=10");
     ASSERT_EQ(made.status, 0) << made.output;
-    const json baked = unpack("p.html", "un")["baked"];
+    const json page = unpack("p.html", "un"), &baked = page["baked"];
+    EXPECT_EQ(page["view"], "") << "the pictures have it";
     ASSERT_EQ(baked["axes"].size(), 1u);
     EXPECT_EQ(baked["axes"][0]["control"]["key"], "Paint.uRed");
     const std::vector<double> values = baked["axes"][0]["values"];

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "src/content/image/decoded.h"
 #include "src/content/image/formats.h"
 #include "tests/image/help.h"
 
@@ -61,6 +62,23 @@ TEST_F(ImageFormats, FloatFormatsRoundTrip) {
                             static_cast<double>(largest) * relative);
             }
         }
+    }
+}
+
+// A texture that declares its file sRGB asks for this. A page has the file decoded, under the same name.
+TEST_F(ImageFormats, OnlyFormatsOfLightHoldLight) {
+    const Image image = paint(4, 4, 3, PixelType::f32, smooth);
+    for (const auto& [extension, light] : {std::pair{"exr", true}, {"hdr", true}, {"tif", false}, {"png", false}}) {
+        SCOPED_TRACE(extension);
+        const std::string path = file(std::string("a.") + extension);
+        ASSERT_EQ(write_image(path, image), "");
+        const auto result = read_file(path);
+        ASSERT_TRUE(result.image) << describe(result);
+        EXPECT_EQ(result.image->light, light);
+        const std::vector<std::byte> decoded = decoded_file(*result.image);
+        const auto again = decode_image(path, {reinterpret_cast<const char*>(decoded.data()), decoded.size()});
+        ASSERT_TRUE(again.image) << describe(again);
+        EXPECT_EQ(again.image->light, light);
     }
 }
 

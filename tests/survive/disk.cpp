@@ -72,8 +72,11 @@ protected:
         std::vector<Output> all{
             {measure + "--reps 3 --budget 1 --save-quality", at("out/l.quality.json")},
             {measure + "--no-time --markdown " + at("out/r.md") + " --svg " + at("plot.svg"), at("out/r.md")}};
-        const std::array<std::array<const char*, 2>, 4> formats{
-            {{"-o", "out/r.html"}, {"--svg", "out/r.svg"}, {"--json", "out/r.json"}, {"--csv", "out/r.csv"}}};
+        const std::array<std::array<const char*, 2>, 5> formats{{{"-o", "out/r.html"},
+                                                                 {"--slide", "out/r.png"},
+                                                                 {"--svg", "out/r.svg"},
+                                                                 {"--json", "out/r.json"},
+                                                                 {"--csv", "out/r.csv"}}};
         for (const auto& [option, name] : formats)
             all.push_back({measure + "--no-time " + option + " " + at(name), at(name)});
         return all;

@@ -84,6 +84,14 @@ bool reads_timer(const Document& document) {
     });
 }
 
+// A page has no command line.
+std::string without_options(const std::string& help) {
+    const std::size_t option = help.find("--limit");
+    if (option == std::string::npos) return help;
+    const std::size_t end = help.find_last_not_of("; ", option == 0 ? 0 : option - 1);
+    return option == 0 ? std::string() : help.substr(0, end + 1);
+}
+
 Json counters_json(const Counters& counters) {
     Json all = Json::object();
     for (const CounterName& one : counter_names()) all[std::string(one.name)] = counters.*one.value;
@@ -95,8 +103,7 @@ Json counters_json(const Counters& counters) {
 Json problems_json(const Diagnostics& diagnostics, const Sources& sources) {
     Json all = Json::array();
     for (Diagnostic d : diagnostics.items()) {
-        // A page has no command line.
-        d.help = d.help.substr(0, d.help.find("; --limit"));
+        d.help = without_options(d.help);
         Json one{{"severity", name(d.severity)}, {"code", d.code}, {"message", d.message}, {"help", d.help}};
         if (d.has_span) one["at"] = place_json(d.span, sources);
         one["text"] = render(d, sources);

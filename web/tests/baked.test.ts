@@ -50,3 +50,15 @@ test('sliders move, stay within their range, and are reset', () => {
     assert.deepEqual(engine.values(), []);
     assert.deepEqual(axes[0]!.control.value, [1]);
 });
+
+test('what an address asks for is taken, or named', () => {
+    const engine = bakedEngine(scene, new Map());
+    const problems = (settings: Parameters<typeof engine.open>[1]) => engine.open('s.glib', settings).problems.map(({ message }) => message);
+    assert.deepEqual(problems({ values: ['P.u0=3.5', 'P.u1=2'] }), []);
+    assert.deepEqual(engine.values(), ['P.u0=3.5']);
+    for (const value of ['P.uC=1', 'P.u0', 'P.u0=', 'P.u0=abc', 'P.u0=1e999', 'P.u0=99', 'P.u1=1.5.5', '__proto__=1'])
+        assert.equal(problems({ values: [value] }).length, 1, value);
+    assert.equal(problems({ rungs: ['uX=1e999'], view: 'rotate_x=30' }).length, 2);
+    assert.deepEqual(problems({ fresh: true }), []);
+    assert.deepEqual(engine.values(), []);
+});

@@ -235,6 +235,20 @@ test('a scene with a geometry shader says that WebGL 2 has none', async () => {
     assert.match(error.message, /geometry/i);
 });
 
+test('advice is not about a command line', async () => {
+    const engine = await started();
+    const found = await engine.evaluate((e) => {
+        e.edit('many.glib', 'Spere 1\n'.repeat(3000));
+        e.edit('large.glib', 'Sphere 1 100000 100000\n');
+        return ['many.glib', 'large.glib'].map((scene) => e.engine.check(scene).concat(e.engine.open(scene, { lints: false }).problems));
+    });
+    for (const [i, code] of ['too-many-diagnostics', 'too-many-vertices'].entries()) {
+        const about = found[i]!.filter((problem) => problem.code === code);
+        assert.ok(about.length > 0, found[i]!.map((problem) => problem.code).slice(-3).join());
+        for (const { help, text } of about) assert.doesNotMatch(help + text, /--|[; ]$/);
+    }
+});
+
 test('a broken edit keeps the last good picture and its values', async () => {
     const engine = await started();
     const files = filesBelow('scenes');

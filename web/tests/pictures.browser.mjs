@@ -67,7 +67,8 @@ function drawNatively() {
 before(async () => {
     assert.equal(new Set(scenes.map(nameOf)).size, scenes.length, 'each scene has its own name');
     const made = Promise.all([makeGallery('scenes'), makeGallery('tests/cases'), drawNatively()]);
-    ({ page, said } = await tab(await chromium()));
+    // The page's own picture is not looked at.
+    ({ page, said } = await tab(await chromium(), { width: 760, height: 240 }));
     await keepDownloads(page);
     await page.goto(builtPage('snell.html'));
     await until(page, () => document.querySelectorAll('.editor-welcome li').length > 10);

@@ -95,8 +95,7 @@ test('while the text is edited, the sliders stay; the text is below the picture'
     assert.ok(text.top >= picture.bottom && text.height > 100 && picture.height > 100);
     assert.ok(slider.width > 100 && slider.left >= text.right);
     await page.setViewport({ width: 390, height: 844 });
-    assert.equal(await page.$eval('#panel-controls', ({ hidden }) => hidden), true);
-    assert.equal(await page.$eval('#tab-text', ({ role }) => role), 'tab');
+    await page.waitForFunction(() => document.querySelector('#panel-controls').hidden && document.querySelector('#tab-text').role === 'tab');
     await page.setViewport({ width: 1000, height: 600 });
 });
 
@@ -125,6 +124,37 @@ test('what an address asks for in vain is one message, and no problem of the sce
     assert.ok((await message()).length < 700);
     assert.equal(await page.$eval('.problems', ({ hidden }) => hidden), true);
     assert.equal(await number(), 2);
+});
+
+test('each thing that an address asks for in vain is named', async () => {
+    for (const asked of ['P.uC=1', 'P.uA=1e999', 'uX=1e999', 'uX=1', 'P.uC:range=1,2', 'LADDER=high', 'view=rotate=1']) {
+        await show('a.glib', `#${asked}`);
+        assert.match(await message(), /^The address asks for what this scene does not have: .+\.$/, asked);
+        assert.equal(await number(), 2, asked);
+    }
+});
+
+test('the picture keeps its size when its line is filled', async () => {
+    await page.setViewport({ width: 1000, height: 700 });
+    await page.goto('about:blank');
+    const sizes = await page.evaluateOnNewDocument(() => {
+        window.sizes = new Set();
+        document.addEventListener('DOMContentLoaded', () => {
+            const watch = new ResizeObserver(([{ contentRect }]) => window.sizes.add(`${contentRect.width} × ${contentRect.height}`));
+            const found = new MutationObserver(() => {
+                const canvas = document.querySelector('canvas');
+                if (canvas) watch.observe(canvas);
+            });
+            found.observe(document, { childList: true, subtree: true });
+        });
+    });
+    await page.goto(pageOf('a.glib'));
+    await sharp();
+    await pause(300);
+    await page.removeScriptToEvaluateOnNewDocument(sizes.identifier);
+    assert.equal(await page.evaluate(() => window.sizes.size), 1);
+    assert.equal(await drawn(), 2, 'the small first picture, and the sharp one');
+    await page.setViewport({ width: 1000, height: 600 });
 });
 
 test('a scene that uses the mouse is drawn when the mouse moves, and else not', async () => {
@@ -221,16 +251,17 @@ async function drop(contents) {
 
 test('scenes that are opened one after the other leave nothing behind', async () => {
     await show('a.glib');
+    await page.waitForSelector('.editor'); // it takes what is dropped
     const open = async (name, radius) => {
         await page.$eval('.status span', (status) => void (status.textContent = ''));
-        await drop([[name, `Vertex v\nFragment f\nProgram Q uA <1. 2. 3.>\nSphere ${radius} 30 30\n`], ['v', vertex], ['f', files['s/a.frag']]]);
+        // A folder of the first scene has the name of this one's shader.
+        await drop([[name, `Vertex s\nFragment f\nProgram Q uA <1. 2. 3.>\nSphere ${radius} 30 30\n`], ['s', vertex], ['f', files['s/a.frag']]]);
         await page.waitForFunction((title) => document.title === title, {}, name.replace('.glib', ''));
         await sharp();
+        assert.equal(await page.$eval('.problems', ({ hidden }) => hidden), true);
         await pause(800);
         return page.evaluate(() => ({ ...window.alive }));
     };
-    // A folder of the first scene has the name of this one's file.
-    await open('s', 1).catch(() => undefined);
     const first = await open('one.glib', 1);
     for (const [i, name] of ['two.glib', 'three.glib', 'four.glib'].entries()) assert.deepEqual(await open(name, i + 2), first);
 });

@@ -1,4 +1,4 @@
-// Which combinations of changes are tried: greedy climbs below several limits of error. No GL, no time.
+// Which combinations of changes are tried, and which rungs are worth more time. No GL.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "src/accuracy/found/change.h"
+#include "src/accuracy/found/search.h"
 
 namespace snell::accuracy {
 
@@ -40,5 +40,11 @@ private:
     std::vector<std::size_t> chosen_;
     std::vector<std::pair<std::vector<std::size_t>, double>> known_;
 };
+
+// At most so many of these rungs, which save time: first those that none surpasses by its error and its quick time,
+// then those that only these surpass, and so on.
+std::vector<std::size_t> in_layers(const FoundResult& found, std::vector<std::size_t> rungs, std::size_t most);
+// At most so many of these, evenly spaced.
+std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t most);
 
 }  // namespace snell::accuracy

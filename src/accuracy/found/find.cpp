@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string_view>
 #include <tuple>
 
 #include "src/accuracy/found/change.h"
@@ -11,10 +12,12 @@ std::vector<Change> find_changes(const Plan& plan, Files& files, Sources& source
     add_better_changes(plan, files, sources, changes);
     add_shader_changes(plan, files, sources, changes);
     add_omissions(plan, files, sources, changes);
-    std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
-        return std::tuple(a.where.file, a.where.begin, a.where.end, a.kind) <
-               std::tuple(b.where.file, b.where.begin, b.where.end, b.kind);
-    });
+    // By names: the numbers of texts depend on what was compiled before.
+    const auto key = [&](const Change& change) {
+        const Span& at = change.where;
+        return std::tuple(at.file == 0 ? std::string_view() : sources.name(at.file), at.begin, at.end, change.kind);
+    };
+    std::stable_sort(changes.begin(), changes.end(), [&](const Change& a, const Change& b) { return key(a) < key(b); });
     return changes;
 }
 

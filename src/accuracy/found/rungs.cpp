@@ -131,4 +131,31 @@ void Climbs::tell(double error) {
     known_.emplace_back(std::move(more), error);
 }
 
+std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t most) {
+    if (all.size() <= most) return all;
+    std::vector<std::size_t> some;
+    for (std::size_t i = 0; i < most; ++i)
+        some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(most - 1, 1)]);
+    return some;
+}
+
+std::vector<std::size_t> in_layers(const FoundResult& found, std::vector<std::size_t> rungs, std::size_t most) {
+    constexpr double margin = .03;  // of the quick times
+    const auto error = [&](std::size_t i) { return found.rungs[i].worst()->own.light.rmse; };
+    const auto surpasses = [&](std::size_t by, std::size_t i) {
+        return error(by) <= error(i) && found.rungs[by].quick_ratio < found.rungs[i].quick_ratio * (1 - margin);
+    };
+    std::vector<std::size_t> some;
+    while (!rungs.empty() && some.size() < most) {
+        std::vector<std::size_t> layer, rest;
+        for (const std::size_t i : rungs)
+            (ranges::any_of(rungs, [&](std::size_t by) { return surpasses(by, i); }) ? rest : layer).push_back(i);
+        ranges::stable_sort(layer, {}, error);
+        layer = spread(layer, most - some.size());
+        some.insert(some.end(), layer.begin(), layer.end());
+        rungs = std::move(rest);
+    }
+    return some;
+}
+
 }  // namespace snell::accuracy

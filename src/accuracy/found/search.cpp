@@ -21,9 +21,9 @@ namespace {
 
 constexpr double visible_error = 1 / 255.0;
 constexpr double saves = .97;  // of the scene's time, by a few frames: less is noise
-constexpr std::size_t most_held_out = 16, most_timed = 12, most_costs = 10;
+constexpr std::size_t most_held_out = 16, most_timed = 12, most_costs = 10, most_kept = 32, few_finalists = 4;
 // When each part of the search must end, as parts of its time: what is left over goes to the next.
-constexpr double singles_end = .45, combinations_end = .6, held_out_end = .7, times_end = .85, unused_end = .93;
+constexpr double singles_end = .45, combinations_end = .55, held_out_end = .65, times_end = .82, unused_end = .92;
 
 double rmse_of(const FoundRung& rung) { return rung.worst()->own.light.rmse; }
 
@@ -151,20 +151,36 @@ struct Search::Impl {
         return false;
     }
 
-    void single(std::size_t i) { try_rung(result.rungs[i], singles_end); }
+    void single(std::size_t i) {
+        auto trial = try_rung(result.rungs[i], singles_end);
+        keep(i, std::move(trial));
+    }
 
-    void try_rung(FoundRung& rung, double part) {
-        if (skipped(rung, part)) return;
+    // What compiled once need not compile again, as long as there are few of them.
+    void keep(std::size_t i, std::optional<Trial> trial) {
+        if (trial && kept.size() < most_kept && useful(result.rungs[i])) kept.emplace(i, std::move(*trial));
+    }
+    Trial reopen(std::size_t i) {
+        const auto found = kept.find(i);
+        if (found == kept.end()) return trials->open(result.rungs[i].changes);
+        Trial trial = std::move(found->second);
+        kept.erase(found);
+        return trial;
+    }
+
+    std::optional<Trial> try_rung(FoundRung& rung, double part) {
+        if (skipped(rung, part)) return std::nullopt;
         Trial trial = trials->open(rung.changes);
-        if (!draw(rung, trial, 0, result.searched)) return;
+        if (!draw(rung, trial, 0, result.searched)) return std::nullopt;
         if (rung.at.size() < result.searched) {
             rung.reason = "the search was stopped";
             rung.at.clear();
-            return;
+            return std::nullopt;
         }
         rung.outcome = Outcome::tried;
         if (options.times && rung.aim == Aim::cheaper)
             rung.quick_ratio = trials->quick_ratio(trial, clock, [this] { return stopped(); });
+        return trial;
     }
 
     // ---- combinations ----------------------------------------------------------------------------------------
@@ -189,38 +205,21 @@ struct Search::Impl {
         auto changes = climbs->next();
         if (!changes) return;
         FoundRung rung{.name = rung_name(*changes), .changes = std::move(*changes)};
-        try_rung(rung, combinations_end);
+        auto trial = try_rung(rung, combinations_end);
         const bool drawn = rung.outcome == Outcome::tried;
         climbs->tell(drawn ? rmse_of(rung) : std::numeric_limits<double>::infinity());
         result.rungs.push_back(std::move(rung));
+        keep(result.rungs.size() - 1, std::move(trial));
         tasks.emplace_front([this] { combine(); });
     }
 
     // ---- places that were held out ---------------------------------------------------------------------------
 
-    // Of those that save time: the ones that no other one surpasses by its error and its quick time.
     std::vector<std::size_t> promising() const {
-        constexpr double margin = .03;  // of the quick times
-        std::vector<std::size_t> found;
-        const auto surpassed = [&](const FoundRung& rung) {
-            return ranges::any_of(result.rungs, [&](const FoundRung& other) {
-                return useful(other) && rmse_of(other) <= rmse_of(rung) &&
-                       other.quick_ratio < rung.quick_ratio * (1 - margin);
-            });
-        };
-        for (std::size_t i = 0; i < result.rungs.size(); ++i)
-            if (useful(result.rungs[i]) && !(options.times && surpassed(result.rungs[i]))) found.push_back(i);
-        ranges::stable_sort(found, {}, [&](std::size_t i) { return rmse_of(result.rungs[i]); });
-        return options.times ? spread(found, most_held_out) : found;
-    }
-
-    // As many of these, evenly spaced.
-    static std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t most) {
-        if (all.size() <= most) return all;
         std::vector<std::size_t> some;
-        for (std::size_t i = 0; i < most; ++i)
-            some.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(most - 1, 1)]);
-        return some;
+        for (std::size_t i = 0; i < result.rungs.size(); ++i)
+            if (useful(result.rungs[i])) some.push_back(i);
+        return options.times ? in_layers(result, std::move(some), most_held_out) : some;
     }
 
     void begin_hold_out() {
@@ -234,15 +233,17 @@ struct Search::Impl {
 
     void hold_out(std::size_t i) {
         FoundRung& rung = result.rungs[i];
-        if (over(held_out_end)) return;
-        Trial trial = trials->open(rung.changes);
+        // Without a few of them, there is nothing to time.
+        const double end = finalists.size() < few_finalists ? times_end : held_out_end;
+        if (over(end)) return;
+        Trial trial = reopen(i);
         if (!draw(rung, trial, result.searched, result.places.size()) || rung.at.size() < result.places.size()) return;
         rung.held_out = result.places.size() > result.searched;
         const double seen = rung.searched()->own.light.rmse;
         const double unseen = rung.held_out ? rung.unseen()->own.light.rmse : seen;
-        rung.only_where_tried = !(unseen <= 2 * seen) && !(unseen <= visible_error);
+        rung.only_where_tried = rung.aim == Aim::cheaper && !(unseen <= 2 * seen) && !(unseen <= visible_error);
         for (const std::size_t place : {std::size_t{0}, rung.worst_place()})
-            if (!rung.at[place].flip && !over(held_out_end))
+            if (!rung.at[place].flip && !over(end))
                 if (const auto picture = trials->picture(trial, place))
                     rung.at[place].flip = trials->compare(*picture, place, rung.changes, true).flip;
         if (!rung.only_where_tried) finalists.emplace(i, std::move(trial));
@@ -251,33 +252,40 @@ struct Search::Impl {
     // ---- times -----------------------------------------------------------------------------------------------
 
     void begin_times() {
+        kept.clear();
         std::vector<std::size_t> cheaper;
         for (const auto& [i, trial] : finalists)
             if (result.rungs[i].aim == Aim::cheaper) cheaper.push_back(i);
         ranges::stable_sort(cheaper, {}, [&](std::size_t i) { return rmse_of(result.rungs[i]); });
-        std::vector<std::size_t> chosen_ones = spread(cheaper, fitting(most_timed, times_end));
-        begin_rounds(result.timed, std::move(chosen_ones), times_end);
+        const std::size_t most = fitting(std::min(most_timed, cheaper.size()), times_end, result.timed_size);
+        begin_rounds(result.timed, spread(cheaper, most), times_end, result.timed_size);
     }
 
-    // How many rungs can be timed in as many rounds as a front needs.
-    std::size_t fitting(std::size_t most, double part) {
-        if (!options.times) return most;
-        whole();
-        const double frame = trials->scene().warm_up(trials->variant(), clock).value_or(1);
-        small();
-        const double sample = frame > 500 ? frame : frame + std::max(frame, options.at_least);
+    // How many rungs can be timed in as many rounds as a front needs: in smaller pictures if frames are slow, and fewer
+    // if that does not suffice.
+    std::size_t fitting(std::size_t most, double part, std::array<int, 2>& size) {
+        size = {settings.width, settings.height};
         std::size_t n = most;
-        const auto needs = [&](std::size_t rungs) {
-            const auto rounds_needed = static_cast<double>(std::max<std::size_t>(rounds_for(rungs + 1), 7));
-            return (static_cast<double>(rungs + 2) * sample * rounds_needed + 3 * frame * static_cast<double>(rungs)) /
-                   1e3;
+        double frame = 0;
+        const auto seconds = [&](std::size_t rungs) {
+            const double sample = frame > 500 ? frame : frame + std::max(frame, options.at_least);
+            const auto needed = static_cast<double>(std::max<std::size_t>(rounds_for(rungs + 1), 7));
+            const auto entrants = static_cast<double>(rungs + 2);
+            return entrants * (sample * needed + 3 * frame) / 1e3;
         };
-        while (n > 3 && needs(n) > left(part)) --n;
+        while (options.times && !stopped()) {
+            trials->scene().resize(size[0], size[1]);
+            frame = trials->scene().warm_up(trials->variant(), ClockKind::wall).value_or(1);
+            if (seconds(most) <= left(part) || size[0] / 2 < result.search_width) break;
+            size = {size[0] / 2, size[1] / 2};
+        }
+        small();
+        while (options.times && n > 3 && seconds(n) > left(part)) --n;
         return n;
     }
 
     // The scene is the last entrant.
-    void begin_rounds(SweepResult& sweep, std::vector<std::size_t> of, double part) {
+    void begin_rounds(SweepResult& sweep, const std::vector<std::size_t>& of, double part, std::array<int, 2> size) {
         sweep = {};
         sweep.scene = result.scene;
         sweep.sweep = {.kind = SweepKind::found, .name = "found rungs"};
@@ -288,10 +296,10 @@ struct Search::Impl {
         for (const std::size_t i : of) {
             result.rungs[i].timed = sweep.rungs.size();
             sweep.rungs.push_back(trials->summary(result.rungs[i], finalists.at(i)));
-            entrants.push_back(trials->entrant(*finalists.at(i).bench));
+            entrants.push_back(trials->entrant(*finalists.at(i).bench, size));
         }
         sweep.rungs.push_back(trials->scene_summary());
-        entrants.push_back(trials->entrant(trials->scene()));
+        entrants.push_back(trials->entrant(trials->scene(), size));
         sweep.sweep.reference = sweep.sweep.current = entrants.size() - 1;
         for (const RungResult& rung : sweep.rungs)
             sweep.sweep.rungs.push_back({.name = rung.name, .variant = {}, .steps = {}, .elsewhere = {}});
@@ -346,8 +354,8 @@ struct Search::Impl {
         for (const Aim aim : {Aim::unused, Aim::better})
             for (const auto& [i, trial] : finalists)
                 if (result.rungs[i].aim == aim) of.push_back(i);
-        if (of.size() > most_costs) of.resize(most_costs);
-        begin_rounds(result.costs, std::move(of), 1);
+        of.resize(std::min(of.size(), fitting(std::min(of.size(), most_costs), 1, result.costs_size)));
+        begin_rounds(result.costs, of, 1, result.costs_size);
     }
 
     Original original;
@@ -356,7 +364,7 @@ struct Search::Impl {
     FoundResult result;
     std::optional<Trials> trials;
     std::optional<Climbs> climbs;
-    std::map<std::size_t, Trial> finalists;  // by index into result.rungs
+    std::map<std::size_t, Trial> kept, finalists;  // by index into result.rungs
     std::optional<Rounds> rounds;
     SweepResult* timing = nullptr;
     ClockKind clock = ClockKind::wall;

@@ -2,6 +2,7 @@
 // what is worth it. Needs a current context.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -76,7 +77,9 @@ struct FoundResult {
     // The times of those that are better, and of those that change no pixel; the scene is the last rung.
     SweepResult costs;
     int width = 0, height = 0;                // of the scene's picture
-    int search_width = 0, search_height = 0;  // of the pictures of the search: smaller, where frames are slow
+    int search_width = 0, search_height = 0;  // of the pictures that are compared
+    // Of the pictures whose times `timed` and `costs` have: smaller, where frames are slow.
+    std::array<int, 2> timed_size{0, 0}, costs_size{0, 0};
     bool interrupted = false, late = false;
 
     // The rungs on the front: cheaper, with the cheapest first. The scene itself is not among them.
@@ -102,8 +105,8 @@ struct SearchOptions {
     double seconds = 30;
     int rounds = 31;  // of the times at the end; fewer if they do not fit
     bool times = true;
-    // The pictures that are compared have at most so many pixels: their sides are halved until then. Times are of whole
-    // pictures. By the time that is granted, not by what is left of it, so that errors do not depend on the machine.
+    // The pictures that are compared have at most so many pixels: their sides are halved until then. By the time that
+    // is granted, not by what is left of it, so that errors do not depend on the machine.
     std::size_t pixels = 131072;
     double at_least = 20;           // minimum milliseconds of a sample
     std::size_t combinations = 24;  // at most so many are tried

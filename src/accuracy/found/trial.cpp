@@ -16,7 +16,7 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr double quick_sample = 6;  // milliseconds
+constexpr double quick_sample = 6, slow_frame = 30;  // milliseconds
 constexpr int quick_pairs = 3;
 
 bool overlap(const Span& a, const Span& b) { return a.file == b.file && a.begin <= b.end && b.begin <= a.end; }
@@ -102,7 +102,8 @@ Trial Trials::open(std::span<const std::size_t> changes, bool shared) {
 // A change that makes an error or a warning is none that anybody should make.
 void Trials::judge(Trial& trial) const {
     for (const Diagnostic& problem : trial.problems.items()) {
-        if (problem.severity == Severity::note) continue;
+        // A slider that nothing reads any more is a consequence, not a mistake.
+        if (problem.severity == Severity::note || problem.code == "unknown-uniform") continue;
         const bool old = ranges::any_of(scene_.problems.items(), [&](const Diagnostic& other) {
             return other.code == problem.code && other.message == problem.message;
         });
@@ -202,7 +203,9 @@ const Region& Trials::region(std::size_t place, const std::vector<bool>& draws) 
 }
 
 double Trials::quick_ratio(Trial& trial, ClockKind clock, const Stop& stop) {
-    if (!trial.bench->warm_up(variant(), clock)) return 0;
+    const auto warm = trial.bench->warm_up(variant(), clock);
+    if (!warm) return 0;
+    if (*warm > slow_frame) return *warm / std::max(scene().warm_up(variant(), clock).value_or(0), 1e-3);
     std::vector<double> ratios;
     for (int i = 0; i < quick_pairs && !(stop && stop()); ++i) {
         const double changed = chosen(trial.bench->time(variant(), quick_sample), clock);
@@ -212,8 +215,11 @@ double Trials::quick_ratio(Trial& trial, ClockKind clock, const Stop& stop) {
     return ratios.empty() ? 0 : median(ratios);
 }
 
-Entrant Trials::entrant(Bench& bench) const {
-    return {[&bench, variant = variant()](ClockKind clock) { return bench.warm_up(variant, clock); },
+Entrant Trials::entrant(Bench& bench, std::array<int, 2> size) const {
+    return {[&bench, size, variant = variant()](ClockKind clock) {
+                bench.resize(size[0], size[1]);
+                return bench.warm_up(variant, clock);
+            },
             [&bench, variant = variant()](double at_least) { return bench.time(variant, at_least); }};
 }
 

@@ -46,7 +46,8 @@ public:
 
     // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known.
     double quick_ratio(Trial& trial, ClockKind clock, const Stop& stop);
-    Entrant entrant(Bench& bench) const;
+    // Times frames of that size.
+    Entrant entrant(Bench& bench, std::array<int, 2> size) const;
     // What plots and tables show: the error of the worst place, and the picture of the scene's own.
     RungResult summary(const FoundRung& rung, Trial& trial);
     RungResult scene_summary();

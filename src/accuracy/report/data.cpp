@@ -243,10 +243,9 @@ std::string json_text(const Report& report) {
               {"errors", errors_are},
               {"query_over_wall", w.query_over_wall > 0 ? Json(w.query_over_wall) : Json(nullptr)},
               {"warnings", report.problems}};
+    for (const FoundResult& found : report.found) json["found"].push_back(found_json(found));
     json["ladders"] = Json::array();
     for (const SweepResult& sweep : report.sweeps) json["ladders"].push_back(sweep_json(sweep));
-    json["found"] = Json::array();
-    for (const FoundResult& found : report.found) json["found"].push_back(found_json(found));
     return content::json_text(json) + "\n";
 }
 

@@ -28,7 +28,6 @@ std::string of_changes(const FoundResult& found, const FoundRung& rung, std::str
     return text;
 }
 
-// The largest number of pixels that are different at any of the places.
 std::string shown_error(const FoundRung& rung) {
     return rung.at.empty() ? "?" : known_text("{:.2g}", rung.worst()->own.light.rmse);
 }
@@ -66,8 +65,10 @@ std::string shown_cost(const FoundResult& found, const FoundRung& rung) {
 Listed listed(const FoundResult& found, Aim aim, bool all) {
     Listed rungs;
     for (const FoundRung& rung : found.rungs)
-        if (rung.aim == aim && (all || rung.timed || (rung.outcome == Outcome::tried && rung.only_where_tried) ||
-                                (aim == Aim::better && rung.outcome == Outcome::tried)))
+        if (rung.aim == aim &&
+            (all || rung.timed || (rung.outcome == Outcome::tried && rung.only_where_tried) ||
+             (aim == Aim::better && rung.outcome == Outcome::tried)) &&
+            (all || aim == Aim::cheaper || rung.pixels_changed > 0))
             rungs.push_back(&rung);
     ranges::stable_sort(rungs, {}, [&](const FoundRung* rung) {
         const RungResult* times = found.times(*rung);
@@ -229,9 +230,12 @@ std::string found_words(const FoundResult& found) {
         text += fmt::format(" {} not tried: {}.", untried,
                             found.interrupted ? "the search was stopped" : "the time was up");
     text += fmt::format(
-        " Errors are differences from the scene as it is, in pictures of {} × {}, at the place where they are largest; "
-        "times are of {} × {}.",
-        found.search_width, found.search_height, found.width, found.height);
+        " Errors are differences from the scene as it is, in pictures of {} × {}, at the place where they are largest.",
+        found.search_width, found.search_height);
+    if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)
+        text +=
+            fmt::format(" Times are of pictures of {} × {}{}.", found.timed_size[0], found.timed_size[1],
+                        found.timed_size[0] < found.width ? ", because larger ones take too long for the budget" : "");
     const bool timed = !found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0;
     if (timed && found.timed.few_rounds) text += " There are too few rounds to compare costs.";
     if (timed && !found.timed.few_rounds && found.timed.control.noisy)
@@ -331,6 +335,7 @@ FoundJson found_json(const FoundResult& found) {
                    {"words", found_words(found)},
                    {"size", {found.width, found.height}},
                    {"search_size", {found.search_width, found.search_height}},
+                   {"timed_size", found.timed_size},
                    {"clock", name(found.timed.clock)},
                    {"trusted", found.timed.trusted()},
                    {"interrupted", found.interrupted},

@@ -23,7 +23,7 @@ h1{font-size:1.5rem;margin:.2em 0}h2{font-size:1.2rem;margin:0 0 .3em}
 section{border-top:1px solid var(--line);padding:1.2rem 0}
 .facts{color:var(--weak);font-size:.9rem}.words{max-width:46em}
 .noisy{color:var(--wrong);font-weight:600}
-.slide{width:100%;height:auto;display:block}
+.slide{width:100%;min-width:600px;height:auto;display:block}
 .plot{width:100%;min-width:600px;max-width:760px;height:auto;display:block}
 .plot text{font:11px system-ui,sans-serif;fill:var(--text)}.plot .tick,.plot .title{fill:var(--weak)}.plot .title{font-size:12px}
 .grid,.edge{stroke:var(--line)}.axis,.whisker{stroke:var(--weak)}.leader{stroke:var(--line)}
@@ -192,7 +192,7 @@ std::string html_text(const Report& report, std::string_view slide) {
         "content=\"width=device-width,initial-scale=1\"><title>Accuracy and cost: {}</title><link rel=\"icon\" "
         "href=\"data:,\"><style>{}</style></head>\n<body><h1>Accuracy and cost</h1>",
         escaped(w.scene), style);
-    out += slide;
+    if (!slide.empty()) out += fmt::format("<div class=\"scroll\">{}</div>", slide);
     out += fmt::format(
         "<p class=\"facts\">{} · {} × {}, up to {} rounds, other ladders as in the {} · {} · {} ({}) · {}, {} cores, "
         "{} · "

@@ -130,13 +130,15 @@ struct Work {
     static constexpr std::size_t advice_rungs = 16;  // about as many combinations as it tries
     std::size_t sweeps = 0, rungs = 0;
 
-    // Two thirds of a scene's time are for rungs that are found.
-    static std::size_t found_rungs(std::size_t others) { return 2 * std::max(others, advice_rungs); }
-    void add(const AccuracyOptions& options, std::size_t subject_sweeps, std::size_t others) {
+    // Two thirds of a scene's time are for rungs that are found, more if it has no ladders.
+    static std::size_t found_rungs(std::size_t others, bool ladders) {
+        return (ladders ? 2 : 4) * std::max(others, advice_rungs);
+    }
+    void add(const AccuracyOptions& options, std::size_t subject_sweeps, std::size_t others, bool ladders) {
         sweeps += subject_sweeps;
         rungs += others;
         if (asks_for_advice(options)) ++sweeps, rungs += advice_rungs;
-        if (seeks(options)) ++sweeps, rungs += found_rungs(others);
+        if (seeks(options)) ++sweeps, rungs += found_rungs(others, ladders);
     }
 };
 
@@ -154,7 +156,7 @@ public:
     // Finds rungs, before anything else is measured.
     void find(Subject& subject, const gl::Caps& caps, const BenchSettings& settings, Report& report) {
         References unused = references();
-        const std::size_t share = Work::found_rungs(subject.rungs());
+        const std::size_t share = Work::found_rungs(subject.rungs(), !subject.plan.scene.ladders.empty());
         const MeasureOptions measuring = next(share, unused);
         const double per_minute = options_.budget / 60;
         SearchOptions how{.seconds = measuring.seconds, .rounds = options_.rounds, .times = measuring.times};
@@ -238,20 +240,6 @@ bool note_problems(const Bench& bench, const Subject& subject, Report& report) {
     return wrong.has_errors();
 }
 
-// True, with a message, if there is nothing in the report because the budget was too small.
-bool note_nothing_drawn(const Report& report) {
-    const bool drawn = ranges::any_of(report.sweeps, [](const SweepResult& sweep) {
-        return sweep.interrupted || ranges::any_of(sweep.rungs, &RungResult::drawn);
-    });
-    const bool tried = ranges::any_of(report.found, [](const FoundResult& found) {
-        return found.interrupted || found.changes.empty() ||
-               ranges::any_of(found.rungs, [](const FoundRung& rung) { return rung.outcome != Outcome::not_tried; });
-    });
-    if (drawn || tried || (report.sweeps.empty() && report.found.empty())) return false;
-    fmt::print(stderr, "snell: error: no rung was drawn: the time was up; give more --budget, or a smaller --size\n");
-    return true;
-}
-
 Exit accuracy(const AccuracyOptions& options) {
     Deadline deadline(options.timeout);
     deadline.begin("starting OpenGL");
@@ -268,7 +256,7 @@ Exit accuracy(const AccuracyOptions& options) {
         errors = errors || subject->errors;
         read.insert(read.end(), subject->read.begin(), subject->read.end());
         if (!subject->measurable) continue;
-        work.add(options, subject->sweeps.size(), subject->rungs());
+        work.add(options, subject->sweeps.size(), subject->rungs(), !subject->plan.scene.ladders.empty());
         subjects.push_back(std::move(subject));
     }
     if (subjects.empty()) return exit_input;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <thread>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/merge.h"
 #include "src/accuracy/report/slide/slide.h"
@@ -108,6 +109,19 @@ Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps
     where.from = options.from;
     where.sets = options.sets;
     return where;
+}
+
+bool note_nothing_drawn(const Report& report) {
+    const bool drawn = ranges::any_of(report.sweeps, [](const SweepResult& sweep) {
+        return sweep.interrupted || ranges::any_of(sweep.rungs, &RungResult::drawn);
+    });
+    const bool tried = ranges::any_of(report.found, [](const FoundResult& found) {
+        return found.interrupted || found.changes.empty() ||
+               ranges::any_of(found.rungs, [](const FoundRung& rung) { return rung.outcome != Outcome::not_tried; });
+    });
+    if (drawn || tried || (report.sweeps.empty() && report.found.empty())) return false;
+    fmt::print(stderr, "snell: error: no rung was drawn: the time was up; give more --budget, or a smaller --size\n");
+    return true;
 }
 
 Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read) {

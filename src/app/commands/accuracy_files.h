@@ -13,6 +13,9 @@ double system_load();
 accuracy::Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps,
                                       const accuracy::BenchSettings& settings);
 
+// True, with a message, if there is nothing in the report because the budget was too small.
+bool note_nothing_drawn(const accuracy::Report& report);
+
 // Says whether all can be written, and are none of the files that are `read`, with as many plots as are known before
 // the measurement.
 Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read);

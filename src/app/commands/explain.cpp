@@ -139,7 +139,7 @@ std::optional<FrameCost> saved_by(const FoundRung& rung, const FoundResult& resu
     return cost;
 }
 
-// Leaves out one thing after the other. `plan` has the chosen rungs.
+// Leaves out one thing after the other; what costs most is the first row. `plan` has the chosen rungs.
 WithoutEffect find_without_effect(const ExplainReport& report, const Plan& plan, Document& document,
                                   const ExplainOptions& options, const Running& running) {
     std::vector<accuracy::Change> omissions;
@@ -176,6 +176,11 @@ WithoutEffect find_without_effect(const ExplainReport& report, const Plan& plan,
         found.rows.push_back({std::to_string(numbers[change]), result.positions[change], omissions[change].before,
                               saved_by(*rung, result), rung->gpu_bytes, rung->bytes_decoded});
     }
+    const auto costs = [&](const WithoutEffect::Row& row) {
+        return std::pair(row.frame ? shown(*row.frame, report.caps.software) : 0, row.gpu_bytes);
+    };
+    std::stable_sort(found.rows.begin(), found.rows.end(),
+                     [&](const auto& a, const auto& b) { return costs(a) > costs(b); });
     return found;
 }
 

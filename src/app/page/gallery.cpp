@@ -18,6 +18,7 @@
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
+#include "src/content/image/open_module.h"
 #include "src/content/replace.h"
 #include "src/content/whole_file.h"
 
@@ -236,6 +237,7 @@ Exit make_gallery(const GalleryOptions& options) {
     if (!error.empty() || !find_scenes(options.folders, exhibits)) return exit_input;
     name_pages(exhibits);
     if (const Exit refused = check_gallery(options, exhibits); refused != exit_fine) return refused;
+    content::open_image_module();
     std::vector<GalleryRow> rows;
     Exit status = exit_fine;
     for (const Exhibit& exhibit : exhibits) {

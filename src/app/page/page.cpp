@@ -31,9 +31,8 @@ std::string title_for(const std::string& scene, const std::string& title) {
     return utf8::printable(title.empty() ? std::filesystem::path(scene).stem().string() : title);
 }
 
-Json scene_json(const std::string& scene, const std::string& title, const std::string& link,
-                const OpenedScene& opened) {
-    const StartTexts texts = start_texts(*opened.document, opened.view);
+// `texts`: what differs from the scene's text.
+Json scene_json(const std::string& scene, const std::string& title, const std::string& link, const StartTexts& texts) {
     Json json{{"scene", scene}, {"title", title}, {"values", texts.values}, {"rungs", texts.rungs}};
     json["view"] = texts.view;
     json["link"] = link;
@@ -70,7 +69,8 @@ PageParts baked_parts(const PageOptions& options, const gl::Caps& caps, OpenedSc
     PageParts parts{title_for(options.scene, options.title), {}, {}, sizes_of(pictures.pictures), pictures.error};
     if (!parts.error.empty()) return parts;
     const std::string name = std::filesystem::path(options.scene).filename().string();
-    Json json = scene_json(name, parts.title, options.link, opened);
+    // The pictures have the values, rungs and view of the page.
+    Json json = scene_json(name, parts.title, options.link, {});
     json["baked"] = std::move(pictures.json);
     parts.scene = script_json(json);
     parts.archive = base64(gzipped(archive(pictures.pictures)));
@@ -162,7 +162,7 @@ PageParts page_parts(const std::string& scene, const std::string& title, const s
     const SceneFiles files = scene_files(scene, access);
     PageParts parts{title_for(scene, title), {}, {}, sizes_of(files.files), files.error};
     if (!parts.error.empty()) return parts;
-    parts.scene = script_json(scene_json(files.scene, parts.title, link, opened));
+    parts.scene = script_json(scene_json(files.scene, parts.title, link, start_texts(*opened.document, opened.view)));
     parts.archive = base64(gzipped(archive(files.files)));
     return parts;
 }

@@ -36,6 +36,9 @@ ImageResult not_a_picture(std::string_view format) {
                                          : "save the image as PNG, JPEG, BMP, HDR or EXR");
 }
 
+// Formats of light in floats, by the names that sniff() gives.
+bool holds_light(std::string_view format) { return format == "hdr" || format == "openexr"; }
+
 ImageResult decode_as(std::string_view format, std::string_view named, std::string_view bytes,
                       const ImageLimits& limits) {
     if (format == "bmp") return decode_bmp(bytes, limits);
@@ -92,7 +95,7 @@ ImageResult decode_image(const std::string& path, std::string_view bytes, const 
     const std::string_view named = format_of_extension(extension);
     if (is_decoded_file(bytes)) {
         ImageResult result = read_decoded_file(bytes, limits);
-        if (result.image) result.image->light = named == "hdr";
+        if (result.image) result.image->light = holds_light(named);
         return result;
     }
     std::string_view format = sniff(bytes);
@@ -102,7 +105,7 @@ ImageResult decode_image(const std::string& path, std::string_view bytes, const 
     if (format.empty() && (named == "bmp" || named == "png")) format = named;  // their decoders report what is wrong
     const bool misnamed = !format.empty() && !named.empty() && format != named;
     ImageResult result = decode_as(format, named, bytes, limits);
-    if (result.image) result.image->light = format == "hdr" || format == "exr";
+    if (result.image) result.image->light = holds_light(format);
     if (misnamed && result.image) {
         result.issues.push_back({false, "image-misnamed",
                                  "the extension is ." + extension + ", but the file is in " + std::string(format) +

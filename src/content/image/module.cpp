@@ -10,6 +10,7 @@
 
 #include "src/content/image/formats.h"
 #include "src/content/load_module.h"
+#include "src/content/image/open_module.h"
 
 namespace snell::content {
 namespace {
@@ -145,6 +146,8 @@ const OiioModule& oiio_module() {
     static const OiioModule module = open_module();
     return module;
 }
+
+void open_image_module() { oiio_module(); }
 
 ImageResult decode_other(std::string_view bytes, std::string_view format, const ImageLimits& limits) {
     const OiioModule& module = oiio_module();

@@ -150,6 +150,14 @@ TEST_F(FoundSearch, WhatDoesNotCompileOrWarnsIsRefusedWithTheReason) {
     complaints.clear();  // the driver refused the first
 }
 
+TEST_F(FoundSearch, AChangeMayLeaveASliderWithoutEffect) {
+    write_full("uniform float uGain;\nvoid main() { gl_FragColor = vec4(vec3(.5 + .25 * uGain), 1.); }\n");
+    read_scene(full_scene);
+    const FoundResult found = search({change(ChangeKind::without_term, " + .25 * uGain", "")});
+    EXPECT_EQ(found.rungs[0].outcome, Outcome::tried) << found.rungs[0].reason;
+    EXPECT_NEAR(found.rungs[0].at[0].own.display.rmse, .25, 1e-6);
+}
+
 TEST_F(FoundSearch, TheSameSeedGivesTheSameRungsAndErrorsToTheBit) {
     write_full(
         "uniform float uGain, uHue;\nvoid main() { float s = 0.; for (int i = 0; i < 6; ++i) s += sin(uHue * float(i) "

@@ -233,6 +233,14 @@ void main() {
     const SweepResult result = measure(*bench, sweeps.at(0), options);
     ASSERT_TRUE(result.residual);
     EXPECT_GT(*result.residual, 0);
+    // All pixels where the two references differ are counted, so it is no less in total.
+    ASSERT_TRUE(result.whole_residual);
+    const auto pixels = static_cast<double>(result.reference.pixels());
+    ASSERT_EQ(result.reference.pixels(), result.rungs[0].picture.pixels());
+    const auto own = static_cast<double>(result.own_pixels > 0 ? result.own_pixels : result.reference.pixels());
+    EXPECT_GE(*result.whole_residual * std::sqrt(pixels), *result.residual * std::sqrt(own) * (1 - 1e-9));
+    for (const RungResult& rung : result.rungs)
+        EXPECT_EQ(compare(rung.picture, result.reference).light.rmse, rung.whole.light.rmse) << rung.name;
     EXPECT_GE(result.finest.grid, 4);
     EXPECT_TRUE(result.reference_note.starts_with("reference good to ")) << result.reference_note;
     const RungResult &far = result.rungs[0], &close = result.rungs[1], &last = result.rungs[2];

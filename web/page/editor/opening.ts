@@ -29,8 +29,8 @@ const mostMessages = 5;
 
 function sayAll(host: EditorHost, messages: readonly string[]): void {
     const rest = messages.length - mostMessages;
-    const text = messages.slice(0, mostMessages).join(' ') + (rest > 0 ? ` ${rest} more files are left out.` : '');
-    if (text !== '') host.say(text);
+    // An empty one takes away what was said about an earlier try.
+    host.say(messages.slice(0, mostMessages).join(' ') + (rest > 0 ? ` ${rest} more files are left out.` : ''));
 }
 
 // True if none of these files has edits that would be lost, or the author wants it so.

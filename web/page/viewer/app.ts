@@ -266,7 +266,6 @@ export class Page {
         if (settles && !opened.ok && !opened.shown) opened = session.engine.open(scene, { fresh: true, lints: true });
         const vain = settles && opened.shown ? opened.problems.filter(inVain) : [];
         this.accept({ ...opened, problems: opened.problems.filter((problem) => !vain.includes(problem)) }, settings);
-        if (!contents?.checker) session.setValues(values);
         const ranges = opened.shown ? session.setRanges(settings.ranges) : [];
         if (settings.ranges.length > ranges.length) this.panel?.refresh();
         const wrong = [...refused, ...ranges, ...vain.map(({ message }) => message)];

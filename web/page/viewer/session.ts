@@ -172,16 +172,6 @@ export class Session {
         return next.value[component];
     }
 
-    // Ready pictures take no settings when they are opened.
-    setValues(values: readonly string[]): void {
-        for (const control of this.controls) {
-            const text = values.find((value) => value.startsWith(`${control.key}=`));
-            this.set(control, 0, text ? Number(text.slice(control.key.length + 1)) : control.initial[0]!);
-        }
-        this.history.clear();
-        this.on.changed();
-    }
-
     // What differs from the scene's ranges: "Glass.uEta=1,5".
     ranges(): string[] {
         const differ = this.controls.filter((control) => control.min !== control.initialMin || control.max !== control.initialMax);

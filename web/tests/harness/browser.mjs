@@ -126,9 +126,12 @@ export async function openText(page) {
 
 // Presses the first visible button whose text begins so.
 export async function press(page, text, within = '') {
-    for (const button of await page.$$(`${within} button`))
-        if ((await button.evaluate((element) => element.checkVisibility() && element.textContent)).toString().startsWith(text)) return button.click();
-    assert.fail(`there is no button '${text}'`);
+    const found = await page.evaluateHandle(
+        (selector, begin) => [...document.querySelectorAll(selector)].find((each) => each.checkVisibility() && each.textContent.startsWith(begin)),
+        `${within} button`,
+        text,
+    );
+    await (found.asElement() ?? assert.fail(`there is no button '${text}'`)).click();
 }
 
 export async function chord(page, key, ...held) {
@@ -141,7 +144,7 @@ export async function chord(page, key, ...held) {
 export async function drop(page, ...files) {
     const devtools = await page.createCDPSession();
     const data = { items: [], files, dragOperationsMask: 1 };
-    for (const type of ['dragEnter', 'dragOver', 'drop']) await devtools.send('Input.dispatchDragEvent', { type, x: 300, y: 300, data });
+    for (const type of ['dragEnter', 'dragOver', 'drop']) await devtools.send('Input.dispatchDragEvent', { type, x: 150, y: 100, data });
     await devtools.detach();
 }
 

@@ -70,9 +70,11 @@ private:
         return result;
     }
 
-    bool is_first(const SlideRung& rung) const { return rung.sweep == rungs_[own_].sweep && rung.rung == 0; }
+    static bool is_first(const SlideRung& rung) {
+        return rung.rung == 0 && rung.sweep->sweep.kind == SweepKind::ladder;
+    }
 
-    // The most exact; then the first rung of the ladder, or the nearest.
+    // The most exact; then the first rung of a ladder, or the nearest.
     void add_equal_times() {
         const auto equal = [&](const SlideRung& rung) {
             return same_time(rung.point, own()) && factor(rung.point.error, own().error) > different_errors;
@@ -173,8 +175,9 @@ std::vector<bool> common_front(const std::vector<SlideRung>& rungs) {
     std::vector<bool> front;
     for (const SlideRung& rung : rungs)
         front.push_back(may_be_on_front(rung) && ranges::none_of(rungs, [&](const SlideRung& other) {
-                            return other.sweep != rung.sweep && other.point.found == rung.point.found &&
-                                   other.timed() && other.sweep->trusted() && beaten(rung.point, other.point);
+                            const bool judged = other.sweep == rung.sweep && rung.sweep->sweep.kind != SweepKind::found;
+                            return &other != &rung && !judged && other.timed() && other.sweep->trusted() &&
+                                   beaten(rung.point, other.point);
                         }));
     return front;
 }

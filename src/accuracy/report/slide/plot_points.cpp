@@ -14,9 +14,9 @@ namespace snell::accuracy {
 namespace {
 
 constexpr double text_row = line_height * small_text, strip = 40, radius = 12;
-constexpr double numbers_width = 150;         // of the errors at the axis
-constexpr std::size_t most_front_labels = 4;  // besides those of the columns
-constexpr double label_width = 320;
+constexpr double numbers_width = 150;           // of the errors at the axis
+constexpr std::size_t most_front_labels = 4;    // besides those of the columns
+constexpr double label_width = 420, near = 30;  // in pixels
 
 bool has_bar(const SlidePoint& p) { return p.low > 0 && std::isfinite(p.high); }
 // It has a place on the axis of errors.
@@ -42,10 +42,8 @@ public:
             if (p.column == no_column) mark(p);
         for (const SlidePoint& p : slide_.points)
             if (p.column != no_column) mark(p);
-        if (!slide_.stamp.empty()) {
-            const SlideBox size = page_.text_box(0, 0, slide_.stamp);
-            place(page_.text_box(frame_.x1 - size.width() - 12, frame_.y0 + 6, slide_.stamp), slide_.stamp);
-        }
+        const SlideBox stamp = page_.text_box(0, 0, slide_.stamp);
+        page_.text(page_.text_box(frame_.x1 - stamp.width(), title_top_, slide_.stamp), slide_.stamp, ink::text);
         labels();
     }
 
@@ -66,7 +64,7 @@ private:
         }
         return high > 0 ? Axis(low, high, frame_.x0, frame_.x1) : Axis(1, 10, frame_.x0, frame_.x1);
     }
-    // The floor is shown if errors come within a factor of 300 of it.
+    // The floor is shown if errors come within a factor of 100 of it.
     Axis error_axis() const {
         double low = 1e30, high = 0;
         for (const SlidePoint& p : slide_.points)
@@ -74,7 +72,8 @@ private:
                 low = std::min(low, p.error);
                 high = std::max(high, p.error);
             }
-        if (slide_.floor > low / 300) low = std::min(low, slide_.floor * .75);
+        if (slide_.floor > low / 100)
+            low = std::min(low, slide_.floor * std::min(.75, std::pow(slide_.floor / high, .12)));
         const double from = frame_.y1 - (has_zero() ? strip : 0), to = frame_.y0 + (has_infinite() ? strip : 0);
         return high > 0 ? Axis(low, high, from, to) : Axis(.001, 1, from, to);
     }
@@ -103,11 +102,12 @@ private:
             after = box.x1;
             page_.text(box, number, ink::text);
         }
-        double above = frame_.y1 - (has_zero() ? strip : 0) + text_row / 2;
+        double above = has_zero() ? frame_.y1 - (strip + text_row) / 2 - 4 : frame_.y1 + text_row / 2;
+        const double below = has_infinite() ? frame_.y0 + (strip + text_row) / 2 + 4 : frame_.y0 - 4;
         for (double tick : y_.ticks()) {
             const double y = y_.at(tick);
             page_.line(frame_.x0, y, frame_.x1, y, 2, ink::grid);
-            if (y + text_row / 2 > above || y - text_row / 2 < frame_.y0 - 10 + (has_infinite() ? strip : 0)) continue;
+            if (y + text_row / 2 > above || y - text_row / 2 < below) continue;
             above = y - text_row / 2 - 4;
             number_at(y, fmt::format("{:g}", tick));
         }
@@ -115,7 +115,7 @@ private:
         if (has_infinite()) number_at(frame_.y0 + strip / 2, "∞");
         page_.line(frame_.x0, frame_.y0, frame_.x0, frame_.y1, 4, ink::axis);
         page_.line(frame_.x0 - 2, frame_.y1, frame_.x1, frame_.y1, 4, ink::axis);
-        const std::string error = "error of light (RMSE)", time = "time of a frame, ms: " + slide_.clock;
+        const std::string error = "error of light (RMSE)", time = "time of a frame, ms (" + slide_.clock + ")";
         page_.text(page_.text_box(frame_.x0 - numbers_width, title_top_, error), error, ink::text);
         const SlideBox size = page_.text_box(0, 0, time);
         page_.text(page_.text_box(frame_.x1 - size.width(), frame_.y1 + text_row + 6, time), time, ink::text);
@@ -127,17 +127,14 @@ private:
 
     // A staircase, because there are no choices between two rungs.
     void front_lines() {
-        for (const bool found : {false, true}) {
-            std::vector<const SlidePoint*> front;
-            for (const SlidePoint& p : slide_.points)
-                if (p.front && p.found == found) front.push_back(&p);
-            ranges::stable_sort(front, {}, [](const SlidePoint* p) { return p->milliseconds; });
-            for (std::size_t i = 1; i < front.size(); ++i) {
-                const double x0 = x_of(*front[i - 1]), y0 = y_of(*front[i - 1]), x1 = x_of(*front[i]),
-                             y1 = y_of(*front[i]);
-                segment(x0, y0, x1, y0);
-                segment(x1, y0, x1, y1);
-            }
+        std::vector<const SlidePoint*> front;
+        for (const SlidePoint& p : slide_.points)
+            if (p.front) front.push_back(&p);
+        ranges::stable_sort(front, {}, [](const SlidePoint* p) { return p->milliseconds; });
+        for (std::size_t i = 1; i < front.size(); ++i) {
+            const double x0 = x_of(*front[i - 1]), y0 = y_of(*front[i - 1]), x1 = x_of(*front[i]), y1 = y_of(*front[i]);
+            segment(x0, y0, x1, y0);
+            segment(x1, y0, x1, y1);
         }
     }
     void segment(double x0, double y0, double x1, double y1) {
@@ -156,7 +153,7 @@ private:
         page_.line(x0, y, x1, y, 5, color(p));
         page_.line(x0, y - end, x0, y + end, 5, color(p));
         page_.line(x1, y - end, x1, y + end, 5, color(p));
-        taken_.push_back({x0 - 3, y - end, x1 + 3, y + end});
+        taken_.push_back({x0 - 12, y - end, x1 + 12, y + end});
     }
 
     void mark(const SlidePoint& p) {
@@ -176,7 +173,8 @@ private:
     }
     void place(const SlideBox& box, const std::string& words, unsigned color = ink::text) {
         page_.text(box, words, color);
-        taken_.push_back(box);
+        texts_.push_back({box.x0 - 16, box.y0, box.x1 + 16, box.y1});
+        taken_.push_back(texts_.back());
     }
 
     // The important points first: those with pictures, then some of the front.
@@ -200,9 +198,11 @@ private:
         const std::string words = page_.cut(p.name, label_width);
         const SlideBox size = page_.text_box(0, 0, words);
         const double w = size.width(), x = x_of(p), y = y_of(p), side = radius + 10;
-        for (double far : {0., 12., 28., 46., 66., 90., 120., 160., 200.})
-            for (const auto& [dx, dy] : {std::pair{side, -text_row / 2},
-                                         {-side - w, -text_row / 2},
+        const double right = has_bar(p) ? std::max(side, x_.at(p.high) - x + 14) : side;
+        const double left = has_bar(p) ? std::max(side, x - x_.at(p.low) + 14) : side;
+        for (double far : {0., 12., 28., 46., 66., 90., 120.})
+            for (const auto& [dx, dy] : {std::pair{right, -text_row / 2},
+                                         {-left - w, -text_row / 2},
                                          {-w / 2, -side - text_row},
                                          {-w / 2, side},
                                          {side, -text_row - 4},
@@ -210,15 +210,24 @@ private:
                                          {-side - w, -text_row - 4},
                                          {-side - w, 4.}}) {
                 const double top = y + dy + (dy < -text_row / 2 ? -far : dy > -text_row / 2 ? far : 0);
-                const SlideBox box = page_.text_box(x + dx, top, words);
-                if (!free(box)) continue;
-                if (far > 40) {
-                    const double end = std::clamp(x, box.x0, box.x1);
-                    page_.line(x, y, end, top > y ? box.y0 : box.y1, 2, ink::other);
+                // Above and below, it may be shifted to stay inside the frame.
+                const double inside = std::clamp(x + dx, frame_.x0 + 6, std::max(frame_.x1 - w - 6, frame_.x0 + 6));
+                const SlideBox box = page_.text_box(dx == -w / 2 ? inside : x + dx, top, words);
+                if (free(box) && (far <= near || lead(p, box))) {
+                    place(box, words);
+                    return;
                 }
-                place(box, words);
-                return;
             }
+    }
+
+    // Draws a line to a label that is not next to its point; returns false if it would cross another label.
+    bool lead(const SlidePoint& p, const SlideBox& box) {
+        const double x = x_of(p), y = y_of(p), end = std::clamp(x, box.x0 + 20, box.x1 - 20);
+        const double edge = box.y0 > y ? box.y0 : box.y1;
+        const SlideBox around{std::min(x, end), std::min(y, edge), std::max(x, end), std::max(y, edge)};
+        if (ranges::any_of(texts_, [&](const SlideBox& other) { return around.meets(other); })) return false;
+        page_.line(x, y, end, edge, 3, color(p));
+        return true;
     }
 
     void floor_label() {
@@ -243,6 +252,7 @@ private:
     Axis x_, y_;
     std::optional<SlideBox> band_;
     std::vector<SlideBox> taken_;  // no label may cover them
+    std::vector<SlideBox> texts_;  // of these, the labels, with some room at their sides
 };
 
 }  // namespace

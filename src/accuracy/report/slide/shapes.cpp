@@ -14,7 +14,7 @@ namespace snell::accuracy {
 namespace {
 
 constexpr double margin = 40, crop_width = 288, crop_height = 192, gap = 22, row = line_height * small_text;
-constexpr double brackets_top = 536, names_top = 574, crops_top = 612, maps_top = crops_top + crop_height + 8,
+constexpr double brackets_top = 546, names_top = 588, crops_top = 630, maps_top = crops_top + crop_height + 8,
                  numbers_top = maps_top + crop_height + 6;
 
 double column_left(const Slide& slide, std::size_t column) {
@@ -51,8 +51,12 @@ void framed(SlidePage& page, const Raster& raster, double x, double y, unsigned 
     const double left = x + std::floor((crop_width - large.width) / 2),
                  top = y + std::floor((crop_height - large.height) / 2);
     const SlideBox frame{left, top, left + large.width, top + large.height};
-    page.image(left, top, std::move(large));
+    page.image(frame, std::move(large));
     page.box(frame, stroke, color);
+}
+
+std::string time_number(double milliseconds) {
+    return milliseconds >= 100 ? fmt::format("{:.0f}", milliseconds) : fmt::format("{:#.3g}", milliseconds);
 }
 
 void column(SlidePage& page, const Slide& slide, std::size_t i) {
@@ -64,13 +68,15 @@ void column(SlidePage& page, const Slide& slide, std::size_t i) {
     page.text(page.text_box(x + 3 * radius, names_top, name), name, ink::text);
     framed(page, column.picture, x, crops_top, color, 6);
     framed(page, column.map, x, maps_top, color, 6);
+    // What differs from the scene's own rung stands out.
+    const bool bold_error = column.equal_time && !column.own, bold_time = column.equal_error && !column.own;
     const std::string error = error_number(column.error);
-    const SlideBox size = page.text_box(0, 0, error);
-    page.text(page.text_box(x + crop_width - size.width(), numbers_top, error), error, ink::text);
-    if (column.milliseconds > 0) {
-        const std::string time = fmt::format("{:.3g} ms", column.milliseconds);
-        page.text(page.text_box(x, numbers_top, time), time, ink::text);
-    }
+    const SlideBox size = page.text_box(0, 0, error, small_text, bold_error);
+    page.text(page.text_box(x + crop_width - size.width(), numbers_top, error, small_text, bold_error), error,
+              ink::text, small_text, bold_error);
+    if (!(column.milliseconds > 0)) return;
+    const std::string time = time_number(column.milliseconds) + " ms";
+    page.text(page.text_box(x, numbers_top, time, small_text, bold_time), time, ink::text, small_text, bold_time);
 }
 
 // The scale of the maps, where the reference would have its own.
@@ -84,7 +90,7 @@ void scale(SlidePage& page, const Slide& slide, double x) {
     const double top = maps_top + 56;
     const SlideBox frame{x, top, x + crop_width, top + bar.height};
     page.text(page.text_box(x, top - row - 6, "error seen (FLIP)"), "error seen (FLIP)", ink::text);
-    page.image(x, top, std::move(bar));
+    page.image(frame, std::move(bar));
     page.box(frame, 2, ink::axis);
     page.text(page.text_box(x, frame.y1 + 4, "0"), "0", ink::text);
     const std::string most = fmt::format("{:g}{}", slide.scale, slide.scale < 1 ? " or more" : "");
@@ -102,12 +108,15 @@ void reference_column(SlidePage& page, const Slide& slide) {
 // The whole picture, and from where the others are.
 void whole(SlidePage& page, const Slide& slide, const SlideBox& at) {
     if (slide.whole.width == 0) return;
-    const double x = std::floor(at.x0 + (at.width() - slide.whole.width) / 2), y = at.y0;
-    page.image(x, y, slide.whole);
-    page.box({x, y, x + slide.whole.width, y + slide.whole.height}, 2, ink::axis);
+    const double factor = std::min(at.width() / slide.whole.width, at.height() / slide.whole.height);
+    const double x = at.x1 - factor * slide.whole.width, y = at.y0;
+    const SlideBox all{x, y, at.x1, y + factor * slide.whole.height};
+    page.image(all, slide.whole);
+    page.box(all, 2, ink::axis);
     if (slide.columns.empty()) return;
     const Window& w = slide.window;
-    const SlideBox frame{x + w.x, y + w.y, x + w.x + w.width, y + w.y + w.height};
+    const SlideBox frame{x + factor * w.x, y + factor * w.y, x + factor * (w.x + w.width),
+                         y + factor * (w.y + w.height)};
     page.box(frame, 8, 0xffffff);
     page.box(frame, 4, ink::axis);
 }
@@ -131,8 +140,7 @@ void SlidePage::box(const SlideBox& at, double stroke, unsigned color) {
 void SlidePage::disc(double x, double y, double radius, double stroke, unsigned color) {
     shapes.push_back({ShapeKind::disc, {x - radius, y - radius, x + radius, y + radius}, color, stroke});
 }
-void SlidePage::image(double x, double y, Raster picture) {
-    const SlideBox at{x, y, x + picture.width, y + picture.height};
+void SlidePage::image(const SlideBox& at, Raster picture) {
     shapes.push_back({.kind = ShapeKind::image, .at = at, .picture = std::move(picture)});
 }
 void SlidePage::text(const SlideBox& at, std::string words, unsigned color, double size, bool bold) {
@@ -178,7 +186,7 @@ std::vector<SlideShape> slide_shapes(const Slide& slide, const TextWidth& width)
     const double plot_right = slide.whole.width > 0 ? 1466 : slide_width - margin;
     heading(page, slide);
     plot_points(page, slide, {margin, 78, plot_right, brackets_top - 10});
-    whole(page, slide, {plot_right + 34, 84, slide_width - margin, brackets_top});
+    whole(page, slide, {plot_right + 34, 84, slide_width - margin, 84 + 380});
     if (!slide.columns.empty()) {
         bracket(page, slide, &SlideColumn::equal_time, "equal time");
         bracket(page, slide, &SlideColumn::equal_error, "equal error");

@@ -37,7 +37,7 @@ struct SlideShape {
 using TextWidth = std::function<double(const std::string& text, double size, bool bold)>;
 
 // The least size of text: legible from the last row.
-inline constexpr double small_text = 28, large_text = 44;
+inline constexpr double small_text = 32, large_text = 44;
 
 namespace ink {
 inline constexpr unsigned text = 0x1a1a1a, weak = 0x555555, axis = 0x1a1a1a, grid = 0xdcdcdc, band = 0xd9d9d9,
@@ -54,7 +54,7 @@ public:
     void line(double x0, double y0, double x1, double y1, double stroke, unsigned color);
     void box(const SlideBox& at, double stroke, unsigned color);
     void disc(double x, double y, double radius, double stroke, unsigned color);
-    void image(double x, double y, Raster picture);
+    void image(const SlideBox& at, Raster picture);
     void text(const SlideBox& at, std::string words, unsigned color, double size = small_text, bool bold = false);
 
     // The box of a line of text, whose top left is at x, y.

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <tuple>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/slide/choose.h"
 #include "src/accuracy/report/slide/crops.h"
 
@@ -22,13 +25,17 @@ bool has_errors(const SweepResult& sweep) {
            });
 }
 
-// Combinations, then ladders, then knobs; of these the one in which most can be gained.
+bool timed(const SweepResult& sweep) {
+    return ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+}
+
+// Those with times; of these combinations, then ladders, then knobs; of these the one in which most can be gained.
 const SweepResult* main_sweep(const Report& report) {
     const auto rank = [](const SweepResult& sweep) {
         const RungResult& own = sweep.rungs[sweep.sweep.current];
         const double error = own.drawn && std::isfinite(own.whole.light.rmse) ? own.whole.light.rmse : -1;
         const int kind = sweep.sweep.kind == SweepKind::lattice ? 2 : sweep.sweep.kind == SweepKind::ladder ? 1 : 0;
-        return std::pair(kind, error);
+        return std::tuple(timed(sweep), kind, error);
     };
     const SweepResult* best = nullptr;
     for (const SweepResult& sweep : report.sweeps)
@@ -38,37 +45,115 @@ const SweepResult* main_sweep(const Report& report) {
 
 // Their errors are on one scale, and so are their times.
 bool comparable(const SweepResult& a, const SweepResult& b) {
-    return a.scene == b.scene && a.clock == b.clock && a.reference == b.reference;
+    return a.scene == b.scene && a.reference == b.reference && (a.clock == b.clock || !timed(a) || !timed(b));
+}
+
+// What is on the slide.
+struct Shown {
+    const FoundResult* found = nullptr;      // null: none, or not comparable
+    std::vector<const SweepResult*> sweeps;  // the one with the scene's own rung first; that of `found` is timed
+    const Picture* reference = nullptr;      // that the errors are from; null: there is none
+    double floor = 0;
+
+    bool is_found(const SweepResult& sweep) const { return found && &sweep == &found->timed; }
+    // Found rungs were compared with the scene as it is: their errors from the reference are computed here.
+    double error(const SweepResult& sweep, std::size_t rung) const {
+        const RungResult& result = sweep.rungs[rung];
+        if (is_found(sweep) && reference != &scene_picture()) return compare(result.picture, *reference).light.rmse;
+        return result.whole.light.rmse;
+    }
+    const Picture& scene_picture() const { return found->timed.rungs[found->timed.sweep.current].picture; }
+};
+
+bool same_size(const Picture& a, const Picture& b) { return a.width == b.width && a.height == b.height; }
+
+const Picture* reference_of(const SweepResult& sweep) {
+    const Picture& picture =
+        sweep.reference.rgba.empty() ? sweep.rungs[sweep.sweep.reference].picture : sweep.reference;
+    return picture.rgba.empty() ? nullptr : &picture;
+}
+
+const FoundResult* found_for(const Report& report, const SweepResult* main) {
+    for (const FoundResult& found : report.found) {
+        const SweepResult& timed = found.timed;
+        if (timed.rungs.size() < 2 || (main && (main->scene != found.scene || main->clock != timed.clock))) continue;
+        const Picture* reference = main ? reference_of(*main) : reference_of(timed);
+        const bool fits = reference && ranges::all_of(timed.rungs, [&](const RungResult& rung) {
+                              return same_size(rung.picture, *reference);
+                          });
+        if (fits) return &found;
+    }
+    return nullptr;
+}
+
+Shown shown_of(const Report& report) {
+    Shown shown;
+    const SweepResult* const main = main_sweep(report);
+    shown.found = found_for(report, main);
+    if (shown.found) shown.sweeps.push_back(&shown.found->timed);
+    if (main) shown.sweeps.push_back(main);
+    if (shown.sweeps.empty()) return shown;
+    for (const SweepResult& sweep : report.sweeps)
+        if (main && &sweep != main && has_errors(sweep) && comparable(sweep, *main)) shown.sweeps.push_back(&sweep);
+    shown.reference = reference_of(main ? *main : shown.found->timed);
+    for (const SweepResult* sweep : shown.sweeps)
+        shown.floor = std::max(shown.floor, sweep->whole_residual.value_or(0));
+    return shown;
 }
 
 bool same_picture(const RungResult& a, const RungResult& b) {
     return !a.picture.rgba.empty() && a.picture == b.picture;
 }
 
-// The same combination occurs in several sweeps, such as the last rungs of all ladders.
+// The same combination occurs in several sweeps, such as the last rungs of all ladders, and the scene as it is.
 bool already_there(const std::vector<SlideRung>& rungs, const SweepResult& sweep, std::size_t rung) {
     const auto drawn_as = [](const SweepResult& of, std::size_t i) -> const Variant& {
         return of.sweep.rungs[i].variant;
     };
     const Variant& variant = drawn_as(sweep, rung);
     return ranges::any_of(rungs, [&](const SlideRung& other) {
+        if (other.sweep == &sweep || !same_picture(other.result(), sweep.rungs[rung])) return false;
+        if (other.sweep->sweep.kind == SweepKind::found) return other.point.own && variant.knobs == Knobs{};
         const Variant& known = drawn_as(*other.sweep, other.rung);
-        return other.sweep != &sweep && known.rungs == variant.rungs && known.knobs == variant.knobs &&
-               same_picture(other.result(), sweep.rungs[rung]);
+        return known.rungs == variant.rungs && known.knobs == variant.knobs;
     });
 }
 
-std::vector<SlideRung> rungs_of(const std::vector<const SweepResult*>& sweeps, double floor) {
+// True of names such as "8x8", which say nothing without that of their sweep.
+bool mere_number(std::string_view name) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    for (std::size_t i = 1; i < name.size(); ++i)
+        if (letter(name[i - 1]) && letter(name[i])) return false;
+    return true;
+}
+
+std::string name_of(const Shown& shown, const SweepResult& sweep, std::size_t rung) {
+    const RungResult& result = sweep.rungs[rung];
+    if (!shown.is_found(sweep)) return result.name;
+    if (rung == sweep.sweep.current) return "the scene";
+    const FoundRung* const found = shown.found->find(result.name);
+    return found && found->changes.size() == 1 ? result.name + " " + kind_of(*shown.found, *found) : result.name;
+}
+
+// Puts the name of the sweep before names that occur in several, or say nothing alone.
+void tell_apart(std::vector<SlideRung>& rungs) {
+    std::map<std::string, int> uses;
+    for (const SlideRung& rung : rungs) ++uses[rung.point.name];
+    for (SlideRung& rung : rungs)
+        if (rung.sweep->sweep.kind != SweepKind::found && (uses[rung.point.name] > 1 || mere_number(rung.point.name)))
+            rung.point.name = rung.sweep->sweep.name + " " + rung.result().name;
+}
+
+std::vector<SlideRung> rungs_of(const Shown& shown) {
     std::vector<SlideRung> result;
-    for (const SweepResult* sweep : sweeps)
+    for (const SweepResult* sweep : shown.sweeps)
         for (std::size_t i = 0; i < sweep->rungs.size(); ++i) {
             const RungResult& rung = sweep->rungs[i];
-            const double error = rung.whole.light.rmse;
-            if (!rung.drawn || std::isnan(error) || already_there(result, *sweep, i)) continue;
+            if (!rung.drawn || std::isnan(rung.whole.light.rmse) || already_there(result, *sweep, i)) continue;
             SlideRung entry{sweep, i, {}};
-            entry.point.name = sweeps.size() > 1 ? sweep->sweep.name + " " + rung.name : rung.name;
-            entry.point.error = std::max(error, floor);
-            entry.point.own = sweep == sweeps.front() && i == sweep->sweep.current;
+            entry.point.name = name_of(shown, *sweep, i);
+            entry.point.error = std::max(shown.error(*sweep, i), shown.floor);
+            entry.point.own = sweep == shown.sweeps.front() && i == sweep->sweep.current;
             if (rung.rounds > 0) {
                 entry.point.milliseconds = rung.milliseconds;
                 entry.point.low = rung.low;
@@ -76,6 +161,7 @@ std::vector<SlideRung> rungs_of(const std::vector<const SweepResult*>& sweeps, d
             }
             result.push_back(std::move(entry));
         }
+    if (shown.sweeps.size() > 1) tell_apart(result);
     const std::vector<bool> front = common_front(result);
     for (std::size_t i = 0; i < result.size(); ++i) result[i].point.front = front[i];
     return result;
@@ -126,15 +212,13 @@ void add_pictures(Slide& slide, const std::vector<const Picture*>& pictures, con
     }
 }
 
-void add_columns(Slide& slide, std::vector<SlideRung>& rungs, const SweepResult& main) {
-    const Picture& reference = main.reference.rgba.empty() ? main.rungs[main.sweep.reference].picture : main.reference;
-    if (reference.rgba.empty()) return;
+void add_columns(Slide& slide, std::vector<SlideRung>& rungs, const Picture& reference) {
     const auto own = ranges::find_if(rungs, [](const SlideRung& rung) { return rung.point.own; });
     std::vector<const Picture*> pictures;
     for (const ColumnChoice& choice : choose_columns(rungs, static_cast<std::size_t>(own - rungs.begin()))) {
         SlidePoint& point = rungs[choice.rung].point;
         const Picture& picture = rungs[choice.rung].result().picture;
-        if (picture.width != reference.width || picture.height != reference.height) continue;
+        if (!same_size(picture, reference)) continue;
         point.column = slide.columns.size();
         slide.columns.push_back(
             {point.name, point.error, point.milliseconds, point.own, choice.equal_time, choice.equal_error, {}, {}});
@@ -143,27 +227,28 @@ void add_columns(Slide& slide, std::vector<SlideRung>& rungs, const SweepResult&
     add_pictures(slide, pictures, reference);
 }
 
+std::string why_no_front(const Slide& slide, const SweepResult& main) {
+    if (slide.points.empty()) return "no times were measured";
+    if (ranges::any_of(slide.points, &SlidePoint::front)) return {};
+    return main.few_rounds ? "too few rounds: no front" : main.control.noisy ? "too noisy: no front" : "no front";
+}
+
 }  // namespace
 
 Slide slide_of(const Report& report) {
     Slide slide;
-    const SweepResult* const main = main_sweep(report);
-    if (!main) return slide;
-    std::vector<const SweepResult*> sweeps{main};
-    for (const SweepResult& sweep : report.sweeps)
-        if (&sweep != main && has_errors(sweep) && comparable(sweep, *main)) sweeps.push_back(&sweep);
-    for (const SweepResult* sweep : sweeps) slide.floor = std::max(slide.floor, sweep->whole_residual.value_or(0));
-    std::vector<SlideRung> rungs = rungs_of(sweeps, slide.floor);
-    add_columns(slide, rungs, *main);
+    const Shown shown = shown_of(report);
+    if (shown.sweeps.empty()) return slide;
+    slide.floor = shown.floor;
+    std::vector<SlideRung> rungs = rungs_of(shown);
+    if (shown.reference) add_columns(slide, rungs, *shown.reference);
     for (SlideRung& rung : rungs)
         if (rung.timed()) slide.points.push_back(std::move(rung.point));
-    slide.title = std::filesystem::path(main->scene).stem().string();
+    const SweepResult& main = *shown.sweeps.front();
+    slide.title = std::filesystem::path(main.scene).stem().string();
     slide.note = fmt::format("{} × {}, {}", report.where.width, report.where.height, report.where.renderer);
-    slide.clock = name(main->clock);
-    if (ranges::none_of(slide.points, &SlidePoint::front))
-        slide.stamp = slide.points.empty() ? "no times were measured"
-                      : main->few_rounds   ? "too few rounds: no front"
-                                           : "too noisy: no front";
+    slide.clock = name(main.clock);
+    slide.stamp = why_no_front(slide, main);
     return slide;
 }
 

@@ -33,7 +33,6 @@ struct SlidePoint {
     double milliseconds = 0, low = 0, high = 0;  // the median and its interval
     bool front = false;
     bool own = false;                // as the scene sets it
-    bool found = false;              // compared with the scene as it is
     std::size_t column = no_column;  // where its picture is shown
 };
 
@@ -59,9 +58,10 @@ struct Slide {
     double scale = 1;  // the FLIP that has the last colour of the maps
 };
 
-// What can be said of the report. Shown are the rungs of all sweeps of a scene that are compared with the same
-// reference: that of the ladder in which the scene's own rung has the largest error. What is unknown is left out;
-// without anything, the slide has no points and no columns.
+// What can be said of the report. Shown are all rungs of a scene, found ones too, whose errors are from one reference:
+// that of the ladder in which the scene's own rung has the largest error. If nothing but found rungs was measured, they
+// are compared with the scene as it is. What is unknown is left out; without anything, the slide has no points and no
+// columns.
 Slide slide_of(const Report& report);
 
 inline constexpr int slide_width = 1920, slide_height = 1080;

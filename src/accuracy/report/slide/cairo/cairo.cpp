@@ -86,8 +86,11 @@ void draw_image(cairo_t* page, const SnellCairoShape& shape) {
     cairo_translate(page, shape.x0, shape.y0);
     cairo_scale(page, (shape.x1 - shape.x0) / shape.width, (shape.y1 - shape.y0) / shape.height);
     cairo_set_source_surface(page, image.get(), 0, 0);
-    cairo_pattern_set_filter(cairo_get_source(page), CAIRO_FILTER_NEAREST);
-    cairo_paint(page);
+    const bool as_it_is = shape.x1 - shape.x0 == shape.width && shape.y1 - shape.y0 == shape.height;
+    cairo_pattern_set_filter(cairo_get_source(page), as_it_is ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_BILINEAR);
+    cairo_pattern_set_extend(cairo_get_source(page), CAIRO_EXTEND_PAD);
+    cairo_rectangle(page, 0, 0, shape.width, shape.height);
+    cairo_fill(page);
     cairo_restore(page);
 }
 

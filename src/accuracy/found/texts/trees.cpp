@@ -1,8 +1,11 @@
 // Expressions and statements of shaders, as far as changes need them.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <set>
 
 #include "parser/text/real.h"
-#include "src/accuracy/found/texts.h"
+#include "src/accuracy/found/texts/texts.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::accuracy::texts {
@@ -11,7 +14,8 @@ using glsl::Unit;
 
 namespace {
 
-constexpr int deepest = 60;
+// Of brackets, and of operators in a row: a tree is as deep as both say.
+constexpr int deepest = 60, longest = 100;
 
 class Reader {
 public:
@@ -63,8 +67,10 @@ private:
 
     Tree infix(int least) {
         Tree left = prefix();
+        int links = 0;
         for (int level = glsl::precedence(text()); level >= least && level > 0; level = glsl::precedence(text())) {
             const std::string_view op = text();
+            if (++links > longest) return {};
             ++p_;
             left = join(Kind::infix, op, std::move(left), infix(level + 1));
         }
@@ -85,7 +91,8 @@ private:
 
     Tree postfix() {
         Tree tree = primary();
-        while (tree.kind != Kind::other) {
+        for (int links = 0; tree.kind != Kind::other; ++links) {
+            if (links > longest) return {};
             if (text() == "." && token(1).kind == glsl::Kind::identifier) {
                 tree = wrap(Kind::select, token(1).text, std::move(tree), p_ + 1);
                 p_ += 2;
@@ -156,16 +163,22 @@ const Tree& bare(const Tree& tree) {
     return *inner;
 }
 
-std::optional<double> number(const Tree& tree) {
+std::optional<double> number_of(const Tree& tree) {
     const Tree& t = bare(tree);
     if (t.is(Tree::Kind::prefix, "-")) {
-        const auto value = number(t.parts.front());
+        const auto value = number_of(t.parts.front());
         return value ? std::optional(-*value) : std::nullopt;
     }
     double value = 0;
     if (t.kind != Tree::Kind::number) return std::nullopt;
     read_real(t.text.data(), t.text.data() + t.text.size(), value);
     return value;
+}
+
+std::string numeral(double value, bool whole) {
+    std::string text = whole ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+    if (!whole && text.find_first_of(".e") == text.npos) text += ".";
+    return text;
 }
 
 bool same(const Unit& unit, const Tree& a, const Tree& b) {
@@ -188,11 +201,29 @@ public:
             for (std::size_t i = 0; i < body_.loops.size(); ++i)
                 if (piece.first >= body_.loops[i].first && piece.last <= body_.loops[i].last)
                     piece.loops.push_back(static_cast<int>(i));
+        find_certain();
     }
     Body take() { return std::move(body_); }
 
 private:
     std::string_view text(int k) const { return k < end_ ? u_.at(k).text : std::string_view(); }
+
+    void find_certain() {
+        std::set<std::string_view> assigned;
+        for (const Piece& piece : body_.pieces)
+            for_each(piece.value, [&](const Tree& tree) {
+                const bool changes = tree.kind == Tree::Kind::assign || tree.kind == Tree::Kind::postfix ||
+                                     tree.is(Tree::Kind::prefix, "++") || tree.is(Tree::Kind::prefix, "--");
+                if (changes) assigned.insert(u_.at(tree.parts[0].first).text);
+            });
+        for (std::size_t i = 0; i < body_.pieces.size(); ++i) {
+            const Piece& piece = body_.pieces[i];
+            if (piece.kind != Piece::Kind::declaration) continue;
+            const bool known = piece.value.kind != Tree::Kind::other && !assigned.contains(piece.name);
+            const auto [at, fresh] = body_.certain.emplace(piece.name, known ? static_cast<int>(i) : -1);
+            if (!fresh) at->second = -1;
+        }
+    }
 
     int matching(int open) const {
         int depth = 0;

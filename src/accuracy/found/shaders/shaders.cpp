@@ -1,5 +1,5 @@
 // Cheaper changes of the shaders of a scene.
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 
 #include <algorithm>
 #include <memory>

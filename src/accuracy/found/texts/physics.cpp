@@ -1,4 +1,4 @@
-#include "src/accuracy/found/physics.h"
+#include "src/accuracy/found/texts/physics.h"
 
 #include <fmt/format.h>
 
@@ -7,56 +7,44 @@
 
 #include "parser/text/ranges.h"
 
-namespace snell::accuracy::physics {
+namespace snell::accuracy::texts {
 
 namespace {
 
-using texts::after;
-using texts::before;
-using texts::Body;
-using texts::Collector;
-using texts::Piece;
-using texts::Shader;
-using texts::Tree;
 using Kind = Tree::Kind;
-using Edits = std::vector<Edit>;
 
 constexpr int most_rounds = 4096;  // that a loop is given: drivers end long ones
-
-// A number as GLSL writes one of this kind.
-std::string number_text(double value, bool whole) {
-    std::string text = whole ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
-    if (!whole && text.find_first_of(".e") == text.npos) text += ".";
-    return text;
-}
-
-bool adds(const Edit& edit) { return !edit.text.empty(); }
 
 // ---- more rounds --------------------------------------------------------------------------------------------
 
 class Rounds {
 public:
-    Rounds(const Shader& shader, const Sources& sources, Collector& to)
-        : s_(shader), u_(shader.unit), sources_(sources), to_(to) {}
+    Rounds(const Shader& shader, Collector& to) : s_(shader), u_(shader.unit), to_(to) {}
 
     void run() {
         for (const Body& body : s_.bodies)
-            for (const texts::Loop& loop : body.loops)
+            for (const Loop& loop : body.loops)
                 if (u_.at(loop.word).text == "for") more(body, loop);
     }
 
 private:
-    bool counts(const texts::Loop& loop) const {
-        const Tree& c = loop.condition;
+    // The comparison of the counter, which may be one of several conditions.
+    static const Tree& limit(const Loop& loop) {
+        const Tree* limit = &bare(loop.condition);
+        while (limit->infix("&&")) limit = &bare(limit->parts[0]);
+        return *limit;
+    }
+    bool counts(const Loop& loop) const {
+        const Tree& c = limit(loop);
         return (c.infix("<") || c.infix("<=")) && c.parts[0].is(Kind::name, loop.counter) && !loop.counter.empty() &&
-               texts::number(loop.start).has_value();
+               number_of(loop.start).has_value();
     }
     bool by_one(const Tree& step) const {
         return step.is(Kind::postfix, "++") || step.is(Kind::prefix, "++") ||
-               (step.is(Kind::assign, "+=") && texts::number(step.parts[1]) == 1.);
+               (step.is(Kind::assign, "+=") && number_of(step.parts[1]) == 1.);
     }
     // An element of an array may not be there for more rounds.
-    bool indexes(const texts::Loop& loop) const {
+    bool indexes(const Loop& loop) const {
         for (int k = loop.first; k <= loop.last && k < static_cast<int>(u_.tokens.size()); ++k)
             if (u_.at(k).text == "[")
                 for (int j = k + 1; j <= loop.last && u_.at(j).text != "]"; ++j)
@@ -64,15 +52,15 @@ private:
         return false;
     }
 
-    void more(const Body& body, const texts::Loop& loop) {
+    void more(const Body& body, const Loop& loop) {
         if (!counts(loop) || indexes(loop)) return;
-        const Tree& bound = loop.condition.parts[1];
+        const Tree& bound = limit(loop).parts[1];
         if (!by_one(loop.step)) {
             if (loop.step.is(Kind::assign, "+=") && u_.at(loop.step.parts[1].first).kind == glsl::Kind::real)
                 for (const double factor : {2., 4.}) change(body, loop, loop.step.parts[1], 1 / factor, false);
             return;
         }
-        const Tree& value = texts::bare(bound);
+        const Tree& value = bare(bound);
         for (const double factor : {2., 4.}) {
             if (value.kind == Kind::number && u_.at(value.first).macro < 0)
                 change(body, loop, value, factor, true);
@@ -86,23 +74,23 @@ private:
     static bool sensible(double rounds) { return rounds >= 2 && rounds <= most_rounds; }
 
     // The number and, in the same function, others that say the same, such as the divisor of a mean.
-    void change(const Body& body, const texts::Loop& loop, const Tree& number, double factor, bool bound) {
-        const auto value = texts::number(number);
-        const auto head = texts::place(u_, to_, loop.word, loop.close);
+    void change(const Body& body, const Loop& loop, const Tree& number, double factor, bool bound) {
+        const auto value = number_of(number);
+        const auto head = span_of(u_, to_, loop.word, loop.close);
         if (!value || !head || !(*value > 0)) return;
-        const double start = texts::number(loop.start).value_or(0);
+        const double start = number_of(loop.start).value_or(0);
         if (bound && (*value <= start || !sensible((*value - start) * factor))) return;
         Edits edits;
         std::vector<Span> more;
         const bool alone = bound && *value < 3;  // 1 and 2 are in many formulas
         for (int k = body.function->open; k < body.function->close; ++k) {
             const glsl::Token& t = u_.at(k);
-            const bool numeral = t.kind == glsl::Kind::integer || t.kind == glsl::Kind::real;
-            if (!numeral || (alone && k != number.first)) continue;
+            const bool written = t.kind == glsl::Kind::integer || t.kind == glsl::Kind::real;
+            if (!written || (alone && k != number.first)) continue;
             const Tree leaf{Kind::number, k, k, t.text, {}};
-            const auto place = texts::place(u_, to_, leaf);
-            if (texts::number(leaf) != *value || !place) continue;
-            edits.push_back({*place, number_text(*value * factor, t.kind == glsl::Kind::integer)});
+            const auto place = span_of(u_, to_, leaf);
+            if (number_of(leaf) != *value || !place) continue;
+            edits.push_back({*place, numeral(*value * factor, t.kind == glsl::Kind::integer)});
             if (place->begin < head->begin || place->end > head->end) more.push_back(*place);
         }
         to_.add(ChangeKind::more_rounds, *head, std::move(edits), {}, more);
@@ -111,7 +99,7 @@ private:
     // The tokens of the number that a constant has.
     std::optional<int> constant_of(const Tree& name) const {
         if (name.kind != Kind::name) return std::nullopt;
-        if (const Piece* local = texts::declaration_of(s_, name))
+        if (const Piece* local = declaration_of(s_, name))
             return local->value.kind == Kind::number ? std::optional(local->value.first) : std::nullopt;
         for (const glsl::Global& g : u_.globals)
             if (g.name == name.text && g.qualifiers.storage == glsl::Storage::constant && g.init_first >= 0 &&
@@ -122,21 +110,21 @@ private:
 
     void change_constant(int token, double factor) {
         const Tree leaf{Kind::number, token, token, u_.at(token).text, {}};
-        const auto value = texts::number(leaf);
-        const auto place = texts::place(u_, to_, leaf), name = texts::place(u_, to_, token - 2, token);
+        const auto value = number_of(leaf);
+        const auto place = span_of(u_, to_, leaf), name = span_of(u_, to_, token - 2, token);
         if (!value || !place || !name || !sensible(*value * factor)) return;
-        to_.add(ChangeKind::more_rounds, *name, {{*place, number_text(*value * factor, true)}});
+        to_.add(ChangeKind::more_rounds, *name, {{*place, numeral(*value * factor, true)}});
     }
 
     // The line that defines the macro.
     void change_macro(const Tree& use, double factor) {
         const glsl::Token& token = u_.at(use.first);
         const FileId file = u_.span(use.first).file;
-        const std::string_view text = sources_.text(file);
+        const std::string_view text = to_.sources().text(file);
         std::size_t end = token.offset;
         while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
         const std::string_view name = text.substr(std::min<std::size_t>(token.offset, text.size()), end - token.offset);
-        const auto value = texts::number(use);
+        const auto value = number_of(use);
         if (name.empty() || !value || !sensible(*value * factor)) return;
         for (std::size_t at = text.find("#define"); at != text.npos; at = text.find("#define", at + 1)) {
             const std::size_t word = text.find_first_not_of(" \t", at + 7);
@@ -148,14 +136,13 @@ private:
             const auto begin = static_cast<std::uint32_t>(number),
                        last = begin + static_cast<std::uint32_t>(token.text.size());
             to_.add(ChangeKind::more_rounds, {file, static_cast<std::uint32_t>(at), last},
-                    {{{file, begin, last}, number_text(*value * factor, true)}});
+                    {{{file, begin, last}, numeral(*value * factor, true)}});
             return;
         }
     }
 
     const Shader& s_;
     const glsl::Unit& u_;
-    const Sources& sources_;
     Collector& to_;
 };
 
@@ -176,7 +163,11 @@ public:
 
     void run() {
         for (const Body& body : s_.bodies)
-            for (const Piece& piece : body.pieces) texts::for_each(piece.value, [&](const Tree& tree) { look(tree); });
+            for (const Piece& piece : body.pieces)
+                for_each(piece.value, [&](const Tree& tree) {
+                    look(tree);
+                    look_at_weights(tree);
+                });
     }
 
 private:
@@ -188,14 +179,13 @@ private:
 
     bool power(std::vector<const Tree*> of, Schlick& found) const {
         if (of.size() == 1) {
-            const Tree& whole = texts::resolved(s_, *of[0]);
+            const Tree& whole = resolved(s_, *of[0]);
             if (whole.call("pow", 2)) return found.base = &whole.parts[0], found.exponent = &whole.parts[1], true;
             if (!whole.infix("*")) return false;
             of.clear();
             factors(whole, of);
         }
-        if (of.size() < 2 || ranges::any_of(of, [&](const Tree* f) { return !texts::same(u_, *f, *of[0]); }))
-            return false;
+        if (of.size() < 2 || ranges::any_of(of, [&](const Tree* f) { return !same(u_, *f, *of[0]); })) return false;
         found.base = of[0];
         found.last = of.back();
         found.factors = static_cast<int>(of.size());
@@ -203,15 +193,15 @@ private:
     }
 
     bool rest_of(const Tree& factor, const Tree& f0) const {
-        const Tree& t = texts::bare(factor);
-        const auto a = texts::number(t), b = texts::number(f0);
+        const Tree& t = bare(factor);
+        const auto a = number_of(t), b = number_of(f0);
         if (a && b) return std::abs(*a + *b - 1) < .02;
-        return t.infix("-") && texts::number(t.parts[0]) == 1. && texts::same(u_, t.parts[1], f0);
+        return t.infix("-") && number_of(t.parts[0]) == 1. && same(u_, t.parts[1], f0);
     }
 
     std::optional<Schlick> schlick(const Tree& tree) const {
         Schlick found;
-        if (tree.call("mix", 3) && texts::number(tree.parts[1]) == 1.) {
+        if (tree.call("mix", 3) && number_of(tree.parts[1]) == 1.) {
             for (const int n : {0, 2}) {
                 found.f0 = &tree.parts[static_cast<std::size_t>(n)];
                 if (power({&tree.parts[static_cast<std::size_t>(2 - n)]}, found)) return found;
@@ -222,7 +212,7 @@ private:
         for (const std::size_t n : {0u, 1u}) {
             found.f0 = &tree.parts[n];
             std::vector<const Tree*> product;
-            factors(texts::bare(tree.parts[1 - n]), product);
+            factors(bare(tree.parts[1 - n]), product);
             const auto rest = ranges::find_if(product, [&](const Tree* f) { return rest_of(*f, *found.f0); });
             if (rest == product.end()) continue;
             product.erase(rest);
@@ -233,21 +223,21 @@ private:
 
     // The cosine of 1 - c, as text; empty if it is none.
     std::string cosine(const Tree& tree) const {
-        const Tree& t = texts::resolved(s_, tree);
+        const Tree& t = resolved(s_, tree);
         const auto text = [&](const Tree& part) {
-            const auto place = texts::place(u_, to_, part);
+            const auto place = span_of(u_, to_, part);
             return place ? std::string(to_.text(*place)) : std::string();
         };
-        if (t.infix("-") && texts::number(t.parts[0]) == 1.) return text(t.parts[1]);
-        if (t.infix("+") && texts::number(t.parts[0]) == 1. && texts::bare(t.parts[1]).is(Kind::call, "dot"))
+        if (t.infix("-") && number_of(t.parts[0]) == 1.) return text(t.parts[1]);
+        if (t.infix("+") && number_of(t.parts[0]) == 1. && bare(t.parts[1]).is(Kind::call, "dot"))
             return "-" + text(t.parts[1]);
         if (t.call("clamp", 3) || t.call("max", 2) || t.call("abs", 1))
-            return cosine(texts::number(t.parts[0]) ? t.parts.back() : t.parts[0]);
+            return cosine(number_of(t.parts[0]) ? t.parts.back() : t.parts[0]);
         return "";
     }
 
     bool scalar(const Tree& tree) const {
-        const Tree& t = texts::bare(tree);
+        const Tree& t = bare(tree);
         if (t.kind == Kind::number) return true;
         if (t.kind == Kind::select) return t.text.size() == 1;
         if (t.kind == Kind::infix || t.kind == Kind::prefix)
@@ -258,7 +248,7 @@ private:
             return t.text == "dot" || t.text == "length" || (t.text == "pow" && !t.parts.empty() && scalar(t.parts[0]));
         }
         if (t.kind != Kind::name) return false;
-        if (const Body* body = texts::body_around(s_, t.first)) {
+        if (const Body* body = body_around(s_, t.first)) {
             for (const Piece& piece : body->pieces)
                 if (piece.name == t.text && piece.kind == Piece::Kind::declaration) return piece.type == "float";
             for (int k = body->function->name_token; k < body->function->parameters_end; ++k)
@@ -271,21 +261,21 @@ private:
 
     void look(const Tree& tree) {
         const auto found = schlick(tree);
-        const auto whole = found ? texts::place(u_, to_, tree) : std::nullopt;
+        const auto whole = found ? span_of(u_, to_, tree) : std::nullopt;
         if (!whole) return;
         const std::string c = cosine(*found->base);
         if (c.empty()) return;
         fifth_power(*found, *whole);
-        const auto f0 = texts::place(u_, to_, *found->f0);
+        const auto f0 = span_of(u_, to_, *found->f0);
         if (!f0 || !scalar(*found->f0)) return;
         std::string index;
-        if (const auto value = texts::number(*found->f0)) {
+        if (const auto value = number_of(*found->f0)) {
             if (*value < 0 || *value >= 1) return;
-            index = number_text((1 + std::sqrt(*value)) / (1 - std::sqrt(*value)), false);
+            index = numeral((1 + std::sqrt(*value)) / (1 - std::sqrt(*value)), false);
         } else {
             index = fmt::format("(1. + sqrt({0})) / (1. - sqrt({0}))", to_.text(*f0));
         }
-        const auto include = texts::included(s_, to_, "snell/fresnel.glsl");
+        const auto include = included(s_, to_, "snell/fresnel.glsl");
         if (!include) return;
         Edits edits{{*whole, fmt::format("snellFresnelExact({}, 1., {})", c, index)}};
         if (adds(*include)) edits.push_back(*include);
@@ -294,15 +284,54 @@ private:
 
     void fifth_power(const Schlick& found, Span whole) {
         if (found.exponent) {
-            const auto place = texts::place(u_, to_, *found.exponent);
-            if (place && texts::number(*found.exponent) != 5.) to_.add(ChangeKind::lint_fix, whole, {{*place, "5."}});
+            const auto place = span_of(u_, to_, *found.exponent);
+            if (place && number_of(*found.exponent) != 5.) to_.add(ChangeKind::lint_fix, whole, {{*place, "5."}});
             return;
         }
-        const auto base = texts::place(u_, to_, *found.base), last = texts::place(u_, to_, *found.last);
+        const auto base = span_of(u_, to_, *found.base), last = span_of(u_, to_, *found.last);
         if (!base || !last || found.factors >= 5) return;
         std::string more;
         for (int n = found.factors; n < 5; ++n) more += " * " + std::string(to_.text(*base));
         to_.add(ChangeKind::lint_fix, whole, {after(*last, more)});
+    }
+
+    bool mirrors(const Tree& tree, int steps = 3) const {
+        bool found = false;
+        for_each(tree, [&](const Tree& part) {
+            found = found || part.is(Kind::call, "reflect") || part.is(Kind::call, "snellReflect");
+            if (steps == 0 || found || part.kind != Kind::name) return;
+            const Tree& value = resolved(s_, part);
+            if (&value != &part) found = mirrors(value, steps - 1);
+        });
+        return found;
+    }
+
+    bool is_cosine(const Tree& tree) const {
+        const Tree& t = resolved(s_, tree);
+        if (t.is(Kind::prefix, "-") || t.call("clamp", 3) || t.call("abs", 1)) return is_cosine(t.parts[0]);
+        if (t.call("max", 2)) return is_cosine(t.parts[0]) || is_cosine(t.parts[1]);
+        return t.call("dot", 2);
+    }
+
+    // A power of the cosine as the share that is mirrored: it is largest where glass mirrors least.
+    void exchange(const Tree& share) {
+        const Tree& power = resolved(s_, share);
+        if (!power.call("pow", 2) || !is_cosine(power.parts[0])) return;
+        if (const auto place = span_of(u_, to_, power))
+            to_.add(ChangeKind::lint_fix, *place, {before(*place, "1. - ")});
+    }
+
+    void look_at_weights(const Tree& tree) {
+        if (tree.call("mix", 3) && mirrors(tree.parts[1]) && !mirrors(tree.parts[0])) return exchange(tree.parts[2]);
+        if (!tree.infix("+")) return;
+        for (const std::size_t n : {0u, 1u}) {  // mirrored * k + other * (1. - k)
+            const Tree &one = bare(tree.parts[n]), &other = bare(tree.parts[1 - n]);
+            if (!one.infix("*") || !other.infix("*")) continue;
+            for (const std::size_t m : {0u, 1u})
+                if (one.parts[m].kind == Kind::name && mirrors(one.parts[1 - m]) && !mirrors(other) &&
+                    (rest_of(other.parts[0], one.parts[m]) || rest_of(other.parts[1], one.parts[m])))
+                    exchange(one.parts[m]);
+        }
     }
 
     const Shader& s_;
@@ -312,12 +341,12 @@ private:
 
 }  // namespace
 
-void add_physics(const Plan& plan, const texts::Shaders& shaders, const Sources& sources, Collector& to) {
+void add_physics(const Plan& plan, const Shaders& shaders, const std::vector<Span>& eye_space, Collector& to) {
     for (const Shader& shader : shaders) {
-        Rounds(shader, sources, to).run();
+        Rounds(shader, to).run();
         Fresnel(shader, to).run();
     }
-    static_cast<void>(plan);
+    add_surroundings(plan.scene, shaders, eye_space, to);
 }
 
-}  // namespace snell::accuracy::physics
+}  // namespace snell::accuracy::texts

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 #include "src/glsl/read/lexer.h"
 #include "src/glsl/read/words.h"
 
@@ -165,11 +166,12 @@ private:
         const Node& n = s_.at(bound.node);
         const std::string_view name = macro_of(n);
         if (name.empty() || n.form != Form::number || sizes_.contains(name)) return false;
-        const auto [known, fresh] = definitions_.try_emplace(name);
+        const auto [known, fresh] = definitions_.try_emplace(s_.token(n.first).text.data());
         if (fresh) known->second = definition(name, s_.token(n.first).text);
         const std::optional<Span>& place = known->second;
         const auto value = fewer(bound, n.value.front(), share);
-        if (!place || !value) return false;
+        if (!place) return false;
+        if (!value) return true;
         const std::string_view all = s_.sources.text(place->file);
         const std::uint32_t line = static_cast<std::uint32_t>(all.rfind('\n', place->begin) + 1);
         offers_.add(ChangeKind::fewer_rounds, {place->file, line, place->end}, {{*place, literal(*value, n.type)}});
@@ -181,7 +183,8 @@ private:
         const std::string_view name = macro_of(n);
         const glsl::Token& t = s_.token(n.first);
         const bool word = !name.empty() && name.find_first_of("( \t\n") == std::string_view::npos;
-        if (!word || !closed(n) || s_.library[t.file]) return;
+        const bool fewer_left = n.value.size() != 1 || fewer(bound, n.value.front(), share);
+        if (!word || !closed(n) || s_.library[t.file] || !fewer_left) return;
         const auto begin = t.offset, end = begin + static_cast<std::uint32_t>(name.size());
         const Span use{s_.files[t.file], begin, end};
         if (s_.text(use) == name)
@@ -227,35 +230,44 @@ private:
         return std::any_of(s_.defines.begin(), s_.defines.end(), [&](const auto& d) { return d.name == name; });
     }
 
-    // The number of the only `#define NAME NUMBER` in the author's texts.
+    // Where the author defines the macro as a number: the token's text is a view of that place.
     std::optional<Span> definition(std::string_view name, std::string_view number) const {
-        std::optional<Span> found;
-        for (std::size_t f = 0; f < s_.files.size(); ++f) {
-            const std::string_view all = s_.sources.text(s_.files[f]);
-            for (std::size_t i = all.find('#'); i != std::string_view::npos; i = all.find('#', i + 1)) {
-                std::array<glsl::Lexeme, 3> words;
-                std::size_t end = i + 1;
-                for (glsl::Lexeme& word : words) {
-                    end = glsl::skip_trivia(all, end).end;
-                    word = glsl::lex(all, end);
-                    end += word.text.size();
-                }
-                if (words[0].text != "define" || words[1].text != name) continue;
-                if (found || s_.library[f] || words[2].text != number) return std::nullopt;
-                const std::size_t begin = end - number.size();
-                found = {s_.files[f], static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+        for (const std::string& text : s_.unit.arena) {
+            const bool within = std::less_equal<>()(text.data(), number.data()) &&
+                                std::less_equal<>()(number.data() + number.size(), text.data() + text.size());
+            if (!within) continue;
+            const auto begin = static_cast<std::size_t>(number.data() - text.data());
+            for (std::size_t f = 0; f < s_.files.size(); ++f) {
+                const std::string_view all = s_.sources.text(s_.files[f]);
+                if (s_.library[f] || all.size() != text.size() || all.substr(begin, number.size()) != number) continue;
+                const std::size_t line = all.rfind('\n', begin) + 1;
+                const Span found{s_.files[f], static_cast<std::uint32_t>(begin),
+                                 static_cast<std::uint32_t>(begin + number.size())};
+                if (defines(all.substr(line, begin - line), name)) return found;
             }
         }
-        return found;
+        return std::nullopt;
+    }
+
+    // Whether a line begins with "#define NAME", and nothing else.
+    static bool defines(std::string_view line, std::string_view name) {
+        std::size_t end = 0;
+        for (const std::string_view word : {std::string_view("#"), std::string_view("define"), name}) {
+            end = glsl::skip_trivia(line, end).end;
+            const std::string_view there = end < line.size() ? glsl::lex(line, end).text : std::string_view();
+            if (there != word) return false;
+            end += there.size();
+        }
+        return glsl::skip_trivia(line, end).end == line.size();
     }
 
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
     const Shader& s_;
     Offers& offers_;
-    std::set<std::pair<int, std::size_t>> parameters_;             // of functions: they bound loops
-    std::set<std::string_view> sizes_;                             // of arrays: the text has as many values
-    std::map<std::string_view, std::optional<Span>> definitions_;  // of macros
+    std::set<std::pair<int, std::size_t>> parameters_;        // of functions: they bound loops
+    std::set<std::string_view> sizes_;                        // of arrays: the text has as many values
+    std::map<const char*, std::optional<Span>> definitions_;  // of macros, by their numbers
 };
 
 }  // namespace

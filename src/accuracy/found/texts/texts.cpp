@@ -1,4 +1,4 @@
-#include "src/accuracy/found/texts.h"
+#include "src/accuracy/found/texts/texts.h"
 
 #include <algorithm>
 #include <map>
@@ -184,7 +184,7 @@ Shaders shaders(const Plan& plan, Files& files, Sources& sources) {
     return all;
 }
 
-std::optional<Span> place(const glsl::Unit& unit, const Collector& to, int first, int last) {
+std::optional<Span> span_of(const glsl::Unit& unit, const Collector& to, int first, int last) {
     if (first < 0 || last < first || last >= static_cast<int>(unit.tokens.size())) return std::nullopt;
     const glsl::Token &a = unit.at(first), &b = unit.at(last);
     if (a.macro >= 0 || b.macro >= 0 || a.file != b.file || b.offset < a.offset) return std::nullopt;
@@ -206,23 +206,11 @@ const Body* body_around(const Shader& shader, int token) {
 
 const Piece* declaration_of(const Shader& shader, const Tree& name) {
     const Body* body = name.kind == Tree::Kind::name ? body_around(shader, name.first) : nullptr;
-    const Piece* found = nullptr;
     if (!body) return nullptr;
-    for (const Piece& piece : body->pieces) {
-        if (piece.kind == Piece::Kind::declaration && piece.name == name.text) {
-            if (found) return nullptr;
-            found = &piece;
-        }
-        bool assigned = false;
-        for_each(piece.value, [&](const Tree& tree) {
-            const bool changes = tree.kind == Tree::Kind::assign || tree.kind == Tree::Kind::postfix ||
-                                 tree.is(Tree::Kind::prefix, "++") || tree.is(Tree::Kind::prefix, "--");
-            assigned = assigned || (changes && shader.unit.at(tree.parts[0].first).text == name.text);
-        });
-        if (assigned) return nullptr;
-    }
-    const bool known = found && found->value.kind != Tree::Kind::other && found->name_token < name.first;
-    return known ? found : nullptr;
+    const auto found = body->certain.find(name.text);
+    if (found == body->certain.end() || found->second < 0) return nullptr;
+    const Piece& piece = body->pieces[static_cast<std::size_t>(found->second)];
+    return piece.name_token < name.first ? &piece : nullptr;
 }
 
 const Tree& resolved(const Shader& shader, const Tree& tree) {
@@ -240,7 +228,7 @@ std::optional<Edit> declared(const Shader& shader, const Collector& to, int toke
         declaration.substr(declaration.rfind(' ') + 1, declaration.size() - declaration.rfind(' ') - 2);
     const Body* body = body_around(shader, token);
     if (!body) return std::nullopt;
-    const auto first = place(shader.unit, to, body->function->first, body->function->first);
+    const auto first = span_of(shader.unit, to, body->function->first, body->function->first);
     if (!first) return std::nullopt;
     if (ranges::find(shader.unit.globals, name, &glsl::Global::name) != shader.unit.globals.end())
         return before(*first, "");

@@ -2,17 +2,11 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/texts.h"
+#include "src/accuracy/found/texts/texts.h"
 
-namespace snell::accuracy {
+namespace snell::accuracy::texts {
 
 namespace {
-
-using texts::Body;
-using texts::Piece;
-using texts::Shader;
-using texts::Statement;
-using texts::Tree;
 
 constexpr std::size_t most_omissions = 200;
 constexpr std::size_t most_list_statements = 2000;  // of one list of vertices
@@ -21,8 +15,8 @@ class Omissions {
 public:
     Omissions(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes)
         : scene_(plan.scene),
-          shaders_(texts::shaders(plan, files, sources)),
-          all_(texts::statements(files, sources)),
+          shaders_(shaders(plan, files, sources)),
+          all_(statements(files, sources)),
           to_(files, sources, changes, most_omissions) {}
 
     void run() {
@@ -55,12 +49,12 @@ private:
 
     void leave_out(ChangeKind kind, Span span) {
         const Span at = to_.first_reading(span);
-        if (texts::statement_at(all_, at)) to_.add(kind, at, {without(at)});
+        if (statement_at(all_, at)) to_.add(kind, at, {without(at)});
     }
 
     void leave_out(const Draw& draw) {
         if (!std::holds_alternative<VertexList>(draw.shape)) return leave_out(ChangeKind::no_draw, draw.span);
-        const Statement* begin = texts::statement_at(all_, to_.first_reading(draw.span));
+        const Statement* begin = statement_at(all_, to_.first_reading(draw.span));
         if (!begin) return;
         if (begin->command != "glBegin") return leave_out(ChangeKind::no_draw, draw.span);
         // Colours, normals and texture coordinates stay: they are in force behind the list.
@@ -82,8 +76,8 @@ private:
     }
 
     void leave_out(const Shader& shader, const Body& body) {
-        const bool repeats = ranges::any_of(
-            body.loops, [&](const texts::Loop& loop) { return shader.unit.at(loop.word).text != "for"; });
+        const bool repeats =
+            ranges::any_of(body.loops, [&](const Loop& loop) { return shader.unit.at(loop.word).text != "for"; });
         for (const Piece& piece : body.pieces) {
             // A loop may end by it.
             if (!piece.loops.empty() && (repeats || steers(shader.unit, body, piece))) continue;
@@ -93,7 +87,7 @@ private:
             // The semicolon stays: it may be all that a branch has.
             const int last = simple ? piece.last - 1 : piece.last;
             if (!simple && !unread) continue;
-            if (const auto span = texts::place(shader.unit, to_, piece.first, last))
+            if (const auto span = span_of(shader.unit, to_, piece.first, last))
                 to_.add(ChangeKind::no_statement, *span, {{*span, ""}});
         }
     }
@@ -118,7 +112,7 @@ private:
     static bool steers(const glsl::Unit& unit, const Body& body, const Piece& piece) {
         const std::string_view name = target(unit, piece.value);
         return ranges::any_of(piece.loops, [&](int n) {
-            const texts::Loop& loop = body.loops[static_cast<std::size_t>(n)];
+            const Loop& loop = body.loops[static_cast<std::size_t>(n)];
             for (int k = loop.open; k < loop.close; ++k)
                 if (unit.at(k).text == name) return true;
             return false;
@@ -132,15 +126,19 @@ private:
     }
 
     const Scene& scene_;
-    texts::Shaders shaders_;
+    Shaders shaders_;
     std::vector<Statement> all_;
-    texts::Collector to_;
+    Collector to_;
 };
 
 }  // namespace
 
+}  // namespace snell::accuracy::texts
+
+namespace snell::accuracy {
+
 void add_omissions(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    Omissions(plan, files, sources, changes).run();
+    texts::Omissions(plan, files, sources, changes).run();
 }
 
 }  // namespace snell::accuracy

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 
 namespace snell::accuracy {
 
@@ -18,16 +19,16 @@ constexpr double far_angle = 1000;  // sin and cos: beyond, the fraction of a fl
 
 // NAME and TYPE are replaced. GLSL 1.10: no integers, no arrays, no overloads of mix that later versions have.
 constexpr std::array<Polynomial, 8> formulas{{
-    {"sin", -far_angle, far_angle, .0011,
-     "// sin(x) by t = x/pi in -1..1, y = 4t(1 - |t|), .775y + .225y|y|: error below .0011 for |x| < 1000\n"
+    {"sin", -far_angle, far_angle, .0012,
+     "// sin(x) by t = x/pi in -1..1, y = 4t(1 - |t|), .775y + .225y|y|: error below .0012 for |x| < 1000\n"
      "TYPE NAME(TYPE x) { TYPE t = 2. * fract(.15915494 * x + .5) - 1.; TYPE y = 4. * t * (1. - abs(t)); "
      "return y * (.775 + .225 * abs(y)); }\n"},
-    {"cos", -far_angle, far_angle, .0011,
-     "// cos(x) by t = x/pi + .5 in -1..1, y = 4t(1 - |t|), .775y + .225y|y|: error below .0011 for |x| < 1000\n"
+    {"cos", -far_angle, far_angle, .0012,
+     "// cos(x) by t = x/pi + .5 in -1..1, y = 4t(1 - |t|), .775y + .225y|y|: error below .0012 for |x| < 1000\n"
      "TYPE NAME(TYPE x) { TYPE t = 2. * fract(.15915494 * x + .75) - 1.; TYPE y = 4. * t * (1. - abs(t)); "
      "return y * (.775 + .225 * abs(y)); }\n"},
-    {"exp", -1000, 0, .001,
-     "// exp(x) by (1 + u + u^2/2)^16, u = x/16: error below .001 for x <= 0\n"
+    {"exp", -1000, 0, .0011,
+     "// exp(x) by (1 + u + u^2/2)^16, u = x/16: error below .0011 for x <= 0\n"
      "TYPE NAME(TYPE x) { TYPE u = max(.0625 * x, -1.); TYPE e = 1. + u + .5 * u * u; e *= e; e *= e; e *= e; "
      "return e * e; }\n"},
     {"acos", -1, 1, .0001,
@@ -77,12 +78,13 @@ std::string power_product(int power) {
     return text + "return " + result + "; }\n";
 }
 
-// Coefficients of s, s^2, s^3 that fit s^p in 0..1 and are exact at both ends; the error is what is left.
+// Coefficients of s, s^2, s^3 that fit s^p in 0..1 and are exact at both ends; the error that is left, where the result
+// is multiplied by s^(4 whole).
 struct CubicFit {
     double a = 0, b = 0, c = 0, error = 1;
 };
 
-CubicFit cubic_fit(double power) {
+CubicFit cubic_fit(double power, double whole) {
     // u and v, where the error is 0, too, are those that make it smallest.
     CubicFit best;
     for (int i = 1; i < 12; ++i)
@@ -93,7 +95,9 @@ CubicFit cubic_fit(double power) {
             const double vw = (1 - fv) / (1 - v), c = (vw - uv) / (1 - u), b = uv - c * (u + v);
             CubicFit fit{fu - b * u - c * u * u, b, c, 0};
             for (double s = 0; s <= 1; s += 1. / 64)
-                fit.error = std::max(fit.error, std::abs(s * (fit.a + s * (b + s * c)) - std::pow(s, power)));
+                fit.error =
+                    std::max(fit.error, std::pow(s, 4 * whole) *
+                                            std::abs(s * (fit.a + s * (fit.b + s * fit.c)) - std::pow(s, power)));
             if (fit.error < best.error) best = fit;
         }
     return best;
@@ -104,18 +108,17 @@ Power power_root(double exponent) {
     const double part = std::modf(exponent, &whole);
     const double power = 4 * part;
     if (whole == 0 && power < .75) return {};  // too steep at 0
-    const CubicFit fit = cubic_fit(power);
+    const CubicFit fit = cubic_fit(power, whole);
     double error = 0;
-    for (double x = 0; x <= 1; x += 1. / 1024) {
-        const double s = std::sqrt(std::sqrt(x));
-        error = std::max(error,
-                         std::abs(std::pow(x, whole) * s * (fit.a + s * (fit.b + s * fit.c)) - std::pow(x, exponent)));
+    for (double s = 0; s <= 1; s += 1. / 1024) {
+        const double x = s * s * s * s, made = std::pow(x, whole) * s * (fit.a + s * (fit.b + s * fit.c));
+        error = std::max(error, std::abs(made - std::pow(x, exponent)));
     }
     const double bound = std::ceil(error * 1.1 * 1e4 + 1) / 1e4;
     std::string text = fmt::format(
-        "// pow(x, {:.6g}) by x^{:.0f}({:.6f}s + {:.6f}s^2 + {:.6f}s^3), s = sqrt(sqrt(x)): error below {:.4f} in "
+        "// pow(x, {:.6g}) by {}({:.6f}s{:+.6f}s^2{:+.6f}s^3), s = sqrt(sqrt(x)): error below {:.4f} in "
         "0..1\n",
-        exponent, whole, fit.a, fit.b, fit.c, bound);
+        exponent, whole > 0 ? fmt::format("x^{:.0f}", whole) : "", fit.a, fit.b, fit.c, bound);
     text += "TYPE NAME(TYPE x) { TYPE s = sqrt(sqrt(max(x, 0.))); return ";
     for (int k = 0; k < static_cast<int>(whole); ++k) text += "x * ";
     text += fmt::format("s * ({:.6f} + s * ({:.6f} + s * ({:.6f}))); }}\n", fit.a, fit.b, fit.c);
@@ -153,7 +156,7 @@ public:
             const Node& call = s_.at(n);
             if (call.form != Form::built_in || call.constant || !real_vector(call.type) || !s_.own(n)) continue;
             const int function = s_.function_of(call.first);
-            if (!s_.ahead_of(function) || helper(n).empty()) continue;
+            if (!s_.ahead_of(function) || s_.in_free_loop(call.first) || helper(n).empty()) continue;
             by_function[function].push_back(n);
             offer({n});
         }
@@ -193,8 +196,10 @@ private:
         const int function = s_.function_of(s_.at(calls.front()).first);
         const Span ahead = *s_.ahead_of(function);
         std::vector<Edit> edits;
+        std::vector<Span> shown;
         for (const int n : calls) {
             const Node& call = s_.at(n);
+            shown.push_back(s_.span(n));
             const std::vector<int> given = s_.parts(n);
             edits.push_back({ahead, helper(n)});
             edits.push_back({s_.span(call.first, call.first), name_of(n)});
@@ -202,11 +207,7 @@ private:
             const Span base = s_.span(given[0]), power = s_.span(given[1]);
             edits.push_back({{base.file, base.end, power.end}, ""});
         }
-        const bool one = calls.size() == 1;
-        const Span first = s_.span(calls.front()), last = s_.span(calls.back());
-        const bool row = first.file == last.file && first.begin < last.end;
-        offers_.add(ChangeKind::polynomial, one || !row ? first : Span{first.file, first.begin, last.end},
-                    std::move(edits));
+        offers_.add(ChangeKind::polynomial, shown, std::move(edits));
     }
 
     const Shader& s_;
@@ -218,8 +219,9 @@ private:
 std::span<const Polynomial> polynomials() { return formulas; }
 
 std::string polynomial_text(std::string_view function, std::string_view name, std::string_view type) {
-    const auto found = ranges::find(formulas, function, &Polynomial::function);
-    return found == formulas.end() ? std::string() : with_names(std::string(found->text), name, type);
+    const std::span<const Polynomial> all = polynomials();
+    const auto found = ranges::find(all, function, &Polynomial::function);
+    return found == all.end() ? std::string() : with_names(std::string(found->text), name, type);
 }
 
 Power power_text(std::optional<double> exponent, std::string_view name, std::string_view type) {
@@ -240,8 +242,10 @@ void add_half_precision(const Shader& s, Offers& offers) {
     const std::string name = fmt::format("foundHalf_{}", ahead->begin);
     std::set<std::string_view> types;
     std::vector<Edit> edits;
+    std::vector<Span> shown;
     const auto wrap = [&](int node) {
         const Span span = s.span(node);
+        shown.push_back(span);
         edits.push_back(insertion(span, span.begin, name + "("));
         edits.push_back(insertion(span, span.end, ")"));
         types.insert(s.at(node).type.name);
@@ -258,11 +262,16 @@ void add_half_precision(const Shader& s, Offers& offers) {
         if (q.storage == glsl::Storage::in && q.interpolation != "flat") wrap(n);
     }
     if (edits.empty()) return;
-    const Span where = s.span(main->name_token, main->name_token);
     std::string helpers;
     for (const std::string_view type : types) helpers += polynomial_text("half", name, type);
     edits.push_back({*ahead, helpers});
-    offers.add(ChangeKind::half_precision, where, std::move(edits));
+    std::sort(shown.begin(), shown.end(), [](const Span& a, const Span& b) {
+        return std::tuple(a.file, a.begin, b.end) < std::tuple(b.file, b.begin, a.end);
+    });
+    std::vector<Span> outer;  // not what is shown within another
+    for (const Span& span : shown)
+        if (outer.empty() || outer.back().file != span.file || outer.back().end < span.end) outer.push_back(span);
+    offers.add(ChangeKind::half_precision, outer, std::move(edits));
 }
 
 }  // namespace snell::accuracy

@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 
 namespace snell::accuracy {
 
@@ -97,7 +97,9 @@ private:
         const Node& n = s_.at(node);
         if (n.constant || depth > 30) return;
         if (is_sum(n)) return shorten(node, depth);
-        const bool through = n.form == Form::group || n.form == Form::construct || n.form == Form::choose ||
+        const bool kept = n.form == Form::built_in && (n.text == "clamp" || n.text == "min" || n.text == "max" ||
+                                                       n.text == "mix" || n.text == "normalize");
+        const bool through = kept || n.form == Form::group || n.form == Form::construct || n.form == Form::choose ||
                              (n.form == Form::infix && (n.text == "*" || n.text == "/"));
         if (!through) return;
         const std::vector<int> inside = s_.parts(node);
@@ -190,7 +192,7 @@ public:
             const std::set<Index>& textures = textures_of(s_.bare(given[0]));
             if (textures.empty()) continue;
             if (call.text == "texture" && given.size() == 2) coarser(n, textures);
-            if (textures.size() == 1) mean(n, *textures.begin());
+            if (textures.size() == 1 && !s_.in_free_loop(call.first)) mean(n, *textures.begin());
         }
     }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +13,8 @@
 #include "src/glsl/read/token.h"
 
 namespace snell::accuracy::texts {
+
+using Edits = std::vector<Edit>;
 
 // Collects changes; each is made of edits of texts that the author may change.
 class Collector {
@@ -92,7 +95,9 @@ struct Tree {
 Tree expression(const glsl::Unit& unit, int first);
 // What is within the brackets around an expression.
 const Tree& bare(const Tree& tree);
-std::optional<double> number(const Tree& tree);
+std::optional<double> number_of(const Tree& tree);
+// A number as GLSL writes one of this kind.
+std::string numeral(double value, bool whole);
 // True if both have the same tokens, brackets around them aside.
 bool same(const glsl::Unit& unit, const Tree& a, const Tree& b);
 
@@ -120,6 +125,8 @@ struct Body {
     const glsl::Function* function = nullptr;
     std::vector<Piece> pieces;
     std::vector<Loop> loops;
+    // Of declared variables: the piece that gives one its only value; -1: none does.
+    std::map<std::string_view, int> certain;
 };
 // The functions with a body, in the order of the text.
 std::vector<Body> bodies(const glsl::Unit& unit);
@@ -145,9 +152,9 @@ const Tree& resolved(const Shader& shader, const Tree& tree);
 
 // The place of tokens in the author's text; nothing if a macro made them, they are in several texts, or directives are
 // between them.
-std::optional<Span> place(const glsl::Unit& unit, const Collector& to, int first, int last);
-inline std::optional<Span> place(const glsl::Unit& unit, const Collector& to, const Tree& tree) {
-    return place(unit, to, tree.first, tree.last);
+std::optional<Span> span_of(const glsl::Unit& unit, const Collector& to, int first, int last);
+inline std::optional<Span> span_of(const glsl::Unit& unit, const Collector& to, const Tree& tree) {
+    return span_of(unit, to, tree.first, tree.last);
 }
 inline Edit before(Span span, std::string text) { return {{span.file, span.begin, span.begin}, std::move(text)}; }
 inline Edit after(Span span, std::string text) { return {{span.file, span.end, span.end}, std::move(text)}; }
@@ -156,6 +163,7 @@ inline Edit after(Span span, std::string text) { return {{span.file, span.end, s
 std::optional<Edit> declared(const Shader& shader, const Collector& to, int token, std::string_view declaration);
 // Includes a file of snell's library, such as "snell/fresnel.glsl". The edit is empty if the shader includes it.
 std::optional<Edit> included(const Shader& shader, const Collector& to, std::string_view file);
+inline bool adds(const Edit& edit) { return !edit.text.empty(); }
 // Calls `each` for the expression and all within it, outermost first.
 template <class Each>
 void for_each(const Tree& tree, const Each& each) {

@@ -4,22 +4,17 @@
 #include <map>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/physics.h"
-#include "src/accuracy/found/texts.h"
+#include "src/accuracy/found/texts/physics.h"
+#include "src/accuracy/found/texts/texts.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/lint.h"
 #include "src/runtime/resources/program.h"
 
-namespace snell::accuracy {
+namespace snell::accuracy::texts {
 
 namespace {
 
 using lint::Rule;
-using texts::Body;
-using texts::Collector;
-using texts::Piece;
-using texts::Shader;
-using texts::Tree;
 using Kind = Tree::Kind;
 
 constexpr std::size_t most_better_changes = 200;
@@ -31,10 +26,6 @@ struct Place {
     int first = -1, last = -1;  // tokens
     Span span;
 };
-using Edits = std::vector<Edit>;
-
-using texts::after;
-using texts::before;
 
 Edits around(Span span, std::string open, std::string close) {
     return {before(span, std::move(open)), after(span, std::move(close))};
@@ -46,8 +37,9 @@ bool calls(const Tree& tree, std::initializer_list<std::string_view> names) {
 
 class LintFixes {
 public:
-    LintFixes(const Plan& plan, Sources& sources, const texts::Shaders& shaders, Collector& to)
-        : plan_(plan), sources_(sources), shaders_(shaders), to_(to) {}
+    // `eye_space` gets the places of directions that are in eye coordinates and should not be.
+    LintFixes(const Plan& plan, Sources& sources, const Shaders& shaders, Collector& to, std::vector<Span>& eye_space)
+        : plan_(plan), sources_(sources), shaders_(shaders), to_(to), eye_space_(eye_space) {}
 
     void run(Files& files) {
         const Diagnostics found = lint::check(plan_, sources_, runtime::include_reader(files));
@@ -73,6 +65,7 @@ private:
         const auto rule = ranges::find(rules, d.code, &lint::RuleFacts::code);
         const std::optional<Place> at = rule == rules.end() ? std::nullopt : tokens_at(d.span);
         if (!at) return;
+        if (rule->rule == Rule::eye_space_lookup) eye_space_.push_back(at->span);
         if (rule->rule == Rule::never_read) return use(*at, *rule);
         Edits edits = edits_for(rule->rule, *at, d);
         if (edits.empty() || !to_.add(kind_of(rule->rule), at->span, edits, rule->code)) return;
@@ -128,14 +121,14 @@ private:
                 while (shader.unit.span(last).end < wanted.end &&
                        last + 1 < static_cast<int>(shader.unit.tokens.size()))
                     ++last;
-                const auto place = texts::place(shader.unit, to_, k, last);
+                const auto place = span_of(shader.unit, to_, k, last);
                 if (place && *place == wanted) return Place{&shader, k, last, wanted};
             }
         return std::nullopt;
     }
 
     Edits to_world(const Place& at) const {
-        const Tree tree = texts::expression(at.shader->unit, at.first);
+        const Tree tree = expression(at.shader->unit, at.first);
         const bool simple = tree.last == at.last && (tree.kind == Kind::name || tree.kind == Kind::call ||
                                                      tree.kind == Kind::select || tree.kind == Kind::group);
         Edits edits =
@@ -145,7 +138,7 @@ private:
     }
 
     Edits declare(const Shader& shader, int token, std::string_view declaration, Edits edits) const {
-        const auto edit = texts::declared(shader, to_, token, declaration);
+        const auto edit = declared(shader, to_, token, declaration);
         if (!edit) return {};
         if (!edit->text.empty()) edits.push_back(*edit);
         return edits;
@@ -155,9 +148,9 @@ private:
     static std::vector<Tree> sums_with_one(const glsl::Unit& unit, int first, int last) {
         std::vector<Tree> found;
         for (int k = first; k <= last; ++k) {
-            Tree tree = texts::expression(unit, k);
+            Tree tree = expression(unit, k);
             if (tree.last > last || !(tree.infix("+") || tree.infix("-"))) continue;
-            if (texts::number(tree.parts[0]) != 1. && texts::number(tree.parts[1]) != 1.) continue;
+            if (number_of(tree.parts[0]) != 1. && number_of(tree.parts[1]) != 1.) continue;
             k = tree.last;
             found.push_back(std::move(tree));
         }
@@ -167,23 +160,23 @@ private:
     // 1 - x for 1 + x, and for x + 1; 1 + x for 1 - x.
     std::optional<Edits> flipped(const glsl::Unit& unit, const Tree& sum) const {
         const Tree &left = sum.parts[0], &right = sum.parts[1];
-        const auto all = texts::place(unit, to_, sum.first, sum.last);
-        const auto sign = texts::place(unit, to_, left.last + 1, left.last + 1);
-        const auto rest = texts::place(unit, to_, left.last, sum.last);
-        const auto first = texts::place(unit, to_, left.first, left.last);
+        const auto all = span_of(unit, to_, sum.first, sum.last);
+        const auto sign = span_of(unit, to_, left.last + 1, left.last + 1);
+        const auto rest = span_of(unit, to_, left.last, sum.last);
+        const auto first = span_of(unit, to_, left.first, left.last);
         if (!all || !sign || !rest || !first) return std::nullopt;
-        if (texts::number(left) == 1.) return Edits{{*sign, sum.text == "+" ? "-" : "+"}};
-        if (sum.text == "-" || texts::number(right) != 1.) return std::nullopt;
+        if (number_of(left) == 1.) return Edits{{*sign, sum.text == "+" ? "-" : "+"}};
+        if (sum.text == "-" || number_of(right) != 1.) return std::nullopt;
         return Edits{before(*all, "1. - "), {{all->file, first->end, all->end}, ""}};
     }
 
     Edits sign(const Place& at) const {
         const glsl::Unit& unit = at.shader->unit;
-        const Tree power = texts::expression(unit, at.first);
+        const Tree power = expression(unit, at.first);
         const Tree* base = power.call("pow", 2) ? &power.parts[0] : nullptr;
         int first = base ? base->first : at.first, last = base ? base->last : at.last;
-        if (base && texts::bare(*base).kind == Kind::name) {
-            const Piece* variable = texts::declaration_of(*at.shader, texts::bare(*base));
+        if (base && bare(*base).kind == Kind::name) {
+            const Piece* variable = declaration_of(*at.shader, bare(*base));
             if (!variable) return {};
             first = variable->value.first, last = variable->value.last;
         }
@@ -191,8 +184,8 @@ private:
         if (sums.empty() || (base && sums.size() > 1)) return {};
         Edits edits;
         // 1 minus a cosine is a little below 0, by rounding.
-        const bool clamps = base && !calls(texts::resolved(*at.shader, *base), {"clamp", "max", "abs"});
-        const auto span = base ? texts::place(unit, to_, *base) : std::nullopt;
+        const bool clamps = base && !calls(resolved(*at.shader, *base), {"clamp", "max", "abs"});
+        const auto span = base ? span_of(unit, to_, *base) : std::nullopt;
         if (clamps && !span) return {};
         if (clamps) edits.push_back(before(*span, "clamp("));
         for (const Tree& sum : sums) {
@@ -205,12 +198,12 @@ private:
     }
 
     Edits not_negative(const Place& at) const {
-        const Tree call = texts::expression(at.shader->unit, at.first - 2);
+        const Tree call = expression(at.shader->unit, at.first - 2);
         if (!call.call("pow", 2) || call.parts[0].first != at.first) return {};
-        const Tree& base = texts::bare(call.parts[0]);
-        const auto power = texts::number(call.parts[1]);
+        const Tree& base = bare(call.parts[0]);
+        const auto power = number_of(call.parts[1]);
         const bool even = power && *power == 2. * static_cast<int>(*power / 2.);
-        const bool difference = base.infix("-") && !texts::number(base.parts[0]) && !texts::number(base.parts[1]);
+        const bool difference = base.infix("-") && !number_of(base.parts[0]) && !number_of(base.parts[1]);
         if (even && difference) return around(at.span, "abs(", ")");
         return around(at.span, "max(", ", 0.)");
     }
@@ -230,14 +223,14 @@ private:
     // vec3( matrix * vertex ) - eye and ( matrix * vertex ).xyz - eye.
     Edits relative_to_viewer(const Place& at) const {
         const glsl::Unit& unit = at.shader->unit;
-        const Tree tree = texts::expression(unit, at.first);
+        const Tree tree = expression(unit, at.first);
         if (!tree.infix("-") || tree.last != at.last || unit.stage != Stage::vertex) return {};
-        const Tree& left = texts::bare(tree.parts[0]);
+        const Tree& left = bare(tree.parts[0]);
         const bool selected = left.kind == Kind::select && (left.text == "xyz" || left.text == "rgb");
         if (!left.call("vec3", 1) && !selected) return {};
-        const Tree& product = texts::bare(left.parts[0]);
+        const Tree& product = bare(left.parts[0]);
         if (!product.infix("*") || product.parts[0].kind != Kind::name || tree.parts[1].kind != Kind::name) return {};
-        const auto vertex = texts::place(unit, to_, product.parts[1].first, product.parts[1].last);
+        const auto vertex = span_of(unit, to_, product.parts[1].first, product.parts[1].last);
         if (!vertex) return {};
         return declare(*at.shader, at.first, "uniform mat4 uModelViewerMatrix;",
                        {{at.span, "vec3(uModelViewerMatrix * " + std::string(to_.text(*vertex)) + ")"}});
@@ -245,11 +238,11 @@ private:
 
     Edits step(const Place& at) const {
         const glsl::Unit& unit = at.shader->unit;
-        const Tree call = texts::expression(unit, at.first);
+        const Tree call = expression(unit, at.first);
         if (!call.call("smoothstep", 3)) return {};
-        const auto name = texts::place(unit, to_, call.first, call.first);
-        const auto edges = texts::place(unit, to_, call.parts[1].first, call.parts[2].first);
-        const auto x = texts::place(unit, to_, call.parts[2].first, call.parts[2].first);
+        const auto name = span_of(unit, to_, call.first, call.first);
+        const auto edges = span_of(unit, to_, call.parts[1].first, call.parts[2].first);
+        const auto x = span_of(unit, to_, call.parts[2].first, call.parts[2].first);
         if (!name || !edges || !x) return {};
         return {{*name, "step"}, {{edges->file, edges->begin, x->begin}, ""}};
     }
@@ -257,14 +250,14 @@ private:
     // The direction that was mirrored or refracted begins at the viewer.
     Edits from_viewer(const Place& at) const {
         const glsl::Unit& unit = at.shader->unit;
-        const Tree given = texts::expression(unit, at.first);
-        const Tree* looked = &texts::resolved(*at.shader, given);
-        if (calls(*looked, {"normalize"}) && looked->parts.size() == 1) looked = &texts::bare(looked->parts[0]);
+        const Tree given = expression(unit, at.first);
+        const Tree* looked = &resolved(*at.shader, given);
+        if (calls(*looked, {"normalize"}) && looked->parts.size() == 1) looked = &bare(looked->parts[0]);
         if (!calls(*looked, {"reflect", "refract"}) || looked->parts.empty()) return {};
-        const Tree* incident = &texts::resolved(*at.shader, looked->parts[0]);
+        const Tree* incident = &resolved(*at.shader, looked->parts[0]);
         if (calls(*incident, {"normalize"}) && incident->parts.size() == 1) incident = &incident->parts[0];
-        if (texts::bare(*incident).is(Kind::prefix)) return {};
-        const auto span = texts::place(unit, to_, *incident);
+        if (bare(*incident).is(Kind::prefix)) return {};
+        const auto span = span_of(unit, to_, *incident);
         if (!span) return {};
         return declare(*at.shader, incident->first, "uniform vec3 uViewerPositionEye;",
                        {after(*span, " - uViewerPositionEye")});
@@ -282,11 +275,11 @@ private:
                 if (unit.at(k).kind == glsl::Kind::identifier) read.push_back(unit.at(k).text);
             std::size_t left = most_uses;
             for (auto later = made + 1; later != body.pieces.end(); ++later)
-                texts::for_each(later->value, [&](const Tree& tree) {
+                for_each(later->value, [&](const Tree& tree) {
                     const Tree* instead = in_its_place(tree, made->type);
                     if (!instead || left == 0 || ranges::find(read, instead->text) == read.end()) return;
-                    const auto place = texts::place(unit, to_, instead->first, instead->last);
-                    const auto whole = texts::place(unit, to_, tree.first, tree.last);
+                    const auto place = span_of(unit, to_, instead->first, instead->last);
+                    const auto whole = span_of(unit, to_, tree.first, tree.last);
                     if (place && whole &&
                         to_.add(ChangeKind::lint_fix, *whole, {{*place, std::string(name)}}, rule.code))
                         --left;
@@ -307,16 +300,16 @@ private:
     // Before the branch the derivatives are defined.
     Edits with_derivatives(const Place& at) const {
         const glsl::Unit& unit = at.shader->unit;
-        const Tree call = texts::expression(unit, at.first);
+        const Tree call = expression(unit, at.first);
         if (!calls(call, {"texture", "texture2D", "textureCube", "texture3D"}) || call.parts.size() != 2) return {};
         const std::string_view type = coordinate_type(unit, call);
-        const auto name = texts::place(unit, to_, call.first, call.first);
-        const auto coordinate = texts::place(unit, to_, call.parts[1].first, call.parts[1].last);
+        const auto name = span_of(unit, to_, call.first, call.first);
+        const auto coordinate = span_of(unit, to_, call.parts[1].first, call.parts[1].last);
         if (type.empty() || !name || !coordinate) return {};
-        const Body* body = texts::body_around(*at.shader, at.first);
+        const Body* body = body_around(*at.shader, at.first);
         if (!body || body->function->name != "main") return {};
         const auto token = defined_from(unit, *body, call.parts[1]);
-        const auto start = token ? texts::place(unit, to_, *token, *token) : std::nullopt;
+        const auto start = token ? span_of(unit, to_, *token, *token) : std::nullopt;
         if (!start) return {};
         const std::string number = std::to_string(sources_.position(at.span.file, at.span.begin).line);
         const std::string dx = "snellDx" + number, dy = "snellDy" + number, of(to_.text(*coordinate));
@@ -326,7 +319,7 @@ private:
 
     static std::string_view coordinate_type(const glsl::Unit& unit, const Tree& call) {
         for (const glsl::Global& g : unit.globals) {
-            if (g.name != texts::bare(call.parts[0]).text || g.type.base != glsl::Base::sampler) continue;
+            if (g.name != bare(call.parts[0]).text || g.type.base != glsl::Base::sampler) continue;
             if (g.type.name == "sampler2D") return "vec2";
             if (g.type.name == "samplerCube" || g.type.name == "sampler3D") return "vec3";
         }
@@ -340,9 +333,9 @@ private:
         int branch = coordinate.first;
         for (const Piece& piece : body.pieces)
             if (piece.kind == Piece::Kind::condition) branch = std::min(branch, piece.first);
-        for (const texts::Loop& loop : body.loops) branch = std::min(branch, loop.word);
+        for (const Loop& loop : body.loops) branch = std::min(branch, loop.word);
         bool known = true;
-        texts::for_each(coordinate, [&](const Tree& part) {
+        for_each(coordinate, [&](const Tree& part) {
             if (part.kind == Kind::assign || part.kind == Kind::postfix) known = false;
             if (part.kind != Kind::name) return;
             for (const Piece& piece : body.pieces) {
@@ -359,18 +352,24 @@ private:
 
     const Plan& plan_;
     Sources& sources_;
-    const texts::Shaders& shaders_;
+    const Shaders& shaders_;
     Collector& to_;
+    std::vector<Span>& eye_space_;
     std::map<std::pair<FileId, Rule>, std::vector<Fix>> fixes_;
 };
 
 }  // namespace
 
+}  // namespace snell::accuracy::texts
+
+namespace snell::accuracy {
+
 void add_better_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
     const texts::Shaders shaders = texts::shaders(plan, files, sources);
-    Collector to(files, sources, changes, most_better_changes);
-    LintFixes(plan, sources, shaders, to).run(files);
-    physics::add_physics(plan, shaders, sources, to);
+    texts::Collector to(files, sources, changes, texts::most_better_changes);
+    std::vector<Span> eye_space;
+    texts::LintFixes(plan, sources, shaders, to, eye_space).run(files);
+    texts::add_physics(plan, shaders, eye_space, to);
 }
 
 }  // namespace snell::accuracy

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 
 namespace snell::accuracy {
 
@@ -32,10 +32,10 @@ const Global* global_named(const Shader& s, std::string_view name, Storage stora
 
 // What a subexpression is made of.
 struct Work {
-    bool moves = false;   // the vertex shader can do it
-    bool varies = false;  // it reads a varying
-    int calls = 0, operations = 0;
-    std::string text;  // with variables of main replaced by what they begin with
+    bool moves = false;             // the vertex shader can do it
+    bool varies = false;            // it reads a varying
+    int calls = 0, operations = 0;  // of its own text
+    std::string text;               // with variables of main replaced by what they begin with
 };
 
 class Mover {
@@ -150,6 +150,7 @@ private:
         if (inside.size() != 1 || !f_.at(inside[0]).type.same(n.type)) return {};
         if (f_.changes(n.variable)) return {};
         Work work = works_[at(inside[0])];
+        work.calls = work.operations = 0;  // they move with the variable
         if (work.moves && !closed(f_.at(inside[0]))) work.text = "(" + work.text + ")";
         return work;
     }
@@ -172,10 +173,12 @@ private:
         std::set<std::string_view> uniforms;
         const Span reads = *f_.ahead_of(from_), writes = *v_.ahead_of(to_), end = v_.span(main().close, main().close);
         std::string inputs, outputs, statements;
+        std::vector<Span> shown;
         for (const int n : nodes) {
             const std::string name = fmt::format("vFound_{}", f_.span(n).begin);
             const std::string_view type = f_.at(n).type.name;
             edits.push_back({f_.span(n), name});
+            shown.push_back(f_.span(n));
             inputs += fmt::format("{} {} {};\n", old_words(f_) ? "varying" : "in", type, name);
             outputs += fmt::format("{} {} {};\n", old_words(v_) ? "varying" : "out", type, name);
             statements += fmt::format("    {} = {};\n", name, works_[at(n)].text);
@@ -189,9 +192,7 @@ private:
         edits.push_back(insertion(reads, reads.begin, inputs));
         edits.push_back(insertion(writes, writes.begin, outputs));
         edits.push_back(insertion(end, end.begin, statements));
-        Span where = f_.span(nodes.front());
-        where.end = std::max(where.end, f_.span(nodes.back()).end);
-        offers_.add(kind, where, std::move(edits));
+        offers_.add(kind, shown, std::move(edits));
     }
 
     void uniforms_of(int node, std::set<std::string_view>& names) const {

@@ -85,15 +85,19 @@ struct Counter {
     double step = 1;
     bool includes = false;  // <= or >=
 };
+// By its header, and by `if( name >= bound ) break;` in its body.
 std::vector<Counter> counters(const Shader& shader, int loop);
 
 // Collects changes, each once.
 class Offers {
 public:
     Offers(Sources& sources, std::vector<Change>& changes) : sources_(sources), changes_(changes) {}
-    // Excerpts are of `where`. Edits at one place are joined in their order. Nothing is added if an edit is not
-    // possible, changes nothing, or was offered before.
-    void add(ChangeKind kind, const Span& where, std::vector<Edit> edits);
+    // The first of the places that are shown is that of the change. Insertions at one place are joined in their order.
+    // Nothing is added if an edit is not possible, changes nothing, or was offered before.
+    void add(ChangeKind kind, const std::vector<Span>& shown, std::vector<Edit> edits);
+    void add(ChangeKind kind, const Span& where, std::vector<Edit> edits) {
+        add(kind, std::vector<Span>{where}, std::move(edits));
+    }
     // No more are taken: a text that has as many is not looked at to its end.
     bool full() const { return known_.size() >= 10 * most_shader_changes; }
 

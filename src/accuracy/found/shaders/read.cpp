@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shader.h"
+#include "src/accuracy/found/shaders/shader.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
@@ -230,12 +230,30 @@ void add_counter(const Shader& s, int loop, const LoopHeader& header, int node, 
     }
 }
 
+// Whether a condition that ends with the token leads to `break`.
+bool breaks(const Shader& s, int last) {
+    const auto word = [&](int k) {
+        return k < static_cast<int>(s.unit.tokens.size()) ? s.token(k).text : std::string_view();
+    };
+    return word(last + 1) == ")" && word(last + (word(last + 2) == "{" ? 3 : 2)) == "break";
+}
+
 }  // namespace
 
 std::vector<Counter> counters(const Shader& shader, int loop) {
     std::vector<Counter> found;
     const LoopHeader header = header_of(shader, loop);
-    if (header.condition >= 0 && header.step >= 0) add_counter(shader, loop, header, header.condition, found);
+    if (header.condition < 0 || header.step < 0) return found;
+    add_counter(shader, loop, header, header.condition, found);
+    if (found.empty()) return found;
+    const Counter first = found.front();
+    for (int n = header.step + 1; n < loop; ++n) {
+        const Node& test = shader.at(n);
+        const std::vector<int> sides = shader.parts(n);
+        if (test.form != Form::infix || (test.text != ">=" && test.text != ">") || !breaks(shader, test.last)) continue;
+        if (variable_of(shader, sides[0]) == first.variable)
+            found.push_back({n, sides[1], first.base, first.variable, first.step, test.text == ">"});
+    }
     return found;
 }
 
@@ -255,7 +273,31 @@ std::string literal(double value, const glsl::Type& type) {
     return text;
 }
 
-void Offers::add(ChangeKind kind, const Span& where, std::vector<Edit> edits) {
+namespace {
+
+// The texts of the places, without and with the edits, as one line each.
+std::array<std::string, 2> before_and_after(const Sources& sources, const std::vector<Span>& shown,
+                                            const std::vector<Edit>& edits) {
+    std::array<std::string, 2> lines;
+    for (const Span& where : shown) {
+        const std::string_view all = sources.text(where.file);
+        std::uint32_t at = where.begin;
+        for (std::string& line : lines)
+            if (!line.empty()) line += "; ";
+        lines[0].append(all.substr(where.begin, where.end - where.begin));
+        for (const auto& [span, text] : edits) {
+            if (span.file != where.file || span.begin < at || span.end > where.end) continue;
+            lines[1].append(all.substr(at, span.begin - at)).append(text);
+            at = span.end;
+        }
+        lines[1].append(all.substr(at, where.end - at));
+    }
+    return {excerpt(lines[0]), excerpt(lines[1])};
+}
+
+}  // namespace
+
+void Offers::add(ChangeKind kind, const std::vector<Span>& shown, std::vector<Edit> edits) {
     if (full()) return;
     std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
         return std::tuple(a.span.file, a.span.begin, a.span.end) < std::tuple(b.span.file, b.span.begin, b.span.end);
@@ -268,26 +310,19 @@ void Offers::add(ChangeKind kind, const Span& where, std::vector<Edit> edits) {
         else
             joined.push_back(std::move(edit));
     }
-    std::string key, after;
-    std::uint32_t at = where.begin;
+    std::string key;
     bool changes = false;
     for (std::size_t i = 0; i < joined.size(); ++i) {
         const auto& [span, text] = joined[i];
         const std::string_view all = sources_.text(span.file);
         if (span.end > all.size() || span.begin > span.end) return;
-        const bool follows = i > 0 && joined[i - 1].span.file == span.file;
-        if (follows && joined[i - 1].span.end > span.begin) return;
+        if (i > 0 && joined[i - 1].span.file == span.file && joined[i - 1].span.end > span.begin) return;
         changes = changes || all.substr(span.begin, span.end - span.begin) != text;
         key += fmt::format("{}:{}-{}:{}\n", span.file, span.begin, span.end, text);
-        if (span.file != where.file || span.begin < at || span.end > where.end) continue;
-        after.append(all.substr(at, span.begin - at)).append(text);
-        at = span.end;
     }
     if (!changes || !known_.insert(key).second) return;
-    const std::string_view all = sources_.text(where.file);
-    after.append(all.substr(at, where.end - at));
-    changes_.push_back(
-        {kind, where, excerpt(all.substr(where.begin, where.end - where.begin)), excerpt(after), std::move(joined)});
+    const auto [before, after] = before_and_after(sources_, shown, joined);
+    changes_.push_back({kind, shown.front(), before, after, std::move(joined)});
 }
 
 }  // namespace snell::accuracy

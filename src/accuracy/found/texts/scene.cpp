@@ -5,14 +5,11 @@
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
-#include "src/accuracy/found/texts.h"
+#include "src/accuracy/found/texts/texts.h"
 
-namespace snell::accuracy {
+namespace snell::accuracy::texts {
 
 namespace {
-
-using texts::Collector;
-using texts::Statement;
 
 constexpr std::size_t most_scene_changes = 200;
 constexpr int fewest_slices = 3, most_parts = 2048, smallest_noise = 8;
@@ -71,9 +68,9 @@ class SceneChanges {
 public:
     SceneChanges(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes)
         : scene_(plan.scene),
-          shaders_(texts::shaders(plan, files, sources)),
+          shaders_(shaders(plan, files, sources)),
           sources_(sources),
-          all_(texts::statements(files, sources)),
+          all_(statements(files, sources)),
           to_(files, sources, changes, most_scene_changes) {}
 
     void run() {
@@ -85,7 +82,7 @@ public:
     }
 
 private:
-    const Statement* statement(Span span) const { return texts::statement_at(all_, to_.first_reading(span)); }
+    const Statement* statement(Span span) const { return statement_at(all_, to_.first_reading(span)); }
 
     // The edits that give the statement these numbers; nothing where its arguments are not plain numbers.
     std::vector<Edit> with_numbers(const Statement& at, const std::vector<Field>& fields,
@@ -125,7 +122,7 @@ private:
 
     bool cells_matter(const Draw& draw) const {
         if (draw.program == none) return false;
-        for (const texts::Shader& shader : shaders_) {
+        for (const Shader& shader : shaders_) {
             if (ranges::find(shader.programs, draw.program) == shader.programs.end()) continue;
             if (shader.unit.stage != Stage::vertex && shader.unit.stage != Stage::fragment) return true;
             if (shader.unit.stage == Stage::vertex && !linear(shader.unit)) return true;
@@ -154,7 +151,7 @@ private:
     void change_noise(std::string_view command, int size, TextureTarget target, int unit,
                       std::initializer_list<std::string_view> names) {
         const auto own = [&](const Texture& t) { return t.unit == unit && t.target == target; };
-        const auto reads = [&](const texts::Shader& shader) {
+        const auto reads = [&](const Shader& shader) {
             return ranges::any_of(shader.unit.globals, [&](const glsl::Global& g) {
                 return g.type.base == glsl::Base::sampler && !g.uses.empty() &&
                        std::find(names.begin(), names.end(), g.name) != names.end();
@@ -179,7 +176,7 @@ private:
 
     Edit line_before(Span statement, std::string_view line) const {
         const Span at{statement.file, statement.begin, statement.begin};
-        return {at, std::string(line) + std::string(texts::line_end(sources_.text(at.file)))};
+        return {at, std::string(line) + std::string(line_end(sources_.text(at.file)))};
     }
     void insert_line(ChangeKind kind, Span before, std::string_view line) {
         const Edit edit = line_before(before, line);
@@ -241,7 +238,7 @@ private:
     }
 
     const Scene& scene_;
-    texts::Shaders shaders_;
+    Shaders shaders_;
     const Sources& sources_;
     std::vector<Statement> all_;
     Collector to_;
@@ -249,8 +246,12 @@ private:
 
 }  // namespace
 
+}  // namespace snell::accuracy::texts
+
+namespace snell::accuracy {
+
 void add_scene_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    SceneChanges(plan, files, sources, changes).run();
+    texts::SceneChanges(plan, files, sources, changes).run();
 }
 
 }  // namespace snell::accuracy

@@ -1,0 +1,15 @@
+// Better changes that no lint finds.
+#pragma once
+
+#include "src/accuracy/found/texts/texts.h"
+
+namespace snell::accuracy::texts {
+
+// More rounds of loops, and exact Fresnel equations for Schlick's formula; then add_surroundings.
+void add_physics(const Plan& plan, const Shaders& shaders, const std::vector<Span>& eye_space, Collector& to);
+
+// Both interfaces of balls of glass, and rooms that are near. `eye_space`: lookups by directions in eye coordinates,
+// which no room can mend.
+void add_surroundings(const Scene& scene, const Shaders& shaders, const std::vector<Span>& eye_space, Collector& to);
+
+}  // namespace snell::accuracy::texts

@@ -1,0 +1,226 @@
+// Light that leaves glass again, and rooms that are near.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "parser/text/ranges.h"
+#include "src/accuracy/found/texts/physics.h"
+
+namespace snell::accuracy::texts {
+
+namespace {
+
+using Kind = Tree::Kind;
+
+bool named(const Tree& tree, std::initializer_list<std::string_view> names) {
+    return tree.kind == Kind::call && std::find(names.begin(), names.end(), tree.text) != names.end();
+}
+
+// The draws of the shader's programs, in all passes.
+std::vector<const Draw*> draws_of(const Scene& scene, const Shader& shader) {
+    std::vector<const Draw*> own;
+    for (const Draw& draw : scene.draws)
+        if (ranges::find(shader.programs, draw.program) != shader.programs.end()) own.push_back(&draw);
+    return own;
+}
+
+bool samples_cube(const glsl::Unit& unit) {
+    return ranges::any_of(unit.globals, [](const glsl::Global& g) {
+        return g.type.base == glsl::Base::sampler && g.type.name == "samplerCube" && !g.uses.empty();
+    });
+}
+
+// Light that is bent where it enters a ball is bent where it leaves, too.
+void bend_twice(const Scene& scene, const Shader& shader, Collector& to) {
+    const glsl::Unit& unit = shader.unit;
+    const std::vector<const Draw*> draws = draws_of(scene, shader);
+    const auto ball = [](const Draw* draw) { return std::holds_alternative<Sphere>(draw->shape); };
+    if (draws.empty() || !ranges::all_of(draws, ball) || !samples_cube(unit)) return;
+    std::vector<Tree> bends;
+    bool again = false, used = false;
+    for (const Body& body : shader.bodies)
+        for (const Piece& piece : body.pieces)
+            for_each(piece.value, [&](const Tree& tree) {
+                if (tree.call("refract", 3)) bends.push_back(tree);
+                if (tree.kind != Kind::call) return;
+                for (const Tree& part : tree.parts) {
+                    const bool bent = resolved(shader, part).call("refract", 3);
+                    used = used || bent;
+                    // By the author's own formula, or by a second refract().
+                    again = again || (bent && named(tree, {"dot", "refract", "reflect"}));
+                }
+            });
+    if (bends.empty() || again || !used) return;
+    Edits edits;
+    const auto include = included(shader, to, "snell/refraction.glsl");
+    if (!include) return;
+    std::vector<Span> more;
+    std::optional<Span> where;
+    for (const Tree& bend : bends) {
+        if (!same(unit, bend.parts[0], bends[0].parts[0])) return;
+        const auto whole = span_of(unit, to, bend), name = span_of(unit, to, bend.first, bend.first);
+        const auto eta = span_of(unit, to, bend.parts[2]);
+        if (!whole || !name || !eta) return;
+        edits.push_back({*name, "snellRefractSphere"});
+        const Tree& ratio = bend.parts[2];
+        // n1 / n2 as two arguments.
+        const auto first = ratio.infix("/") ? span_of(unit, to, ratio.parts[0]) : std::nullopt;
+        const auto second = ratio.infix("/") ? span_of(unit, to, ratio.parts[1]) : std::nullopt;
+        edits.push_back(first && second ? Edit{{eta->file, first->end, second->begin}, ", "} : after(*eta, ", 1."));
+        if (where) more.push_back(*whole);
+        if (!where) where = whole;
+    }
+    if (adds(*include)) edits.push_back(*include);
+    to.add(ChangeKind::both_interfaces, *where, std::move(edits), {}, more);
+}
+
+struct Room {
+    Vec3 half{}, centre{};
+};
+
+bool unmoved(const Scene& scene, const Draw& draw) {
+    const Mat4 identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    return draw.matrix == none || scene.matrices[draw.matrix] == identity;
+}
+
+// The scene's own room: two walls on each axis, or the largest Box if the eye is in it.
+std::optional<Room> room_of(const Scene& scene) {
+    Vec3 low{}, high{};
+    double largest = 0;
+    Room room;
+    for (const Draw& draw : scene.draws) {
+        if (!unmoved(scene, draw)) continue;
+        if (const Quad* quad = std::get_if<Quad>(&draw.shape)) {
+            const std::size_t axis = quad->plane == Plane::yz ? 0 : quad->plane == Plane::xz ? 1 : 2;
+            low[axis] = std::min(low[axis], quad->offset);
+            high[axis] = std::max(high[axis], quad->offset);
+        }
+        const Box* box = std::get_if<Box>(&draw.shape);
+        if (!box || box->dx * box->dy * box->dz <= largest) continue;
+        const auto& look = scene.cameras[draw.camera].look_at;
+        const Vec3 eye = look ? (*look)[0] : Vec3{}, half{box->dx / 2, box->dy / 2, box->dz / 2};
+        bool inside = true;
+        for (std::size_t i = 0; i < 3; ++i) inside = inside && std::abs(eye[i]) < half[i];
+        if (!inside) continue;
+        largest = box->dx * box->dy * box->dz;
+        room.half = half;
+    }
+    if (largest > 0) return room;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!(low[i] < 0) || !(high[i] > 0)) return std::nullopt;
+        room.half[i] = (high[i] - low[i]) / 2;
+        room.centre[i] = (high[i] + low[i]) / 2;
+    }
+    return room;
+}
+
+// What is mirrored in a room is near: the lookup starts where the surface is.
+class NearRoom {
+public:
+    NearRoom(const Scene& scene, const Shaders& shaders, Collector& to, const std::vector<Span>& eye_space)
+        : shaders_(shaders), to_(to), eye_space_(eye_space), room_(room_of(scene)) {}
+
+    void run(const Shader& shader) {
+        if (!room_ || shader.unit.stage != Stage::fragment || !samples_cube(shader.unit)) return;
+        const Shader* vertex = vertex_of(shader);
+        const auto outside = vertex ? position(*vertex) : std::nullopt;
+        const auto include = included(shader, to_, "snell/environment.glsl");
+        if (!outside || !include) return;
+        std::vector<Span> lookups;
+        int first = -1;
+        for (const Body& body : shader.bodies)
+            for (const Piece& piece : body.pieces)
+                for_each(piece.value, [&](const Tree& tree) {
+                    if (!named(tree, {"texture", "textureCube"}) || tree.parts.size() != 2) return;
+                    const Tree& way = resolved(shader, tree.parts[1]);
+                    const auto span = span_of(shader.unit, to_, tree.parts[1]);
+                    if (!named(way, {"reflect", "snellReflect"}) || !span) return;
+                    if (ranges::find(eye_space_, *span) != eye_space_.end()) return;
+                    if (first < 0) first = tree.first;
+                    lookups.push_back(*span);
+                });
+        const auto input = lookups.empty() ? std::nullopt : declared(shader, to_, first, declaration(shader, "in"));
+        if (!input || !adds(*input)) return;
+        Edits edits = *outside;
+        edits.push_back(*input);
+        if (adds(*include)) edits.push_back(*include);
+        const auto vector = [](const Vec3& v) {
+            return fmt::format("vec3({}, {}, {})", numeral(v[0], false), numeral(v[1], false), numeral(v[2], false));
+        };
+        for (const Span& span : lookups) {
+            edits.push_back(before(span, "snellBoxDirection(snellPosition, "));
+            edits.push_back(after(span, ", " + vector(room_->half) + ", " + vector(room_->centre) + ")"));
+        }
+        const Span where = lookups.front();
+        lookups.erase(lookups.begin());
+        to_.add(ChangeKind::box_projection, where, std::move(edits), {}, lookups);
+    }
+
+private:
+    static std::string declaration(const Shader& shader, std::string_view direction) {
+        const bool old =
+            ranges::any_of(shader.unit.globals, [](const glsl::Global& g) { return g.qualifiers.varying; });
+        return std::string(old ? "varying" : direction) + " vec3 snellPosition;";
+    }
+
+    // The vertex shader that hands on to it; null if other stages are between, or there are several.
+    const Shader* vertex_of(const Shader& fragment) const {
+        const Shader* found = nullptr;
+        for (const Shader& shader : shaders_) {
+            const bool together = ranges::any_of(shader.programs, [&](Index p) {
+                return ranges::find(fragment.programs, p) != fragment.programs.end();
+            });
+            if (!together || &shader == &fragment) continue;
+            if (found || shader.unit.stage != Stage::vertex) return nullptr;
+            found = &shader;
+        }
+        return found;
+    }
+
+    static bool is_vertex(const glsl::Global& g) {
+        const int location = g.qualifiers.layout_number("location");
+        if (location >= 0) return location == static_cast<int>(glsl::Attribute::vertex);
+        const auto names = glsl::attribute_names();
+        return ranges::any_of(names, [&](const glsl::AttributeName& n) {
+            return n.name == g.name && n.attribute == glsl::Attribute::vertex;
+        });
+    }
+
+    // Edits of the vertex shader that hand on the position in the world.
+    std::optional<Edits> position(const Shader& shader) const {
+        const glsl::Unit& unit = shader.unit;
+        std::string vertex = "gl_Vertex";
+        for (const glsl::Global& g : unit.globals)
+            if (g.qualifiers.storage == glsl::Storage::in && is_vertex(g))
+                vertex = g.type.rows == 4 ? std::string(g.name) : fmt::format("vec4({}, 1.)", g.name);
+        for (const Body& body : shader.bodies) {
+            if (body.function->name != "main") continue;
+            const auto open = span_of(unit, to_, body.function->open, body.function->open);
+            const auto output = declared(shader, to_, body.function->open + 1, declaration(shader, "out"));
+            const auto model = declared(shader, to_, body.function->open + 1, "uniform mat4 uModelMatrix;");
+            if (!open || !output || !model || !adds(*output)) return std::nullopt;
+            Edits edits{*output, after(*open, fmt::format(" snellPosition = vec3(uModelMatrix * {});", vertex))};
+            if (adds(*model)) edits.push_back(*model);
+            return edits;
+        }
+        return std::nullopt;
+    }
+
+    const Shaders& shaders_;
+    Collector& to_;
+    const std::vector<Span>& eye_space_;
+    std::optional<Room> room_;
+};
+
+}  // namespace
+
+void add_surroundings(const Scene& scene, const Shaders& shaders, const std::vector<Span>& eye_space, Collector& to) {
+    NearRoom near(scene, shaders, to, eye_space);
+    for (const Shader& shader : shaders) {
+        bend_twice(scene, shader, to);
+        near.run(shader);
+    }
+}
+
+}  // namespace snell::accuracy::texts

@@ -1,0 +1,217 @@
+// Cheaper changes of shaders: for each kind the exact edit, and what must be left alone.
+#include "tests/accuracy/shaders/help.h"
+
+namespace snell::accuracy::test {
+namespace {
+
+using enum ChangeKind;
+using Lines = std::vector<std::string>;
+
+std::string in_main(const std::string& statements, const std::string& ahead = "") {
+    return "varying vec3 vN, vP;\nvarying vec2 vST;\nuniform float uA, uB;\nuniform int uSteps;\nuniform vec3 "
+           "uLight;\n" +
+           ahead + "void main() {\n    vec3 color = vec3(0.);\n" + statements +
+           "\n    gl_FragColor = vec4(color, 1.);\n}\n";
+}
+
+class Rounds : public FoundShaders {
+protected:
+    Lines lines(const std::string& statements, const std::string& ahead = "") {
+        return shaders(in_main(statements, ahead)).lines(fewer_rounds);
+    }
+};
+
+TEST_F(Rounds, ANumberBoundsTheLoop) {
+    EXPECT_EQ(lines("for (int i = 0; i < 64; i++) color += vN;"), (Lines{"i < 64 → i < 32", "i < 64 → i < 16"}));
+    EXPECT_EQ(lines("for (int i = 1; i <= 6; ++i) color += vN;"), (Lines{"i <= 6 → i <= 3", "i <= 6 → i <= 1"}));
+    EXPECT_EQ(lines("for (float t = 0.; t < 2.; t += .1) color += vN;"),
+              (Lines{"t < 2. → t < 1.", "t < 2. → t < 0.5"}));
+    EXPECT_EQ(lines("for (int i = 10; i < 20; i += 2) color += vN;"), (Lines{"i < 20 → i < 14", "i < 20 → i < 12"}));
+    EXPECT_EQ(lines("for (int i = 0; 8 > i; i++) color += vN;"), (Lines{"8 > i → 4 > i", "8 > i → 2 > i"}));
+    EXPECT_EQ(lines("int i; for (i = 0; i < 8 && color.x < 1.; i++) color += vN;"),
+              (Lines{"i < 8 → i < 4", "i < 8 → i < 2"}));
+    EXPECT_EQ(lines("for (int i = 0; i < 1; i++) color += vN;"), Lines{}) << "one round is the least";
+    EXPECT_EQ(lines("for (int i = 0; i < 3; i++) color += vN;"), Lines{"i < 3 → i < 1"});
+    EXPECT_EQ(lines("for (int i = 0; i != 8; i += 2) color += vN;"), Lines{}) << "it would never end";
+}
+
+TEST_F(Rounds, ALoopThatCountsDownBeginsLower) {
+    Found& found = shaders(in_main("for (int i = 32; i > 0; --i) color += vN;"));
+    ASSERT_EQ(found.of(fewer_rounds).size(), 2U);
+    EXPECT_NE(found.changed(*found.of(fewer_rounds)[0], "a.frag").find("int i = 16; i > 0"), std::string::npos);
+}
+
+TEST_F(Rounds, AConstantIsChangedWhereItIsDefined) {
+    EXPECT_EQ(lines("for (int i = 0; i < N; i++) color += vN / float(N);", "const int N = 64;\n"),
+              (Lines{"N = 64 → N = 32", "N = 64 → N = 16"}));
+    EXPECT_EQ(lines("for (int i = 0; i < STEPS; i++) color += vN / float(STEPS);", "#define STEPS 40 // many\n"),
+              (Lines{"#define STEPS 40 → #define STEPS 20", "#define STEPS 40 → #define STEPS 10"}));
+    EXPECT_EQ(lines("for (int i = 0; i < N; i++) color += w[i] * vN;",
+                    "#version 330 compatibility\nconst int N = 4;\nconst float w[N] = float[N](1., 2., 3., 4.);\n"),
+              (Lines{"i < N → i < N/2", "i < N → i < N/4"}))
+        << "an array has as many elements";
+    EXPECT_EQ(lines("for (int i = 0; i < STEPS; i++) color += vN;",
+                    "#ifdef X\n#define STEPS 40\n#else\n#define STEPS 8\n#endif\n"),
+              (Lines{"#define STEPS 8 → #define STEPS 4", "#define STEPS 8 → #define STEPS 2"}))
+        << "the definition that counts";
+    EXPECT_EQ(
+        lines("for (int i = 0; i < STEPS; i++) color += w[i] * vN;",
+              "#version 330 compatibility\n#define STEPS 4\nconst float w[STEPS] = float[STEPS](1., 2., 3., 4.);\n"),
+        (Lines{"STEPS → STEPS/2", "STEPS → STEPS/4"}))
+        << "an array has as many elements";
+    EXPECT_EQ(lines("for (int i = 0; i < STEPS; i++) color += vN;", "#define STEPS 1\n"), Lines{});
+}
+
+TEST_F(Rounds, AUniformIsDividedWhereverTheFunctionReadsIt) {
+    EXPECT_EQ(lines("for (int i = 0; i < uSteps; i++) color += vN;"),
+              (Lines{"i < uSteps → i < uSteps/2", "i < uSteps → i < uSteps/4"}));
+    Found& found = shaders(in_main("for (int i = 0; i < uSteps; i++) color += vN / float(uSteps);"));
+    ASSERT_EQ(found.of(fewer_rounds).size(), 2U);
+    EXPECT_NE(found.changed(*found.of(fewer_rounds)[0], "a.frag")
+                  .find("for (int i = 0; i < uSteps/2; i++) color += vN / float((uSteps/2));"),
+              std::string::npos);
+    EXPECT_EQ(lines("for (float t = 0.; t < uA + 1.; t += .01) color += vN;").front(),
+              "t < uA + 1. → t < .5*(uA + 1.)");
+}
+
+TEST_F(Rounds, AMeanStaysAMean) {
+    Found& found = shaders(in_main("for (int i = 0; i < 16; i++) color += vN;\ncolor /= 16.;"));
+    ASSERT_EQ(found.of(fewer_rounds).size(), 2U);
+    const std::string half = found.changed(*found.of(fewer_rounds)[0], "a.frag");
+    EXPECT_NE(half.find("i < 8;"), std::string::npos);
+    EXPECT_NE(half.find("color /= 8.;"), std::string::npos) << half;
+}
+
+TEST_F(Rounds, CallsDecideOnTheRoundsOfLibraryFunctions) {
+    const Lines found = lines("color += snellFractalNoise(vP, 6);", "#include <snell/noise.glsl>\n");
+    EXPECT_EQ(found, (Lines{"snellFractalNoise(vP, 6) → snellFractalNoise(vP, 3)",
+                            "snellFractalNoise(vP, 6) → snellFractalNoise(vP, 1)"}));
+    const Lines handed = lines("color += g(8);",
+                               "float f(int n) { float s = 0.; for (int i = 0; i < n; i++) s += vN.x; return s; }\n"
+                               "float g(int m) { return f(m); }\n");
+    EXPECT_NE(std::find(handed.begin(), handed.end(), "g(8) → g(4)"), handed.end());
+}
+
+TEST_F(FoundShaders, TermsOfSumsAreLeftOut) {
+    EXPECT_EQ(shaders(in_main("color = uLight * uA + normalize(vN) - vP * vP;")).lines(without_term),
+              (Lines{"uLight * uA + normalize(vN) - vP * vP → normalize(vN) - vP * vP",
+                     "uLight * uA + normalize(vN) - vP * vP → uLight * uA - vP * vP",
+                     "uLight * uA + normalize(vN) - vP * vP → uLight * uA + normalize(vN)"}));
+    EXPECT_EQ(shaders(in_main("color = vN * vN - vP * vP;")).lines(without_term),
+              (Lines{"vN * vN - vP * vP → - vP * vP", "vN * vN - vP * vP → vN * vN"}));
+    EXPECT_EQ(shaders(in_main("color = 1. + sin(vN);")).lines(without_term), Lines{})
+        << "a number alone has another type, and costs nothing";
+    EXPECT_EQ(shaders(in_main("color = uA * (vN * vP + sin(vN));")).lines(without_term).size(), 2U);
+    EXPECT_EQ(shaders(in_main("color = clamp(sin(vN) + cos(vP), 0., 1.);")).lines(without_term).size(), 2U);
+    EXPECT_EQ(shaders(in_main("int n = 1 + uSteps; color = vec3(float(n));")).lines(without_term), Lines{});
+}
+
+TEST_F(FoundShaders, StatementsThatAddAreLeftOut) {
+    Found& found = shaders(in_main("color = vN;\n    color += sin(vP);\n    if (uA > 0.)\n        color -= cos(vP);"));
+    ASSERT_EQ(found.of(without_term).size(), 2U);
+    EXPECT_NE(found.changed(*found.of(without_term)[0], "a.frag").find("color = vN;\n    \n    if"), std::string::npos);
+    EXPECT_NE(found.changed(*found.of(without_term)[1], "a.frag").find("if (uA > 0.)\n        ;\n"), std::string::npos);
+}
+
+TEST_F(FoundShaders, LoopsMustEnd) {
+    EXPECT_EQ(shaders(in_main("float t = 0.;\nwhile (t < 9.) { t += .1 + abs(vN.x); color = color + vN * t; }"))
+                  .lines(without_term),
+              Lines{});
+    EXPECT_EQ(
+        shaders(in_main("float t = 0.;\nfor (int i = 0; i < 9 && t < 3.; i++) t += .1 + abs(vN.x);\ncolor = vec3(t);"))
+            .lines(without_term),
+        Lines{});
+}
+
+TEST_F(FoundShaders, FunctionsThatMayEndALoopStay) {
+    EXPECT_EQ(shaders(in_main("float t = 0.;\nwhile (exp(-t) > .00001) t += .5;\ncolor = vec3(t);")).lines(polynomial),
+              Lines{})
+        << "the polynomial never gets as small";
+    EXPECT_EQ(shaders(in_main("for (int i = 0; i < 9; i++) color += exp(-vP * vP);")).lines(polynomial).size(), 1U);
+}
+
+TEST_F(FoundShaders, BlendsBecomeEitherSide) {
+    EXPECT_EQ(shaders(in_main("color = mix(vN, vP * uA, uB);")).lines(without_term),
+              (Lines{"mix(vN, vP * uA, uB) → vN", "mix(vN, vP * uA, uB) → (vP * uA)"}));
+}
+
+constexpr std::string_view sampled =
+    "uniform sampler2D uTexUnit;\nvarying vec2 vST;\nvoid main() {\n    gl_FragColor = texture2D(uTexUnit, vST);\n}\n";
+
+TEST_F(FoundShaders, LookupsAtCoarserLevels) {
+    EXPECT_EQ(shaders(sampled, "uTexUnit 5", "Filter mipmap\nTexture2D 5 64 64").lines(lookup_coarser),
+              (Lines{"texture2D(uTexUnit, vST) → texture2D(uTexUnit, vST, 1.)",
+                     "texture2D(uTexUnit, vST) → texture2D(uTexUnit, vST, 2.)"}));
+    EXPECT_EQ(shaders(sampled, "uTexUnit 5", "Filter linear\nTexture2D 5 64 64").lines(lookup_coarser), Lines{})
+        << "there are no levels";
+    EXPECT_EQ(shaders(sampled, "uTexUnit 5").lines(lookup_coarser), Lines{}) << "there is no texture";
+}
+
+// A bitmap of 2 by 1 pixels: (51, 102, 153) and (255, 0, 51).
+std::string bitmap() {
+    const auto little = [](std::uint32_t n, int bytes) {
+        std::string text;
+        for (int k = 0; k < bytes; ++k) text += static_cast<char>(n >> 8 * k & 255);
+        return text;
+    };
+    return "BM" + little(62, 4) + little(0, 4) + little(54, 4) + little(40, 4) + little(2, 4) + little(1, 4) +
+           little(1, 2) + little(24, 2) + little(0, 4) + little(8, 4) + little(2835, 4) + little(2835, 4) +
+           little(0, 4) + little(0, 4) + std::string("\x99\x66\x33\x33\x00\xff\x00\x00", 8);
+}
+
+TEST_F(FoundShaders, LookupsBecomeTheMeanOfTheTexture) {
+    const std::vector<File> files{{"two.bmp", bitmap()}};
+    EXPECT_EQ(shaders(sampled, "uTexUnit 5", "Texture2D 5 two.bmp", files).lines(lookup_mean),
+              Lines{"texture2D(uTexUnit, vST) → vec4(0.6, 0.2, 0.4, 1.)"});
+    // Encoded: light is the mean of .0331 and 1; .1329 and 0; .3185 and .0331.
+    EXPECT_EQ(shaders(sampled, "uTexUnit 5", "Texture2D 5 two.bmp srgb", files).lines(lookup_mean),
+              Lines{"texture2D(uTexUnit, vST) → vec4(0.5166, 0.06643, 0.1758, 1.)"});
+    EXPECT_EQ(shaders(sampled, "uTexUnit 5", "Texture2D 5 64 64").lines(lookup_mean), Lines{})
+        << "its texels are not known before it is drawn";
+    EXPECT_EQ(shaders("uniform sampler2D uTexUnit;\nvarying vec2 vST;\n"
+                      "vec3 seen(sampler2D s, vec2 st) { return texture2D(s, st).rgb; }\n"
+                      "void main() {\n    gl_FragColor = vec4(seen(uTexUnit, vST), 1.);\n}\n",
+                      "uTexUnit 5", "Texture2D 5 two.bmp", files)
+                  .lines(lookup_mean),
+              Lines{"texture2D(s, st) → vec4(0.6, 0.2, 0.4, 1.)"})
+        << "a parameter is what all calls hand on";
+}
+
+TEST_F(FoundShaders, MacrosAndOtherTextsAreLeftAlone) {
+    EXPECT_EQ(shaders(in_main("color = BOTH(vN, vP);", "#define BOTH(a, b) (sin(a) + cos(b))\n")).lines(without_term),
+              Lines{});
+    EXPECT_EQ(shaders(in_main("color = sin(vN)\n#ifdef X\n * 2.\n#endif\n + cos(vP);")).lines(without_term), Lines{})
+        << "a directive is within";
+    for (const Change& change :
+         shaders(in_main("color = vec3(snellFractalNoise(vP, 6));", "#include <snell/noise.glsl>\n")).changes)
+        for (const Edit& edit : change.edits) EXPECT_NE(found_->sources.name(edit.span.file), "snell/noise.glsl");
+}
+
+TEST_F(FoundShaders, IncludedFilesOfTheAuthorAreEditedOnce) {
+    const std::vector<File> files{{"light.glsl", "vec3 light(vec3 n) { return sin(n) + cos(n); }\n"},
+                                  {"b.frag", in_main("color = light(vP);", "#include \"light.glsl\"\n")}};
+    Found& found = shaders(in_main("color = light(vN);", "#include \"light.glsl\"\n"), "",
+                           "Vertex a.vert\nFragment b.frag\nProgram B\nSphere 1.\n", files);
+    EXPECT_EQ(found.lines(without_term), (Lines{"sin(n) + cos(n) → cos(n)", "sin(n) + cos(n) → sin(n)"}))
+        << "both programs have the same file";
+}
+
+TEST_F(FoundShaders, ProgramsThatDrawNothingAreLeftAlone) {
+    EXPECT_TRUE(scene("Vertex a.vert\nFragment a.frag\nProgram A\n",
+                      {{"a.vert", "void main() { gl_Position = ftransform(); }\n"},
+                       {"a.frag", "void main() { gl_FragColor = sin(gl_FragCoord) + cos(gl_FragCoord); }\n"}})
+                    .changes.empty());
+}
+
+TEST_F(FoundShaders, ThereIsALimit) {
+    std::string many;
+    for (int i = 0; i < 400; ++i) many += "color += sin(vN * " + std::to_string(i) + ".);\n";
+    many += "for (int i = 0; i < 64; i++) color += vN;\n";
+    Found& found = shaders(in_main(many));
+    EXPECT_LE(found.changes.size(), 200U);
+    EXPECT_GE(found.changes.size(), 190U);
+    EXPECT_EQ(found.of(fewer_rounds).size(), 2U) << "kinds with few changes keep them";
+}
+
+}  // namespace
+}  // namespace snell::accuracy::test

@@ -1,0 +1,362 @@
+// The slide of a report: what it shows, and that it can be read.
+#include "src/accuracy/report/slide/slide.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "src/accuracy/report/slide/choose.h"
+#include "src/accuracy/report/slide/shapes.h"
+#include "src/content/image/image.h"
+#include "tests/accuracy/pictures.h"
+#include "tests/scratch.h"
+#include "tests/screens.h"
+
+namespace snell::test {
+namespace {
+
+using namespace accuracy;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct Rung {
+    std::string name;
+    double milliseconds, error;
+    double spread = .01;  // of the interval, to each side
+};
+
+SweepResult sweep_of(const std::string& name, const std::vector<Rung>& rungs, bool pictures = true) {
+    SweepResult sweep;
+    sweep.scene = "scenes/ball.glib";
+    sweep.sweep.name = name;
+    sweep.clock = ClockKind::cpu;
+    if (pictures) sweep.reference = flat(40, 30, .5F);
+    for (const Rung& rung : rungs) {
+        sweep.sweep.rungs.push_back({rung.name, {}, {}, {}});
+        RungResult result{.name = rung.name, .drawn = true};
+        result.whole.light.rmse = result.own.light.rmse = rung.error;
+        if (rung.milliseconds > 0) {
+            result.rounds = 20;
+            result.milliseconds = rung.milliseconds;
+            result.low = rung.milliseconds * (1 - rung.spread);
+            result.high = rung.milliseconds * (1 + rung.spread);
+        }
+        if (pictures) result.picture = noise(40, 30, static_cast<unsigned>(sweep.rungs.size() + 7 * name.size()));
+        sweep.rungs.push_back(std::move(result));
+    }
+    sweep.sweep.reference = rungs.size() - 1;
+    return sweep;
+}
+
+Slide slide_with(std::vector<SweepResult> sweeps) {
+    Report report;
+    report.where.width = 40;
+    report.where.height = 30;
+    report.where.renderer = "a renderer";
+    report.sweeps = std::move(sweeps);
+    return slide_of(report);
+}
+
+double wide_letters(const std::string& text, double size, bool bold) {
+    double letters = 0;
+    for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+    return letters * size * (bold ? .6 : .5);
+}
+
+std::vector<std::string> texts_of(const Slide& slide) {
+    std::vector<std::string> texts;
+    for (const SlideShape& shape : slide_shapes(slide, wide_letters))
+        if (shape.kind == ShapeKind::text) texts.push_back(shape.text);
+    return texts;
+}
+std::size_t count_of(const Slide& slide, const std::string& text) {
+    const std::vector<std::string> texts = texts_of(slide);
+    return static_cast<std::size_t>(std::count(texts.begin(), texts.end(), text));
+}
+
+std::string place(const SlideShape& shape) {
+    return "'" + shape.text + "' " + std::to_string(shape.at.x0) + ' ' + std::to_string(shape.at.y0) + ' ' +
+           std::to_string(shape.at.x1) + ' ' + std::to_string(shape.at.y1);
+}
+
+// Text is large, on the page, and covers neither other text nor a point.
+void expect_legible(const Slide& slide) {
+    const std::vector<SlideShape> shapes = slide_shapes(slide, wide_letters);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const SlideShape& a = shapes[i];
+        for (const double number : {a.at.x0, a.at.y0, a.at.x1, a.at.y1}) ASSERT_TRUE(std::isfinite(number)) << place(a);
+        EXPECT_TRUE((SlideBox{0, 0, slide_width, slide_height}.holds(a.at)) || a.kind == ShapeKind::line) << place(a);
+        if (a.kind != ShapeKind::text) continue;
+        EXPECT_GE(a.size, 28) << place(a);
+        for (std::size_t j = 0; j < shapes.size(); ++j) {
+            const SlideShape& b = shapes[j];
+            const bool point =
+                b.kind == ShapeKind::disc || (b.kind == ShapeKind::box && b.at.width() < 40 && b.at.height() < 40);
+            if (i != j && (b.kind == ShapeKind::text || b.kind == ShapeKind::image || point)) {
+                EXPECT_FALSE(a.at.meets(b.at)) << place(a) << " covers " << place(b);
+            }
+        }
+    }
+}
+
+TEST(Slide, CanBeReadWhateverWasMeasured) {
+    std::vector<Rung> many, equal, spread;
+    for (int i = 0; i < 60; ++i) {
+        many.push_back({"rung number " + std::to_string(i), std::pow(1.1, i), std::pow(.93, i)});
+        equal.push_back({"the same " + std::to_string(i), 5, .1});
+        spread.push_back({"x" + std::to_string(i), 5. + i % 7, .1 + .01 * (i % 5), .5});
+    }
+    const std::vector<std::vector<Rung>> reports{
+        many,
+        equal,
+        spread,
+        {{"only", 3, .2}},
+        {{"only", 0, .2}},
+        {{"a", 3, 0}, {"b", 4, 0}},
+        {{"a", 3, .1}, {"b", 4, 0}},
+        {{"a", 3, infinite}, {"b", 4, .1}, {"c", 5, 0}},
+        {{"a", 3, infinite}, {"b", 4, infinite}},
+        {{"a", 1e-4, 1e-9}, {"b", 1e6, 1e6}},
+        {{"untimed", 0, .1}, {"timed", 4, .05}},
+        {{std::string(3000, 'W'), 3, .1}, {"<script>alert(\"&\")</script>", 4, .05}, {"\xff\x01\x1b[31m", 5, .02}},
+    };
+    for (std::size_t i = 0; i < reports.size(); ++i)
+        for (const bool pictures : {true, false})
+            for (const double residual : {0., 1e-4, .04}) {
+                SCOPED_TRACE(i);
+                SweepResult sweep = sweep_of("WAY", reports[i], pictures);
+                if (residual > 0) sweep.whole_residual = residual;
+                expect_legible(slide_with({std::move(sweep)}));
+            }
+    expect_legible(slide_with({}));
+    expect_legible(slide_with({sweep_of("WAY", many), sweep_of("OTHER", many), sweep_of("samples", equal)}));
+}
+
+TEST(Slide, LabelsOfWhatIsShownAreThere) {
+    const Slide slide = slide_with({sweep_of("WAY", {{"rough", 2, .3}, {"fine", 4, .1}, {"finest", 8, .02}})});
+    ASSERT_EQ(slide.columns.size(), 3U);
+    for (const char* name : {"rough", "fine", "finest"}) EXPECT_EQ(count_of(slide, name), 2U) << "column and point";
+    EXPECT_EQ(count_of(slide, "reference"), 1U);
+}
+
+// What is equal is told by intervals and errors, and nothing is made up where nothing is equal.
+TEST(Slide, ColumnsAreOfEqualTimeOrEqualError) {
+    SweepResult sweep = sweep_of("WAY", {{"first", 9.9, .4},
+                                         {"own", 10, .1},
+                                         {"as fast and better", 10.1, .05},
+                                         {"as good and cheaper", 5, .1},
+                                         {"as good and dear", 20, .101},
+                                         {"neither", 30, .01}});
+    sweep.sweep.current = 1;
+    const Slide slide = slide_with({sweep});
+    std::vector<std::string> names;
+    for (const SlideColumn& column : slide.columns) names.push_back(column.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"as fast and better", "first", "own", "as good and cheaper",
+                                               "as good and dear"}));
+    for (const SlideColumn& column : slide.columns) {
+        EXPECT_EQ(column.own, column.name == "own");
+        EXPECT_EQ(column.equal_time, column.own || column.name == "first" || column.name == "as fast and better");
+        EXPECT_EQ(column.equal_error, column.own || column.name.starts_with("as good"));
+    }
+    EXPECT_EQ(count_of(slide, "equal time"), 1U);
+    EXPECT_EQ(count_of(slide, "equal error"), 1U);
+
+    const Slide apart = slide_with({sweep_of("WAY", {{"own", 10, .1}, {"slow", 30, .01}})});
+    ASSERT_EQ(apart.columns.size(), 2U);
+    for (const SlideColumn& column : apart.columns) EXPECT_FALSE(column.equal_time || column.equal_error);
+    EXPECT_EQ(count_of(apart, "equal time") + count_of(apart, "equal error"), 0U);
+}
+
+TEST(Slide, SamePictureIsShownOnce) {
+    SweepResult sweep = sweep_of("WAY", {{"own", 10, .1}, {"twin", 5, .1}, {"other", 20, .02}});
+    sweep.rungs[1].picture = sweep.rungs[0].picture;
+    const Slide slide = slide_with({sweep});
+    ASSERT_EQ(slide.columns.size(), 2U);
+    EXPECT_EQ(slide.columns[1].name, "other");
+}
+
+TEST(Slide, FrontOfSeveralSweepsHasWhatNoOtherBeats) {
+    const std::vector<SweepResult> sweeps{sweep_of("WAY", {{"aa", 10, .1}, {"bb", 20, .05}, {"cc", 40, .01}}),
+                                          sweep_of("KNOB", {{"dd", 15, .02}, {"ee", 41, .2}, {"ff", 9.9, .1}})};
+    std::set<std::string> front;
+    for (const SlidePoint& point : slide_with(sweeps).points)
+        if (point.front) front.insert(point.name);
+    // dd beats bb; ee is worse than all; the times of aa and ff, whose errors are equal, can't be told apart.
+    EXPECT_EQ(front, (std::set<std::string>{"aa", "cc", "dd", "ff"}));
+
+    std::vector<SweepResult> noisy = sweeps;
+    for (SweepResult& sweep : noisy) sweep.control.noisy = true;
+    const Slide slide = slide_with(noisy);
+    for (const SlidePoint& point : slide.points) EXPECT_FALSE(point.front) << point.name;
+    EXPECT_EQ(slide.stamp, "too noisy: no front");
+}
+
+TEST(Slide, OnlyErrorsFromOneReferenceAreOnOneScale) {
+    SweepResult other = sweep_of("OTHER", {{"x", 1, .4}, {"y", 2, .3}});
+    other.reference = flat(40, 30, .25F);
+    const Slide slide = slide_with({sweep_of("WAY", {{"a", 10, .5}, {"b", 20, .05}}), other});
+    ASSERT_EQ(slide.points.size(), 2U);
+    EXPECT_EQ(slide.points[0].name, "a");
+    SweepResult broken = sweep_of("WAY", {{"a", 10, .5}});
+    broken.cannot_say = "the reference is NaN";
+    EXPECT_TRUE(slide_with({broken}).points.empty());
+}
+
+TEST(Slide, NothingIsBelowTheFloor) {
+    SweepResult sweep = sweep_of("WAY", {{"a", 10, .5}, {"b", 20, 1e-5}});
+    sweep.whole_residual = 1e-3;
+    const Slide slide = slide_with({sweep});
+    EXPECT_EQ(slide.floor, 1e-3);
+    EXPECT_EQ(slide.points[1].error, 1e-3);
+    EXPECT_EQ(count_of(slide, "residual of the reference"), 1U);
+}
+
+// A found rung was compared with the scene as it is; on the slide its error is from the ladders' reference.
+TEST(Slide, FoundRungsAreOnTheScaleOfTheOthers) {
+    SweepResult ladder = sweep_of("WAY", {{"rough", 8, .25}, {"exact", 20, 0}});
+    ladder.rungs[0].picture = flat(40, 30, .75F);
+    ladder.rungs[1].picture = ladder.reference;
+    FoundResult found;
+    found.scene = ladder.scene;
+    found.timed = sweep_of("found rungs", {{"1", 5, .125}, {"scene", 10, 0}});
+    found.timed.sweep.kind = SweepKind::found;
+    found.timed.sweep.current = 1;
+    found.timed.reference = {};
+    found.timed.rungs[0].picture = flat(40, 30, 1);
+    found.timed.rungs[1].picture = flat(40, 30, 0);
+    Report report{.sweeps = {ladder}, .found = {found}};
+    const Slide slide = slide_of(report);
+    ASSERT_EQ(slide.points.size(), 4U);
+    const double half = content::light_of_srgb(.5);
+    const std::map<std::string, double> errors{{"the scene", half}, {"1", 1 - half}, {"rough", .25}, {"exact", 0}};
+    for (const SlidePoint& point : slide.points) {
+        EXPECT_EQ(point.own, point.name == "the scene");
+        EXPECT_NEAR(point.error, errors.at(point.name), 1e-6) << point.name;
+    }
+    // Without a ladder, the scene is the reference.
+    report.sweeps.clear();
+    const Slide alone = slide_of(report);
+    ASSERT_EQ(alone.points.size(), 2U);
+    EXPECT_EQ(alone.points[0].error, .125);
+    EXPECT_EQ(alone.points[1].error, 0);
+    expect_legible(alone);
+    // Pictures of another size can't be compared.
+    report.sweeps = {ladder};
+    for (RungResult& rung : report.found[0].timed.rungs) rung.picture = flat(20, 15, .5F);
+    EXPECT_EQ(slide_of(report).points.size(), 2U);
+}
+
+// The names of sweeps are added only where they are needed.
+TEST(Slide, NamesTellRungsApart) {
+    const Slide slide = slide_with({sweep_of("WAY", {{"exact", 10, .5}, {"good", 11, .4}}),
+                                    sweep_of("samples", {{"exact", 3, .3}, {"4x4", 5, .2}})});
+    std::set<std::string> names;
+    for (const SlidePoint& point : slide.points) names.insert(point.name);
+    EXPECT_EQ(names, (std::set<std::string>{"WAY exact", "samples exact", "good", "samples 4x4"}));
+}
+
+class SlideFiles : public testing::Test {
+protected:
+    Slide slide = made();
+    static Slide made() {
+        SweepResult sweep = sweep_of("WAY", {{"rough", 2, .3}, {"fine", 4, .1}, {"<b>&\"'\xc3\xa9", 8, .02}});
+        SweepResult knob = sweep_of("samples", {{"1", 4.1, .15, .08}, {"2x2", 9, .05}, {"4x4", 30, .01, .1}});
+        sweep.sweep.current = 1;
+        knob.whole_residual = .004;
+        return slide_with({sweep, knob});
+    }
+    std::string drawn(SlideFormat format) const {
+        const SlideFile file = draw_slide(slide, format);
+        EXPECT_EQ(file.error, "");
+        return file.bytes;
+    }
+};
+
+TEST_F(SlideFiles, HaveTheSizeOfAScreen) {
+    const auto header = content::read_header(drawn(SlideFormat::png), 1);
+    ASSERT_TRUE(header);
+    EXPECT_EQ(header->format, "png");
+    EXPECT_EQ(header->width, 1920);
+    EXPECT_EQ(header->height, 1080);
+    EXPECT_NE(drawn(SlideFormat::svg).find("viewBox=\"0 0 1920 1080\""), std::string::npos);
+    const std::string pdf = drawn(SlideFormat::pdf);
+    EXPECT_TRUE(pdf.starts_with("%PDF-"));
+    EXPECT_NE(pdf.find("/MediaBox [ 0 0 1920 1080 ]"), std::string::npos);
+    if (std::system("command -v pdfinfo > /dev/null") != 0) return;
+    const Scratch folder;
+    const std::string command = "pdfinfo " + folder.write("s.pdf", pdf) + " | grep -q 'Page size: *1920 x 1080'";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+TEST_F(SlideFiles, AreTheSameEachTime) {
+    for (const SlideFormat format : {SlideFormat::png, SlideFormat::svg, SlideFormat::pdf}) {
+        const std::string first = drawn(format), second = drawn(format);
+        EXPECT_GT(first.size(), 1000U);
+        EXPECT_TRUE(first == second);
+        if (const std::string folder = screens_folder(); !folder.empty() && format == SlideFormat::png)
+            std::ofstream(folder + "/slide.png", std::ios::binary) << first;
+    }
+    EXPECT_EQ(drawn(SlideFormat::pdf).find("CreationDate"), std::string::npos);
+}
+
+// The picture itself: dark on white, with the colours of its columns.
+TEST_F(SlideFiles, ShowMarksOnWhite) {
+    const auto decoded = content::decode_image("s.png", drawn(SlideFormat::png));
+    ASSERT_TRUE(decoded.image);
+    const content::Image& image = *decoded.image;
+    std::size_t white = 0, own = 0;
+    for (std::size_t i = 0; i + 2 < image.pixels.size(); i += static_cast<std::size_t>(image.channels)) {
+        const auto color = std::to_integer<unsigned>(image.pixels[i]) << 16 |
+                           std::to_integer<unsigned>(image.pixels[i + 1]) << 8 |
+                           std::to_integer<unsigned>(image.pixels[i + 2]);
+        white += color == 0xffffff ? 1 : 0;
+        own += color == ink::own ? 1 : 0;
+    }
+    EXPECT_GT(white, std::size_t{1920 * 1080 / 3});
+    EXPECT_GT(own, 1000U);
+}
+
+TEST_F(SlideFiles, SurviveHostileNames) {
+    for (const std::string& name :
+         {std::string(100000, 'n'), std::string("\xff\xfe\xc3"), std::string("\xe2\x80\xae\x1b[2J\n"),
+          std::string("</svg><script>x</script>"), std::string("\xe6\xbc\xa2\xe5\xad\x97")}) {
+        slide.title = slide.note = slide.columns[0].name = slide.points[0].name = name;
+        for (const SlideFormat format : {SlideFormat::png, SlideFormat::svg, SlideFormat::pdf})
+            EXPECT_GT(drawn(format).size(), 1000U) << name.substr(0, 40);
+        EXPECT_EQ(drawn(SlideFormat::svg).find("<script"), std::string::npos);
+    }
+}
+
+TEST_F(SlideFiles, GoIntoAPageWithoutTheNetwork) {
+    std::string wrong;
+    const std::string element = slide_element(slide, wrong);
+    EXPECT_EQ(wrong, "");
+    EXPECT_TRUE(element.starts_with("<svg "));
+    EXPECT_NE(element.find("data:image/png;base64,"), std::string::npos);
+    EXPECT_EQ(element.find(" id=\"surface"), std::string::npos) << "ids of their own";
+    // Each reference has its element.
+    std::size_t references = 0;
+    for (std::size_t at = 0; (at = element.find("\"#", at)) != std::string::npos; ++references, ++at) {
+        const std::string id = element.substr(at + 2, element.find('"', at + 2) - at - 2);
+        EXPECT_NE(element.find("id=\"" + id + "\""), std::string::npos) << id;
+    }
+    EXPECT_GT(references, 20U);
+    const std::string page = html_text({}, element);
+    EXPECT_LT(page.find(element.substr(0, 100)), page.find("<p class=\"facts\">"));
+    EXPECT_EQ(slide_element({}, wrong), "") << "nothing was measured";
+}
+
+TEST(SlideFormats, AreToldByTheEnding) {
+    EXPECT_EQ(slide_format("a/b.png"), SlideFormat::png);
+    EXPECT_EQ(slide_format("B.SVG"), SlideFormat::svg);
+    EXPECT_EQ(slide_format("x.y.pdf"), SlideFormat::pdf);
+    for (const char* other : {"", "png", ".png", "a.png/b", "a.jpg", "a.pdf "})
+        EXPECT_FALSE(slide_format(other)) << other;
+}
+
+}  // namespace
+}  // namespace snell::test
