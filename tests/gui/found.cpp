@@ -111,10 +111,9 @@ TEST_F(FoundWindow, ARungIsShownAsItWouldBeWrittenAndTheSceneComesBack) {
     EXPECT_EQ(state(), idle) << "and it costs nothing";
     const std::vector<Pixel> before = scene_now();
     EXPECT_EQ(before, rendered("scene.glib"));
-    seek();
-    const json all = found();
-    const std::string name = first_of(all["rows"], "fewer-rounds");
-    ASSERT_NE(name, "") << all;
+    const std::string name = fewer_rounds();
+    ASSERT_NE(name, "");
+    EXPECT_EQ(state()["found"]["remark"], "The search was stopped.");
     EXPECT_EQ(scene_now(), before) << "the search shows nothing";
 
     click("found.row." + name, .9);
@@ -130,7 +129,28 @@ TEST_F(FoundWindow, ARungIsShownAsItWouldBeWrittenAndTheSceneComesBack) {
     EXPECT_EQ(bytes("paint.frag"), loop_fragment);
     EXPECT_EQ(bytes("scene.glib"), loop_scene);
     EXPECT_EQ(state()["gl_errors"], json::array());
-    // Then it rests.
+}
+
+// What little there is to change is tried to the end.
+TEST_F(FoundWindow, ASearchEndsByItself) {
+    save("paint.frag", "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n");
+    save("paint.vert", "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n");
+    save("scene.glib",
+         "LookAt 0 0 4  0 0 0  0 1 0\nVertex paint.vert\nFragment paint.frag\nProgram Paint\nSphere 1. 40 20\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].empty(); }));
+    settle();
+    const std::vector<Pixel> before = scene_now();
+    seek();
+    const json all = found();
+    EXPECT_EQ(all["remark"].get<std::string>().find("The search was stopped"), std::string::npos) << all["remark"];
+    const std::string name = first_of(all["rows"], "fewer-slices");
+    ASSERT_NE(name, "") << all;
+    for (const json& row : all["rows"])
+        if (row["name"] == name) {
+            EXPECT_GT(row["error"], 0);
+            EXPECT_GT(row["ratio"], 0);
+        }
+    EXPECT_EQ(scene_now(), before);
     const json resting = state();
     std::this_thread::sleep_for(std::chrono::milliseconds(700));
     EXPECT_EQ(state(), resting);
