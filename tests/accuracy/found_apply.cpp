@@ -187,7 +187,7 @@ TEST_F(FoundApply, ALadderHasTheAuthorsRungAsItsCurrentOne) {
               "QuadXY .2 2.\n");
     const AsLadders better = ladders({change({edit("q.frag", "8", "80")}, ChangeKind::more_rounds)});
     EXPECT_EQ(better.statements, std::vector<std::string>{"Ladder FOUND_1 <as_written> more_rounds"});
-    const Change mean = change({edit("q.frag", ".1", ".2")}, ChangeKind::expression_mean);
+    const Change mean = change({edit("q.frag", ".1", ".2")}, ChangeKind::lookup_mean);
     const Change more = change({edit("q.frag", "8", "80")}, ChangeKind::more_rounds);
     EXPECT_EQ(ladders({more, more}, {"1"}).error, "");
     const AsLadders mixed = ladders({mean, more}, {"1+2"});

@@ -115,7 +115,7 @@ public:
             row.high = row.ratio + .03;
             row.front = i < 5;
         }
-        add(Group::cheaper, "3+12+25+38", "fewer-rounds, half-precision, expression-mean", "glass.frag").ratio = .25;
+        add(Group::cheaper, "3+12+25+38", "fewer-rounds, half-precision, lookup-mean", "glass.frag").ratio = .25;
         FoundRow& lacks = add(Group::better, "51", "unit-length", "glass.vert");
         lacks.error = .0123;
         lacks.ratio = 1.02;

@@ -15,7 +15,6 @@ constexpr std::array<KindFacts, static_cast<std::size_t>(ChangeKind::count)> tab
     {ChangeKind::without_term, Aim::cheaper, "without-term", "a term of a sum or a blend is left out"},
     {ChangeKind::lookup_mean, Aim::cheaper, "lookup-mean", "a texture lookup is replaced by the texture's mean"},
     {ChangeKind::lookup_coarser, Aim::cheaper, "lookup-coarser", "a texture is looked up at a coarser level"},
-    {ChangeKind::expression_mean, Aim::cheaper, "expression-mean", "an expression is replaced by its mean"},
     {ChangeKind::polynomial, Aim::cheaper, "polynomial", "a function is replaced by a polynomial with a bound"},
     {ChangeKind::per_vertex, Aim::cheaper, "per-vertex", "work moves from the fragment to the vertex shader"},
     {ChangeKind::per_frame, Aim::cheaper, "per-frame", "work on uniforms alone is done once for each vertex"},
@@ -56,8 +55,6 @@ bool touch(const Span& a, const Span& b) {
 
 }  // namespace
 
-std::span<const KindFacts> change_kinds() { return table; }
-
 const KindFacts& facts(ChangeKind kind) { return table[static_cast<std::size_t>(kind)]; }
 
 bool compatible(const Change& a, const Change& b) {
@@ -67,15 +64,15 @@ bool compatible(const Change& a, const Change& b) {
 }
 
 std::map<std::string, std::string> changed_texts(std::span<const Change* const> changes, const Sources& sources) {
-    std::map<FileId, std::vector<const Edit*>> by_file;
+    std::map<std::string_view, std::vector<const Edit*>> by_name;  // a text that was read twice has two numbers
     for (const Change* change : changes)
-        for (const Edit& edit : change->edits) by_file[edit.span.file].push_back(&edit);
+        for (const Edit& edit : change->edits) by_name[sources.name(edit.span.file)].push_back(&edit);
     std::map<std::string, std::string> texts;
-    for (auto& [file, edits] : by_file) {
+    for (auto& [name, edits] : by_name) {
         std::sort(edits.begin(), edits.end(),
                   [](const Edit* a, const Edit* b) { return a->span.begin < b->span.begin; });
-        const std::string_view text = sources.text(file);
-        std::string& made = texts[std::string(sources.name(file))];
+        const std::string_view text = sources.text(edits.front()->span.file);
+        std::string& made = texts[std::string(name)];
         std::size_t at = 0;
         for (const Edit* edit : edits) {
             made.append(text.substr(at, edit->span.begin - at)).append(edit->text);

@@ -20,14 +20,13 @@ enum class Aim : std::uint8_t {
     unused,   // something is left out, to see whether any pixel changes
 };
 
-// The kinds of changes. One row each in kinds().
+// The kinds of changes.
 enum class ChangeKind : std::uint8_t {
     // cheaper, in shaders
     fewer_rounds,
     without_term,
     lookup_mean,
     lookup_coarser,
-    expression_mean,
     polynomial,
     per_vertex,
     per_frame,
@@ -63,8 +62,6 @@ struct KindFacts {
     std::string_view name;  // in reports, such as "fewer-rounds"
     std::string_view doc;   // one line for people
 };
-// One row for each ChangeKind, in the order of the enumeration.
-std::span<const KindFacts> change_kinds();
 const KindFacts& facts(ChangeKind kind);
 
 // Bytes of a text (Sources) that are replaced. begin == end: inserted.
