@@ -15,7 +15,6 @@
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
-#include "src/accuracy/report/slide/slide.h"
 #include "src/app/commands/accuracy_files.h"
 #include "src/app/commands/advice.h"
 #include "src/app/commands/found_rungs.h"
@@ -307,24 +306,6 @@ bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fittin
 
 std::string check_milliseconds(const std::string& text) {
     return parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
-}
-
-std::string check_slide_name(const std::string& text) {
-    return slide_format(text) ? "" : "'" + text + "' does not end in .png, .svg or .pdf";
-}
-
-void add_reports(CLI::App& command, AccuracyOptions& options) {
-    command.add_option("-o,--output", options.html, "write the report, one HTML file; or the folder for --apply")
-        ->check(check_file_name);
-    command.add_option("--svg", options.svg, "write the plots for a paper: FILE.svg, FILE-2.svg …")
-        ->check(check_file_name);
-    command.add_option("--slide", options.slide, "write one picture for a lecture, 1920x1080: FILE.png, .svg or .pdf")
-        ->check(check_file_name)
-        ->check(check_slide_name);
-    command.add_option("--json", options.json, "write the numbers as JSON")->check(check_file_name);
-    command.add_option("--markdown", options.markdown, "write the numbers as a page, with the plots of --svg")
-        ->check(check_file_name);
-    command.add_option("--csv", options.csv, "write the numbers as CSV, a row for each rung")->check(check_file_name);
 }
 
 }  // namespace

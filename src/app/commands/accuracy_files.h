@@ -1,6 +1,8 @@
 // The files that `snell accuracy` writes, and what they say of the machine.
 #pragma once
 
+#include <CLI/CLI.hpp>
+
 #include "src/accuracy/report/report.h"
 #include "src/app/commands/advice.h"
 #include "src/app/open/exit_status.h"
@@ -15,6 +17,9 @@ accuracy::Circumstances circumstances(const AccuracyOptions& options, const gl::
 
 // True, with a message, if there is nothing in the report because the budget was too small.
 bool note_nothing_drawn(const accuracy::Report& report);
+
+// Adds the options that name these files.
+void add_reports(CLI::App& command, AccuracyOptions& options);
 
 // Says whether all can be written, and are none of the files that are `read`, with as many plots as are known before
 // the measurement.
