@@ -10,6 +10,7 @@
 
 #include "src/runtime/inspect.h"
 #include "tests/screens.h"
+#include "tests/ui/found_rungs.h"
 #include "tests/ui/paint.h"
 #include "tests/ui/screen.h"
 
@@ -89,39 +90,7 @@ public:
     void found() {
         accuracy();
         accuracy_.of_scene = true;
-        sought_.shown = "3";
-        sought_.asked = true;
-        sought_.older = true;
-        sought_.progress = .4;
-        sought_.doing = "trying 12 of 80 changes: " + long_name;
-        const auto add = [&](FoundRow::Group group, const std::string& name, const std::string& kind,
-                             const std::string& file) -> FoundRow& {
-            return sought_.rows.emplace_back(FoundRow{.group = group,
-                                                      .name = name,
-                                                      .kind = kind,
-                                                      .meaning = "a loop goes round less often",
-                                                      .where = file + ":1234",
-                                                      .place = {file, 1234, 5},
-                                                      .before = "i < 8",
-                                                      .after = "i < 4"});
-        };
-        using Group = FoundRow::Group;
-        for (int i = 1; i <= 40; ++i) {
-            FoundRow& row = add(Group::cheaper, std::to_string(i), "fewer-rounds", i == 2 ? long_path : "glass.frag");
-            row.error = row.of_display = .00123 * i;
-            row.flip = .000456 * i;
-            row.ratio = .123 + .1 * i;
-            row.low = row.ratio - .02;
-            row.high = row.ratio + .03;
-            row.front = i < 5;
-        }
-        add(Group::cheaper, "3+12+25+38", "fewer-rounds, half-precision, lookup-mean", "glass.frag").ratio = .25;
-        FoundRow& lacks = add(Group::better, "51", "unit-length", "glass.vert");
-        lacks.error = .0123;
-        lacks.ratio = 1.02;
-        lacks.before = long_name + " * gl_Normal";
-        lacks.after = "normalize(" + long_name + " * gl_Normal)";
-        add(Group::unused, "77", "no-draw", "room.glib").bytes = 4100;
+        sought_ = many_found_rungs(long_name, long_path);
         facts_.found = &sought_;
     }
     void found_untried() {
@@ -129,21 +98,7 @@ public:
         scene_.ladders.clear();
         controls_.rungs.clear();
         facts_.accuracy = nullptr;
-        sought_.progress.reset();
-        sought_.shown.clear();
-        sought_.older = false;
-        sought_.stale = true;
-        sought_.remark = "The time was up before every change was tried.";
-        sought_.rows.erase(sought_.rows.begin() + 3, sought_.rows.end());
-        for (const char* name : {"90", "91"}) {
-            sought_.rows.push_back(sought_.rows.front());
-            FoundRow& row = sought_.rows.back();
-            row.group = FoundRow::Group::untried;
-            row.name = name;
-            row.error = row.flip = {};
-            row.ratio = 0;
-            row.remark = "'" + long_name + "' undeclared [shader-error]";
-        }
+        sought_ = untried_rungs(long_name, long_path);
         unfolded_ = {"found.untried"};
     }
     void clock() {
