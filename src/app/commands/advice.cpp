@@ -137,7 +137,8 @@ std::string found_choice_text(const std::string& path, const FoundResult& found,
         name(found.timed.clock), ratio_text(rung.ratio), path, rung.name);
 }
 
-bool advise_found(const std::string& path, const FoundResult& found, const Wish& wish) {
+// False, too, if it is the scene as it is: ladders are judged by the reference, not by what the scene has.
+bool advise_found(const std::string& path, const FoundResult& found, const Wish& wish, bool ladders) {
     const auto best = choose(found.timed, wish);
     if (!best) {
         fmt::print("\n{}: can't say of found rungs: none was timed\n", wish_text(wish));
@@ -152,7 +153,7 @@ bool advise_found(const std::string& path, const FoundResult& found, const Wish&
     if (found.timed.few_rounds || found.timed.control.noisy)
         fmt::print("  the costs are not sure: {}\n",
                    found.timed.few_rounds ? "there were too few rounds" : "the machine is too noisy");
-    return met;
+    return met && !(ladders && *best == found.timed.sweep.current);
 }
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
@@ -197,7 +198,7 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
         saved = !options.save_quality || explain_presets(path, *found);
         if (limited) met = advise_knobs(path, bench, now, wish, measuring, report);
     }
-    if (limited && found) met = advise_found(path, *found, wish) || met;
+    if (limited && found) met = advise_found(path, *found, wish, !bench.scene().ladders.empty()) || met;
     return saved && (met || !limited);
 }
 
