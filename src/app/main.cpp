@@ -15,6 +15,7 @@
 #include "parser/text/utf8.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/exit_status.h"
+#include "src/app/open/version.h"
 
 namespace {
 
@@ -73,7 +74,7 @@ int main(int argc, char** argv) {
     std::set_new_handler(out_of_memory);
     CLI::App program{"snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture."};
     program.footer(examples);
-    program.set_version_flag("--version", std::string("snell ") + SNELL_VERSION);
+    program.set_version_flag("--version", std::string("snell ") + version());
     program.require_subcommand(0, 1);
     Run run = add_window(program);
     for (const Subcommand& row : subcommands) {

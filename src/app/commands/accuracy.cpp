@@ -25,6 +25,7 @@
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
+#include "src/app/open/version.h"
 #include "src/document/document.h"
 #include "src/plan/used_files.h"
 
@@ -69,7 +70,7 @@ std::string today() {
 Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps, const BenchSettings& settings) {
     Circumstances where;
     where.scene = fmt::format("{}", fmt::join(options.scenes, ", "));
-    where.tool = std::string("snell ") + SNELL_VERSION;
+    where.tool = std::string("snell ") + version();
     where.date = today();
     where.cpu = cpu_name();
     utsname system{};

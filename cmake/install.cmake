@@ -1,0 +1,28 @@
+# What `cmake --install` puts where. The program finds its module and its pages relative to itself (src/content/image/module.cpp,
+# src/app/page/html.cpp), so the prefix may be moved.
+include(GNUInstallDirs)
+set(data ${CMAKE_INSTALL_DATADIR}/snell)
+set(page ${CMAKE_INSTALL_DATADIR}/doc/snell)
+
+install(TARGETS snell RUNTIME DESTINATION bin)
+install(TARGETS snell_oiio LIBRARY DESTINATION lib/snell)
+
+install(DIRECTORY scenes DESTINATION ${data})
+install(DIRECTORY shaders/snell DESTINATION ${data}/shaders)
+# The page for browsers, if `./dev web` has built it.
+foreach(file page.html gallery.html snell.html runtime.js)
+  install(FILES build/web/${file} DESTINATION ${data}/web OPTIONAL)
+endforeach()
+
+install(FILES README.md CHANGELOG.md DESTINATION ${page})
+install(FILES LICENSE DESTINATION ${page} RENAME copyright)
+install(DIRECTORY docs DESTINATION ${page})
+# Links of the pages lead to scenes by their paths in the repository.
+install(CODE "
+  set(link \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${page}/scenes\")
+  file(CREATE_LINK ../../snell/scenes \"\${link}\" SYMBOLIC)
+  list(APPEND CMAKE_INSTALL_MANIFEST_FILES \"\${CMAKE_INSTALL_PREFIX}/${page}/scenes\")")
+
+install(FILES desktop/snell.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES desktop/snell.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES desktop/snell.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
