@@ -26,3 +26,10 @@ install(CODE "
 install(FILES desktop/snell.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES desktop/snell.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES desktop/snell.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+
+# Written by snell_manual.
+set(manual ${CMAKE_BINARY_DIR}/manual)
+install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(FILES ${manual}/bash/snell DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${manual}/zsh/_snell DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${manual}/fish/snell.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
