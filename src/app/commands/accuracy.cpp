@@ -314,8 +314,7 @@ std::string check_finite(const std::string& text) {
 // Not by CLI11's excludes(), which --help would print next to every option.
 bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fitting) {
     for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || option->check_lname("color") || ranges::find(fitting, option) != fitting.end())
-            continue;
+        if (option->count() == 0 || ranges::find(fitting, option) != fitting.end()) continue;
         fmt::print(stderr, "snell: error: --merge excludes {}: it compares reports and measures nothing\n",
                    option->get_name());
         return false;

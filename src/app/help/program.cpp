@@ -117,8 +117,8 @@ void describe(CLI::App& program, Request& request) {
     for (const Subcommand& row : table) {
         CLI::App* command = program.add_subcommand(row.name, row.summary);
         if (row.hidden) command->group("");
-        command->final_callback([&request, chosen = row.add(*command)] { request.run = chosen; });
         add_color(*command, request.color);
+        command->final_callback([&request, chosen = row.add(*command)] { request.run = chosen; });
         name_values(*command);
         const std::string notes = command->get_footer();
         command->footer(notes + (notes.empty() ? "" : "\n\n") + "Examples, in a folder with scenes/ of snell:\n" +
