@@ -33,3 +33,21 @@ install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
 install(FILES ${manual}/bash/snell DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${manual}/zsh/_snell DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 install(FILES ${manual}/fish/snell.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+# Parser, translator and runtime for other programs: find_package(snell).
+include(CMakePackageConfigHelpers)
+foreach(library parser content glsl plan shaders opengl gl runtime document platform)
+  install(FILES $<TARGET_FILE:snell_${library}> DESTINATION lib/snell COMPONENT development)
+endforeach()
+install(DIRECTORY parser DESTINATION include/snell COMPONENT development FILES_MATCHING PATTERN *.h)
+foreach(folder content glsl plan gl runtime document platform)
+  install(DIRECTORY src/${folder} DESTINATION include/snell/src COMPONENT development
+    FILES_MATCHING PATTERN *.h PATTERN web EXCLUDE PATTERN oiio EXCLUDE PATTERN forms EXCLUDE)
+endforeach()
+install(FILES src/content/oiio/api.h DESTINATION include/snell/src/content/oiio COMPONENT development)
+install(FILES shaders/embedded.h DESTINATION include/snell/shaders COMPONENT development)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/snellConfigVersion.cmake COMPATIBILITY ExactVersion)
+configure_file(cmake/snellConfig.cmake.in ${CMAKE_BINARY_DIR}/snellConfig.cmake COPYONLY)
+install(FILES ${CMAKE_BINARY_DIR}/snellConfig.cmake ${CMAKE_BINARY_DIR}/snellConfigVersion.cmake
+  DESTINATION lib/cmake/snell COMPONENT development)
+install(DIRECTORY examples/embed DESTINATION ${page}/examples)

@@ -11,6 +11,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "parser/text/utf8.h"
 #include "src/app/help/help.h"
@@ -62,11 +63,12 @@ int main(int argc, char** argv) {
     std::set_new_handler(out_of_memory);
     CLI::App program;
     Request request;
-    describe(program, request);
-    if (const std::string_view meant = meant_subcommand(argc > 1 ? argv[1] : ""); !meant.empty()) {
+    const std::string_view first = argc > 1 ? argv[1] : "";
+    describe(program, request, first);
+    if (const std::string_view meant = meant_subcommand(first); !meant.empty()) {
         choose_colors(request.color);
         fmt::print(stderr, "snell: error: there is neither a subcommand nor a file '{}'\n   help: did you mean '{}'?\n",
-                   utf8::printable(argv[1]), meant);
+                   utf8::printable(first), meant);
         return exit_usage;
     }
     try {

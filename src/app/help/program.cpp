@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "parser/text/ranges.h"
 #include "src/app/help/help.h"
 #include "src/app/open/version.h"
 
@@ -63,7 +64,8 @@ constexpr auto table = std::to_array<Subcommand>({
 
 // What stands for the value of an option in --help. Completions (tools/manual) go by these names.
 struct ValueName {
-    const char *option, *value;
+    std::string_view option;
+    const char* value;
 };
 constexpr auto value_names = std::to_array<ValueName>({
     {"baked", "UNIFORM"},     {"budget", "SECONDS"},     {"color", "WHEN"},       {"confine", "FOLDER"},
@@ -85,8 +87,11 @@ void name_values(CLI::App& command) {
             option->type_name("");
             if (option->get_description().empty()) option->description("the scene");
         }
-        for (const ValueName& row : value_names)
-            if (!option->get_type_name().empty() && option->check_lname(row.option)) option->type_name(row.value);
+        // Compared as views, and types last, because this runs at every start.
+        if (option->get_lnames().empty()) continue;
+        const std::string_view name = option->get_lnames().front();
+        const auto row = ranges::find_if(value_names, [&](const ValueName& v) { return v.option == name; });
+        if (row != value_names.end() && !option->get_type_name().empty()) option->type_name(row->value);
     }
 }
 
@@ -106,7 +111,17 @@ std::vector<std::string_view> subcommand_names() {
     return names;
 }
 
-void describe(CLI::App& program, Request& request) {
+namespace {
+
+// Options cost time at every start, and only those of the subcommand that runs, or is explained, matter.
+bool matters(const Subcommand& row, std::string_view first) {
+    if (first == row.name || first == "help") return true;
+    return first != "--version" && ranges::find(table, first, &Subcommand::name) == table.end();
+}
+
+}  // namespace
+
+void describe(CLI::App& program, Request& request, std::string_view first) {
     program.description("snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture.");
     program.name("snell");
     program.set_version_flag("--version", std::string("snell ") + version());
@@ -117,6 +132,7 @@ void describe(CLI::App& program, Request& request) {
     for (const Subcommand& row : table) {
         CLI::App* command = program.add_subcommand(row.name, row.summary);
         if (row.hidden) command->group("");
+        if (!matters(row, first)) continue;
         add_color(*command, request.color);
         command->final_callback([&request, chosen = row.add(*command)] { request.run = chosen; });
         name_values(*command);

@@ -30,7 +30,8 @@ struct Request {
     std::string color = "auto";
 };
 
-// Adds the options of the window and all subcommands. `request` must live as long as `program`.
-void describe(CLI::App& program, Request& request);
+// Adds the options of the window and the subcommands; if `first`, the first word of a command line, names one, only of
+// that one. `request` must live as long as `program`.
+void describe(CLI::App& program, Request& request, std::string_view first = {});
 
 }  // namespace snell::app
