@@ -8,5 +8,5 @@ done
 shopt -s nullglob
 sources=()
 for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources}; do
-  ! grep -q bookworm "$list" || sources+=("$list")
+  ! grep -qs bookworm "$list" || sources+=("$list")
 done
