@@ -18,6 +18,7 @@ APP = {
     "desktop": "",
     "batch": "open picture",
     "page": "open picture",
+    "help": "open commands",
     "commands": "open picture batch page window",
     "window/measure": "open",
     "window/survive": "open",

@@ -1,4 +1,4 @@
-// The command line: a table of subcommands.
+// The program: reads the command line, and runs what it asks for.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,33 +11,18 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "parser/text/utf8.h"
-#include "src/app/commands/subcommands.h"
+#include "src/app/help/help.h"
+#include "src/app/help/program.h"
+#include "src/app/open/color.h"
 #include "src/app/open/exit_status.h"
 
 namespace {
 
 using namespace snell;
 using namespace snell::app;
-
-struct Subcommand {
-    const char* name;
-    const char* summary;
-    Run (*add)(CLI::App& command);
-};
-
-constexpr Subcommand subcommands[] = {
-    {"render", "draw scenes to pictures, without a display", add_render},
-    {"sweep", "draw a scene for many values of what can be set", add_sweep},
-    {"check", "report errors and warnings", add_check},
-    {"explain", "report what a scene costs, and why", add_explain},
-    {"accuracy", "measure the error and the cost of each rung", add_accuracy},
-    {"save", "write values into a scene: only its numbers change", add_save},
-    {"web", "make a page for browsers of a scene, or a gallery of many", add_web},
-    {"commands", "list the commands of the language", add_commands},
-    {"info", "print the OpenGL version and renderer", add_info},
-};
 
 // The process ends on whatever thread this happens, because exceptions would have to pass through drivers and
 // libraries. No file is left incomplete: files are written whole or not at all.
@@ -65,20 +50,26 @@ void print_usage_error(const CLI::App& program, const CLI::ParseError& error) {
     for (std::string line; std::getline(text, line);) fmt::print(stderr, "{}\n", utf8::printable(line));
 }
 
+void choose_colors(const std::string& when) {
+    if (wants_color(when, isatty(STDOUT_FILENO) != 0)) paint(stdout);
+    if (wants_color(when, isatty(STDERR_FILENO) != 0)) paint(stderr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     // Without this, a file that grows beyond its limit would end the process; now writing it fails.
     std::signal(SIGXFSZ, SIG_IGN);
     std::set_new_handler(out_of_memory);
-    CLI::App program{"snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture."};
-    program.footer(examples);
-    program.set_version_flag("--version", std::string("snell ") + SNELL_VERSION);
-    program.require_subcommand(0, 1);
-    Run run = add_window(program);
-    for (const Subcommand& row : subcommands) {
-        CLI::App* command = program.add_subcommand(row.name, row.summary);
-        command->final_callback([&run, chosen = row.add(*command)] { run = chosen; });
+    CLI::App program;
+    Request request;
+    const std::string_view first = argc > 1 ? argv[1] : "";
+    describe(program, request, first);
+    if (const std::string_view meant = meant_subcommand(first); !meant.empty()) {
+        choose_colors(request.color);
+        fmt::print(stderr, "snell: error: there is neither a subcommand nor a file '{}'\n   help: did you mean '{}'?\n",
+                   utf8::printable(first), meant);
+        return exit_usage;
     }
     try {
         program.parse(argc, argv);
@@ -87,8 +78,9 @@ int main(int argc, char** argv) {
         print_usage_error(program, error);
         return exit_usage;
     }
+    choose_colors(request.color);
     try {
-        return printed(run());
+        return printed(request.run());
     } catch (const std::exception& error) {
         fmt::print(stderr, "snell: error: {}\n", utf8::printable(error.what()));
         return exit_input;

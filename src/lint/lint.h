@@ -50,8 +50,8 @@ struct RuleFacts {
 std::span<const RuleFacts> rules();
 const RuleFacts& facts(Rule rule);
 
-// "docs/teaching.md#anchor"
-std::string page(const RuleFacts& rule);
+// Where a reader finds more about it: "snell help CODE".
+std::string more(const RuleFacts& rule);
 
 // All that is found in the scene and its shaders, as the plan's rungs choose them, in source order. Included texts
 // are added to `sources`; what is found in those that `include` gives for angle brackets is not reported, for they

@@ -87,6 +87,6 @@ std::span<const RuleFacts> rules() { return table; }
 
 const RuleFacts& facts(Rule rule) { return table[static_cast<std::size_t>(rule)]; }
 
-std::string page(const RuleFacts& rule) { return "docs/teaching.md#" + std::string(rule.anchor); }
+std::string more(const RuleFacts& rule) { return "snell help " + std::string(rule.code); }
 
 }  // namespace snell::lint

@@ -83,7 +83,7 @@ private:
         d.code = row.code;
         d.span = span;
         d.message = std::move(message);
-        d.help = fmt::format("{} ({})", row.instead, page(row));
+        d.help = fmt::format("{} ({})", row.instead, more(row));
         return &found_.add(std::move(d));
     }
 

@@ -105,6 +105,8 @@ GLFWwindow* make_window(const WindowRequest& request) {
 #endif
         glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        glfwWindowHintString(GLFW_X11_CLASS_NAME, "snell");  // by which desktops find snell.desktop and its icon
+        glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "snell");
         glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a click on another screen leaves the projector's picture
         if (GLFWwindow* handle = glfwCreateWindow(1280, 800, request.title.c_str(), nullptr, nullptr)) return handle;
     }

@@ -1,13 +1,10 @@
 // The bar of a load that takes long: on a terminal, and nowhere else.
 #include <gtest/gtest.h>
-#include <pty.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
 
 #include "src/app/open/progress.h"
 #include "tests/cli/run.h"
+#include "tests/cli/terminal.h"
 #include "tests/scratch.h"
 
 namespace snell::test {
@@ -37,28 +34,6 @@ TEST(Progress, ALineFitsItsTerminalInWholeCharacters) {
         EXPECT_TRUE(line.empty() || line.back() != '\xC3') << columns;
     }
     EXPECT_EQ(progress_line({Stage::files, "evil\x1b[2J", 0, 1}, 80).find('\x1b'), std::string::npos);
-}
-
-// What the program writes to a terminal, and how long it took.
-std::pair<std::string, double> on_terminal(const std::string& arguments) {
-    int terminal = -1;
-    winsize size{24, 80, 0, 0};
-    const auto start = std::chrono::steady_clock::now();
-    const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
-    if (child == 0) {
-        setenv("TERM", "xterm", 1);
-        unsetenv("DISPLAY");
-        execl("/bin/sh", "sh", "-c", (SNELL_BIN "/snell " + arguments).c_str(), nullptr);
-        _exit(127);
-    }
-    std::string text;
-    std::array<char, 4096> buffer{};
-    for (ssize_t n; (n = read(terminal, buffer.data(), buffer.size())) > 0;)
-        text.append(buffer.data(), static_cast<std::size_t>(n));
-    close(terminal);
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {text, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
 class ProgressLines : public testing::Test {

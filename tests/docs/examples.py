@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the examples of README.md, docs/ and scenes/*.md, and those of --help: examples.py PROGRAM SOURCE_FOLDER
+"""Runs the examples of README.md, docs/ and scenes/*.md, and of every --help: examples.py PROGRAM SOURCE_FOLDER
 
 An example is a line of a fenced block that begins with `snell `, or such a span of code that names a scene. It runs in
 a folder with a copy of scenes/ and an empty out/, at a small size, and must end with status 0, or N where its comment
@@ -17,7 +17,8 @@ import subprocess
 import sys
 import tempfile
 
-SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info", "web"}
+SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info", "web", "help",
+               "complete"}
 # What `snell web` fills in, in the place of the browser's part, which need not be built.
 PAGE = """<title>snell</title><script type="application/json" id="scene">null</script>
 <script type="text/plain" id="archive"></script>"""
@@ -43,8 +44,11 @@ def examples(root, program, folder):
                 pathlib.Path(folder, scene).write_text(block)
                 found.append((name, f"snell check {scene} |& diff /dev/null -"))  # prints nothing if all is well
         found += [(name, " ".join(command.split())) for command in SPAN.findall(FENCE.sub("", text))]
-    shown = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
-    return found + [("--help", command) for command in commands(shown.partition("Examples")[2])]
+    for options in ["--help"], *([name, "--help"] for name in sorted(SUBCOMMANDS)):
+        shown = subprocess.run([program, *options], capture_output=True, text=True, check=True).stdout
+        own = commands(shown.partition("Examples")[2])
+        found += [(" ".join(options), command) for command in own or ["exit 1 # without examples"]]
+    return found
 
 
 def small(command):

@@ -18,17 +18,7 @@ work=$(mktemp -d)
 trap 'umount -lR "$work"/*/{proc,dev,sys} "$work"/*/var/ccache 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
 mkdir -p "$kept"
 
-# What apt needs to know of this network.
-apt-config --format '%F "%v";%n' dump | grep '^Acquire::' >"$work/apt.conf" || true
-for scheme in http https; do
-  proxy=${scheme}_proxy
-  [ -z "${!proxy:-}" ] || printf 'Acquire::%s::Proxy "%s";\n' "$scheme" "${!proxy}" >>"$work/apt.conf"
-done
-shopt -s nullglob
-sources=()
-for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources}; do
-  ! grep -q bookworm "$list" || sources+=("$list")
-done
+source "$clone/tests/fresh/apt.sh" "$work"
 
 # machine USER LOCALE-SETTING...: a new machine, and the two commands in it.
 machine() {

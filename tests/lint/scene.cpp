@@ -109,7 +109,7 @@ TEST(LintProgram, ThatDrawsNothing) {
                             {{"p.vert", plain_vert}, {"p.frag", plain_frag}});
     ASSERT_EQ(bad.at("program-not-drawn").size(), 1U) << bad.text();
     EXPECT_EQ(bad.place("program-not-drawn"), "scene.glib:5:1");
-    EXPECT_NE(bad.text().find("docs/teaching.md#a-program-draws-what-follows-it"), std::string::npos);
+    EXPECT_NE(bad.text().find("snell help program-not-drawn"), std::string::npos);
     const Linted good = lint("Vertex p.vert\nFragment p.frag\nProgram Seen\nSphere\n",
                              {{"p.vert", plain_vert}, {"p.frag", plain_frag}});
     EXPECT_TRUE(good.found.empty()) << good.text();

@@ -21,7 +21,7 @@ TEST(LintUnit, InterpolatedVectors) {
     const Linted bad = body("gl_FragColor = texture(uSky, refract(vE, vN, .66));");
     EXPECT_EQ(bad.at("unnormalised-direction"), (Places{"vE", "vN"})) << bad.text();
     EXPECT_EQ(bad.place("unnormalised-direction"), "a.frag:5:38");
-    EXPECT_NE(bad.text().find("docs/teaching.md#directions-of-unit-length"), std::string::npos);
+    EXPECT_NE(bad.text().find("snell help unnormalised-direction"), std::string::npos);
     expect_silent(body("gl_FragColor = texture(uSky, refract(normalize(vE), normalize(vN), .66));"));
 }
 

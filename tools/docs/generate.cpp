@@ -191,12 +191,13 @@ std::string lints() {
         "its "
         "place; the exit status\nstays 0, and `--no-lint` leaves them out. Shaders are followed from `main` through "
         "the "
-        "functions it calls. Only what is\ncertain is reported. Written by snell_docs from the table in "
+        "functions it calls. Only what is\ncertain is reported. `snell help CODE` prints the page of a code. Written "
+        "by snell_docs from the table in "
         "src/lint/rules.cpp.\n\n| code | finds | instead | page |\n|---|---|---|---|\n";
     for (const lint::RuleFacts& rule : lint::rules())
-        out += "| `" + std::string(rule.code) + "`" + (rule.severity == Severity::note ? " (a note)" : "") + " | " +
-               std::string(rule.finds) + " | " + std::string(rule.instead) + " | [teaching.md](teaching.md#" +
-               std::string(rule.anchor) + ") |\n";
+        out += "| <a id=\"" + std::string(rule.code) + "\"></a>`" + std::string(rule.code) + "`" +
+               (rule.severity == Severity::note ? " (a note)" : "") + " | " + std::string(rule.finds) + " | " +
+               std::string(rule.instead) + " | [teaching.md](teaching.md#" + std::string(rule.anchor) + ") |\n";
     return out;
 }
 

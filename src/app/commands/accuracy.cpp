@@ -24,6 +24,7 @@
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
+#include "src/app/open/version.h"
 #include "src/document/document.h"
 #include "src/plan/used_files.h"
 

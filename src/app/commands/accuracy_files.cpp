@@ -15,6 +15,7 @@
 #include "src/accuracy/report/slide/slide.h"
 #include "src/app/commands/options.h"
 #include "src/app/open/quality.h"
+#include "src/app/open/version.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/replace.h"
 
@@ -111,7 +112,7 @@ double system_load() {
 Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps, const BenchSettings& settings) {
     Circumstances where;
     where.scene = fmt::format("{}", fmt::join(options.scenes, ", "));
-    where.tool = std::string("snell ") + SNELL_VERSION;
+    where.tool = std::string("snell ") + version();
     where.date = today();
     where.cpu = cpu_name();
     utsname system{};

@@ -74,7 +74,7 @@ void add_idle_sliders(Document& document, double seconds) {
                                      fmt::format("'{}' {} no effect: {}program '{}' computes the same {}", slider->name,
                                                  tries_every_value(*slider) ? "has" : "seems to have", where,
                                                  program.name, tried_values(*slider)),
-                                     fmt::format("{} ({})", rule.instead, lint::page(rule)));
+                                     fmt::format("{} ({})", rule.instead, lint::more(rule)));
     }
 }
 
@@ -168,7 +168,7 @@ Run add_check(CLI::App& command) {
     add_grade(command, options->grade);
     add_timeout(command, options->timeout, "each scene");
     command.add_flag("--json", options->json, "print JSON");
-    command.add_flag("!--no-lint", options->lint, "omit what is allowed but probably not intended (docs/lints.md)");
+    command.add_flag("!--no-lint", options->lint, "omit what is allowed but probably not intended");
     command.add_option("--dump", options->dump, "print one stage of the reading")
         ->check(CLI::IsMember({"tokens", "statements", "scene", "plan"}));
     return [options] { return check(*options); };

@@ -1,18 +1,49 @@
 // `snell commands`: the commands of the language.
+#include "parser/commands/commands.h"
+
 #include <fmt/format.h>
 
-#include "parser/commands/commands.h"
+#include "parser/text/diagnostic.h"
+#include "parser/text/utf8.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/exit_status.h"
 
 namespace snell::app {
 
+namespace {
+
+struct CommandsOptions {
+    std::string name;  // empty: all
+    bool json = false;
+};
+
+Exit print_one(const std::string& name) {
+    if (const Command* row = find_command(name)) {
+        fmt::print("{}\n", described(*row));
+        return exit_fine;
+    }
+    const std::string_view near = nearest(name, command_names());
+    fmt::print(stderr, "snell: error: the language has no command '{}'\n   help: {}\n", utf8::printable(name),
+               near.empty() ? "'snell commands' lists them" : fmt::format("did you mean '{}'?", near));
+    return exit_usage;
+}
+
+}  // namespace
+
+std::string described(const Command& row) {
+    std::string text = fmt::format("{:<16} {:<48} {}", row.name, row.signature.text, row.doc);
+    if (!row.alias.empty()) text += fmt::format("\n{:<16} the same", row.alias);
+    return text;
+}
+
 Run add_commands(CLI::App& command) {
-    auto json = std::make_shared<bool>(false);
-    command.add_flag("--json", *json, "print JSON");
-    return [json] {
-        if (*json) {
+    auto options = std::make_shared<CommandsOptions>();
+    CLI::Option* name = command.add_option("NAME", options->name, "one command");
+    command.add_flag("--json", options->json, "print all as JSON")->excludes(name);
+    return [options] {
+        if (!options->name.empty()) return print_one(options->name);
+        if (options->json) {
             fmt::print("{}\n", commands_json());
             return exit_fine;
         }

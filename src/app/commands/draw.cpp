@@ -8,20 +8,6 @@
 
 namespace snell::app {
 
-const char* const examples = R"(Examples: (in the folder of the repository)
-  snell scenes/light/glass/glass.glib                        # open a scene in a window
-  snell render scenes/light/glass/glass.glib -o glass.png    # draw a picture, without a display
-  snell render scenes/light/glass/glass.glib -o glass.png --set uIndex=1.33 --ladder BEND=single
-  snell render scenes/light/glass/glass.glib -o glass.exr --size 1920x1080 --time 2.5 --samples 4
-  snell sweep scenes/light/glass/glass.glib --over uIndex=1:2.5:16 -o 'glass-{uIndex}.png' --sheet all.png
-  snell accuracy scenes/light/glass/glass.glib -o report.html --ladders all    # error and cost of each rung
-  snell explain scenes/light/glass/glass.glib                # what the scene costs, and why
-  snell check scenes/light/glass/glass.glib                  # report errors and warnings
-  snell commands                                             # list the commands of the language
-
-Exit status: 0 fine, 1 errors in the input, 2 wrong usage, 3 no graphics,
-4 timeout, 5 the graphics driver reset itself.)";
-
 namespace {
 
 std::string check_view(const std::string& text) {
@@ -38,7 +24,6 @@ void add_drawing(CLI::App& command, RenderOptions& render) {
     add_access(command, render.access);
     add_grade(command, render.grade);
     add_timeout(command, render.timeout, "a frame, or for reading a scene");
-    command.footer(examples);
     command.add_option("--lose-after", render.lose_after)->group("");  // for tests
     add_size(command, render.size, "WIDTHxHEIGHT (default: the scene's)");
     add_time(command, render.time);

@@ -6,6 +6,7 @@
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
+#include "src/app/open/version.h"
 #include "src/gl/caps.h"
 
 namespace snell::app {
@@ -23,9 +24,8 @@ Exit print_info(const InfoOptions& options) {
     auto context = headless_context(options.context);
     if (!context) return exit_graphics;
     const gl::Caps caps = gl::query_caps();
-    fmt::print("snell {}\nrenderer   {}\nvendor     {}\nOpenGL     {}\nGLSL used  {}{}\nplatform   EGL {}\n",
-               SNELL_VERSION, caps.renderer, caps.vendor, caps.version, caps.glsl, caps.es ? " es" : " core",
-               context->platform());
+    fmt::print("snell {}\nrenderer   {}\nvendor     {}\nOpenGL     {}\nGLSL used  {}{}\nplatform   EGL {}\n", version(),
+               caps.renderer, caps.vendor, caps.version, caps.glsl, caps.es ? " es" : " core", context->platform());
     fmt::print("textures   {} (2D), {} (3D), {} (cube)\nsamples    {}\nline width {}\npoint size {}\n",
                caps.max_texture, caps.max_texture_3d, caps.max_cube, caps.max_samples, caps.max_line_width,
                caps.max_point_size);

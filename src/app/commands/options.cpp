@@ -73,7 +73,7 @@ void add_access(CLI::App& command, Access& access) {
                 std::string checked;
                 for (const std::string& value : values) set_limit(access.limits, value, checked);
             },
-            "NAME=VALUE of docs/limits.md; may be repeated")
+            "change a limit on what a scene may use; may be repeated")
         ->expected(1)
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -2,9 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace CLI {
 class App;
+}
+
+namespace snell {
+struct Command;
 }
 
 namespace snell::app {
@@ -22,6 +27,7 @@ Run add_web(CLI::App& command);
 Run add_commands(CLI::App& command);
 Run add_info(CLI::App& command);
 
-extern const char* const examples;  // of the command line, for --help
+// A command of the language as `snell commands NAME` prints it.
+std::string described(const Command& row);
 
 }  // namespace snell::app

@@ -41,8 +41,10 @@ std::string web_file(const std::string& name, std::string& error) {
     for (const fs::path& folder : folders)
         if (const fs::path file = (folder / name).lexically_normal(); fs::is_regular_file(file, none))
             return content::whole_file(file.string());
-    error = fmt::format("the browser's part of snell is not there: there is no '{}'\n   help: './dev web' builds it",
-                        utf8::printable((folders.back() / name).lexically_normal().string()));
+    error = fmt::format(
+        "the browser's part of snell is not there: there is no '{}'\n   help: './dev web' in the folder of snell's "
+        "sources builds it, before snell is installed",
+        utf8::printable((folders.back() / name).lexically_normal().string()));
     return {};
 }
 

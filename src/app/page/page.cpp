@@ -183,7 +183,11 @@ Exit make_page(const PageOptions& options) {
     if (!parts->error.empty()) return refuse(parts->error);
     deadline.begin("writing the page");
     const auto text = filled_page(page, {parts->title, parts->scene, parts->archive, options.baked.empty()});
-    if (!text) return refuse("the browser's part of snell is of another version\n   help: './dev web' builds it");
+    if (!text)
+        return refuse(
+            "the browser's part of snell is of another version\n   help: './dev web' in the folder of snell's sources "
+            "builds it "
+            "again");
     if (error = content::replace_file(options.output, *text); !error.empty())
         return refuse(fmt::format("cannot write '{}': {}", utf8::printable(options.output), error));
     if (!content::is_stream(options.output)) list_files(options, *parts, text->size());

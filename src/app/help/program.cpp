@@ -1,0 +1,146 @@
+#include "src/app/help/program.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "parser/text/ranges.h"
+#include "src/app/help/help.h"
+#include "src/app/open/version.h"
+
+namespace snell::app {
+
+namespace {
+
+constexpr const char* program_examples = R"(Examples, in a folder with scenes/ of snell:
+  snell scenes/light/glass/glass.glib                        # open a scene in a window
+  snell render scenes/light/glass/glass.glib -o glass.png    # draw a picture, without a display
+  snell check scenes/light/glass/glass.glib                  # report errors and warnings
+  snell help render                                          # explain a subcommand, with examples
+  snell help unknown-command                                 # explain the code of a message
+  snell commands Sphere                                      # explain a command of the language
+
+Exit status: 0 fine, 1 errors in the input, 2 wrong usage, 3 no graphics,
+4 timeout, 5 the graphics driver reset itself.)";
+
+constexpr auto table = std::to_array<Subcommand>({
+    {"render", "draw scenes to pictures, without a display", add_render,
+     "  snell render scenes/light/glass/glass.glib -o glass.png --set uIndex=1.33 --ladder BEND=single\n"
+     "  snell render scenes/light/glass/glass.glib -o glass.exr --size 1920x1080 --time 2.5 --samples 4\n"
+     "  snell render scenes/light/carousel/carousel.glib -o 'out/{frame:04}.png' --frames 100 --fps 25\n"
+     "  snell render scenes/light/*/*.glib -o 'out/{stem}.png'     # many scenes"},
+    {"sweep", "draw a scene for many values of what can be set", add_sweep,
+     "  snell sweep scenes/light/glass/glass.glib --over uIndex=1:2.5:16 -o 'glass-{uIndex}.png' --sheet all.png"},
+    {"check", "report errors and warnings", add_check,
+     "  snell check scenes/light/glass/glass.glib\n"
+     "  snell check scenes/light/*/*.glib --json --confine scenes  # for scripts that grade homework"},
+    {"explain", "report what a scene costs, and why", add_explain,
+     "  snell explain scenes/light/glass/glass.glib --size 800x600\n"
+     "  snell explain scenes/light/glass/glass.glib --set uMix=0   # what this value switches off"},
+    {"accuracy", "measure the error and the cost of each rung", add_accuracy,
+     "  snell accuracy scenes/light/glass/glass.glib -o report.html --ladders all\n"
+     "  snell accuracy scenes/light/mirror/mirror.glib --within 16ms   # the most exact rungs for 16 ms"},
+    {"save", "write values into a scene: only its numbers change", add_save,
+     "  snell save scenes/light/glass/glass.glib --set uIndex=1.33\n"
+     "  snell save scenes/light/glass/glass.glib --set uIndex=1.33 -o scenes/light/glass/water.glib"},
+    {"web", "make a page for browsers of a scene, or a gallery of many", add_web,
+     "  snell web scenes/light/glass/glass.glib -o out/glass.html --set uIndex=1.33\n"
+     "  snell web --gallery scenes/light -o out/gallery            # a page of each, and an index"},
+    {"commands", "list the commands of the language", add_commands,
+     "  snell commands                                             # all commands\n"
+     "  snell commands Sphere                                      # one command\n"
+     "  snell commands --json"},
+    {"info", "print the OpenGL version and renderer", add_info,
+     "  snell info\n"
+     "  snell info --context es3.0                                 # of another version"},
+    {"help", "explain a subcommand, a command of the language or the code of a message", add_help,
+     "  snell help render\n"
+     "  snell help pow-of-negative                                 # the code at the end of a message\n"
+     "  snell help Sphere"},
+    {"complete", "print what may follow on a command line, for shells", add_complete,
+     "  snell complete uniforms scenes/light/glass/glass.glib uI\n"
+     "  snell complete rungs scenes/light/glass/glass.glib",
+     true},
+});
+
+// What stands for the value of an option in --help. Completions (tools/manual) go by these names.
+struct ValueName {
+    std::string_view option;
+    const char* value;
+};
+constexpr auto value_names = std::to_array<ValueName>({
+    {"baked", "UNIFORM"},     {"budget", "SECONDS"},     {"color", "WHEN"},       {"confine", "FOLDER"},
+    {"context", "VERSION"},   {"csv", "FILE"},           {"dump", "STAGE"},       {"error", "RMSE"},
+    {"fps", "RATE"},          {"frames", "COUNT"},       {"from", "RUNGS"},       {"json", "FILE"},
+    {"knobs", "KNOB,…"},      {"ladder", "LADDER=RUNG"}, {"ladders", "LADDER,…"}, {"limit", "LIMIT=VALUE"},
+    {"link", "URL"},          {"markdown", "FILE"},      {"merge", "FILE"},       {"output", "FILE"},
+    {"over", "NAME=VALUES"},  {"quality", "PRESET"},     {"reps", "COUNT"},       {"samples", "COUNT"},
+    {"set", "UNIFORM=VALUE"}, {"shard", "I/N"},          {"sheet", "FILE"},       {"size", "WIDTHxHEIGHT"},
+    {"stats", "FILE"},        {"steps", "COUNT"},        {"svg", "FILE"},         {"tile", "PIXELS"},
+    {"time", "SECONDS"},      {"timeout", "SECONDS"},    {"title", "TEXT"},       {"view", "VIEW"},
+    {"within", "TIME"},
+});
+
+// Flags have no type.
+void name_values(CLI::App& command) {
+    for (CLI::Option* option : command.get_options()) {
+        if (option->get_positional()) {
+            option->type_name("");
+            if (option->get_description().empty()) option->description("the scene");
+        }
+        // Compared as views, and types last, because this runs at every start.
+        if (option->get_lnames().empty()) continue;
+        const std::string_view name = option->get_lnames().front();
+        const auto row = ranges::find_if(value_names, [&](const ValueName& v) { return v.option == name; });
+        if (row != value_names.end() && !option->get_type_name().empty()) option->type_name(row->value);
+    }
+}
+
+void add_color(CLI::App& command, std::string& color) {
+    command.add_option("--color", color, "colours in messages; auto: on a terminal")
+        ->check(CLI::IsMember({"auto", "always", "never"}));
+}
+
+}  // namespace
+
+std::span<const Subcommand> subcommands() { return table; }
+
+std::vector<std::string_view> subcommand_names() {
+    std::vector<std::string_view> names;
+    for (const Subcommand& row : table)
+        if (!row.hidden) names.emplace_back(row.name);
+    return names;
+}
+
+namespace {
+
+// Options cost time at every start, and only those of the subcommand that runs, or is explained, matter.
+bool matters(const Subcommand& row, std::string_view first) {
+    if (first == row.name || first == "help") return true;
+    return first != "--version" && ranges::find(table, first, &Subcommand::name) == table.end();
+}
+
+}  // namespace
+
+void describe(CLI::App& program, Request& request, std::string_view first) {
+    program.description("snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture.");
+    program.name("snell");
+    program.set_version_flag("--version", std::string("snell ") + version());
+    program.require_subcommand(0, 1);
+    request.run = add_window(program);
+    add_color(program, request.color);
+    name_values(program);
+    for (const Subcommand& row : table) {
+        CLI::App* command = program.add_subcommand(row.name, row.summary);
+        if (row.hidden) command->group("");
+        if (!matters(row, first)) continue;
+        add_color(*command, request.color);
+        command->final_callback([&request, chosen = row.add(*command)] { request.run = chosen; });
+        name_values(*command);
+        const std::string notes = command->get_footer();
+        command->footer(notes + (notes.empty() ? "" : "\n\n") + "Examples, in a folder with scenes/ of snell:\n" +
+                        row.examples);
+    }
+    program.footer(program_examples);  // not before, because subcommands inherit it
+}
+
+}  // namespace snell::app

@@ -1,0 +1,37 @@
+// The program as CLI11 sees it: the table of subcommands. The program runs it; tools/manual writes manual pages and
+// completions from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/app/commands/subcommands.h"
+
+namespace snell::app {
+
+struct Subcommand {
+    const char* name;
+    const char* summary;
+    Run (*add)(CLI::App& command);
+    const char* examples;  // lines for --help that run in a folder with scenes/; may be empty
+    bool hidden = false;   // for other programs, not for users
+};
+
+std::span<const Subcommand> subcommands();
+
+// The names of the subcommands that users see.
+std::vector<std::string_view> subcommand_names();
+
+// What the command line asks for.
+struct Request {
+    Run run;
+    std::string color = "auto";
+};
+
+// Adds the options of the window and the subcommands; if `first`, the first word of a command line, names one, only of
+// that one. `request` must live as long as `program`.
+void describe(CLI::App& program, Request& request, std::string_view first = {});
+
+}  // namespace snell::app
