@@ -95,13 +95,13 @@ TEST(DecodedFile, StandsForTheImageUnderAnyName) {
             EXPECT_EQ(result.image->height, 2);
             EXPECT_EQ(result.image->type, type);
             EXPECT_EQ(result.image->pixels, image.pixels);
-            EXPECT_FALSE(result.image->light);
+            EXPECT_EQ(result.image->light, std::string_view(name) == "a.exr");
         }
 }
 
 TEST(DecodedFile, HoldsLightIfTheFormatDoes) {
     const Image image = paint(1, 1, 3, PixelType::f16, [](int, int, int) { return 2.; });
-    EXPECT_TRUE(decode_image("sky.hdr", decoded(image)).image->light);
+    for (const char* name : {"sky.hdr", "sky.exr"}) EXPECT_TRUE(decode_image(name, decoded(image)).image->light) << name;
 }
 
 TEST(DecodedFile, HasTheTopRowFirst) {
