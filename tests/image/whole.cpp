@@ -101,7 +101,8 @@ TEST(DecodedFile, StandsForTheImageUnderAnyName) {
 
 TEST(DecodedFile, HoldsLightIfTheFormatDoes) {
     const Image image = paint(1, 1, 3, PixelType::f16, [](int, int, int) { return 2.; });
-    for (const char* name : {"sky.hdr", "sky.exr"}) EXPECT_TRUE(decode_image(name, decoded(image)).image->light) << name;
+    for (const char* name : {"sky.hdr", "sky.exr"})
+        EXPECT_TRUE(decode_image(name, decoded(image)).image->light) << name;
 }
 
 TEST(DecodedFile, HasTheTopRowFirst) {
