@@ -9,8 +9,8 @@
 #include <cstring>
 
 #include "src/content/image/formats.h"
-#include "src/content/load_module.h"
 #include "src/content/image/open_module.h"
+#include "src/content/load_module.h"
 
 namespace snell::content {
 namespace {
