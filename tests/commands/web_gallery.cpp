@@ -37,9 +37,9 @@ TEST_F(WebGallery, EverySceneIsInTheIndex) {
     std::set<std::string> found;
     for (const auto& entry : fs::directory_iterator(at("out"))) found.insert(entry.path().filename().string());
     EXPECT_EQ(found,
-              (std::set<std::string>{"index.html", "runtime.js", "ann-ball.html", "bob-ball.html", "index-2.html"}));
+              (std::set<std::string>{"index.html", "runtime.js", "ann-ball.html", "bob-ball.html", "Index-2.html"}));
     const std::string index = bytes_of(at("out/index.html"));
-    for (const char* link : {"href=\"ann-ball.html\"", "href=\"bob-ball.html\"", "href=\"index-2.html\""})
+    for (const char* link : {"href=\"ann-ball.html\"", "href=\"bob-ball.html\"", "href=\"Index-2.html\""})
         EXPECT_EQ(count(index, link), 1u) << link;
     EXPECT_EQ(count(index, "<h2>"), 5u);
     EXPECT_EQ(count(index, "<img alt=\"Picture of "), 4u) << "all but the broken one";
@@ -54,6 +54,22 @@ TEST_F(WebGallery, EverySceneIsInTheIndex) {
     EXPECT_EQ(bytes_of(at("un/wood.bmp")), bytes_of(at("wood.bmp")));
     ASSERT_EQ(web("--gallery class -o again").status, 0);
     for (const std::string& name : found) EXPECT_EQ(bytes_of(at("again/" + name)), bytes_of(at("out/" + name))) << name;
+}
+
+TEST_F(WebGallery, PagesAreNamedAfterTheirScenes) {
+    // Characters that Windows refuses, and names that differ in case only.
+    for (const std::string name : {"ö", "Ünï 1.2", "b#c%", "d?e", "d*e", ".hidden", "one/ä", "two/Ä", "two-Ä"})
+        folder.write("names/" + name + ".glib", "Sphere 1\n");
+    ASSERT_EQ(web("--gallery names -o out").status, 0);
+    std::set<std::string> found;
+    for (const auto& entry : fs::directory_iterator(at("out"))) found.insert(entry.path().filename().string());
+    EXPECT_EQ(found,
+              (std::set<std::string>{"index.html", "runtime.js", "ö.html", "Ünï 1.2.html", "b-c-.html", "d-e.html",
+                                     "d-e-2.html", "-hidden.html", "one-ä.html", "two-Ä.html", "two-Ä-2.html"}));
+    EXPECT_EQ(unpack("out/two-Ä.html", "un")["scene"], "two-Ä.glib") << "a name that no other scene has is kept";
+    const std::string index = bytes_of(at("out/index.html"));
+    for (const char* link : {"href=\"%C3%B6.html\"", "href=\"%C3%9Cn%C3%AF%201.2.html\"", "href=\"two-%C3%84-2.html\""})
+        EXPECT_EQ(count(index, link), 1u) << link;
 }
 
 // The others have their pages all the same.

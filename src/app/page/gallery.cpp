@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <set>
 
 #include "parser/text/ranges.h"
@@ -15,6 +14,7 @@
 #include "src/app/page/gallery_index.h"
 #include "src/app/page/html.h"
 #include "src/app/page/page.h"
+#include "src/app/page/page_names.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
@@ -32,12 +32,6 @@ bool wrong(const std::string& what) {
     fmt::print(stderr, "snell: error: {}\n", what);
     return false;
 }
-
-// A scene, and the file name of its page.
-struct Exhibit {
-    std::string scene, folder;  // `folder`: the one that was named
-    std::string page;
-};
 
 // Sorted by name, so that the index does not depend on the file system.
 bool find_scenes(const std::vector<std::string>& folders, std::vector<Exhibit>& exhibits) {
@@ -61,36 +55,6 @@ bool find_scenes(const std::vector<std::string>& folders, std::vector<Exhibit>& 
     if (exhibits.size() > most_gallery_scenes)
         return wrong(fmt::format("{} scenes are too many: a gallery takes {}", exhibits.size(), most_gallery_scenes));
     return true;
-}
-
-// Letters and digits as they are: such a name is the same in an address, and on every system.
-std::string page_name(std::string_view text) {
-    std::string name;
-    for (const char c : text) {
-        const bool good = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-        const char low = lower(c);
-        name += good || (low >= 'a' && low <= 'z') ? low : '-';
-    }
-    return name;
-}
-
-// A scene whose name another one has gets the names of its folders, too, and a number if that is not enough.
-void name_pages(std::vector<Exhibit>& exhibits) {
-    std::map<std::string, int> stems;
-    const auto stem = [](const Exhibit& e) { return page_name(fs::path(e.scene).stem().string()); };
-    for (const Exhibit& exhibit : exhibits) ++stems[stem(exhibit)];
-    std::set<std::string> taken{"index"};
-    for (Exhibit& exhibit : exhibits) {
-        std::string name = stem(exhibit);
-        if (stems[name] > 1) {
-            const fs::path near =
-                fs::path(exhibit.scene).lexically_relative(fs::path(exhibit.folder).lexically_normal());
-            name = page_name((near.parent_path() / near.stem()).string());
-        }
-        std::string unique = name;
-        for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}-{}", name, number);
-        exhibit.page = unique + ".html";
-    }
 }
 
 std::string small_picture(const OpenedScene& opened) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "parser/text/words.h"
 #include "src/app/page/html.h"
 #include "src/app/page/pack.h"
 #include "src/app/picture/sha256.h"
@@ -38,6 +39,17 @@ std::string style_hash() {
 
 constexpr std::string_view made_by = "<meta name=\"generator\" content=\"snell\">";
 
+// Names hold any characters; in an address, those that may have a meaning there are escaped.
+std::string address_of(std::string_view name) {
+    std::string address;
+    for (const char c : name) {
+        const bool plain = (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') ||
+                           std::string_view("-._~").find(c) != std::string_view::npos;
+        address += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return address;
+}
+
 std::string gallery_item(const GalleryRow& row) {
     const std::string title = html_text(row.title);
     std::string shown;
@@ -45,7 +57,7 @@ std::string gallery_item(const GalleryRow& row) {
     if (!row.picture.empty()) shown = fmt::format("<img alt=\"Picture of {}\" src=\"{}\">", title, row.picture);
     const std::string heading = fmt::format("<h2>{}</h2>", title);
     if (row.error.empty())
-        return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", html_text(row.page), shown, heading);
+        return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", address_of(row.page), shown, heading);
     return fmt::format("<li>{}{}<p>Not in the browser: {}</p></li>\n", shown, heading, html_text(row.error));
 }
 
