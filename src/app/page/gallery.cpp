@@ -162,7 +162,39 @@ GalleryRow row_of(const GalleryOptions& options, const Exhibit& exhibit, const s
     return row;
 }
 
-// Nothing that a scene reads is overwritten.
+// Whether a gallery has made the file of this name.
+bool made_by_gallery(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return false;
+    const std::string text = content::whole_file(file.string());
+    if (file.filename() == "index.html") return is_gallery_index(text);
+    return file.filename() == "runtime.js" ? is_gallery_runtime(text) : is_gallery_page(text);
+}
+
+bool replaces_only_its_own(const std::vector<std::string>& outputs) {
+    bool good = true;
+    for (const std::string& file : outputs) {
+        std::error_code error;
+        if (!fs::exists(file, error) || made_by_gallery(file)) continue;
+        good =
+            wrong(fmt::format("'{}' would be replaced, but it is not a file of a gallery\n"
+                              "   help: choose another folder, or move the file",
+                              utf8::printable(file)));
+    }
+    return good;
+}
+
+// A page of an earlier run shows what its scene no longer is.
+std::string remove_old_page(const fs::path& page) {
+    std::error_code error;
+    if (!made_by_gallery(page)) return {};
+    if (!fs::remove(page, error))
+        return fmt::format("cannot remove '{}': {}", utf8::printable(page.string()), error.message());
+    fmt::print(stderr, "snell: removed '{}', which was made by an earlier run\n", utf8::printable(page.string()));
+    return {};
+}
+
+// Nothing that a scene reads is overwritten, and nothing that a gallery has not made.
 Exit check_gallery(const GalleryOptions& options, const std::vector<Exhibit>& exhibits) {
     const fs::path folder(options.output);
     std::vector<std::string> outputs{(folder / "index.html").string(), (folder / "runtime.js").string()}, read;
@@ -176,12 +208,8 @@ Exit check_gallery(const GalleryOptions& options, const std::vector<Exhibit>& ex
                  files_read_by(exhibit.scene, access_to(exhibit.scene, options.access, options.grade)))
                 read.push_back(std::move(path));
     if (!distinct_outputs(outputs, read)) return exit_usage;
+    if (!replaces_only_its_own(outputs)) return exit_usage;
     std::error_code error;
-    if (fs::is_regular_file(outputs.front(), error) && !is_gallery_index(content::whole_file(outputs.front()))) {
-        wrong(fmt::format("'{}' is not the index of a gallery: choose another folder, or remove it",
-                          utf8::printable(outputs.front())));
-        return exit_usage;
-    }
     fs::create_directories(folder, error);
     if (error) {
         wrong(fmt::format("cannot make the folder '{}': {}", utf8::printable(options.output), error.message()));
@@ -209,8 +237,10 @@ Exit make_gallery(const GalleryOptions& options) {
         if (status != exit_fine) return status;
     }
     const fs::path folder(options.output);
-    error = content::replace_file((folder / "runtime.js").string(), runtime);
+    error = content::replace_file((folder / "runtime.js").string(), gallery_runtime(runtime));
     if (error.empty()) error = content::replace_file((folder / "index.html").string(), gallery_index(rows));
+    for (std::size_t i = 0; i < rows.size() && error.empty(); ++i)
+        if (!rows[i].error.empty()) error = remove_old_page(folder / exhibits[i].page);
     if (!error.empty()) return wrong(error) ? exit_fine : exit_input;
     const auto pages = ranges::count_if(rows, [](const GalleryRow& row) { return row.error.empty(); });
     fmt::print("{}: {} of {} scenes have pages\n", utf8::printable((folder / "index.html").string()), pages,

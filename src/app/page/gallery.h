@@ -20,8 +20,8 @@ struct GalleryOptions {
 
 inline constexpr std::size_t most_gallery_scenes = 1000;
 
-// A scene that has errors, or that browsers cannot draw, is in the index with its first error, and has no page. Files
-// of other names in the folder stay.
+// A scene that has errors, or that browsers cannot draw, is in the index with its first error, and has no page; that of
+// an earlier run is removed. Other files in the folder stay: a gallery that would replace one is not made.
 Exit make_gallery(const GalleryOptions& options);
 
 }  // namespace snell::app

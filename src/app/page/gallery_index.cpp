@@ -50,6 +50,8 @@ std::string address_of(std::string_view name) {
     return address;
 }
 
+constexpr std::string_view runtime_mark = "// All pages of this gallery share this file. snell made it.\n";
+
 std::string gallery_item(const GalleryRow& row) {
     const std::string title = html_text(row.title);
     std::string shown;
@@ -76,6 +78,10 @@ GalleryRow read_row(const std::string& text) {
 }
 
 bool is_gallery_index(std::string_view page) { return page.find(made_by) != page.npos; }
+
+std::string gallery_runtime(std::string_view script) { return fmt::format("{}{}", runtime_mark, script); }
+
+bool is_gallery_runtime(std::string_view script) { return script.starts_with(runtime_mark); }
 
 std::string gallery_index(const std::vector<GalleryRow>& rows) {
     std::string page = fmt::format(

@@ -23,4 +23,9 @@ std::string gallery_index(const std::vector<GalleryRow>& rows);
 // True for what gallery_index() returned: only that may be replaced by another one.
 bool is_gallery_index(std::string_view page);
 
+// The script that all pages of a gallery share, from the browser's part.
+std::string gallery_runtime(std::string_view script);
+// True for what gallery_runtime() returned.
+bool is_gallery_runtime(std::string_view script);
+
 }  // namespace snell::app

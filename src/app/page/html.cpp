@@ -85,4 +85,9 @@ std::optional<std::string> filled_page(std::string_view page, const PageData& da
     return good ? std::optional(std::move(text)) : std::nullopt;
 }
 
+bool is_gallery_page(std::string_view page) {
+    const auto has = [page](std::string_view part) { return page.find(part) != page.npos; };
+    return has(scene_begin) && has(archive_begin) && !has(runtime_begin);
+}
+
 }  // namespace snell::app

@@ -26,5 +26,7 @@ struct PageData {
 
 // Returns nullopt if the template has not exactly one place for each of them.
 std::optional<std::string> filled_page(std::string_view page, const PageData& data);
+// True for a page that shares its runtime with others, as those of a gallery do.
+bool is_gallery_page(std::string_view page);
 
 }  // namespace snell::app
