@@ -52,13 +52,14 @@ std::string Replacement::take_place() {
     return error ? target_.string() + ": " + error.message() : "";
 }
 
-// Terminals and pipes cannot be replaced. Standard output is written to directly even if it is a file, to keep its
-// offset.
+// Terminals and pipes cannot be replaced. A file that is open already, such as standard output, is written to directly
+// to keep its offset.
 bool is_stream(const std::string& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    const bool opened = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/self/fd/", 0) == 0;
-    return opened ? fs::exists(status) : fs::is_fifo(status) || fs::is_character_file(status);
+    for (const char* descriptor : {"/dev/std", "/dev/fd/", "/proc/self/fd/"})
+        if (path.rfind(descriptor, 0) == 0) return fs::exists(status);
+    return fs::is_fifo(status) || fs::is_character_file(status) || fs::is_block_file(status);
 }
 
 std::string check_place(const std::string& path) {

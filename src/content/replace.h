@@ -53,14 +53,14 @@ private:
 std::string write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // Replaces a file by one with these bytes; returns "", or the error, after which the file is unchanged. Pipes,
-// terminals and files in /dev, such as /dev/stdout, are written to directly.
+// devices and open files, such as /dev/stdout, are written to directly.
 std::string replace_file(const std::string& path, std::string_view bytes);
 
 // Checks, before any work, whether replace_file() could write there, by making its temporary file. Returns an empty
 // string, or why not.
 std::string check_place(const std::string& path);
 
-// True for terminals, pipes and other files that are written to directly, so that nothing in them is lost.
+// True for devices, pipes and open files, which are written to directly, so that nothing in them is lost.
 bool is_stream(const std::string& path);
 
 }  // namespace snell::content

@@ -124,20 +124,55 @@ TEST_F(Web, ARungThatBrowsersLackIsAWarning) {
 }
 
 TEST_F(Web, NoFileOfTheSceneIsOverwritten) {
-    folder.write("s.glib", plain);
-    const std::string wood = bytes_of(at("wood.bmp"));
-    for (const char* output : {"s.glib", "./wood.bmp", "web/../paint.frag"}) {
+    folder.write("s.glib", plain + "Include more.html\n");
+    folder.write("more.html", "Sphere 1\n");
+    for (const char* output : {"more.html", "./more.html", "web/../more.html"}) {
         const Outcome outcome = web(std::string("s.glib -o ") + output);
         EXPECT_EQ(outcome.status, 2) << outcome.output;
+        EXPECT_TRUE(outcome.says("is read, and would be overwritten")) << outcome.output;
     }
-    EXPECT_EQ(bytes_of(at("s.glib")), plain);
-    EXPECT_EQ(bytes_of(at("wood.bmp")), wood);
+    EXPECT_EQ(bytes_of(at("more.html")), "Sphere 1\n");
     EXPECT_EQ(web("s.glib -o nowhere/p.html").status, 1);
     folder.write("p.html", "old");
     const Outcome full =
         run("cd '" + folder.path() + "' && ulimit -f 1 && SNELL_WEB=web exec " SNELL_BIN "/snell web s.glib -o p.html");
     EXPECT_EQ(full.status, 1) << full.output;
     EXPECT_EQ(bytes_of(at("p.html")), "old") << "whole, or not at all";
+}
+
+TEST_F(Web, APagesNameEndsWithHtml) {
+    folder.write("s.glib", plain);
+    const std::map<std::string, std::string> better{
+        {"x.glib", "-o 'x.html'"}, {"-", "-o '/dev/stdout'"}, {"version\\ 1.2", "-o 'version 1.2.html'"}};
+    for (const auto& [name, help] : better) {
+        const Outcome outcome = web("s.glib -o " + name);
+        EXPECT_EQ(outcome.status, 2) << outcome.output;
+        EXPECT_TRUE(outcome.says(help)) << outcome.output;
+    }
+    for (const char* none : {"x.glib", "-", "version 1.2"}) EXPECT_FALSE(there(none)) << none;
+    EXPECT_EQ(web("s.glib -o p.HTM").status, 0);
+}
+
+// What a file is decides, not where it is.
+TEST_F(Web, FilesAreReplacedAndListedAndStreamsHoldThePageAlone) {
+    folder.write("s.glib", plain);
+    ASSERT_EQ(web("s.glib -o p.html").status, 0);
+    const std::string page = bytes_of(at("p.html"));
+    EXPECT_EQ(web("s.glib -o /dev/stdout >out.html").status, 0);
+    EXPECT_EQ(bytes_of(at("out.html")), page);
+    EXPECT_EQ(web("s.glib -o /dev/stdout | cat >piped.html").status, 0);
+    EXPECT_EQ(bytes_of(at("piped.html")), page);
+    EXPECT_EQ(web("s.glib -o /dev/null").output, "");
+    char name[] = "/dev/shm/snell-XXXXXX";
+    if (!mkdtemp(name)) GTEST_SKIP() << "there is no /dev/shm";
+    const std::string shared = std::string(name) + "/p.html";
+    for (int time = 1; time <= 2; ++time) {
+        const Outcome made = web("s.glib -o " + shared);
+        EXPECT_EQ(made.status, 0) << made.output;
+        EXPECT_TRUE(made.says("wood.bmp")) << made.output;
+        EXPECT_EQ(bytes_of(shared), page) << "replaced, not appended to";
+    }
+    fs::remove_all(name);
 }
 
 TEST_F(Web, WithoutTheBrowsersPartItSaysHowToMakeIt) {

@@ -2,12 +2,16 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 
+#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/page/gallery.h"
 #include "src/app/page/page.h"
+#include "src/content/replace.h"
 #include "src/document/view_text.h"
 
 namespace snell::app {
@@ -32,7 +36,19 @@ std::string check_link(const std::string& text) {
     return "'" + text + "' does not begin with https:// or http://";
 }
 
-Exit misused(const char* what) {
+// Browsers show other files as text, and `-o x.glib` is a slip. Pipes and devices have the names that they have.
+std::string check_page_name(const std::string& name) {
+    const std::filesystem::path path(name);
+    const std::string ending = path.extension().string();
+    if (same_word(ending, ".html") || same_word(ending, ".htm") || content::is_stream(name)) return "";
+    const std::string better =
+        name == "-" ? "/dev/stdout"
+                    : (same_word(ending, ".glib") ? (path.parent_path() / path.stem()).string() : name) + ".html";
+    return fmt::format("the name of a page ends with .html or .htm, but '{}' does not\n   help: -o '{}'",
+                       utf8::printable(name), utf8::printable(better));
+}
+
+Exit misused(const std::string& what) {
     fmt::print(stderr, "snell: error: {}\n", what);
     return exit_usage;
 }
@@ -48,6 +64,7 @@ Exit web(const WebOptions& options) {
     if (!size_fits(page.size, page.access.limits)) return exit_usage;
     if (options.gallery)
         return make_gallery({options.names, page.output, page.link, page.access, page.grade, page.timeout});
+    if (const std::string wrong = check_page_name(page.output); !wrong.empty()) return misused(wrong);
     PageOptions single = page;
     single.scene = options.names.front();
     return make_page(single);

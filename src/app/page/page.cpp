@@ -85,6 +85,13 @@ void list_files(const PageOptions& options, const PageParts& parts, std::size_t 
     for (const auto& [name, size] : parts.files) fmt::print("{:>10}  {}\n", size_text(size), name);
 }
 
+// The list must not follow a page in standard output.
+bool has_room_for_list(const std::string& output) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(output, error) &&
+           !std::filesystem::equivalent(output, "/dev/stdout", error);
+}
+
 // Returns nullopt after it printed why there are none; `status` is then the exit status.
 std::optional<PageParts> parts_of_page(const PageOptions& options, const Access& access, Deadline& deadline,
                                        Exit& status) {
@@ -190,7 +197,7 @@ Exit make_page(const PageOptions& options) {
             "again");
     if (error = content::replace_file(options.output, *text); !error.empty())
         return refuse(fmt::format("cannot write '{}': {}", utf8::printable(options.output), error));
-    if (!content::is_stream(options.output)) list_files(options, *parts, text->size());
+    if (has_room_for_list(options.output)) list_files(options, *parts, text->size());
     return exit_fine;
 }
 
