@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "parser/text/utf8.h"
+#include "parser/text/words.h"
 
 extern char** environ;
 
@@ -33,6 +34,11 @@ std::string line_with(const std::string& output, std::string_view text) {
 
 }  // namespace
 
+std::string page_file(const std::string& name) {
+    const std::string ending = std::filesystem::path(name).extension().string();
+    return same_word(ending, ".html") || same_word(ending, ".htm") ? name : name + ".html";
+}
+
 PageMaker::~PageMaker() {
     if (process_ > 0) {
         kill(process_, SIGKILL);
@@ -42,11 +48,15 @@ PageMaker::~PageMaker() {
 }
 
 std::string PageMaker::start(const std::string& page, const std::vector<std::string>& arguments) {
+    page_ = page_file(page);
+    std::error_code none;
+    if (page_ != page && std::filesystem::exists(page_, none))
+        return fmt::format("{} exists: give its whole name to replace it",
+                           utf8::printable(std::filesystem::path(page_).filename().string()));
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return std::strerror(errno);
     fcntl(ends[0], F_SETFL, O_NONBLOCK);
     std::string program = "/proc/self/exe", command = "web", option = "-o";
-    page_ = page;
     std::vector<char*> words{program.data(), command.data(), option.data(), page_.data()};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);

@@ -8,6 +8,9 @@
 
 namespace snell {
 
+// The name of a page's file: with .html at the end unless it ends with .html or .htm.
+std::string page_file(const std::string& name);
+
 class PageMaker {
 public:
     PageMaker() = default;
@@ -17,7 +20,8 @@ public:
     PageMaker& operator=(const PageMaker&) = delete;
 
     bool busy() const { return process_ > 0; }
-    // Starts it for a page, with these arguments, and those of the page, after `web`. Returns "" or the error.
+    // Starts it for page_file(page), with these arguments after those of the page. Returns "" or the error: a file is
+    // replaced only if it is named in full.
     std::string start(const std::string& page, const std::vector<std::string>& arguments);
     // Call it regularly while busy(). Returns what the status line says once the process has ended, otherwise "".
     std::string look();
