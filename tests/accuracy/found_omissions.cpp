@@ -144,6 +144,20 @@ void all_changes(const Plan& plan, Files& files, Sources& sources, std::vector<C
     changes = find_changes(plan, files, sources);
 }
 
+TEST_F(FoundOmissions, AStatementIsLeftOutOnce) {
+    const Found both = found_in_text(
+        folder_, "Vertex a.vert\nFragment a.frag\nProgram P\nBox\n",
+        {{"a.vert", "varying vec3 vN;\nvoid main() { vN = gl_Normal; gl_Position = ftransform(); }\n"},
+         {"a.frag",
+          "varying vec3 vN;\nvoid main() {\n    vec3 c = vN;\n    c += sin(vN);\n    if (vN.x > 0.)\n        c += "
+          "cos(vN);\n    gl_FragColor = vec4(c, 1.);\n}\n"}},
+        all_changes);
+    EXPECT_EQ(left_out(both, ChangeKind::no_statement), Befores{});
+    const Befores terms = left_out(both, ChangeKind::without_term);
+    EXPECT_EQ(std::count(terms.begin(), terms.end(), "c += sin(vN);"), 1);
+    EXPECT_EQ(std::count(terms.begin(), terms.end(), "c += cos(vN);"), 1);
+}
+
 // Damaged scenes and shaders: nothing but edits within the texts.
 TEST(FoundTotal, StandsAnything) {
     std::uint32_t seed = 7;
