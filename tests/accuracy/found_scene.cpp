@@ -198,6 +198,11 @@ TEST_F(FoundScene, AllTexturesAreDecodedTogether) {
         EXPECT_TRUE(found(said).after(ChangeKind::decoded).empty()) << said;
 }
 
+TEST_F(FoundScene, WhatIsNotThereIsNotChanged) {
+    EXPECT_TRUE(found("Texture2D 5 missing.png\n").after(ChangeKind::decoded).empty());
+    EXPECT_TRUE(found("Vertex a.vert\nFragment missing.frag\nProgram P\nSphere 1 40 40\n").changes.empty());
+}
+
 TEST_F(FoundScene, BrokenStatementsAreLeftAlone) {
     for (const std::string_view broken : {"Sphere [1 2] 3", "Sphere x y z", "Torus 1 2 3 4 5 6 7", "", "\\", "Include",
                                           "Include scene.glib\nSphere 1 9"})

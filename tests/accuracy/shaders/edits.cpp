@@ -39,6 +39,11 @@ TEST_F(Rounds, ALoopThatCountsDownBeginsLower) {
     Found& found = shaders(in_main("for (int i = 32; i > 0; --i) color += vN;"));
     ASSERT_EQ(found.of(fewer_rounds).size(), 2U);
     EXPECT_NE(found.changed(*found.of(fewer_rounds)[0], "a.frag").find("int i = 16; i > 0"), std::string::npos);
+    EXPECT_EQ(found.lines(fewer_rounds), (Lines{"i = 32 → i = 16", "i = 32 → i = 8"})) << "what changes is shown";
+    EXPECT_EQ(
+        found_->sources.text(found.of(fewer_rounds)[0]->where.file).substr(found.of(fewer_rounds)[0]->where.begin, 6),
+        "i = 32");
+    EXPECT_EQ(lines("int i; for (i = 8; i > 0; i--) color += vN;"), (Lines{"i = 8 → i = 4", "i = 8 → i = 2"}));
 }
 
 TEST_F(Rounds, AConstantIsChangedWhereItIsDefined) {
@@ -60,6 +65,31 @@ TEST_F(Rounds, AConstantIsChangedWhereItIsDefined) {
         (Lines{"STEPS → STEPS/2", "STEPS → STEPS/4"}))
         << "an array has as many elements";
     EXPECT_EQ(lines("for (int i = 0; i < STEPS; i++) color += vN;", "#define STEPS 1\n"), Lines{});
+}
+
+TEST_F(Rounds, AMacroThatIsMoreThanTheNumberStays) {
+    EXPECT_EQ(lines("LOOP { color += vN; }", "#define LOOP for (int i = 0; i < 32; i++)\n"), Lines{});
+    EXPECT_EQ(lines("for (int i = 0; i < TO color += vN;", "#define TO 32; i++)\n"), Lines{});
+    EXPECT_EQ(lines("for (int i = 0; i < STEPS; i++) color += vN;", "#define STEPS ((32))\n"),
+              (Lines{"STEPS → STEPS/2", "STEPS → STEPS/4"}));
+}
+
+// What is undefined is 0 on some drivers.
+TEST_F(Rounds, EveryElementIsWritten) {
+    EXPECT_EQ(lines("float a[8]; for (int i = 0; i < 8; i++) a[i] = 1.; color += a[3];"), Lines{});
+    EXPECT_EQ(lines("float a[8]; for (int i = 0; i < 8; i++) { int k = 7 - i; a[k] = 1.; }"), Lines{});
+    EXPECT_EQ(lines("float a[8]; int n = 0; for (int i = 0; i < 8; i++) a[n++] = 1.;"), Lines{});
+    EXPECT_EQ(lines("float a[8]; for (int i = 0; i < 8; i++) set(a[i]);", "void set(out float x) { x = 1.; }\n"),
+              Lines{});
+    EXPECT_EQ(lines("mat3 m; for (int i = 0; i < 3; i++) for (int j = 0; j < 3; j++) m[i][j] = 1.; color = m * vN;"),
+              Lines{});
+    EXPECT_EQ(lines("float a[9]; for (int i = 0; i < N; i++) a[i] = 1.; for (int i = 0; i < N; i++) color += vN;",
+                    "const int N = 8;\n"),
+              (Lines{"i < N → i < N/2", "i < N → i < N/4"}))
+        << "the other loop alone";
+    EXPECT_EQ(lines("float a[8]; for (int i = 0; i < 8; i++) color += a[i];"),
+              (Lines{"i < 8 → i < 4", "i < 8 → i < 2"}))
+        << "reading needs no round";
 }
 
 TEST_F(Rounds, AUniformIsDividedWhereverTheFunctionReadsIt) {
@@ -111,6 +141,12 @@ TEST_F(FoundShaders, StatementsThatAddAreLeftOut) {
     ASSERT_EQ(found.of(without_term).size(), 2U);
     EXPECT_NE(found.changed(*found.of(without_term)[0], "a.frag").find("color = vN;\n    \n    if"), std::string::npos);
     EXPECT_NE(found.changed(*found.of(without_term)[1], "a.frag").find("if (uA > 0.)\n        ;\n"), std::string::npos);
+}
+
+TEST_F(FoundShaders, StatementsThatAddToNothingStay) {
+    EXPECT_EQ(shaders(in_main("vec3 r; r.x = 0.; r += sin(vP); color = r;")).lines(without_term), Lines{});
+    EXPECT_EQ(shaders(in_main("vec3 r; r = vec3(0.); r += sin(vP); color = r;")).lines(without_term),
+              Lines{"r += sin(vP); → "});
 }
 
 TEST_F(FoundShaders, LoopsMustEnd) {

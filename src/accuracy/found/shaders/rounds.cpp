@@ -38,7 +38,12 @@ public:
     void run() {
         for (int n = 0; n < s_.nodes(); ++n)
             if (s_.at(n).form == Form::loop)
-                for (const Counter& c : counters(s_, n)) loop(c);
+                for (const Counter& c : counters(s_, n))
+                    if (c.target >= 0 && fills(n, c)) keep(s_.at(s_.bare(c.target)));
+        for (int n = 0; n < s_.nodes(); ++n)
+            if (s_.at(n).form == Form::loop)
+                for (const Counter& c : counters(s_, n))
+                    if (!fills(n, c)) loop(c);
         std::size_t known = 0;
         do {  // a function may hand its parameter on
             known = parameters_.size();
@@ -50,6 +55,33 @@ public:
     }
 
 private:
+    // Whether each round writes another element: with fewer rounds, some would have no value.
+    bool fills(int loop, const Counter& c) const {
+        std::set<int> counting{c.variable};  // variables that differ from round to round, by what they begin with
+        const auto counts = [&](int node) {
+            for (int k = s_.at(node).begin; k <= node; ++k)
+                if (s_.at(k).form == Form::step || counting.contains(s_.at(k).variable)) return true;
+            return false;
+        };
+        for (int n = s_.at(loop).begin; n < loop; ++n) {
+            const Node& node = s_.at(n);
+            const std::vector<int> inside = s_.parts(n);
+            if (node.form == Form::declarator && node.variable >= 0 && inside.size() == 1 && counts(inside[0]))
+                counting.insert(node.variable);
+            if (node.form != Form::index || inside.size() != 2 || !counts(inside[1])) continue;
+            const Node& root = s_.at(node.begin);
+            if (root.form != Form::name || s_.written(node.begin)) return true;
+        }
+        return false;
+    }
+
+    // The value of the name or the macro stays: as many elements are written.
+    void keep(const Node& n) {
+        if (n.form == Form::name) sizes_.insert(n.text);
+        if (n.first >= 0 && s_.token(n.first).macro >= 0)
+            sizes_.insert(s_.unit.invocations[at(s_.token(n.first).macro)].source);
+    }
+
     void loop(const Counter& c) {
         if (c.target < 0) return;
         int target = s_.bare(c.target);
@@ -63,6 +95,10 @@ private:
             if (c.base < 0 || sum.form != Form::infix || sum.text != "+" || !s_.alike(sides[0], c.base)) return;
             bound.node = s_.bare(sides[1]);
         }
+        const Node &test = s_.at(c.comparison), &start = s_.at(target);
+        const bool within = test.first <= start.first && start.last <= test.last;
+        if (!within) bound.where = s_.parent(c.target);
+        if (bound.where < 0) return;
         remember(bound.node);
         for (const int share : {2, 4}) shrink(bound, share);
     }
@@ -155,10 +191,18 @@ private:
         return true;
     }
 
+    // The macro that gave the node, and nothing else but brackets around it.
     std::string_view macro_of(const Node& n) const {
         const std::int32_t macro = s_.token(n.first).macro;
-        for (int k = n.first; k <= n.last; ++k)
-            if (s_.token(k).macro != macro) return {};
+        int first = n.first, last = n.last;
+        const auto gave = [&](int k) {
+            return k >= 0 && k < static_cast<int>(s_.unit.tokens.size()) && s_.token(k).macro == macro;
+        };
+        while (gave(first - 1) && gave(last + 1) && s_.token(first - 1).text == "(" && s_.token(last + 1).text == ")")
+            --first, ++last;
+        if (gave(first - 1) || gave(last + 1)) return {};
+        for (int k = first; k <= last; ++k)
+            if (!gave(k)) return {};
         return s_.unit.invocations[at(macro)].source;
     }
 
@@ -217,7 +261,7 @@ private:
         if (declared >= 0 && s_.at(declared).begin < declared) return {};  // a local whose value shrinks with it
         for (const int use : s_.uses(n.variable)) {
             if (s_.function_of(s_.at(use).first) != function) continue;
-            if (s_.written(use) || !s_.own(use)) return {};
+            if (s_.written(use) || !s_.own(use) || sizes_.contains(n.text)) return {};
             if (use != node) uses.push_back(use);
         }
         return uses;
@@ -266,7 +310,7 @@ private:
     const Shader& s_;
     Offers& offers_;
     std::set<std::pair<int, std::size_t>> parameters_;        // of functions: they bound loops
-    std::set<std::string_view> sizes_;                        // of arrays: the text has as many values
+    std::set<std::string_view> sizes_;                        // of arrays: the text has, or writes, as many values
     std::map<const char*, std::optional<Span>> definitions_;  // of macros, by their numbers
 };
 

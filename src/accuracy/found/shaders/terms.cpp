@@ -7,6 +7,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/shaders/shader.h"
+#include "src/accuracy/found/shaders/written.h"
 
 namespace snell::accuracy {
 
@@ -86,6 +87,8 @@ private:
         if ((assigned.text != "+=" && assigned.text != "-=") || !real_vector(assigned.type)) return;
         search(sides[1]);
         if (!costs(sides[1]) || !s_.own(node)) return;
+        const int first = s_.at(inside).first;
+        if (!can_go(s_.unit, s_.unit.functions[static_cast<std::size_t>(s_.function_of(first))], first, true)) return;
         // Where it is all that an `if` holds, its semicolon stays.
         const std::string_view before = s_.token(s_.at(node).first - 1).text;
         const bool alone = before != ";" && before != "{" && before != "}";

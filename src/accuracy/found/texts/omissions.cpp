@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/found/shaders/written.h"
 #include "src/accuracy/found/texts/texts.h"
 
 namespace snell::accuracy::texts {
@@ -14,24 +15,29 @@ constexpr std::size_t most_list_statements = 2000;  // of one list of vertices
 class Omissions {
 public:
     Omissions(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes)
-        : scene_(plan.scene),
+        : plan_(plan),
+          scene_(plan.scene),
           shaders_(shaders(plan, files, sources)),
           all_(statements(files, sources)),
           to_(files, sources, changes, most_omissions) {}
 
     void run() {
-        for (const Draw& draw : scene_.draws) leave_out(draw);
+        for (const Draw& draw : scene_.draws)
+            if (draw.program == none || whole(draw.program)) leave_out(draw);
         for (Index i = 0; i < scene_.textures.size(); ++i)
             if (!needed(i)) leave_out(ChangeKind::no_texture, scene_.textures[i].span);
-        for (const Program& program : scene_.programs)
-            for (const UniformValue& uniform : program.uniforms)
-                if (uniform.span.begin < uniform.span.end)
+        for (Index i = 0; i < scene_.programs.size(); ++i)
+            for (const UniformValue& uniform : scene_.programs[i].uniforms)
+                if (uniform.span.begin < uniform.span.end && whole(i))
                     to_.add(ChangeKind::no_uniform, uniform.span, {without(uniform.span)});
         for (const Shader& shader : shaders_)
             for (const Body& body : shader.bodies) leave_out(shader, body);
     }
 
 private:
+    // Nothing is known about what a program draws that cannot be read.
+    bool whole(Index program) const { return program < plan_.programs.size() && plan_.programs[program].readable; }
+
     // The text leaves nothing behind but its comments.
     Edit without(Span span) const {
         const std::string_view text = to_.text(span);
@@ -81,7 +87,7 @@ private:
         for (const Piece& piece : body.pieces) {
             // A loop may end by it.
             if (!piece.loops.empty() && (repeats || steers(shader.unit, body, piece))) continue;
-            const bool simple = piece.kind == Piece::Kind::expression && may_go(shader.unit, piece.value);
+            const bool simple = piece.kind == Piece::Kind::expression && may_go(shader, body, piece);
             const bool unread =
                 piece.kind == Piece::Kind::declaration && piece.whole && !read(shader.unit, body, piece);
             // The semicolon stays: it may be all that a branch has.
@@ -96,17 +102,62 @@ private:
         return tree.first >= 0 ? unit.at(tree.first).text : std::string_view();
     }
 
-    bool may_go(const glsl::Unit& unit, const Tree& tree) const {
-        if (tree.kind == Tree::Kind::call) return true;
-        if (tree.kind != Tree::Kind::assign) return false;
-        const std::string_view name = target(unit, tree);
-        if (name == "gl_Position") return false;
-        // The only colour that a shader writes is no candidate.
-        const bool output =
-            name == "gl_FragColor" || name == "gl_FragData" || ranges::any_of(unit.globals, [&](const glsl::Global& g) {
-                return g.name == name && unit.stage == Stage::fragment && g.qualifiers.storage == glsl::Storage::out;
+    // Without the statement, nothing is left without a value: on some drivers it would be 0, and no pixel would change.
+    static bool may_go(const Shader& shader, const Body& body, const Piece& piece) {
+        const glsl::Unit& unit = shader.unit;
+        const Tree& tree = piece.value;
+        if (tree.kind == Tree::Kind::call) {
+            std::set<std::string_view> written = arguments_written(unit, tree), seen;
+            add_written(unit, tree.text, written, seen);
+            return ranges::all_of(written, [&](std::string_view name) {
+                return surely_written(unit, *body.function, name, piece.first);
             });
-        return !output || ranges::count(unit.tokens, name, &glsl::Token::text) > (name.starts_with("gl_") ? 1 : 2);
+        }
+        if (tree.kind != Tree::Kind::assign) return false;
+        // A depth that no statement writes is that of the surface.
+        const bool depth = target(unit, tree) == "gl_FragDepth" &&
+                           ranges::count(unit.tokens, std::string_view("gl_FragDepth"), &glsl::Token::text) == 1;
+        return depth || can_go(unit, *body.function, piece.first, tree.text != "=");
+    }
+
+    // The variables that a call may write through its arguments.
+    static std::set<std::string_view> arguments_written(const glsl::Unit& unit, const Tree& call) {
+        std::set<std::string_view> names;
+        const auto add = [&](const Tree& argument) { names.insert(target(unit, bare(argument))); };
+        if ((call.text == "modf" || call.text == "frexp") && call.parts.size() == 2) add(call.parts[1]);
+        for (const glsl::Function& function : unit.functions)
+            for (std::size_t i = 0; function.name == call.text && i < call.parts.size(); ++i)
+                if (i < function.parameters.size() && function.parameters[i].storage != glsl::Storage::in)
+                    add(call.parts[i]);
+        return names;
+    }
+
+    // The globals that a function, and what it calls, may write.
+    static void add_written(const glsl::Unit& unit, std::string_view name, std::set<std::string_view>& written,
+                            std::set<std::string_view>& seen) {
+        if (!unit.function_names.contains(name) || !seen.insert(name).second) return;
+        for (const glsl::Function& function : unit.functions)
+            for (int k = function.open + 1; function.name == name && function.open >= 0 && k < function.close; ++k) {
+                const std::string_view t = unit.at(k).text;
+                if (unit.at(k).kind != glsl::Kind::identifier) continue;
+                if (unit.at(k + 1).text == "(") add_written(unit, t, written, seen);
+                const auto global = ranges::find(unit.globals, t, &glsl::Global::name);
+                const bool ours = global != unit.globals.end() && global->qualifiers.storage != glsl::Storage::in &&
+                                  global->qualifiers.storage != glsl::Storage::uniform &&
+                                  global->qualifiers.storage != glsl::Storage::constant;
+                if (ours || (t.starts_with("gl_") && changes(unit, k + 1, function.close))) written.insert(t);
+            }
+    }
+
+    // Whether what stands before the token is assigned.
+    static bool changes(const glsl::Unit& unit, int k, int end) {
+        while (k + 1 < end && (unit.at(k).text == "." || unit.at(k).text == "[")) {
+            if (unit.at(k).text == "[")
+                while (k + 1 < end && unit.at(k).text != "]") ++k;
+            k += unit.at(k).text == "]" ? 1 : 2;
+        }
+        const std::string_view t = unit.at(k).text;
+        return t == "++" || t == "--" || (t.ends_with("=") && t != "==" && t != "!=" && t != "<=" && t != ">=");
     }
 
     static bool steers(const glsl::Unit& unit, const Body& body, const Piece& piece) {
@@ -125,6 +176,7 @@ private:
         return unit.has_conditionals;  // another branch may read it
     }
 
+    const Plan& plan_;
     const Scene& scene_;
     Shaders shaders_;
     std::vector<Statement> all_;

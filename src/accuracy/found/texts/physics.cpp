@@ -125,6 +125,8 @@ private:
         while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
         const std::string_view name = text.substr(std::min<std::size_t>(token.offset, text.size()), end - token.offset);
         const auto value = number_of(use);
+        // The macro gives more than the number, such as a whole loop.
+        if (u_.at(use.first - 1).macro == token.macro || u_.at(use.last + 1).macro == token.macro) return;
         if (name.empty() || !value || !sensible(*value * factor)) return;
         for (std::size_t at = text.find("#define"); at != text.npos; at = text.find("#define", at + 1)) {
             const std::size_t word = text.find_first_not_of(" \t", at + 7);

@@ -6,6 +6,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
 #include "src/accuracy/found/texts/texts.h"
+#include "src/plan/identity.h"
 
 namespace snell::accuracy::texts {
 
@@ -67,14 +68,17 @@ bool linear(const glsl::Unit& unit) {
 class SceneChanges {
 public:
     SceneChanges(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes)
-        : scene_(plan.scene),
+        : plan_(plan),
+          scene_(plan.scene),
+          files_(files),
           shaders_(shaders(plan, files, sources)),
           sources_(sources),
           all_(statements(files, sources)),
           to_(files, sources, changes, most_scene_changes) {}
 
     void run() {
-        for (const Draw& draw : scene_.draws) change_shape(draw);
+        for (const Draw& draw : scene_.draws)
+            if (draw.program == none || plan_.programs[draw.program].readable) change_shape(draw);
         change_noise("Noise2D", scene_.noise2d, TextureTarget::d2, 2, {"Noise2", "uNoise2"});
         change_noise("Noise3D", scene_.noise3d, TextureTarget::d3, 3, {"Noise3", "uNoise3"});
         change_filters();
@@ -223,21 +227,25 @@ private:
         if (ranges::any_of(scene_.textures, says) || ranges::any_of(all_, output)) return;
         std::vector<Edit> edits;
         Span where;
-        bool averaged = false;
-        for (const Texture& texture : scene_.textures) {
+        bool averaged = false, there = false;
+        for (Index i = 0; i < scene_.textures.size(); ++i) {
+            const Texture& texture = scene_.textures[i];
             averaged = averaged || texture.computed != Computed::no;
             const Statement* at = statement(texture.span);
             // Arguments behind the files would come before the word.
             if (!at || !holds_colours(texture) || at->arguments.size() != texture.files.size() + 1) continue;
             if (edits.empty()) where = at->span;
+            there = there || !texture_identity(scene_, i, files_).key.empty();
             edits.push_back({{at->span.file, at->span.end, at->span.end}, " srgb"});
         }
-        if (edits.empty()) return;
+        if (!there) return;
         edits.push_back(line_before(all_.front().span, "Output srgb"));
         to_.add(ChangeKind::decoded, where, std::move(edits), averaged ? "encoded-light" : "");
     }
 
+    const Plan& plan_;
     const Scene& scene_;
+    const Files& files_;
     Shaders shaders_;
     const Sources& sources_;
     std::vector<Statement> all_;
