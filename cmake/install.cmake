@@ -10,9 +10,12 @@ install(TARGETS snell_oiio snell_cairo LIBRARY DESTINATION lib/snell)
 install(DIRECTORY scenes DESTINATION ${data})
 install(DIRECTORY shaders/snell DESTINATION ${data}/shaders)
 # The page for browsers, if `./dev web` has built it.
-foreach(file page.html gallery.html snell.html runtime.js)
-  install(FILES build/web/${file} DESTINATION ${data}/web OPTIONAL)
-endforeach()
+install(CODE "
+  foreach(file page.html gallery.html snell.html runtime.js)
+    if(EXISTS \"${PROJECT_SOURCE_DIR}/build/web/\${file}\")
+      file(INSTALL \"${PROJECT_SOURCE_DIR}/build/web/\${file}\" DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${data}/web\")
+    endif()
+  endforeach()")
 
 install(FILES README.md CHANGELOG.md DESTINATION ${page})
 install(FILES LICENSE DESTINATION ${page} RENAME copyright)
