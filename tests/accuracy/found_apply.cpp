@@ -352,6 +352,14 @@ TEST_F(FoundApply, SeveralLaddersHaveLinesOfTheirOwn) {
     const AsLadders same = ladders(changes, {"1", "2"});
     EXPECT_NE(same.error.find("1 and 2 change the same lines"), std::string::npos) << same.error;
     EXPECT_NE(same.help.find("--as-ladder 1+2"), std::string::npos) << same.help;
+    for (const std::vector<std::string>& names : {std::vector<std::string>{"1", "1"}, {"1", "3", "1"}, {"1+3", "3"}}) {
+        const AsLadders twice = ladders(changes, names);
+        EXPECT_NE(twice.error.find(" is given twice"), std::string::npos) << twice.error;
+    }
+    const std::vector<Change> others{changes.front(), change({edit("q.frag", "1.", "6.")})};
+    const AsLadders touching = ladders(others, {"1", "2"});
+    EXPECT_NE(touching.error.find("1 and 2 change the same lines"), std::string::npos) << touching.error;
+    EXPECT_EQ(touching.help, "") << "they cannot be one ladder, either";
     const AsLadders one = ladders(changes, {"1+2"});
     EXPECT_EQ(one.statements, std::vector<std::string>{"Ladder FOUND_1_2 changed <as_written>"});
     EXPECT_EQ(chosen_lines(texts(one.change).at("q.frag"), false), plainly(changes, "1+2").at("q.frag"));

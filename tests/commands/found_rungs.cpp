@@ -170,6 +170,39 @@ TEST_F(FoundRungs, TheListHasNumbersAndPlaces) {
     EXPECT_EQ(bytes_of(folder.path("work/lit.vert")), ball_vertex);
 }
 
+// A branch that a rung compiles has changes of its own, so the numbers are others.
+TEST_F(FoundRungs, NumbersAreOfTheRungsThatAreChosen) {
+    folder.write("work/two.glib",
+                 "##OpenGL GLIB\nOrtho -1 1 -1 1\nLadder WAY <short> long\nVertex q.vert\nFragment q.frag\nProgram Q\n"
+                 "QuadXY 0. 1.\n");
+    folder.write("work/q.vert", "void main() { gl_Position = gl_Vertex; }\n");
+    folder.write("work/q.frag",
+                 "void main() {\n  float a = 0.;\n#if WAY == WAY_long\n"
+                 "  for (int i = 0; i < 24; ++i)\n    a += sin(float(i));\n#else\n"
+                 "  for (int i = 0; i < 16; ++i)\n    a += cos(float(i));\n#endif\n  gl_FragColor = vec4(a);\n}\n");
+    const Outcome own = accuracy("work/two.glib --list-found");
+    EXPECT_TRUE(own.says("i < 16") && !own.says("i < 24")) << own.output;
+    const Outcome other = accuracy("work/two.glib --list-found --ladder WAY=long --json list.json");
+    ASSERT_EQ(other.status, 0) << other.output;
+    EXPECT_TRUE(other.says("i < 24") && !other.says("i < 16")) << other.output;
+    const auto json = nlohmann::json::parse(bytes_of(folder.path("list.json")));
+    std::string number;
+    for (const auto& one : json["found"])
+        if (one["kind"] == "fewer-rounds") number = std::to_string(one["number"].get<int>());
+    ASSERT_NE(number, "");
+    const Outcome applied = accuracy("work/two.glib --ladder WAY=long -o applied --apply " + number);
+    EXPECT_TRUE(applied.status == 0 && applied.says("i < 24 → ")) << applied.output;
+    const std::string text = bytes_of(folder.path("applied/q.frag"));
+    EXPECT_EQ(text.find("i < 24"), std::string::npos) << text;
+    EXPECT_NE(text.find("i < 16"), std::string::npos) << text;
+    const Outcome ladder = accuracy("work/two.glib --ladder WAY=long -o ladder --as-ladder " + number);
+    EXPECT_TRUE(ladder.status == 0 && ladder.says("i < 24 → ")) << ladder.output;
+    const Outcome wrong = accuracy("work/two.glib --ladder WAY=none --list-found");
+    EXPECT_TRUE(wrong.status == 1 && wrong.says("ladder 'WAY' has no rung 'none'")) << wrong.output;
+    const Outcome hint = accuracy("work/two.glib --ladder WAY=long -o out --apply 999");
+    EXPECT_TRUE(hint.says("'snell accuracy work/two.glib --ladder WAY=long --list-found' lists them")) << hint.output;
+}
+
 TEST_F(FoundRungs, TheFolderHasTheSceneWithTheChangeAndAllItsFiles) {
     const auto before = everything("work");
     const Outcome outcome = accuracy("work/ball.glib --apply 1 -o new/folder/");
@@ -201,8 +234,8 @@ TEST_F(FoundRungs, WrongNumbersAndOptionsAreErrors) {
     refused("work/ball.glib --apply x -o new", 1, "'x' is not the number");
     refused("work/ball.glib --as-ladder 1, -o new", 1, "is not the number");
     refused("work/ball.glib --apply 1", 2, "add -o FOLDER");
-    refused("work/ball.glib --apply 1 -o new --budget 3", 2, "--apply excludes --budget");
-    refused("work/ball.glib --apply 1 --as-ladder 2 -o new", 2, "excludes");
+    refused("work/ball.glib --apply 1 -o new --budget 3", 2, "--apply excludes --budget: it only writes a scene");
+    refused("work/ball.glib --apply 1 --as-ladder 2 -o new", 2, "excludes --as-ladder: it only writes");
     refused("work/ball.glib --list-found -o new", 2, "--list-found excludes");
     refused("work/ball.glib work/ball.glib --list-found", 2, "one scene");
     refused("work/none.glib --list-found", 1, "cannot read 'work/none.glib'");

@@ -168,11 +168,12 @@ public:
     }
 
     AsLadders make(std::span<const Chosen> chosen) {
+        exclude_repeated(chosen);
         for (const Chosen& one : chosen) {
-            add(one);
             if (!made_.error.empty()) return std::move(made_);
+            add(one);
         }
-        exclude_overlaps();
+        exclude_overlaps(chosen);
         if (made_.error.empty()) add_statements();
         return std::move(made_);
     }
@@ -181,11 +182,19 @@ private:
     struct Doubled {
         FileId file;
         Extent lines;
-        std::string name;  // of the chosen changes
+        std::size_t of;  // which of the chosen ones
     };
 
     void refuse(std::string error, std::string help, std::optional<Span> where = std::nullopt) {
         if (made_.error.empty()) made_.error = std::move(error), made_.help = std::move(help), made_.where = where;
+    }
+
+    void exclude_repeated(std::span<const Chosen> chosen) {
+        std::set<std::size_t> seen;
+        for (const Chosen& one : chosen)
+            for (const std::size_t number : one.numbers)
+                if (!seen.insert(number).second)
+                    refuse(fmt::format("{} is given twice, and a change can be in one ladder only", number), "");
     }
 
     void add(const Chosen& one) {
@@ -225,7 +234,7 @@ private:
                               help, region.edits.front()->span);
             const Span span{file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
             made_.change.edits.push_back({span, doubled(doubler.text(), region, ladder, rung)});
-            doubled_.push_back({file, region.lines, name});
+            doubled_.push_back({file, region.lines, made_.statements.size() - 1});
         }
     }
 
@@ -263,21 +272,29 @@ private:
         return used;
     }
 
-    void exclude_overlaps() {
+    static bool can_join(const Chosen& one, const Chosen& other) {
+        return !ranges::any_of(one.changes, [&](const Change& a) {
+            return ranges::any_of(other.changes, [&](const Change& b) { return !compatible(a, b); });
+        });
+    }
+
+    void exclude_overlaps(std::span<const Chosen> chosen) {
         for (std::size_t b = 1; b < doubled_.size(); ++b)
             for (std::size_t a = 0; a < b; ++a) {
                 const Doubled &one = doubled_[a], &other = doubled_[b];
-                if (one.name == other.name || one.file != other.file) continue;
+                if (one.of == other.of || one.file != other.file) continue;
                 const bool empty = one.lines.begin == one.lines.end || other.lines.begin == other.lines.end;
                 const bool meet = empty ? one.lines.begin <= other.lines.end && other.lines.begin <= one.lines.end
                                         : one.lines.begin < other.lines.end && other.lines.begin < one.lines.end;
                 if (!meet) continue;
-                refuse(
-                    fmt::format("{} and {} change the same lines, so they can't be two ladders", one.name, other.name),
-                    fmt::format("write --as-ladder {}+{} for one ladder of both, or one after the other", one.name,
-                                other.name),
-                    Span{other.file, static_cast<std::uint32_t>(other.lines.begin),
-                         static_cast<std::uint32_t>(other.lines.end)});
+                const std::string first = chosen_name(chosen[one.of]), second = chosen_name(chosen[other.of]);
+                refuse(fmt::format("{} and {} change the same lines, so they can't be two ladders", first, second),
+                       can_join(chosen[one.of], chosen[other.of])
+                           ? fmt::format("write --as-ladder {}+{} for one ladder of both, or one after the other",
+                                         first, second)
+                           : "",
+                       Span{other.file, static_cast<std::uint32_t>(other.lines.begin),
+                            static_cast<std::uint32_t>(other.lines.end)});
             }
     }
 

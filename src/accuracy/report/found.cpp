@@ -48,7 +48,9 @@ std::string shown_cost(const FoundResult& found, const FoundRung& rung) {
     std::string text;
     if (const RungResult* times = found.times(rung)) {
         const double scene = found.costs.rungs.back().milliseconds;
-        text = fmt::format("costs {:.3g} ms of {:.3g}", std::max(scene - times->milliseconds, 0.0), scene);
+        const bool measurable = times->ratio.high < 1 && times->milliseconds < .99 * scene;
+        text = measurable ? fmt::format("costs {:.3g} ms of {:.3g}", scene - times->milliseconds, scene)
+                          : "costs less time than can be measured";
     }
     const auto add = [&](std::int64_t bytes, std::string_view what) {
         if (bytes > 0)
@@ -83,6 +85,20 @@ std::size_t count_of(const FoundResult& found, Outcome outcome) {
 
 constexpr std::string_view lacking = "What the picture lacks, and what it would cost";
 constexpr std::string_view invisible = "What changes no pixel";
+
+// Why no cheaper rung is listed.
+std::string_view no_cheaper_words(const FoundResult& found) {
+    bool timed = false, untimed = false, saves = false;
+    for (const FoundRung& rung : found.rungs) {
+        if (rung.aim != Aim::cheaper || rung.outcome == Outcome::refused) continue;
+        (rung.quick_ratio > 0 ? timed : untimed) = true;
+        saves = saves || (rung.quick_ratio > 0 && rung.quick_ratio < .97);
+    }
+    if (!timed && !untimed) return "No cheaper change was tried.";
+    if (!timed) return "No cheaper change was timed.";
+    if (saves) return "The search ended before those that save time were timed in full.";
+    return untimed ? "None of those that were timed saves time." : "None of them saves time.";
+}
 
 std::string rows_text(const FoundResult& found, const Listed& rungs) {
     std::size_t name = 4, place = 5;
@@ -206,24 +222,29 @@ std::string standing_of(const FoundResult& found, const FoundRung& rung) {
     if (rung.at.empty()) return "";
     if (!std::isfinite(rung.worst()->own.light.rmse))
         return pixels_text(rung.worst()->own.nonfinite) + " NaN or infinite";
-    if (rung.only_where_tried) return "only in the frame that was tried";
+    if (rung.only_where_tried) return "at other views and values its error is more than twice as large";
     if (rung.aim == Aim::unused)
         return rung.held_out && rung.pixels_changed == 0 ? "changes 0 pixels" : "changes pixels";
     if (const RungResult* times = found.times(rung))
         return rung.aim == Aim::cheaper ? standing_text(found.timed, *times) : "";
     if (rung.timed) return "not timed";
-    if (rung.aim == Aim::better) return rung.held_out ? "" : "not held out: the time was up";
+    if (rung.aim == Aim::better && rung.held_out) return "";
+    if (rung.aim == Aim::better)
+        return found.interrupted ? "stopped before it was tried at other places" : "not held out: the time was up";
     if (rung.quick_ratio >= .97) return "saves no time";
     return rung.held_out ? "not timed" : "another one saves more";
 }
 
 std::string found_words(const FoundResult& found) {
-    const std::size_t tried = count_of(found, Outcome::tried), refused = count_of(found, Outcome::refused),
+    const auto tried = static_cast<std::size_t>(ranges::count_if(
+        found.rungs, [](const FoundRung& rung) { return rung.outcome == Outcome::tried && rung.changes.size() == 1; }));
+    const std::size_t combined = count_of(found, Outcome::tried) - tried, refused = count_of(found, Outcome::refused),
                       untried = count_of(found, Outcome::not_tried);
     std::string text = fmt::format(
-        "{} change{} found; {} tried, alone and combined, at {} places, of which {} were held out from the search "
-        "(seed {}).",
-        found.changes.size(), found.changes.size() == 1 ? " was" : "s were", tried, found.places.size(),
+        "{} change{} found; {} {} tried alone, and {} combination{}, at {} places, of which {} were held out from the "
+        "search (seed {}).",
+        found.changes.size(), found.changes.size() == 1 ? " was" : "s were", tried, tried == 1 ? "was" : "were",
+        combined, combined == 1 ? "" : "s", found.places.size(),
         found.places.size() - std::min(found.searched, found.places.size()), found.seed);
     if (refused > 0) text += fmt::format(" {} would not compile, or make another error or warning.", refused);
     if (untried > 0)
@@ -283,7 +304,7 @@ std::string found_text(const FoundResult& found) {
     if (const Listed rungs = listed(found, Aim::cheaper, false); !rungs.empty())
         text += "Cheaper\n" + rows_text(found, rungs);
     else
-        text += "  None of them saves time.\n";
+        text += fmt::format("  {}\n", no_cheaper_words(found));
     if (const Listed rungs = listed(found, Aim::better, false); !rungs.empty())
         text += fmt::format("{}\n", lacking) + rows_text(found, rungs);
     if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)

@@ -9,6 +9,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/report/quality.h"
+#include "src/app/open/command_text.h"
 #include "src/app/open/quality.h"
 #include "src/content/replace.h"
 
@@ -25,12 +26,19 @@ std::string wish_text(const Wish& wish) {
     return text.empty() ? "whatever its error is" : text;
 }
 
+// What is added to an error when it is compared with a limit.
+std::string residual_text(const SweepResult& sweep, const Wish& wish) {
+    if (!wish.error || sweep.residual == 0) return "";
+    return sweep.residual ? fmt::format(" and up to {:.2g} of the reference", *sweep.residual)
+                          : " and an unknown part of the reference";
+}
+
 std::string found_text(const Advice& advice, const SweepResult& sweep) {
     const RungResult& rung = sweep.rungs[advice.rung];
     const std::string now = sweep.rungs[sweep.sweep.current].name;
-    std::string text =
-        fmt::format("  RMSE {:.3g}, {:.3g} ms [{:.3g}, {:.3g}] of {}, {} times what '{}' takes\n", rung.own.light.rmse,
-                    rung.milliseconds, rung.low, rung.high, name(sweep.clock), ratio_text(rung.ratio), now);
+    std::string text = fmt::format("  RMSE {:.3g}{}, {:.3g} ms [{:.3g}, {:.3g}] of {}, {} times what '{}' takes\n",
+                                   rung.own.light.rmse, residual_text(sweep, advice.wish), rung.milliseconds, rung.low,
+                                   rung.high, name(sweep.clock), ratio_text(rung.ratio), now);
     text += fmt::format("  {}; the last rungs at the scene's own samples and meshes: RMSE {:.3g}\n",
                         sweep.reference_note, sweep.rungs[sweep.sweep.reference].own.light.rmse);
     const char* what = advice.everything ? "every combination" : "every combination that differs in one ladder";
@@ -52,7 +60,7 @@ std::string advice_text(const std::string& path, const Scene& scene, const Advic
     std::string text = advice.met ? fmt::format("\n{}: {} is {}\n", wish_text(advice.wish), kind, fmt::join(rungs, " "))
                                   : fmt::format("\n{}: nothing that was measured is; the nearest is {}\n",
                                                 wish_text(advice.wish), fmt::join(rungs, " "));
-    text += found_text(advice, sweep) + "  snell render " + path + " -o picture.png";
+    text += found_text(advice, sweep) + "  snell render " + file_word(path) + " -o picture.png";
     for (const std::string& choice : rungs) text += " --ladder " + choice;
     return text + "\n";
 }
@@ -115,8 +123,10 @@ bool advise_knobs(const std::string& path, Bench& bench, const Rungs& now, const
         fmt::print("{}", table_text(result));
         if (const auto best = choose(result, wish); best && fulfils(result, result.rungs[*best], wish)) {
             const RungResult& rung = result.rungs[*best];
-            fmt::print("\n{}: of the knob {} it is '{}'\n  RMSE {:.3g} from the reference, {} times\n", wish_text(wish),
-                       sweep.name, rung.name, rung.own.light.rmse, ratio_text(rung.ratio));
+            fmt::print("\n{}: of the knob {} it is '{}'\n  RMSE {:.3g}{}, {} times\n", wish_text(wish), sweep.name,
+                       rung.name, rung.own.light.rmse,
+                       wish.error && result.residual != 0 ? residual_text(result, wish) : " from the reference",
+                       ratio_text(rung.ratio));
             met = true;
         }
         report.sweeps.push_back(std::move(result));
@@ -125,20 +135,22 @@ bool advise_knobs(const std::string& path, Bench& bench, const Rungs& now, const
 }
 
 // What `choose` takes of the rungs that were found; the last one is the scene as it is.
-std::string found_choice_text(const std::string& path, const FoundResult& found, std::size_t best) {
+std::string found_choice_text(const std::string& path, const AccuracyOptions& options, const FoundResult& found,
+                              std::size_t best) {
     const RungResult& rung = found.timed.rungs[best];
     if (best == found.timed.sweep.current)
         return fmt::format("the scene as it is, {:.3g} ms [{:.3g}, {:.3g}]\n", rung.milliseconds, rung.low, rung.high);
     return fmt::format(
         "found rung {}\n  RMSE {:.3g} from the scene as it is, at the worst of {} places; {:.3g} ms [{:.3g}, {:.3g}] "
         "of "
-        "{}, {} times what the scene takes\n  snell accuracy {} --apply {} -o FOLDER\n",
+        "{}, {} times what the scene takes\n  {}\n",
         rung.name, rung.own.light.rmse, found.places.size(), rung.milliseconds, rung.low, rung.high,
-        name(found.timed.clock), ratio_text(rung.ratio), path, rung.name);
+        name(found.timed.clock), ratio_text(rung.ratio), apply_command(path, options.choices, rung.name, "FOLDER"));
 }
 
 // False, too, if it is the scene as it is: ladders are judged by the reference, not by what the scene has.
-bool advise_found(const std::string& path, const FoundResult& found, const Wish& wish, bool ladders) {
+bool advise_found(const std::string& path, const AccuracyOptions& options, const FoundResult& found, const Wish& wish,
+                  bool ladders) {
     const auto best = choose(found.timed, wish);
     if (!best) {
         fmt::print("\n{}: can't say of found rungs: none was timed\n", wish_text(wish));
@@ -149,7 +161,7 @@ bool advise_found(const std::string& path, const FoundResult& found, const Wish&
                !met                ? "no found rung is; the nearest is"
                : wish.milliseconds ? "the most exact is"
                                    : "the cheapest is",
-               found_choice_text(path, found, *best));
+               found_choice_text(path, options, found, *best));
     if (found.timed.few_rounds || found.timed.control.noisy)
         fmt::print("  the costs are not sure: {}\n",
                    found.timed.few_rounds ? "there were too few rounds" : "the machine is too noisy");
@@ -157,17 +169,17 @@ bool advise_found(const std::string& path, const FoundResult& found, const Wish&
 }
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
-bool explain_presets(const std::string& path, const FoundResult& found) {
+bool explain_presets(const std::string& path, const AccuracyOptions& options, const FoundResult& found) {
     fmt::print(
         stderr,
         "snell: error: '{}' has no ladders, so no presets were written: a preset names a rung of each ladder\n   "
-        "help: 'snell accuracy {} --as-ladder N -o FOLDER' writes a scene with found rung N as a ladder\n",
-        utf8::printable(path), utf8::printable(path));
+        "help: '{} --as-ladder N -o FOLDER' writes a scene with found rung N as a ladder\n",
+        utf8::printable(path), utf8::printable(accuracy_command(path, options.choices)));
     const std::array<Wish, 3> wishes = quality_wishes();
     for (std::size_t i = 0; i < wishes.size(); ++i)
         if (const auto best = choose(found.timed, wishes[i]))
             fmt::print("{}{:<8}  {}", i == 0 ? "\nof the found rungs these would be\n" : "", quality_names[i],
-                       found_choice_text(path, found, *best));
+                       found_choice_text(path, options, found, *best));
     return false;
 }
 
@@ -195,10 +207,10 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
         fmt::print(stderr, "snell: error: '{}' has no ladders: there is nothing to choose\n", utf8::printable(path));
         return false;
     } else {
-        saved = !options.save_quality || explain_presets(path, *found);
+        saved = !options.save_quality || explain_presets(path, options, *found);
         if (limited) met = advise_knobs(path, bench, now, wish, measuring, report);
     }
-    if (limited && found) met = advise_found(path, *found, wish, !bench.scene().ladders.empty()) || met;
+    if (limited && found) met = advise_found(path, options, *found, wish, !bench.scene().ladders.empty()) || met;
     return saved && (met || !limited);
 }
 

@@ -12,6 +12,7 @@
 #include "parser/text/utf8.h"
 #include "src/accuracy/found/apply.h"
 #include "src/accuracy/found/ladder.h"
+#include "src/app/open/command_text.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/write_copy.h"
 #include "src/app/picture/outputs.h"
@@ -44,19 +45,22 @@ struct Found {
 };
 
 // Returns null after it printed why the scene cannot be read.
-std::unique_ptr<Found> find_in(const std::string& path, const Access& access) {
-    auto found = std::make_unique<Found>(path, access);
-    Diagnostics diagnostics(access.limits), errors;
+std::unique_ptr<Found> find_in(const std::string& path, const AccuracyOptions& options) {
+    auto found = std::make_unique<Found>(path, options.access);
+    Diagnostics diagnostics(options.access.limits), errors;
+    bool chosen = true;
     auto parsed = parse_document(path, found->files, found->sources, diagnostics);
     if (parsed) {
         found->scene = parsed->file;
         found->plan = make_plan(std::move(parsed->scene), found->files, found->sources, diagnostics);
+        for (const std::string& choice : options.choices)
+            chosen = choose_rung(found->plan.rungs, found->plan.scene, choice, diagnostics) && chosen;
         found->changes = find_changes(found->plan, found->files, found->sources);
     }
     for (const Diagnostic& diagnostic : diagnostics.items())
         if (diagnostic.severity == Severity::error) errors.add(diagnostic);
     fmt::print(stderr, "{}", snell::render(errors, found->sources));
-    if (!parsed) return nullptr;
+    if (!parsed || !chosen) return nullptr;
     return found;
 }
 
@@ -108,14 +112,16 @@ struct Texts {
     std::map<std::string, std::string> by_path;
 };
 
-std::optional<std::vector<Chosen>> choose(const std::string& names, const Found& found, const std::string& scene) {
+std::optional<std::vector<Chosen>> choose(const std::string& names, const Found& found,
+                                          const AccuracyOptions& options) {
     std::vector<Chosen> chosen;
     for (std::size_t at = 0; at <= names.size();) {
         const std::size_t end = std::min(names.find(',', at), names.size());
         std::string error;
         auto one = choose_changes(std::string_view(names).substr(at, end - at), found.changes, found.sources, error);
         if (!one) {
-            refuse(error, fmt::format("'snell accuracy {} --list-found' lists them", scene));
+            refuse(error, fmt::format("'{} --list-found' lists them",
+                                      accuracy_command(options.scenes.front(), options.choices)));
             return std::nullopt;
         }
         chosen.push_back(std::move(*one));
@@ -126,7 +132,7 @@ std::optional<std::vector<Chosen>> choose(const std::string& names, const Found&
 
 std::optional<Texts> texts_of(const AccuracyOptions& options, Found& found) {
     const bool ladders = !options.as_ladder.empty();
-    auto chosen = choose(ladders ? options.as_ladder : options.apply, found, options.scenes.front());
+    auto chosen = choose(ladders ? options.as_ladder : options.apply, found, options);
     if (!chosen) return std::nullopt;
     Texts texts{std::move(*chosen), {}, {}};
     std::vector<const Change*> changes;
@@ -166,13 +172,15 @@ Exit write_texts(const AccuracyOptions& options, Found& found) {
 // Not by CLI11's excludes(), which --help would print next to every option.
 bool fits(const CLI::App& command, const AccuracyOptions& options) {
     const std::string asked = options.list_found ? "--list-found" : options.apply.empty() ? "--as-ladder" : "--apply";
-    const std::set<std::string> fitting{"SCENE",     "--limit", "--confine",
-                                        "--timeout", asked,     options.list_found ? "--json" : "--output"};
+    const std::set<std::string> fitting{
+        "SCENE", "--limit", "--confine", "--timeout", "--ladder", asked, options.list_found ? "--json" : "--output"};
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0 || fitting.contains(option->get_single_name()) ||
             fitting.contains("--" + option->get_single_name()))
             continue;
-        refuse(fmt::format("{} excludes {}: it measures nothing", asked, option->get_name()), "", exit_usage);
+        refuse(fmt::format("{} excludes {}: it only {}", asked, option->get_name(),
+                           options.list_found ? "lists found rungs" : "writes a scene"),
+               "", exit_usage);
         return false;
     }
     return true;
@@ -201,7 +209,7 @@ Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command) 
     if (options.scenes.size() != 1) return refuse("give one scene: found rungs are those of a scene", "", exit_usage);
     Deadline deadline(options.timeout);
     deadline.begin(fmt::format("reading '{}'", options.scenes.front()));
-    const auto found = find_in(options.scenes.front(), options.access);
+    const auto found = find_in(options.scenes.front(), options);
     if (!found) return exit_input;
     const Exit status = options.list_found ? list_found(options, *found) : write_texts(options, *found);
     deadline.rest();

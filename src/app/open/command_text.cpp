@@ -27,10 +27,19 @@ std::string shell_word(std::string_view word) {
     return quoted + "'";
 }
 
-// A path that no command takes for an option.
+}  // namespace
+
 std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
 
-}  // namespace
+std::vector<std::string> changed_rungs(const Scene& scene, const Rungs& rungs) {
+    std::vector<std::string> chosen;
+    for (std::size_t i = 0; i < scene.ladders.size() && i < rungs.size(); ++i) {
+        const Ladder& ladder = scene.ladders[i];
+        if (rungs[i] != ladder.current && rungs[i] < ladder.rungs.size())
+            chosen.push_back(ladder.name + "=" + ladder.rungs[rungs[i]]);
+    }
+    return chosen;
+}
 
 std::vector<std::string> value_options(const Document& document, const View& view) {
     std::vector<std::string> words;
@@ -41,13 +50,8 @@ std::vector<std::string> value_options(const Document& document, const View& vie
     for (const Control& control : document.controls.items)
         if (control.active && control.value != control.initial)
             add("--set", fmt::format("{}={}", option_name(document, control), fmt::join(control.value, ",")));
-    const Scene& scene = document.scene();
-    for (std::size_t i = 0; i < scene.ladders.size() && i < document.controls.rungs.size(); ++i) {
-        const Ladder& ladder = scene.ladders[i];
-        const std::size_t rung = document.controls.rungs[i];
-        if (rung != ladder.current && rung < ladder.rungs.size())
-            add("--ladder", ladder.name + "=" + ladder.rungs[rung]);
-    }
+    for (std::string& choice : changed_rungs(document.scene(), document.controls.rungs))
+        add("--ladder", std::move(choice));
     return words;
 }
 
@@ -65,8 +69,15 @@ std::string render_command(const Document& document, const Picture& picture) {
     return line;
 }
 
-std::string apply_command(const std::string& scene, const std::string& rung, const std::string& folder) {
-    return fmt::format("snell accuracy {} --apply {} -o {}", file_word(scene), rung, file_word(folder));
+std::string accuracy_command(const std::string& scene, const std::vector<std::string>& choices) {
+    std::string line = "snell accuracy " + file_word(scene);
+    for (const std::string& choice : choices) line += " --ladder " + shell_word(choice);
+    return line;
+}
+
+std::string apply_command(const std::string& scene, const std::vector<std::string>& choices, const std::string& rung,
+                          const std::string& folder) {
+    return fmt::format("{} --apply {} -o {}", accuracy_command(scene, choices), rung, file_word(folder));
 }
 
 }  // namespace snell

@@ -25,7 +25,14 @@ std::vector<std::string> value_options(const Document& document, const View& vie
 // Returns a line for a POSIX shell that draws the same picture: the values and rungs that differ from the scene's, and
 // view, time and size. The syntax cannot distinguish programs of the same name: the value of the last one is used.
 std::string render_command(const Document& document, const Picture& picture);
-// Likewise, one that writes the scene with a found rung, such as "3+7", into the folder.
-std::string apply_command(const std::string& scene, const std::string& rung, const std::string& folder);
+// The rungs that are not the scene's own, as "LADDER=rung".
+std::vector<std::string> changed_rungs(const Scene& scene, const Rungs& rungs);
+// A path as a word of such a line, which no command takes for an option.
+std::string file_word(const std::string& name);
+// The beginning of such a line about found rungs. Their numbers depend on `choices`, the "LADDER=rung" that are chosen.
+std::string accuracy_command(const std::string& scene, const std::vector<std::string>& choices);
+// One that writes the scene with a found rung, such as "3+7", into the folder.
+std::string apply_command(const std::string& scene, const std::vector<std::string>& choices, const std::string& rung,
+                          const std::string& folder);
 
 }  // namespace snell

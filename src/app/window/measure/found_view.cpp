@@ -121,9 +121,8 @@ void FoundView::begin(Document& scene, const Stand& stand) {
     auto parsed = parse_document(path_, sought.files, sought.sources, unheard);
     if (!parsed) return end("The scene cannot be read.");
     sought.plan = make_plan(std::move(parsed->scene), sought.files, sought.sources, unheard);
-    // Of the text's own rungs, so that the numbers are those of `snell accuracy`.
-    sought.changes = accuracy::find_changes(sought.plan, sought.files, sought.sources);
     carry_over(scene.controls.rungs, scene.scene(), sought.plan.rungs, sought.plan.scene);
+    sought.changes = accuracy::find_changes(sought.plan, sought.files, sought.sources);
     accuracy::SearchOptions options;
     options.seconds = patience;
     options.stop = [&sought] {
@@ -228,7 +227,9 @@ void FoundView::serve(const ui::Requests& requests, Document& scene, const Stand
 }
 
 std::string FoundView::command() const {
-    return facts_.shown.empty() ? "" : apply_command(path_, facts_.shown, folder_for(path_, facts_.shown).string());
+    if (facts_.shown.empty()) return "";
+    return apply_command(path_, changed_rungs(sought_->plan.scene, sought_->plan.rungs), facts_.shown,
+                         folder_for(path_, facts_.shown).string());
 }
 
 }  // namespace snell

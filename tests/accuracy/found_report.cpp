@@ -1,0 +1,80 @@
+// What the report says of found rungs, for results made by hand.
+#include "src/accuracy/report/found.h"
+
+#include <gtest/gtest.h>
+
+#include "src/accuracy/found/search.h"
+
+namespace snell::accuracy {
+namespace {
+
+FoundRung tried(const std::string& name, std::vector<std::size_t> changes, Aim aim = Aim::cheaper) {
+    FoundRung rung;
+    rung.name = name;
+    rung.changes = std::move(changes);
+    rung.aim = aim;
+    rung.outcome = Outcome::tried;
+    rung.at.resize(1);
+    return rung;
+}
+
+FoundResult of_two() {
+    FoundResult found;
+    for (const ChangeKind kind : {ChangeKind::fewer_rounds, ChangeKind::more_rounds}) {
+        found.changes.push_back({kind, {}, "before", "after", {}});
+        found.positions.emplace_back("a.frag:1:1");
+    }
+    found.places.resize(2);
+    found.searched = 1;
+    return found;
+}
+
+bool says(const FoundResult& found, std::string_view words) {
+    return found_text(found).find(words) != std::string::npos;
+}
+
+TEST(FoundReport, NothingIsSaidOfTimesThatWereNotTaken) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0}), tried("2", {1}, Aim::better)};
+    found.interrupted = true;
+    EXPECT_TRUE(says(found, "No cheaper change was timed.")) << found_text(found);
+    EXPECT_FALSE(says(found, "saves time"));
+    EXPECT_EQ(standing_of(found, found.rungs[1]), "stopped before it was tried at other places");
+    found.interrupted = false;
+    EXPECT_EQ(standing_of(found, found.rungs[1]), "not held out: the time was up");
+
+    found.rungs[0].quick_ratio = 1.1;
+    EXPECT_TRUE(says(found, "None of them saves time.")) << found_text(found);
+    found.rungs.push_back(tried("3", {0}));
+    EXPECT_TRUE(says(found, "None of those that were timed saves time.")) << found_text(found);
+    found.rungs[0].quick_ratio = .5;
+    EXPECT_TRUE(says(found, "before those that save time were timed in full")) << found_text(found);
+}
+
+TEST(FoundReport, CombinationsAreNotCountedAmongChanges) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0}), tried("2", {1}), tried("1+2", {0, 1})};
+    EXPECT_TRUE(says(found, "2 changes were found; 2 were tried alone, and 1 combination, at 2 places"))
+        << found_text(found);
+}
+
+TEST(FoundReport, ATimeThatIsNotMeasurableIsNoCost) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0}, Aim::unused)};
+    found.rungs[0].held_out = true;
+    found.rungs[0].timed = 0;
+    RungResult without{.name = "1"}, scene{.name = "scene"};
+    without.rounds = scene.rounds = 9;
+    without.milliseconds = 4;
+    without.ratio = {.97, .98, 1.01};
+    scene.milliseconds = 4.1;
+    found.costs.rungs = {without, scene};
+    EXPECT_TRUE(says(found, "costs less time than can be measured")) << found_text(found);
+    found.costs.rungs[0].ratio = {.97, .98, .99};
+    EXPECT_TRUE(says(found, "costs 0.1 ms of 4.1")) << found_text(found);
+    found.costs.rungs[0].milliseconds = 4.08;
+    EXPECT_TRUE(says(found, "costs less time than can be measured")) << found_text(found);
+}
+
+}  // namespace
+}  // namespace snell::accuracy
