@@ -45,6 +45,13 @@ protected:
     Diagnostics diagnostics;
 };
 
+TEST_F(Assign, TellsNumbersThatDoNotFitFromWords) {
+    EXPECT_FALSE(set("uMix=1e999"));
+    EXPECT_EQ(diagnostics.items()[0].message, "the value '1e999' of 'uMix' is not a number that fits");
+    EXPECT_FALSE(set("uMix=1e"));
+    EXPECT_EQ(diagnostics.items()[0].message, "the value '1e' of 'uMix' is not a number");
+}
+
 TEST_F(Assign, EveryProgramOrOne) {
     EXPECT_TRUE(set("uEta=1.3"));
     EXPECT_EQ(value(0, "uEta"), Values{1.3});

@@ -19,17 +19,38 @@ Rungs reference_rungs(const Scene& scene) {
 }
 
 // Also takes the names of uniforms in the second program of a name, such as "Glass#2.uEta=1.3".
-void set_value(const std::string& assignment, Controls& controls, const Scene& scene, Diagnostics& problems) {
+bool set_value(const std::string& assignment, Controls& controls, const Scene& scene, Diagnostics& problems) {
     const std::vector<std::string> names = control_names(scene, controls);
     const std::size_t equals = assignment.find('=');
     const auto named = ranges::find(names, assignment.substr(0, equals));
     if (named == names.end() || assignment.find('#') > equals) {
-        set_control(controls, scene, assignment, problems);
-        return;
+        return set_control(controls, scene, assignment, problems);
     }
     Control& control = controls.items[static_cast<std::size_t>(named - names.begin())];
     Controls alone{{control}, controls.rungs};
-    if (set_control(alone, scene, control.name + assignment.substr(equals), problems)) control = alone.items[0];
+    const bool taken = set_control(alone, scene, control.name + assignment.substr(equals), problems);
+    if (taken) control = alone.items[0];
+    return taken;
+}
+
+// Where two numbers do not fit but one does, the comma of "Glass.uEta=1,3" is a decimal one.
+void set_value_with_comma(const std::string& assignment, Controls& controls, const Scene& scene,
+                          Diagnostics& problems) {
+    Diagnostics wrong, still_wrong;
+    bool taken = set_value(assignment, controls, scene, wrong);
+    const std::size_t comma = assignment.find(',', assignment.find('='));
+    if (!taken && comma != std::string::npos) {
+        std::string decimal = assignment;
+        decimal[comma] = '.';
+        taken = set_value(decimal, controls, scene, still_wrong);
+        if (taken) wrong = std::move(still_wrong);
+    }
+    problems.append(wrong);
+}
+
+bool names_ladder(const Scene& scene, const std::string& assignment) {
+    return ranges::find(scene.ladders, assignment.substr(0, assignment.find('=')), &Ladder::name) !=
+           scene.ladders.end();
 }
 
 }  // namespace
@@ -43,7 +64,8 @@ Reading OpenScene::open(const std::string& path, const Settings& settings, const
             recall(remembered(), scene, rungs);  // for ladders that were gone for a while
             carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
         }
-        for (const std::string& rung : settings.rungs) choose_rung(rungs, scene, rung, reading.settings);
+        for (const std::string& rung : settings.rungs)
+            if (names_ladder(scene, rung)) choose_rung(rungs, scene, rung, reading.settings);
     };
     const auto planned = [&](const Plan& made, Document& document) {
         plan = made;
@@ -71,7 +93,11 @@ void OpenScene::take(std::unique_ptr<Document> read, Plan plan, const Settings& 
     } else {
         view = {};
     }
-    for (const std::string& value : settings.values) set_value(value, read->controls, read->scene(), problems);
+    for (const std::string& value : settings.values)
+        set_value_with_comma(value, read->controls, read->scene(), problems);
+    // What no ladder has the name of is a uniform of any program.
+    for (const std::string& rung : settings.rungs)
+        if (!names_ladder(read->scene(), rung)) set_value_with_comma(rung, read->controls, read->scene(), problems);
     if (settings.view)
         if (const std::string wrong = parse_view(*settings.view, view); !wrong.empty())
             problems.error("view-unreadable", wrong);

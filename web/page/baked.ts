@@ -1,6 +1,6 @@
 // The Engine by ready pictures: one for each combination of the values of one or two sliders.
 import type { Control, Engine, Frame, Opened, Problem, Saved, Shown } from './engine.ts';
-import { typed } from './viewer/numbers.ts';
+import { typed, whyNot } from './viewer/numbers.ts';
 
 interface Axis {
     control: Control;
@@ -102,24 +102,27 @@ class BakedEngine implements Engine {
     open(_scene = this.scene.scene, settings: Parameters<Engine['open']>[1] = {}): Opened {
         const { values = [], rungs = [], view = '', fresh = false } = settings;
         if (fresh) this.reset();
-        const wrong = values.map((each) => this.assign(each)).filter((message) => message !== '');
-        wrong.push(...rungs.map((each) => `the page has no pictures of '${each}'`));
+        // There are no ladders: what names no program is a slider, as for `--set`.
+        const wrong = [...values, ...rungs].flatMap((each) => this.assign(each));
         if (view !== '') wrong.push('the page has pictures of one view');
         const problems = wrong.map((message): Problem => ({ severity: 'error', code: 'not-baked', message, help: '', text: message }));
         return { ok: true, problems, shown: this.shown(), milliseconds: 0 };
     }
 
-    // Takes a text such as "Glass.uEta=1.3". Returns "" or why it is not taken, or not as it is.
-    private assign(assignment: string): string {
+    // Takes a text such as "Glass.uEta=1.3", or "uEta=1.3" for each program. Returns why it is not taken, or not as it is.
+    private assign(assignment: string): string[] {
         const equals = assignment.indexOf('=');
         const key = assignment.slice(0, equals);
-        const control = this.controls.find((each) => each.key === key);
-        if (!control) return `there is no slider '${key}'`;
+        const controls = this.controls.filter((each) => each.key === key || each.name === key);
+        if (controls.length === 0) return [`there is no slider '${key}'`];
         const text = assignment.slice(equals + 1);
-        const value = typed(text, control.type);
-        if (value === undefined) return `the value '${text}' of '${key}' is not a number that fits`;
-        this.set(control.index, 0, value);
-        return value === control.value[0] ? '' : `'${key}' cannot be ${value}: its pictures are from ${control.min} to ${control.max}`;
+        return controls.flatMap((control) => {
+            const value = typed(text, control.type);
+            if (value === undefined) return [`the value '${text}' of '${key}' is not a number${whyNot(text)}`];
+            this.set(control.index, 0, value);
+            const { min, max } = control;
+            return value === control.value[0] ? [] : [`'${key}' cannot be ${value}: its pictures are from ${min} to ${max}`];
+        });
     }
 
     check(): [] {

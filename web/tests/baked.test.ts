@@ -59,6 +59,13 @@ test('what an address asks for is taken, or named', () => {
     for (const value of ['P.uC=1', 'P.u0', 'P.u0=', 'P.u0=abc', 'P.u0=1e999', 'P.u0=99', 'P.u1=1.5.5', '__proto__=1'])
         assert.equal(problems({ values: [value] }).length, 1, value);
     assert.equal(problems({ rungs: ['uX=1e999'], view: 'rotate_x=30' }).length, 2);
+    assert.deepEqual(problems({ rungs: ['u0=2,5'] }), [], 'a slider without its program, and a decimal comma');
+    assert.deepEqual(engine.values(), ['P.u0=2.5']);
+    assert.deepEqual(problems({ rungs: ['uX=1'] }), ["there is no slider 'uX'"]);
+    assert.deepEqual(problems({ values: ['P.u0=abc', 'P.u0=1e39'] }), [
+        "the value 'abc' of 'P.u0' is not a number",
+        "the value '1e39' of 'P.u0' is not a number that fits",
+    ]);
     assert.deepEqual(problems({ fresh: true }), []);
     assert.deepEqual(engine.values(), []);
 });

@@ -1,7 +1,7 @@
 // Numbers of sliders: as they are shown, typed, rounded and reached by the track and by keys.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { evaluated, shown, tidy, tidyColor, typed } from '../page/viewer/numbers.ts';
+import { evaluated, shown, tidy, tidyColor, typed, whyNot } from '../page/viewer/numbers.ts';
 import { fractionOf, stepped, stepsOf, valueAt } from '../page/viewer/steps.ts';
 import { hexOf, picked } from '../page/viewer/values.ts';
 
@@ -26,6 +26,8 @@ test('a typed number fits its type', () => {
     assert.equal(typed('3e9', 'uint'), 3e9);
     assert.equal(typed('-1', 'uint'), undefined);
     assert.equal(typed('1e39', 'float'), undefined);
+    for (const text of ['1e39', '1e999', '-1e999', '1,5e400', '3e9', '-1']) assert.equal(whyNot(text), ' that fits', text);
+    for (const text of ['', ' ', 'abc', '1/0', '1 2']) assert.equal(whyNot(text), '', text);
 });
 
 test('what is shown is close enough to see a step', () => {

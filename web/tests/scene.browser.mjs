@@ -134,6 +134,40 @@ test('each thing that an address asks for in vain is named', async () => {
     }
 });
 
+test('a range that is not taken, and what is no name of a ladder, are named as they are written', async () => {
+    for (const [asked, said] of [['P.uA:range=5,1', 'P.uA:range=5,1'], ['uX=1', "there is no uniform 'uX'"], ['P.uA=1e999', "the value '1e999' of 'P.uA' is not a number that fits"]]) {
+        await show('a.glib', `#${asked}`);
+        assert.equal(await message(), `The address asks for what this scene does not have: ${said}.`);
+    }
+});
+
+test('an address names a uniform without its program, and takes a decimal comma', async () => {
+    for (const [asked, value] of [['uA=3.5', 3.5], ['P.uA=4,5', 4.5], ['uA=0,5', 0.5]]) {
+        await show('a.glib', `#${asked}`);
+        assert.equal(await message(), '', asked);
+        assert.equal(await number(), value, asked);
+    }
+    await show('a.glib', '#P.uA=1,2,3');
+    assert.match(await message(), /'uA' takes 1 number, not 3/);
+    assert.equal(await number(), 2);
+});
+
+test('a value that is taken ends the message about its field', async () => {
+    await show('a.glib');
+    await page.click('.row.slider > .number');
+    for (const [wrong, key, said] of [['1/0', 'Enter', /is not a number\.$/], ['1e999', 'Enter', /is not a number that fits\.$/], ['50', 'Tab', /press Enter/]]) {
+        await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
+        await page.keyboard.type(wrong);
+        await page.keyboard.press(key);
+        assert.match(await message(), said, wrong);
+        await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
+        await page.keyboard.type('3');
+        await page.keyboard.press('Enter');
+        assert.equal(await message(), '', wrong);
+        assert.equal(await number(), 3);
+    }
+});
+
 test('the picture keeps its size when its line is filled', async () => {
     await page.setViewport({ width: 1000, height: 700 });
     await page.goto('about:blank');

@@ -38,6 +38,13 @@ std::optional<double> number(std::string_view text) {
     return value;
 }
 
+// Whether the word is a number that no type holds.
+bool too_large(std::string_view word) {
+    double value = 0;
+    const auto [end, error] = read_real(word.data(), word.data() + word.size(), value);
+    return error == std::errc::result_out_of_range && end == word.data() + word.size();
+}
+
 // Parses numbers separated by commas or blanks, optionally in brackets. Returns nullopt, with the offending word in
 // `bad`, if one is not a number.
 std::optional<std::vector<double>> numbers(std::string_view text, std::string& bad) {
@@ -184,7 +191,8 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
     const std::optional<std::vector<double>> values = numbers(assignment.substr(equals + 1), bad);
     if (!values || values->empty()) {
         diagnostics.error("bad-value", values ? fmt::format("the value of '{}' is missing", name)
-                                              : fmt::format("the value '{}' of '{}' is not a number", bad, name));
+                                              : fmt::format("the value '{}' of '{}' is not a number{}", bad, name,
+                                                            too_large(bad) ? " that fits" : ""));
         return false;
     }
     std::vector<std::vector<double>> each;

@@ -11,7 +11,7 @@ import { Clock, makeTimeBar } from './clock.ts';
 import { makeHelp, makePictureDialog } from './dialogs.ts';
 import { makeDivider } from './divider.ts';
 import { el, painted } from '../dom.ts';
-import { readFragment, type Settings } from './fragment.ts';
+import { rangeText, readFragment, type Settings } from './fragment.ts';
 import { listen } from './gestures.ts';
 import { listenForKeys } from './keys.ts';
 import { makeLayout } from './layout.ts';
@@ -67,6 +67,7 @@ export class Page {
     private host: EditorHost | undefined;
     private current: Problem[] = [];
     private lost = false;
+    private about: unknown; // of the message that is shown
     private silence: ReturnType<typeof setTimeout> | undefined;
 
     constructor() {
@@ -84,7 +85,9 @@ export class Page {
         return this.layout.canvas;
     }
 
-    say(message: string, seconds = messageSeconds): void {
+    say(message: string, about?: unknown, seconds = messageSeconds): void {
+        if (message === '' && about !== this.about) return;
+        this.about = about;
         this.layout.message.textContent = message;
         clearTimeout(this.silence);
         this.silence = setTimeout(() => void (this.layout.message.textContent = ''), 1000 * seconds);
@@ -170,7 +173,7 @@ export class Page {
         };
         this.tools = makeTools(session, actions, files);
         layout.tools.append(...this.tools.elements);
-        this.panel = makePanel(session, this.divider.toggle, (message) => this.say(message), () => this.clock.time);
+        this.panel = makePanel(session, this.divider.toggle, (message, about) => this.say(message, about), () => this.clock.time);
         layout.controls.append(this.panel.element);
         layout.app.append(picture.element);
         layout.app.dataset.files = String(files);
@@ -268,8 +271,8 @@ export class Page {
         this.accept({ ...opened, problems: opened.problems.filter((problem) => !vain.includes(problem)) }, settings);
         const ranges = opened.shown ? session.setRanges(settings.ranges) : [];
         if (settings.ranges.length > ranges.length) this.panel?.refresh();
-        const wrong = [...refused, ...ranges, ...vain.map(({ message }) => message)];
-        if (wrong.length > 0) this.say(complaint(wrong), longMessageSeconds);
+        const wrong = [...refused, ...ranges.map(rangeText), ...vain.map(({ message }) => message)];
+        if (wrong.length > 0) this.say(complaint(wrong), 'address', longMessageSeconds);
     }
 
     private accept(opened: Opened, { time, split }: Settings): void {

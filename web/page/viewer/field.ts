@@ -1,6 +1,9 @@
 // A number that a click edits.
 import { el } from '../dom.ts';
-import { typed } from './numbers.ts';
+import { typed, whyNot } from './numbers.ts';
+
+// Shows a message for a while; "" ends the one about the same thing.
+export type Say = (message: string, about?: unknown) => void;
 
 export interface FieldOptions {
     label: string;
@@ -33,15 +36,18 @@ export function makeField(options: FieldOptions): Field {
         element.value = before = exact();
         element.select();
     };
-    // Returns false if the text is not a number.
+    // Returns false if the text is not a number. What is taken leaves no older message about the field.
     const finish = (entered: boolean): boolean => {
-        if (before === undefined || element.value === before) return true;
+        if (before === undefined) return true;
+        // Leaving what was not edited says nothing new.
+        if (element.value === before && !entered) return true;
         const value = typed(element.value, type);
         if (value === undefined) {
-            say(`'${element.value}' is not a number${/int/.test(type) ? ' that fits' : ''}.`);
+            say(`'${element.value}' is not a number${whyNot(element.value)}.`);
             return false;
         }
-        apply(value, entered);
+        say('');
+        if (element.value !== before) apply(value, entered);
         return true;
     };
     element.addEventListener('focus', begin);

@@ -97,6 +97,12 @@ class Evaluator {
     }
 }
 
+// Ends "is not a number" for a text that typed() does not take: " that fits" if it is one.
+export function whyNot(text: string): string {
+    const written = Number(text.trim().replace(',', '.') || NaN);
+    return evaluated(text) !== undefined || !Number.isNaN(written) ? ' that fits' : '';
+}
+
 // The value of a text such as "1/3", "2*pi", "-(1e3-5)" or "0,7"; undefined if it is not a finite number.
 export function evaluated(text: string): number | undefined {
     const value = new Evaluator(text.slice(0, 1000)).run();

@@ -1,11 +1,11 @@
 // The panel: ladders, and the controls of each program.
 import type { Control, Ladder } from '../engine.ts';
 import { button, el } from '../dom.ts';
+import type { Say } from './field.ts';
 import { makeSliderRow, type Row } from './row.ts';
 import { isChanged, type Session } from './session.ts';
 import { makeCheckRow, makeColorRow } from './values.ts';
 
-type Say = (message: string) => void;
 // The scene's, in seconds.
 type Time = () => number;
 

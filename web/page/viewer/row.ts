@@ -1,7 +1,7 @@
 // One row of the panel: a slider of one component.
 import type { Control } from '../engine.ts';
 import { el } from '../dom.ts';
-import { makeField } from './field.ts';
+import { makeField, type Say } from './field.ts';
 import { shown } from './numbers.ts';
 import { isIntegral, nameOf, type Session } from './session.ts';
 import { makeSliderMenu } from './slider_menu.ts';
@@ -98,8 +98,9 @@ function short(text: string, value: number): string {
     return text.length <= 8 ? text : String(Number(value.toPrecision(3)));
 }
 
-export function makeSliderRow(session: Session, control: Control, component: number, say: (message: string) => void, time: () => number): Row {
+export function makeSliderRow(session: Session, control: Control, component: number, sayAbout: Say, time: () => number): Row {
     const name = nameOf(control, component);
+    const say = (message: string) => sayAbout(message, `${control.key}.${component}`);
     const text = (value: number) => shown(value, control.min, control.max, isIntegral(control));
     const field = makeField({
         label: `${control.program} ${name}, number`,

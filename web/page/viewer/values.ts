@@ -1,7 +1,7 @@
 // Rows of check boxes and colours.
 import type { Control } from '../engine.ts';
 import { el } from '../dom.ts';
-import { makeField } from './field.ts';
+import { makeField, type Say } from './field.ts';
 import { tidyColor } from './numbers.ts';
 import { makeDot, makeName, type Row } from './row.ts';
 import { isChanged, type Session } from './session.ts';
@@ -38,7 +38,7 @@ export function picked(hex: string, value: readonly number[]): number[] {
     return value.map((part, i) => (i < 3 && bytes[i] !== byteOf(part) ? tidyColor(bytes[i]! / 255) : part));
 }
 
-export function makeColorRow(session: Session, control: Control, say: (message: string) => void): Row {
+export function makeColorRow(session: Session, control: Control, say: Say): Row {
     const swatch = el('input', { type: 'color', 'aria-label': `${control.program} ${control.name}` });
     let gesture = {};
     swatch.addEventListener('input', () => session.setAll(control, picked(swatch.value, control.value), gesture));
@@ -53,7 +53,7 @@ export function makeColorRow(session: Session, control: Control, say: (message: 
             shown: () => String(Number(control.value[i]!.toPrecision(4))),
             exact: () => String(control.value[i]!),
             apply: (value) => void session.set(control, i, value),
-            say,
+            say: (message) => say(message, `${control.key}.${i}`),
         }),
     );
     const dot = makeDot(control.name, () => session.reset(control));
