@@ -277,5 +277,29 @@ TEST_F(FoundWindow, ARungIsWrittenIntoAFolder) {
     EXPECT_EQ(bytes("paint.frag"), loop_fragment) << "the author's own stays";
 }
 
+TEST_F(FoundWindow, RungsAreSoughtAtTheChosenOnes) {
+    save("ways.glib",
+         "##OpenGL GLIB\nOrtho -1 1 -1 1\nLadder WAY <short> long\nVertex paint.vert\nFragment ways.frag\n"
+         "Program Paint\nQuadXY 0. 1.\n");
+    save("ways.frag",
+         "#version 330 compatibility\nin vec2 vAt;\nvoid main() {\n  float a = 0.;\n#if WAY == WAY_long\n"
+         "  for (int i = 0; i < 24; ++i) a += .04 * sin(float(i) + vAt.x);\n#else\n"
+         "  for (int i = 0; i < 16; ++i) a += .04 * cos(float(i) + vAt.x);\n#endif\n  gl_FragColor = vec4(a);\n}\n");
+    end_window();
+    open("ways.glib", {"--size", "820x740", "--ladder", "WAY=long"});
+    user("key a");
+    settle();
+    const std::string name = fewer_rounds();
+    ASSERT_NE(name, "");
+    const json rows = state()["found"]["rows"];
+    EXPECT_NE(rows.dump().find("ways.frag:6\""), std::string::npos) << rows;
+    EXPECT_EQ(rows.dump().find("ways.frag:8\""), std::string::npos) << rows;
+    click("found.row." + name, .9);
+    ASSERT_TRUE(wait_shown(name));
+    click("found.copy");
+    EXPECT_NE(state()["notice"].get<std::string>().find(" --ladder WAY=long --apply " + name), std::string::npos)
+        << state()["notice"];
+}
+
 }  // namespace
 }  // namespace snell::test

@@ -192,9 +192,10 @@ private:
     void exclude_repeated(std::span<const Chosen> chosen) {
         std::set<std::size_t> seen;
         for (const Chosen& one : chosen)
-            for (const std::size_t number : one.numbers)
-                if (!seen.insert(number).second)
-                    refuse(fmt::format("{} is given twice, and a change can be in one ladder only", number), "");
+            for (std::size_t i = 0; i < one.numbers.size(); ++i)
+                if (!seen.insert(one.numbers[i]).second)
+                    refuse(fmt::format("{} is given twice, and a change can be in one ladder only", one.numbers[i]),
+                           "leave out one of them", one.changes[i].where);
     }
 
     void add(const Chosen& one) {
