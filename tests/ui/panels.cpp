@@ -256,6 +256,18 @@ TEST_F(UiTest, AMessageStaysUntilItIsDismissed) {
     EXPECT_FALSE(has("message.ok"));
 }
 
+TEST_F(UiTest, AFailureStaysUntilItIsDismissedAndLeavesTheMessages) {
+    scene_.messages.push_back({"Move uEta slowly.", {}});
+    memory_.failure = "a.html is not saved: a.glib:3:1: error: browsers have no geometry shaders";
+    EXPECT_TRUE(has("failure.ok"));
+    click(place("message.ok"));
+    EXPECT_FALSE(has("message.ok"));
+    EXPECT_TRUE(has("failure.ok"));
+    click(place("failure.ok"));
+    EXPECT_FALSE(has("failure.ok"));
+    EXPECT_EQ(memory_.failure, "");
+}
+
 TEST_F(UiTest, NothingNewIsTheSamePictureAndAHoverIsAnother) {
     add_slider("uEta", 0, .5, 1);
     const Rect bar = place("Glass.uEta");

@@ -84,6 +84,8 @@ bool Workspace::look(const View& view, ui::Memory& memory) {
     past_.write(session_, view);
     std::string said = pages_.look();
     const bool saved = !said.empty();
+    // The reason is longer than the status line, and comes when the user may be at something else.
+    if (said.find(" is not saved: ") != said.npos) memory.failure = said;
     if (saved) memory.notice = std::move(said);
     return opener_.look(memory) || saved;
 }
@@ -171,6 +173,7 @@ void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::M
         pages_.busy() ? "another page is being saved" : pages_.start(page, page_arguments(*document(), view));
     if (!dialog.error.empty()) return;
     dialog.open = false;
+    memory.failure.clear();
     memory.notice = fmt::format("saving {}\u2026", dialog.existing);
 }
 

@@ -137,6 +137,28 @@ void problems_window(const Facts& facts, Severity severity, const Rect& scene, c
     ImGui::End();
 }
 
+// Shows a text above `bottom`, which moves up by its height. Returns true if the user dismisses it.
+bool message_box(std::string_view text, int index, const char* name, const Rect& scene, float& bottom, Layout& layout) {
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    bool dismissed = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::SetNextWindowPos({scene.x + margin, bottom}, ImGuiCond_Always, {0, 1});
+    const float width = std::min(scene.width - 2 * margin, 30 * ImGui::GetFontSize());
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
+    if (ImGui::Begin(fmt::format("##message{}", index).c_str(), nullptr, overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushTextWrapPos(width - button_width("OK") - 2 * margin);
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+        ImGui::PopTextWrapPos();
+        dismissed = right_button("OK", layout, name);
+    }
+    bottom -= ImGui::GetWindowHeight() + margin * .5F;
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    return dismissed;
+}
+
 }  // namespace
 
 void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
@@ -157,28 +179,14 @@ void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, M
 
 void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layout) {
     if (!facts.scene) return;
-    const float margin = ImGui::GetStyle().WindowPadding.x;
-    float bottom = scene.y + scene.height - margin;
+    float bottom = scene.y + scene.height - ImGui::GetStyle().WindowPadding.x;
     int index = 0;
-    for (const Message& message : facts.scene->messages) {
-        if (memory.dismissed.contains(message.text)) continue;
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-        ImGui::SetNextWindowPos({scene.x + margin, bottom}, ImGuiCond_Always, {0, 1});
-        const float width = std::min(scene.width - 2 * margin, 30 * ImGui::GetFontSize());
-        ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
-        if (ImGui::Begin(fmt::format("##message{}", index++).c_str(), nullptr,
-                         overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
-            ImGui::AlignTextToFramePadding();
-            ImGui::PushTextWrapPos(width - button_width("OK") - 2 * margin);
-            ImGui::TextUnformatted(message.text.data(), message.text.data() + message.text.size());
-            ImGui::PopTextWrapPos();
-            if (right_button("OK", layout, "message.ok")) memory.dismissed.insert(message.text);
-        }
-        bottom -= ImGui::GetWindowHeight() + margin * .5F;
-        ImGui::End();
-        ImGui::PopStyleVar(2);
-    }
+    if (!memory.failure.empty() && message_box(memory.failure, index++, "failure.ok", scene, bottom, layout))
+        memory.failure.clear();
+    for (const Message& message : facts.scene->messages)
+        if (!memory.dismissed.contains(message.text) &&
+            message_box(message.text, index++, "message.ok", scene, bottom, layout))
+            memory.dismissed.insert(message.text);
 }
 
 }  // namespace snell::ui

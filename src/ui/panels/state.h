@@ -116,6 +116,7 @@ struct Memory {
     bool animating() const { return !animated.empty(); }
     std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all
     std::string notice;             // the outcome of the last request
+    std::string failure;            // why the last page is not saved; it stays until it is dismissed
     bool labels = false;            // shows the values over the picture
     Clock clock;
     AccuracyMemory accuracy;
