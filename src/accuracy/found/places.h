@@ -17,9 +17,14 @@ struct PlaceOptions {
 };
 
 // Returns places: the scene's own first, then those that are searched, then those that are held out. Each but the first
-// turns the view by up to 30° and scales it by .7 to 1.4, gives about half of the sliders, check boxes and colours of
-// `controls` other values within their ranges, and, if `animated`, has another time. What `own` assigns keeps its
-// value. The same arguments give the same places on every machine.
+// turns the view by up to 30° and scales it by .7 to 1.4, and, if `animated`, has another time. Every slider, check box
+// and colour of `controls` has other values there, within its range:
+//   - Sliders of whole numbers have all values in turn, if there are at most as many as places; otherwise as below.
+//   - Check boxes have the other value in every second place, of those that are searched and of those held out.
+//   - Others have both ends of the range at one place each and a value in each of equal parts of it at the rest, except
+//     for half of the places, where they keep the scene's own value. Each component of a vector has an order of its
+//     own.
+// What `own` assigns keeps its value. The same arguments give the same places on every machine.
 std::vector<Place> make_places(const Controls& controls, const Scene& scene, bool animated, const Place& own,
                                const PlaceOptions& options);
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/found/apply.h"
 #include "src/accuracy/found/climb.h"
 #include "src/accuracy/found/search.h"
 
@@ -53,6 +54,52 @@ std::vector<const FoundRung*> FoundResult::without_effect() const {
         if (rung.aim == Aim::unused && rung.outcome == Outcome::tried && rung.held_out && rung.pixels_changed == 0)
             found.push_back(&rung);
     return found;
+}
+
+void FoundResult::refuse_all(const std::string& reason) {
+    cannot_say = reason;
+    for (FoundRung& rung : rungs) {
+        rung.outcome = Outcome::refused;
+        rung.reason = reason;
+    }
+}
+
+std::string FoundResult::broken_words() const {
+    const auto& [place, pixels] = *broken;
+    return fmt::format("the scene itself is NaN or infinite in {} pixel{}, the first at ({}, {}) from the top left{}",
+                       pixels.count, pixels.count > 1 ? "s" : "", pixels.x, pixels.y,
+                       place == 0 ? "" : ", with " + place_text(places[place], places[0]));
+}
+
+FoundResult untried(const Original& original, std::vector<Change> changes, const BenchSettings& settings,
+                    const SearchOptions& options) {
+    FoundResult result;
+    result.scene = original.path;
+    result.seed = options.places.seed;
+    result.with_times = options.times;
+    result.changes = std::move(changes);
+    for (std::size_t i = 0; i < result.changes.size(); ++i) {
+        const Change& change = result.changes[i];
+        result.positions.push_back(change_place(change, original.sources));
+        result.rungs.push_back({.name = std::to_string(i + 1), .changes = {i}, .aim = facts(change.kind).aim});
+    }
+    int width = result.width = settings.width, height = result.height = settings.height;
+    while (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > options.pixels &&
+           std::min(width, height) > 16) {
+        width /= 2;
+        height /= 2;
+    }
+    result.search_width = width;
+    result.search_height = height;
+    return result;
+}
+
+FoundResult search(const Original& original, const gl::Caps& caps, const BenchSettings& settings,
+                   const SearchOptions& options) {
+    Search search(original, find_changes(original.plan, original.files, original.sources), caps, settings, options);
+    while (search.step()) {
+    }
+    return search.take();
 }
 
 std::string rung_name(std::span<const std::size_t> changes) {

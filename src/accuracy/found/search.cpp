@@ -33,16 +33,7 @@ struct Search::Impl {
     Impl(const Original& scene, std::vector<Change> changes, const gl::Caps& caps, const BenchSettings& how,
          SearchOptions wanted)
         : original(scene), options(std::move(wanted)), settings(how) {
-        result.scene = scene.path;
-        result.seed = options.places.seed;
-        result.changes = std::move(changes);
-        result.width = how.width;
-        result.height = how.height;
-        for (std::size_t i = 0; i < result.changes.size(); ++i) {
-            const Change& change = result.changes[i];
-            result.positions.push_back(change_place(change, scene.sources));
-            result.rungs.push_back({.name = std::to_string(i + 1), .changes = {i}, .aim = facts(change.kind).aim});
-        }
+        result = untried(scene, std::move(changes), how, options);
         trials.emplace(original, result.changes, caps, settings);
         plan();
     }
@@ -81,7 +72,8 @@ struct Search::Impl {
         if (tasks.empty()) return false;
         const auto task = std::move(tasks.front());
         tasks.pop_front();
-        say(doing, 1 - static_cast<double>(tasks.size()) / static_cast<double>(result.rungs.size() + 8));
+        say(doing, 1 - static_cast<double>(tasks.size()) /
+                           static_cast<double>(result.rungs.size() + result.places.size() + 8));
         task();
         return true;
     }
@@ -98,10 +90,11 @@ struct Search::Impl {
     void say(std::string_view what, double done) {
         if (options.report) options.report({"found rungs", what, done, std::max(left(1), 0.0)});
     }
+    const char* out_of_time() const { return result.interrupted ? "the search was stopped" : "the time was up"; }
     // True, with the reason, if the rung can't be tried any more.
     bool skipped(FoundRung& rung, double part) {
         if (!over(part)) return false;
-        rung.reason = result.interrupted ? "the search was stopped" : "the time was up";
+        rung.reason = out_of_time();
         result.late = result.late || !result.interrupted;
         return true;
     }
@@ -111,20 +104,30 @@ struct Search::Impl {
     void open() {
         doing = "trying changes";
         trials->open_scene(options.places);
+        if (const std::string wrong = trials->scene_error(); !wrong.empty()) return give_up(wrong);
         result.places = trials->places();
         result.searched = std::min(std::max<std::size_t>(options.places.searched, 1), result.places.size());
-        result.search_width = settings.width;
-        result.search_height = settings.height;
-        while (static_cast<std::size_t>(result.search_width) * static_cast<std::size_t>(result.search_height) >
-                   options.pixels &&
-               std::min(result.search_width, result.search_height) > 16) {
-            result.search_width /= 2;
-            result.search_height /= 2;
-        }
         Bench& scene = trials->scene();
         if (options.times) clock = scene.choose_clock(trials->variant());
         small();
         scene.warm_up(trials->variant(), clock);
+        for (std::size_t place = result.places.size(); place-- > 0;)
+            tasks.emplace_front([this, place] {
+                if (!over(singles_end) && is_broken(place)) give_up(result.broken_words());
+            });
+    }
+
+    // What is wrong with the scene as it is, is wrong with every change of it.
+    void give_up(const std::string& reason) {
+        tasks.clear();
+        result.refuse_all(reason);
+    }
+
+    // In pictures of the present size.
+    bool is_broken(std::size_t place) {
+        const NonFinite pixels = non_finite(trials->original(place));
+        if (pixels.count > 0 && !result.broken) result.broken = {place, pixels};
+        return pixels.count > 0;
     }
 
     void small() { trials->resize(result.search_width, result.search_height); }
@@ -136,6 +139,7 @@ struct Search::Impl {
         rung.height = trials->scene().settings().height;
         for (std::size_t place = from; place < to && !stopped(); ++place) {
             const auto picture = trial.refused.empty() ? trials->picture(trial, place) : std::nullopt;
+            if (picture && is_broken(place)) trial.refused = result.broken_words();
             if (!picture || !trial.refused.empty()) return refuse(rung, trial);
             rung.at.push_back(trials->compare(*picture, place, rung.changes, false));
             rung.pixels_changed += rung.at.back().pixels_changed;
@@ -146,6 +150,7 @@ struct Search::Impl {
     }
 
     static bool refuse(FoundRung& rung, const Trial& trial) {
+        rung.at.clear();
         rung.outcome = Outcome::refused;
         rung.reason = trial.refused.empty() ? "this OpenGL cannot draw it" : trial.refused;
         return false;
@@ -234,8 +239,11 @@ struct Search::Impl {
     void hold_out(std::size_t i) {
         FoundRung& rung = result.rungs[i];
         // Without a few of them, there is nothing to time.
-        const double end = finalists.size() < few_finalists ? times_end : held_out_end;
-        if (over(end)) return;
+        const double end = !options.times || finalists.size() < few_finalists ? times_end : held_out_end;
+        if (over(end)) {
+            rung.reason = out_of_time();
+            return;
+        }
         Trial trial = reopen(i);
         if (!draw(rung, trial, result.searched, result.places.size()) || rung.at.size() < result.places.size()) return;
         rung.held_out = result.places.size() > result.searched;
@@ -386,13 +394,5 @@ bool Search::step() { return impl_->step(); }
 const FoundResult& Search::result() const { return impl_->result; }
 
 FoundResult Search::take() { return std::move(impl_->result); }
-
-FoundResult search(const Original& original, const gl::Caps& caps, const BenchSettings& settings,
-                   const SearchOptions& options) {
-    Search search(original, find_changes(original.plan, original.files, original.sources), caps, settings, options);
-    while (search.step()) {
-    }
-    return search.take();
-}
 
 }  // namespace snell::accuracy

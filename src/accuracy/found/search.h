@@ -36,7 +36,7 @@ struct FoundRung {
     std::vector<std::size_t> changes;  // indices into FoundResult::changes, ascending
     Aim aim = Aim::cheaper;
     Outcome outcome = Outcome::not_tried;
-    std::string reason;  // why it was refused, or not tried
+    std::string reason;  // why it was refused, not tried, or tried but not held out
 
     // By FoundResult::places; as many as were drawn. For a better change: the error that the scene makes.
     std::vector<Difference> at;
@@ -60,8 +60,17 @@ struct FoundRung {
     std::size_t worst_place() const;
 };
 
+// Where the scene as it is has pixels that are not finite.
+struct BrokenPlace {
+    std::size_t place = 0;  // index into FoundResult::places
+    NonFinite pixels;
+};
+
 struct FoundResult {
     std::string scene;  // as the user gave it
+    // Why nothing is sought: every rung is refused for this reason. Empty: nothing is wrong with the scene as it is.
+    std::string cannot_say;
+    std::optional<BrokenPlace> broken;  // the first such place
     std::uint64_t seed = 1;
     std::vector<Change> changes;         // as find_changes lists them
     std::vector<std::string> positions;  // file:line:column of each change
@@ -81,6 +90,7 @@ struct FoundResult {
     // Of the pictures whose times `timed` and `costs` have: smaller, where frames are slow.
     std::array<int, 2> timed_size{0, 0}, costs_size{0, 0};
     bool interrupted = false, late = false;
+    bool with_times = true;  // times were wanted
 
     // The rungs on the front: cheaper, with the cheapest first. The scene itself is not among them.
     std::vector<const FoundRung*> front() const;
@@ -88,6 +98,10 @@ struct FoundResult {
     const RungResult* times(const FoundRung& rung) const;
     const SweepResult& sweep_of(const FoundRung& rung) const { return rung.aim == Aim::cheaper ? timed : costs; }
     const FoundRung* find(std::string_view name) const;
+    // Every rung is refused for this reason: cannot_say.
+    void refuse_all(const std::string& reason);
+    // What is broken, in words, with the place unless it is the scene's own.
+    std::string broken_words() const;
     // Those that change no pixel at any place, and were held out, too.
     std::vector<const FoundRung*> without_effect() const;
 };
@@ -113,6 +127,10 @@ struct SearchOptions {
     Stop stop = {};
     std::function<void(const Progress&)> report = {};
 };
+
+// What is known before anything is tried: a rung for each change, and the sizes.
+FoundResult untried(const Original& original, std::vector<Change> changes, const BenchSettings& settings,
+                    const SearchOptions& options);
 
 // A search, a step at a time: one change is tried, or one round is timed. What it draws is the scene's plan with one
 // sample a pixel. Errors come first and in a fixed order, so that the single rungs and their errors do not depend on

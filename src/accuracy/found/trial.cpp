@@ -61,6 +61,13 @@ void Trials::open_scene(const PlaceOptions& options) {
     if (scene_.bench) settings_.previous = &scene_.bench->runtime();
 }
 
+std::string Trials::scene_error() const {
+    const auto& problems = scene_.problems.items();
+    const auto error = ranges::find(problems, Severity::error, &Diagnostic::severity);
+    if (error != problems.end()) return "the scene has errors, such as: " + error->message;
+    return scene_.bench ? "" : scene_.refused;
+}
+
 void Trials::resize(int width, int height) {
     settings_.width = width;
     settings_.height = height;
@@ -118,9 +125,24 @@ void Trials::judge(Trial& trial) const {
     }
 }
 
+// A uniform that the changed scene does not list has no slider any more, so nobody can give it the place's value.
+Place Trials::seen_by(Trial& trial, std::size_t place) const {
+    Place seen = places_[place];
+    const Runtime& runtime = trial.bench->runtime();
+    for (const snell::Control& control : runtime.controls().items) {
+        if (control.listed) continue;
+        const std::string start = runtime.scene().programs[control.program].name + "." + control.name + "=";
+        const auto ours = seen.sets.begin() + static_cast<std::ptrdiff_t>(settings_.sets.size());
+        seen.sets.erase(
+            std::remove_if(ours, seen.sets.end(), [&](const std::string& set) { return set.starts_with(start); }),
+            seen.sets.end());
+    }
+    return seen;
+}
+
 std::optional<Picture> Trials::picture(Trial& trial, std::size_t place) {
     trial.bench->resize(settings_.width, settings_.height);
-    trial.bench->at(places_[place]);
+    trial.bench->at(seen_by(trial, place));
     auto picture = trial.bench->picture(variant());
     trial.bench->at(places_.front());
     if (const auto errors = gl::take_errors(); !errors.empty()) trial.refused = "OpenGL reports " + errors.front();

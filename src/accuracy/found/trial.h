@@ -31,6 +31,8 @@ public:
     // Opens the scene as it is, and makes the places: it tells what sliders there are.
     void open_scene(const PlaceOptions& options);
     const std::vector<Place>& places() const { return places_; }
+    // Why nothing can be compared with the scene as it is; empty: it has no errors.
+    std::string scene_error() const;
     // Draws at its own place, in the size of the settings, until told otherwise.
     Bench& scene() { return *scene_.bench; }
     // All pictures are of this size from now on.
@@ -59,6 +61,7 @@ public:
 
 private:
     void judge(Trial& trial) const;
+    Place seen_by(Trial& trial, std::size_t place) const;
     // By draw of the scene, whether the changes may change what it shows; empty: everything may be changed.
     std::vector<bool> draws_of(std::span<const std::size_t> changes);
     std::vector<bool> draws_of(const Edit& edit);

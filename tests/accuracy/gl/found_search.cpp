@@ -34,12 +34,14 @@ protected:
         return {};
     }
 
-    FoundResult search(std::vector<Change> changes, bool times = false) {
+    FoundResult search(std::vector<Change> changes, bool times = false, std::uint64_t seed = 1,
+                       std::vector<std::string> sets = {}) {
         SearchOptions options;
+        options.places.seed = seed;
         options.times = times;
         options.rounds = 15;
         options.at_least = .5;
-        BenchSettings settings{32, 32, 0, {}};
+        const BenchSettings settings{32, 32, 0, std::move(sets)};
         Search found({folder.path("scene.glib"), read->plan, *read->files, read->sources}, std::move(changes), caps,
                      settings, options);
         while (found.step()) {
@@ -102,21 +104,26 @@ TEST_F(FoundSearch, AnErrorThatOnlyHeldOutPlacesShowIsMarkedAndNeverOnTheFront) 
     // A value that the searched places do not have and a held-out one has: the places are known, so it can be chosen.
     write_full("uniform float uMix;\nvoid main() { gl_FragColor = vec4(vec3(uMix > .5 ? .9 : .1), 1.); }\n");
     read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uMix <0. 0. 1.>\nQuadXY 0 1\n");
-    const FoundResult first = search({});
-    double searched = 0, held_out = 0;
-    for (std::size_t i = 0; i < first.places.size(); ++i)
-        for (const std::string& set : first.places[i].sets) {
-            const double value = std::stod(set.substr(set.find('=') + 1));
-            double& most = i < first.searched ? searched : held_out;
-            most = std::max(most, value);
-        }
+    double searched = 1, held_out = 0;
+    std::uint64_t seed = 0;
+    while (held_out <= searched && seed < 20) {
+        const FoundResult first = search({}, false, ++seed);
+        searched = held_out = 0;
+        for (std::size_t i = 0; i < first.places.size(); ++i)
+            for (const std::string& set : first.places[i].sets) {
+                const double value = std::stod(set.substr(set.find('=') + 1));
+                double& most = i < first.searched ? searched : held_out;
+                most = std::max(most, value);
+            }
+    }
     ASSERT_GT(held_out, searched) << "another seed has such a place";
     const std::string limit = std::to_string((searched + held_out) / 2);
     folder.write("full.frag",
                  "#version 330 compatibility\nuniform float uMix;\nvoid main() { gl_FragColor = vec4(vec3(uMix > " +
                      limit + " ? .9 : .1), 1.); }\n");
     read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uMix <0. 0. 1.>\nQuadXY 0 1\n");
-    const FoundResult found = search({change(ChangeKind::without_term, "uMix > " + limit + " ? .9 : .1", ".1")});
+    const FoundResult found =
+        search({change(ChangeKind::without_term, "uMix > " + limit + " ? .9 : .1", ".1")}, false, seed);
     const FoundRung& rung = found.rungs[0];
     EXPECT_EQ(rung.searched()->pixels_changed, 0u);
     ASSERT_TRUE(rung.held_out);
@@ -189,6 +196,85 @@ TEST_F(FoundSearch, ADrawOutOfSightChangesNoPixelAndTheOtherIsNotListed) {
     EXPECT_EQ(found.without_effect()[0]->name, "2");
     EXPECT_GT(found.without_effect()[0]->gpu_bytes, -1);
     EXPECT_EQ(found.rungs[0].at.size(), 1u) << "it ends at the first place that shows it";
+}
+
+TEST_F(FoundSearch, WhatOnlyOneModeOfASliderNeedsChangesPixels) {
+    write_full(
+        "uniform int uView;\nvoid main() { vec3 c = vec3(.5); if (uView == 3) c = vec3(.1); gl_FragColor = vec4(c, "
+        "1.); }\n");
+    read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uView <0 0 3>\nQuadXY 0 1\n");
+    const FoundResult found = search({change(ChangeKind::no_statement, "if (uView == 3) c = vec3(.1);", "")});
+    EXPECT_TRUE(found.without_effect().empty());
+    EXPECT_EQ(found.rungs[0].pixels_changed, 32u * 32u);
+}
+
+TEST_F(FoundSearch, ACheckBoxThatWorksIsNotWithoutEffect) {
+    write_full("uniform bool uOn;\nvoid main() { gl_FragColor = uOn ? vec4(1., 0., 0., 1.) : vec4(.5); }\n");
+    read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uOn <false>\nQuadXY 0 1\n");
+    const FoundResult found = search({change(ChangeKind::no_uniform, " uOn <false>", "")});
+    EXPECT_TRUE(found.without_effect().empty());
+    EXPECT_EQ(found.rungs[0].pixels_changed, 32u * 32u) << found.rungs[0].reason;
+}
+
+TEST_F(FoundSearch, NothingIsSaidOfASceneThatIsNaNItself) {
+    // The left half, at the upper end of the slider, which the scene's own value is not.
+    write_full(
+        "uniform float uK;\nvoid main() { float s = .5; if (uK > .99 && gl_FragCoord.x < 16.) s = sqrt(-uK);\n"
+        "gl_FragColor = vec4(vec3(s + .25), 1.); }\n");
+    read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uK <0. .5 1.>\nQuadXY 0 1\n");
+    const FoundResult found = search({change(ChangeKind::without_term, " + .25", "")});
+    ASSERT_TRUE(found.broken);
+    EXPECT_GT(found.broken->place, 0u);
+    EXPECT_EQ(found.broken->pixels.count, 512u);
+    EXPECT_EQ(found.rungs[0].outcome, Outcome::refused);
+    EXPECT_TRUE(found.rungs[0].reason.starts_with(
+        "the scene itself is NaN or infinite in 512 pixels, the first at (0, 0) from the top left, with --view "))
+        << found.rungs[0].reason;
+    EXPECT_NE(found.rungs[0].reason.find("--set Full.uK=1"), std::string::npos);
+    EXPECT_EQ(found.cannot_say, found.rungs[0].reason);
+
+    const FoundResult own = search({change(ChangeKind::without_term, " + .25", "")}, false, 1, {"uK=1"});
+    ASSERT_TRUE(own.broken);
+    EXPECT_EQ(own.broken->place, 0u);
+    EXPECT_TRUE(own.cannot_say.ends_with("(0, 0) from the top left")) << own.cannot_say;
+
+    const FoundResult fine = search({change(ChangeKind::without_term, " + .25", "")}, false, 1, {"uK=.5"});
+    EXPECT_FALSE(fine.broken);
+    EXPECT_EQ(fine.rungs[0].outcome, Outcome::tried) << fine.rungs[0].reason;
+}
+
+TEST_F(FoundSearch, NothingIsSoughtInASceneWithErrors) {
+    write_full("void main() { gl_FragColor = vec4(.5 + .25); }\n");
+    read_scene(full_scene);
+    folder.write("scene.glib", "Foo bar\n" + std::string(full_scene));
+    const FoundResult found = search({change(ChangeKind::without_term, " + .25", "")});
+    EXPECT_EQ(found.rungs[0].outcome, Outcome::refused);
+    EXPECT_TRUE(found.cannot_say.starts_with("the scene has errors, such as: ")) << found.cannot_say;
+    EXPECT_TRUE(found.rungs[0].at.empty());
+}
+
+TEST_F(FoundSearch, WithoutTimesEachRungIsHeldOutOrTellsWhyNot) {
+    write_full("void main() { gl_FragColor = vec4(.5 + .25 + .125); }\n");
+    read_scene(full_scene);
+    const std::vector<Change> changes{change(ChangeKind::without_term, " + .25", ""),
+                                      change(ChangeKind::without_term, " + .125", "")};
+    const FoundResult all = search(changes);
+    EXPECT_FALSE(all.with_times);
+    for (const FoundRung& rung : all.rungs) EXPECT_TRUE(rung.held_out && rung.reason.empty()) << rung.reason;
+    SearchOptions options;
+    options.times = false;
+    bool late = false;
+    options.report = [&](const Progress& progress) { late = progress.doing == "places that were held out"; };
+    options.stop = [&] { return late; };
+    Search stopped({folder.path("scene.glib"), read->plan, *read->files, read->sources}, changes, caps,
+                   BenchSettings{32, 32, 0, {}}, options);
+    while (stopped.step()) {
+    }
+    for (const FoundRung& rung : stopped.result().rungs) {
+        EXPECT_EQ(rung.outcome, Outcome::tried);
+        EXPECT_FALSE(rung.held_out);
+        EXPECT_EQ(rung.reason, "the search was stopped");
+    }
 }
 
 TEST_F(FoundSearch, WhatIsCheaperAndHarmlessIsOnTheFrontAndCombinesWithOthers) {
