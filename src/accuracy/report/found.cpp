@@ -88,6 +88,7 @@ constexpr std::string_view invisible = "What changes no pixel";
 
 // Why no cheaper rung is listed.
 std::string_view no_cheaper_words(const FoundResult& found) {
+    if (!found.with_times) return "Times were not wanted, so none is known to be cheaper.";
     bool timed = false, untimed = false, saves = false;
     for (const FoundRung& rung : found.rungs) {
         if (rung.aim != Aim::cheaper || rung.outcome == Outcome::refused) continue;
@@ -231,11 +232,13 @@ std::string standing_of(const FoundResult& found, const FoundRung& rung) {
     if (rung.aim == Aim::better && rung.held_out) return "";
     if (rung.aim == Aim::better)
         return found.interrupted ? "stopped before it was tried at other places" : "not held out: the time was up";
+    if (!found.with_times) return rung.held_out || rung.reason.empty() ? "not timed" : "not held out: " + rung.reason;
     if (rung.quick_ratio >= .97) return "saves no time";
     return rung.held_out ? "not timed" : "another one saves more";
 }
 
 std::string found_words(const FoundResult& found) {
+    if (!found.cannot_say.empty()) return "Nothing can be said: " + found.cannot_say + ".";
     const auto tried = static_cast<std::size_t>(ranges::count_if(
         found.rungs, [](const FoundRung& rung) { return rung.outcome == Outcome::tried && rung.changes.size() == 1; }));
     const std::size_t combined = count_of(found, Outcome::tried) - tried, refused = count_of(found, Outcome::refused),
@@ -253,6 +256,7 @@ std::string found_words(const FoundResult& found) {
     text += fmt::format(
         " Errors are differences from the scene as it is, in pictures of {} × {}, at the place where they are largest.",
         found.search_width, found.search_height);
+    if (found.broken) text += fmt::format(" But {}; these pixels are not compared.", found.broken_words());
     if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)
         text +=
             fmt::format(" Times are of pictures of {} × {}{}.", found.timed_size[0], found.timed_size[1],
@@ -294,6 +298,7 @@ SweepResult as_sweep(const FoundResult& found, Aim aim) {
 std::string found_text(const FoundResult& found) {
     if (found.changes.empty()) return "\nfound rungs: there is nothing in this scene that could be changed\n";
     std::string text = fmt::format("\nfound rungs\n  {}\n", found_words(found));
+    if (!found.cannot_say.empty()) return text;
     if (const Listed none = found.without_effect(); !none.empty()) {
         text += fmt::format("{}\n", invisible);
         for (const FoundRung* rung : none)
