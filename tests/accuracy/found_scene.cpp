@@ -227,7 +227,9 @@ TEST(FoundSceneAll, ChangesAreTheSameASecondTime) {
                 changes = find_changes(plan, files, sources);
             });
         const std::vector<Change> again = find_changes(found.plan, *found.files, found.sources);
-        EXPECT_EQ(list(found, found.changes), list(found, again)) << path;
+        const std::vector<std::string> one = list(found, found.changes), other = list(found, again);
+        EXPECT_EQ(one.size(), other.size()) << path;
+        for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) ASSERT_EQ(one[i], other[i]) << path;
     }
 }
 
