@@ -1,4 +1,4 @@
-// Ladders and costs in a real window: drop-downs, and the panels that say what rungs are off by and cost.
+// Ladders and costs in a real window: drop-downs, and the panels that show the errors and costs of rungs.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -36,7 +36,7 @@ std::string errors_of(const FoundRow& row) {
     if (row.group == Group::unused)
         return row.bytes > 0 ? bytes_text(row.bytes) + " of GPU memory" : "no pixel differs";
     if (!row.error) return {};
-    return fmt::format("{} {}{}", row.group == Group::better ? "the scene is off by" : "error", error_text(*row.error),
+    return fmt::format("{} {}{}", row.group == Group::better ? "the scene's error" : "error", error_text(*row.error),
                        row.flip ? fmt::format(", FLIP {}", error_text(*row.flip)) : "");
 }
 
