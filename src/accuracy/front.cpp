@@ -9,7 +9,7 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr double same_error = 1e-3, better_error = 1e-2, same_cost = 1.03, widest_control = .05;
+constexpr double same_error = 1e-3, better_error = 1e-2, same_cost = 1.03, noisiest_control = .1;
 
 bool measured(const Point& point) {
     return point.error >= 0 && ranges::any_of(point.times, [](double t) { return t > 0; });
@@ -18,8 +18,11 @@ bool measured(const Point& point) {
 // The costs of all pairs.
 class Costs {
 public:
-    explicit Costs(std::span<const Point> points)
-        : count_(points.size()), middle_(count_ * count_, 1), cheaper_(count_ * count_, false) {
+    explicit Costs(std::span<const Point> points, double noise = 0)
+        : count_(points.size()),
+          same_(std::max(same_cost, 1 + noise)),
+          middle_(count_ * count_, 1),
+          cheaper_(count_ * count_, false) {
         std::vector<std::size_t> pairs;
         std::vector<double> chances;
         for (std::size_t i = 0; i < count_; ++i)
@@ -34,17 +37,18 @@ public:
         const std::vector<bool> sure = holm(chances, family_level);
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             const std::size_t i = pairs[k] / count_, j = pairs[k] % count_;
-            cheaper_[i * count_ + j] = sure[k] && middle(i, j) < 1;
-            cheaper_[j * count_ + i] = sure[k] && middle(i, j) > 1;
+            cheaper_[i * count_ + j] = sure[k] && middle(j, i) > 1 + noise;
+            cheaper_[j * count_ + i] = sure[k] && middle(i, j) > 1 + noise;
         }
     }
     // The cost of a relative to that of b.
     double middle(std::size_t a, std::size_t b) const { return middle_[a * count_ + b]; }
     bool surely_cheaper(std::size_t a, std::size_t b) const { return cheaper_[a * count_ + b]; }
-    bool no_more(std::size_t a, std::size_t b) const { return !surely_cheaper(b, a) || middle(a, b) <= same_cost; }
+    bool no_more(std::size_t a, std::size_t b) const { return !surely_cheaper(b, a) || middle(a, b) <= same_; }
 
 private:
     std::size_t count_;
+    double same_;  // costs with no larger quotient are equal
     std::vector<double> middle_;
     std::vector<bool> cheaper_;
 };
@@ -56,8 +60,8 @@ bool is_no_worse(const Point& other, const Point& own) { return other.error <= o
 
 bool equal_cost(const Interval& ratio) { return ratio.contains(1); }
 
-std::vector<Verdict> pareto_front(std::span<const Point> points) {
-    const Costs costs(points);
+std::vector<Verdict> pareto_front(std::span<const Point> points, double noise) {
+    const Costs costs(points, noise);
     std::vector<Verdict> verdicts(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!measured(points[i])) {
@@ -92,7 +96,8 @@ std::size_t rounds_for(std::size_t rungs) {
 Control control(std::span<const double> first, std::span<const double> again, std::uint64_t seed) {
     Control result;
     result.ratio = paired_ratio(again, first, seed);
-    result.noisy = !result.ratio.contains(1) || !(result.ratio.width() <= widest_control);
+    result.noise = std::max(result.ratio.high - 1, 1 - result.ratio.low);
+    result.noisy = !(result.noise <= noisiest_control);
     return result;
 }
 

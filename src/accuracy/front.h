@@ -41,15 +41,17 @@ bool equal_cost(const Interval& ratio);
 // Compares the costs of all pairs by sign tests, corrected for their number (Holm), so that all claims of "surely
 // cheaper" together have the level `family_level`. Errors within a thousandth are equal, and an error that is smaller
 // by less than a hundredth is not better. A cost that is higher by less than 3 %, by the median of the ratios, counts
-// as equal.
-std::vector<Verdict> pareto_front(std::span<const Point> points);
+// as equal. So does one that differs by no more than `noise`, the control's: what the same rung shows against itself
+// is no difference between rungs.
+std::vector<Verdict> pareto_front(std::span<const Point> points, double noise = 0);
 // The fewest rounds in which every comparison of this many rungs can be sure.
 std::size_t rounds_for(std::size_t rungs);
 
 // The control measurement: the same rung timed twice under two names.
 struct Control {
     Interval ratio{1, 1, 1};
-    bool noisy = false;  // the interval does not contain 1, or is wider than 5 %
+    double noise = 0;    // how far the interval reaches from 1
+    bool noisy = false;  // it reaches further than a tenth: no costs are compared
 };
 // Compares the times of a rung with those of its second timing, `again`, in the same rounds.
 Control control(std::span<const double> first, std::span<const double> again, std::uint64_t seed = 1);

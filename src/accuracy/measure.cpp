@@ -316,7 +316,7 @@ void conclude_times(SweepResult& result, std::span<const double> base_again, std
     const auto timed = ranges::count_if(result.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
     result.few_rounds = result.rungs[result.sweep.current].rounds <
                         std::max(fewest_rounds, rounds_for(static_cast<std::size_t>(timed)));
-    const std::vector<Verdict> verdicts = pareto_front(points);
+    const std::vector<Verdict> verdicts = pareto_front(points, result.control.noise);
     const bool row = result.sweep.kind != SweepKind::lattice && result.sweep.kind != SweepKind::found;
     const std::vector<bool> cliff = row ? cliffs(points) : std::vector<bool>(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -222,11 +222,28 @@ TEST(Control, SameRungTwiceIsQuiet) {
 
 TEST(Control, DifferentOrScatteredTimesAreNoisy) {
     Machine machine(4);
-    const auto drifted = machine.measure({7, 7.5}, 31, .01);
+    const auto drifted = machine.measure({7, 7.9}, 31, .01);
     EXPECT_TRUE(control(drifted[0], drifted[1]).noisy);
     const auto scattered = machine.measure({7, 7}, 7, .5);
     EXPECT_TRUE(control(scattered[0], scattered[1]).noisy);
     EXPECT_TRUE(control({}, {}).noisy);
+}
+
+TEST(Control, CostsWithinTheNoiseOfTheRunAreEqual) {
+    Machine machine(5);
+    const auto times = machine.measure({7, 7.35, 6.65, 6.}, 31, .005);
+    const Control drift = control(times[0], times[1]);
+    EXPECT_FALSE(drift.noisy);
+    EXPECT_NEAR(drift.noise, .05, .01);
+    const auto front = [&](double noise) {
+        return pareto_front(points({.2, .2, .2}, {times[0], times[2], times[3]}), noise);
+    };
+    // Without drift, 5 % less is sure after 31 rounds.
+    EXPECT_EQ(front(0)[0].standing, Standing::dominated);
+    EXPECT_EQ(front(drift.noise + .02)[0], (Verdict{Standing::dominated, 2})) << "by 14 %, and not by 5 %";
+    EXPECT_EQ(pareto_front(points({.2, .2}, {times[0], times[2]}), drift.noise + .02)[0].standing, Standing::front);
+    EXPECT_EQ(pareto_front(points({.2, .1}, {times[2], times[0]}), drift.noise + .02)[0],
+              (Verdict{Standing::saves_none, 1}));
 }
 
 TEST(Cliffs, DearerThanBothNeighbours) {

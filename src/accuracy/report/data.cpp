@@ -189,6 +189,7 @@ Json sweep_json(const SweepResult& sweep) {
     json["aa_control"] = {{"ratio", number(sweep.control.ratio.middle)},
                           {"lo95", number(sweep.control.ratio.low)},
                           {"hi95", number(sweep.control.ratio.high)},
+                          {"noise", number(sweep.control.noise)},
                           {"noisy", sweep.control.noisy}};
     json["family_level"] = family_level;
     json["reference"] = {{"rung", sweep.rungs[sweep.sweep.reference].name},

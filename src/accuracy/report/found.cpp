@@ -268,6 +268,7 @@ std::string found_words(const FoundResult& found) {
             " The measurement is too noisy to compare costs: the scene, timed twice, took {} times as long the second "
             "time.",
             ratio_text(found.timed.control.ratio));
+    if (timed && found.timed.trusted()) text += noise_sentence(found.timed.control);
     return text;
 }
 

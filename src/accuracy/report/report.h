@@ -35,6 +35,8 @@ struct Report {
 std::string in_words(const SweepResult& sweep);
 // Formats as "1.02 [.99, 1.05]", with as many digits as the interval justifies.
 std::string ratio_text(const Interval& ratio);
+// Which costs count as equal because of the noise of the run, as a sentence after a space; empty if it is small.
+std::string noise_sentence(const Control& control);
 // The rung's position relative to the front: "front", "dominated by x" or "no saving: x"; empty if the times are not
 // trusted.
 std::string standing_text(const SweepResult& sweep, const RungResult& rung);

@@ -120,6 +120,13 @@ std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
     return fmt::format("{}", fmt::join(notes, ", "));
 }
 
+std::string noise_sentence(const Control& control) {
+    if (control.noisy || control.noise <= .03) return "";
+    return fmt::format(
+        " Costs within {:.0f} % of each other count as equal: the same picture, timed twice, differed so much.",
+        100 * control.noise);
+}
+
 namespace {
 
 std::string cost_sentences(const SweepResult& sweep) {
@@ -130,7 +137,7 @@ std::string cost_sentences(const SweepResult& sweep) {
         return fmt::format(
             "The measurement is too noisy to compare costs: '{}', timed twice, took {} times as long the second time.",
             base_of(sweep).name, ratio_text(sweep.control.ratio));
-    text = price_sentence(sweep);
+    text = price_sentence(sweep) + noise_sentence(sweep.control);
     if (const std::string bargain = bargain_sentence(sweep); !bargain.empty()) text += " " + bargain;
     // For a lattice, the table has this information.
     if (sweep.sweep.kind != SweepKind::lattice) text += standing_sentences(sweep);

@@ -135,21 +135,19 @@ bool RungCosts::time_step(Runtime& runtime, const Frame& frame, bool cpu) {
     return true;
 }
 
-bool RungCosts::noisy(const Job& job) { return accuracy::control(job.times[job.chosen], job.times.back()).noisy; }
-
 void RungCosts::conclude() {
     const Job job = std::move(*job_);
     job_.reset();
-    const bool untold = noisy(job);
+    const accuracy::Control control = accuracy::control(job.times[job.chosen], job.times.back());
     std::vector<accuracy::Point> points;
     for (std::size_t i = 0; i < job.errors.size(); ++i) points.push_back({job.errors[i], job.times[i]});
-    const std::vector<accuracy::Verdict> verdicts = accuracy::pareto_front(points);
+    const std::vector<accuracy::Verdict> verdicts = accuracy::pareto_front(points, control.noise);
     for (std::size_t i = 0; i < points.size(); ++i) {
         Known& known = known_[job.rungs[i]];
-        known = {points[i].error, points[i].times, untold ? Standing::visited : shown(verdicts[i].standing), {}};
+        known = {points[i].error, points[i].times, control.noisy ? Standing::visited : shown(verdicts[i].standing), {}};
         if (verdicts[i].by < job.names.size()) known.by = job.names[verdicts[i].by];
     }
-    if (untold)
+    if (control.noisy)
         remark_ =
             "The machine is too busy to tell which rungs are worth their time: one that was timed twice differed.";
 }

@@ -59,7 +59,6 @@ private:
     };
     bool error_step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples, bool cpu);
     bool time_step(Runtime& runtime, const Frame& frame, bool cpu);
-    static bool noisy(const Job& job);
     void conclude();
 
     std::map<Rungs, Known> known_;
