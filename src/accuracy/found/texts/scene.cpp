@@ -170,6 +170,7 @@ private:
         for (const int part : {2, 4}) {
             std::vector<Edit> all;
             for (const Index texture : pass.textures) {
+                if (texture >= scene_.textures.size()) return;  // there is none on its unit
                 const std::vector<Edit> edits = fewer_texels(scene_.textures[texture], part);
                 if (edits.empty()) return;
                 all.insert(all.end(), edits.begin(), edits.end());
