@@ -16,7 +16,7 @@ Rounds::Rounds(std::vector<Entrant> entrants, RoundOptions options)
 bool Rounds::step() {
     if (warmed_ < entrants_.size()) return warm_next();
     if (!decided_) decide();
-    return round_ < rounds_ && time_round();
+    return round_ < rounds_ && time_next();
 }
 
 bool Rounds::warm_next() {
@@ -47,21 +47,26 @@ void Rounds::decide() {
     decided_ = true;
 }
 
-bool Rounds::time_round() {
+void Rounds::begin_round() {
     const std::size_t again = entrants_.size(), base = options_.base;
-    std::vector<std::size_t> order;
     for (std::size_t i = 0; i < again; ++i)
-        if (frame_[i] && round_ % stride_[i] == 0) order.push_back(i);
-    if (frame_[base] && round_ % stride_[base] == 0) order.push_back(again);
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random_() % i]);
+        if (frame_[i] && round_ % stride_[i] == 0) order_.push_back(i);
+    if (frame_[base] && round_ % stride_[base] == 0) order_.push_back(again);
+    for (std::size_t i = order_.size(); i > 1; --i) std::swap(order_[i - 1], order_[random_() % i]);
     for (auto& times : times_) times.push_back({});
     again_.push_back(0);
-    for (const std::size_t i : order) {
+}
+
+bool Rounds::time_next() {
+    if (order_.empty()) begin_round();
+    if (!order_.empty()) {
         if (options_.stopped()) return false;
         options_.report("timing", static_cast<double>(round_) / static_cast<double>(rounds_));
-        take(i, entrants_[i == again ? base : i].time(options_.at_least));
+        const std::size_t i = order_.back();
+        order_.pop_back();
+        take(i, entrants_[i == entrants_.size() ? options_.base : i].time(options_.at_least));
     }
-    ++round_;
+    if (order_.empty()) ++round_;
     return true;
 }
 

@@ -35,7 +35,7 @@ class Rounds {
 public:
     Rounds(std::vector<Entrant> entrants, RoundOptions options);
 
-    // Warms up one entrant, or times one round. False: all is done, or there is no time.
+    // Warms up one entrant, or times one. False: all is done, or there is no time.
     bool step();
     // By entrant and round; zeros where it did not take part.
     const std::vector<std::vector<Times>>& times() const { return times_; }
@@ -44,7 +44,8 @@ public:
 
 private:
     bool warm_next();
-    bool time_round();
+    void begin_round();
+    bool time_next();
     void decide();
     void take(std::size_t entrant, const Times& times);
 
@@ -53,6 +54,7 @@ private:
     std::vector<std::optional<double>> frame_;  // milliseconds after warming up; nullopt: it does not take part
     std::vector<std::vector<Times>> times_;
     std::vector<double> again_;
+    std::vector<std::size_t> order_;  // of those that this round has yet to time, from the back
     std::size_t warmed_ = 0, round_ = 0, rounds_ = 0;
     std::vector<std::size_t> stride_;
     bool decided_ = false;

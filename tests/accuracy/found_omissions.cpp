@@ -44,6 +44,7 @@ TEST_F(FoundOmissions, TexturesThatNothingElseNeeds) {
     const Found some =
         found("Texture2D 5 64 64\nTexture2D 1 p.png\nCubeMap 6 p.png\nIrradiance 7 6\nRenderToTexture 5\n");
     EXPECT_EQ(left_out(some, ChangeKind::no_texture), (Befores{"Texture2D 1 p.png", "Irradiance 7 6"}));
+    EXPECT_TRUE(left_out(found("Texture2D 1 missing.png\nBox\n"), ChangeKind::no_texture).empty());
 }
 
 TEST_F(FoundOmissions, UniformsOfAProgramLine) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "src/accuracy/found/search.h"
 
 namespace snell::accuracy {
@@ -73,7 +75,15 @@ TEST(FoundReport, ATimeThatIsNotMeasurableIsNoCost) {
     found.costs.rungs[0].ratio = {.97, .98, .99};
     EXPECT_TRUE(says(found, "costs 0.1 ms of 4.1")) << found_text(found);
     found.costs.rungs[0].milliseconds = 4.08;
-    EXPECT_TRUE(says(found, "costs less time than can be measured")) << found_text(found);
+    EXPECT_TRUE(says(found, "costs less time than can be measured\n")) << found_text(found);
+    found.rungs[0].load_ms = 0;  // less than can be measured
+    EXPECT_TRUE(says(found, "costs less time than can be measured\n")) << found_text(found);
+    found.rungs[0].load_ms = 286.2;
+    found.rungs[0].gpu_bytes = 2'000'000;
+    EXPECT_TRUE(says(found, "costs less time than can be measured, 286 ms of loading, 2 MB of GPU memory\n"));
+    found.rungs[0].timed.reset();
+    EXPECT_TRUE(says(found, "changes 0 pixels, costs 286 ms of loading, 2 MB of GPU memory\n")) << found_text(found);
+    EXPECT_EQ(found_json(found)["rungs"][0]["saves"]["load_ms"], 286.2);
 }
 
 }  // namespace

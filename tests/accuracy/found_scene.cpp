@@ -176,6 +176,18 @@ TEST_F(FoundScene, NoiseThatIsRead) {
         << "nothing reads it";
 }
 
+TEST_F(FoundScene, TexelsOfTexturesThatAreDrawnTo) {
+    const auto texels = [&](const std::string& scene) { return found(scene).after(ChangeKind::fewer_texels); };
+    EXPECT_EQ(texels("CubeMap 5 256\nRenderToCube 5\nBox\n"), (Afters{"CubeMap 5 128", "CubeMap 5 64"}));
+    EXPECT_EQ(texels("Texture2D 3 64 20\nRenderToTexture 3\nBox\n"), (Afters{"Texture2D 3 32 10"}))
+        << "a quarter would be less than eight";
+    EXPECT_TRUE(texels("Texture2D 3 64 64\nTexture2D 4 p.png\nBox\n").empty()) << "nothing draws to them";
+    const Found two = found("Texture2D 3 64 64 # one\nTexture2D 4 64 64\nRenderToTexture 3 4\nBox\n");
+    EXPECT_EQ(two.text(ChangeKind::fewer_texels, 0, "scene.glib"),
+              "Texture2D 3 32 32 # one\nTexture2D 4 32 32\nRenderToTexture 3 4\nBox\n")
+        << "textures of one pass have one size";
+}
+
 TEST_F(FoundScene, FiltersByWhatTheLanguageHas) {
     EXPECT_EQ(found("Filter nearest\nTexture2D 0 p.png\n").after(ChangeKind::filtered),
               (Afters{"Filter linear", "Filter mipmap"}));
@@ -199,7 +211,8 @@ TEST_F(FoundScene, AllTexturesAreDecodedTogether) {
 }
 
 TEST_F(FoundScene, WhatIsNotThereIsNotChanged) {
-    EXPECT_TRUE(found("Texture2D 5 missing.png\n").after(ChangeKind::decoded).empty());
+    for (const std::string_view missing : {"Texture2D 5 missing.png\n", "Filter nearest\nTexture2D 5 missing.png\n"})
+        EXPECT_TRUE(found(missing).changes.empty()) << missing;
     EXPECT_TRUE(found("Vertex a.vert\nFragment missing.frag\nProgram P\nSphere 1 40 40\n").changes.empty());
 }
 

@@ -200,7 +200,8 @@ TEST_F(FoundRungs, NumbersAreOfTheRungsThatAreChosen) {
     const Outcome wrong = accuracy("work/two.glib --ladder WAY=none --list-found");
     EXPECT_TRUE(wrong.status == 1 && wrong.says("ladder 'WAY' has no rung 'none'")) << wrong.output;
     const Outcome hint = accuracy("work/two.glib --ladder WAY=long -o out --apply 999");
-    EXPECT_TRUE(hint.says("'snell accuracy work/two.glib --ladder WAY=long --list-found' lists them")) << hint.output;
+    EXPECT_TRUE(hint.says("list them by: snell accuracy work/two.glib --ladder WAY=long --list-found\n"))
+        << hint.output;
 }
 
 TEST_F(FoundRungs, TheFolderHasTheSceneWithTheChangeAndAllItsFiles) {
@@ -230,7 +231,7 @@ TEST_F(FoundRungs, WrongNumbersAndOptionsAreErrors) {
         EXPECT_TRUE(outcome.says(why)) << arguments << "\n" << outcome.output;
     };
     refused("work/ball.glib --apply 999 -o new", 1, "'999' is not the number of a found rung; they go from 1 to ");
-    refused("work/ball.glib --apply 999 -o new", 1, "'snell accuracy work/ball.glib --list-found' lists them");
+    refused("work/ball.glib --apply 999 -o new", 1, "list them by: snell accuracy work/ball.glib --list-found\n");
     refused("work/ball.glib --apply x -o new", 1, "'x' is not the number");
     refused("work/ball.glib --as-ladder 1, -o new", 1, "is not the number");
     refused("work/ball.glib --apply 1", 2, "add -o FOLDER");

@@ -1,4 +1,8 @@
 // Directives, macros, includes, odd characters; and that lines stay where the user wrote them.
+#include "src/glsl/read/preprocess.h"
+
+#include <algorithm>
+
 #include "tests/translator/translate_help.h"
 
 namespace snell::glsl::test {
@@ -107,6 +111,20 @@ TEST(GlslPreprocess, DefinesFromOutsideWin) {
     Translated plain;
     translate_texts(plain, {{Stage::fragment, "void main() { gl_FragColor = vec4(1.); }\n"}}, options);
     EXPECT_FALSE(plain.has(Stage::fragment, "#define"));
+}
+
+TEST(GlslPreprocess, TokensDoNotReferToTheOptions) {
+    Options options;
+    options.defines = {{"ROUNDS", "8"}};
+    Sources sources;
+    Diagnostics said;
+    Unit unit;
+    preprocess(unit, sources.add("a.frag", "void main() { int n = ROUNDS; }\n"), sources, options, said);
+    options.defines.front().value.front() = '9';
+    const auto number = std::find_if(unit.tokens.begin(), unit.tokens.end(),
+                                     [](const Token& token) { return token.kind == Kind::integer; });
+    ASSERT_NE(number, unit.tokens.end());
+    EXPECT_EQ(number->text, "8");
 }
 
 TEST(GlslPreprocess, HostileMacrosEnd) {

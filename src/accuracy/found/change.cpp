@@ -20,6 +20,7 @@ constexpr std::array<KindFacts, static_cast<std::size_t>(ChangeKind::count)> tab
     {ChangeKind::per_frame, Aim::cheaper, "per-frame", "work on uniforms alone is done once for each vertex"},
     {ChangeKind::half_precision, Aim::cheaper, "half-precision", "values are rounded as phones with mediump do"},
     {ChangeKind::smaller_noise, Aim::cheaper, "smaller-noise", "the noise texture has fewer texels"},
+    {ChangeKind::fewer_texels, Aim::cheaper, "fewer-texels", "textures that are drawn to have fewer texels"},
     {ChangeKind::fewer_cells, Aim::cheaper, "fewer-cells", "a grid of quads has fewer cells"},
     {ChangeKind::fewer_slices, Aim::cheaper, "fewer-slices", "a round shape has fewer slices and stacks"},
     {ChangeKind::unit_length, Aim::better, "unit-length", "a direction gets unit length"},

@@ -33,6 +33,7 @@ enum class ChangeKind : std::uint8_t {
     half_precision,
     // cheaper, in the scene
     smaller_noise,
+    fewer_texels,
     fewer_cells,
     fewer_slices,
     // better, in shaders

@@ -52,6 +52,7 @@ struct FoundRung {
     std::optional<std::size_t> timed;  // index into FoundResult::timed (cheaper) or costs (better, unused)
     // Unused only: what the scene would not need without it.
     std::int64_t gpu_bytes = 0, bytes_decoded = 0;
+    std::optional<double> load_ms;  // of loading; 0: less than can be measured; nullopt: not measured
 
     const Difference* searched() const { return at.empty() ? nullptr : &at[worst_searched]; }
     const Difference* unseen() const { return held_out ? &at[worst_held_out] : nullptr; }

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/clock.h"
 #include "src/accuracy/found/apply.h"
 #include "src/document/document.h"
 #include "src/gl/debug.h"
+#include "src/gl/present.h"
 #include "src/plan/used_files.h"
 
 namespace snell::accuracy {
@@ -264,17 +266,18 @@ RungResult Trials::scene_summary() {
     return shown;
 }
 
-void Trials::find_savings(FoundRung& rung, Trial& trial) {
-    const auto gap = [](std::uint64_t more, std::uint64_t less) {
-        return static_cast<std::int64_t>(more) - static_cast<std::int64_t>(less);
-    };
-    rung.gpu_bytes = gap(scene().runtime().counters().gpu_bytes, trial.bench->runtime().counters().gpu_bytes);
-    if (rung.gpu_bytes == 0) return;
-    const auto decoded = [&](std::span<const std::size_t> without) {
-        const Trial alone = open(without, false);  // what is shared is not decoded again
-        return alone.bench ? alone.bench->runtime().counters().bytes_decoded : 0;
-    };
-    rung.bytes_decoded = gap(decoded({}), decoded(rung.changes));
+std::int64_t Trials::saved_memory(Trial& trial) {
+    return static_cast<std::int64_t>(scene().runtime().counters().gpu_bytes) -
+           static_cast<std::int64_t>(trial.bench->runtime().counters().gpu_bytes);
+}
+
+Loading Trials::load(std::span<const std::size_t> changes, ClockKind clock) {
+    const auto now = [&] { return clock == ClockKind::cpu ? cpu_milliseconds() : wall_milliseconds(); };
+    gl::finish();
+    const double begin = now();
+    const Trial alone = open(changes, false);
+    gl::finish();
+    return {now() - begin, alone.bench ? alone.bench->runtime().counters().bytes_decoded : 0};
 }
 
 }  // namespace snell::accuracy

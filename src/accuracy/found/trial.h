@@ -21,6 +21,12 @@ struct Trial {
     Diagnostics problems;
 };
 
+// What opening a scene took.
+struct Loading {
+    double milliseconds = 0;  // of the process where it is judged by that, otherwise by the wall clock
+    std::uint64_t bytes_decoded = 0;
+};
+
 // Tries changes of one scene. Pictures of the scene as it is are kept.
 class Trials {
 public:
@@ -53,8 +59,10 @@ public:
     // What plots and tables show: the error of the worst place, and the picture of the scene's own.
     RungResult summary(const FoundRung& rung, Trial& trial);
     RungResult scene_summary();
-    // What the scene need not load and keep without these changes' texts: FoundRung::gpu_bytes and bytes_decoded.
-    void find_savings(FoundRung& rung, Trial& trial);
+    // How many bytes of GPU memory the scene as it is takes more.
+    std::int64_t saved_memory(Trial& trial);
+    // Opens the scene with these changes, sharing nothing.
+    Loading load(std::span<const std::size_t> changes, ClockKind clock);
 
     // Of the scene with its own rungs.
     Variant variant() const { return {original_.plan.rungs, {}}; }

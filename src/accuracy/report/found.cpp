@@ -43,23 +43,19 @@ std::string shown_ratio(const FoundResult& found, const FoundRung& rung) {
     return rung.quick_ratio > 0 ? fmt::format("about {:.2f}", rung.quick_ratio) : "";
 }
 
-// What something costs that nobody sees: the difference of the times.
+// What something costs that nobody sees: the difference of the times, memory and loading.
 std::string shown_cost(const FoundResult& found, const FoundRung& rung) {
-    std::string text;
-    if (const RungResult* times = found.times(rung)) {
-        const double scene = found.costs.rungs.back().milliseconds;
-        const bool measurable = times->ratio.high < 1 && times->milliseconds < .99 * scene;
-        text = measurable ? fmt::format("costs {:.3g} ms of {:.3g}", scene - times->milliseconds, scene)
-                          : "costs less time than can be measured";
-    }
-    const auto add = [&](std::int64_t bytes, std::string_view what) {
-        if (bytes > 0)
-            text +=
-                fmt::format("{}{:.3g} MB {}", text.empty() ? "costs " : ", ", 1e-6 * static_cast<double>(bytes), what);
-    };
-    add(rung.gpu_bytes, "of GPU memory");
-    add(rung.bytes_decoded, "decoded");
-    return text.empty() ? "its time was not measured" : text;
+    std::string costs;
+    const auto add = [&](const std::string& what) { costs += (costs.empty() ? "costs " : ", ") + what; };
+    const RungResult* times = found.times(rung);
+    const double scene = times ? found.costs.rungs.back().milliseconds : 0;
+    const bool measurable = times && times->ratio.high < 1 && times->milliseconds < .99 * scene;
+    if (measurable) add(fmt::format("{:.3g} ms of {:.3g}", scene - times->milliseconds, scene));
+    if (times && !measurable) add("less time than can be measured");
+    if (rung.load_ms.value_or(0) > 0) add(fmt::format("{:.3g} ms of loading", *rung.load_ms));
+    if (rung.gpu_bytes > 0) add(fmt::format("{:.3g} MB of GPU memory", 1e-6 * static_cast<double>(rung.gpu_bytes)));
+    if (rung.bytes_decoded > 0) add(fmt::format("{:.3g} MB decoded", 1e-6 * static_cast<double>(rung.bytes_decoded)));
+    return costs.empty() ? "its time was not measured" : costs;
 }
 
 // Those that were timed first, the cheapest on top, then the others by their numbers. `all`: also those that were
@@ -164,6 +160,7 @@ FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
         json["ratio_to_scene"] = interval_json(times->ratio);
     }
     if (rung.aim == Aim::unused) json["saves"] = {{"gpu_bytes", rung.gpu_bytes}, {"bytes_decoded", rung.bytes_decoded}};
+    if (rung.load_ms) json["saves"]["load_ms"] = *rung.load_ms;
     return json;
 }
 

@@ -12,16 +12,16 @@ namespace snell::accuracy {
 
 // Where, when and how the measurement was done.
 struct Circumstances {
-    std::string scene;  // as the user gave it
-    std::string tool, date, cpu, os;
+    std::string scene = {};  // as the user gave it
+    std::string tool = {}, date = {}, cpu = {}, os = {};
     int cores = 0;
     double load_before = 0, load_after = 0;  // load average over one minute: processes that run or wait
-    std::string renderer, vendor, gl;
+    std::string renderer = {}, vendor = {}, gl = {};
     int width = 0, height = 0, rounds = 0;
     double time = 0;
     double query_over_wall = 0;  // ratio of the GPU's timer to wall time; 0 if it was not measured
-    std::string from;            // "reference", "scene" or "lattice"
-    std::vector<std::string> sets;
+    std::string from = {};       // "reference", "scene" or "lattice"
+    std::vector<std::string> sets = {};
 };
 
 struct Report {

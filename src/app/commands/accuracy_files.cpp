@@ -110,25 +110,24 @@ double system_load() {
 }
 
 Circumstances circumstances(const AccuracyOptions& options, const gl::Caps& caps, const BenchSettings& settings) {
-    Circumstances where;
-    where.scene = fmt::format("{}", fmt::join(options.scenes, ", "));
-    where.tool = std::string("snell ") + version();
-    where.date = today();
-    where.cpu = cpu_name();
     utsname system{};
-    if (uname(&system) == 0) where.os = fmt::format("{} {}", system.sysname, system.release);
-    where.cores = static_cast<int>(std::thread::hardware_concurrency());
-    where.load_before = system_load();
-    where.renderer = caps.renderer;
-    where.vendor = caps.vendor;
-    where.gl = caps.version;
-    where.width = settings.width;
-    where.height = settings.height;
-    where.rounds = options.rounds;
-    where.time = options.time;
-    where.from = options.from;
-    where.sets = options.sets;
-    return where;
+    const bool known = uname(&system) == 0;
+    return {.scene = fmt::format("{}", fmt::join(options.scenes, ", ")),
+            .tool = std::string("snell ") + version(),
+            .date = today(),
+            .cpu = cpu_name(),
+            .os = known ? fmt::format("{} {}", system.sysname, system.release) : "",
+            .cores = static_cast<int>(std::thread::hardware_concurrency()),
+            .load_before = system_load(),
+            .renderer = caps.renderer,
+            .vendor = caps.vendor,
+            .gl = caps.version,
+            .width = settings.width,
+            .height = settings.height,
+            .rounds = options.rounds,
+            .time = options.time,
+            .from = options.from,
+            .sets = options.sets};
 }
 
 bool note_nothing_drawn(const Report& report) {

@@ -173,7 +173,7 @@ bool explain_presets(const std::string& path, const AccuracyOptions& options, co
     fmt::print(
         stderr,
         "snell: error: '{}' has no ladders, so no presets were written: a preset names a rung of each ladder\n   "
-        "help: '{} --as-ladder N -o FOLDER' writes a scene with found rung N as a ladder\n",
+        "help: write a scene with found rung N as a ladder by: {} --as-ladder N -o FOLDER\n",
         utf8::printable(path), utf8::printable(accuracy_command(path, options.choices)));
     const std::array<Wish, 3> wishes = quality_wishes();
     for (std::size_t i = 0; i < wishes.size(); ++i)

@@ -164,7 +164,7 @@ WithoutEffect without_effect(const FoundResult& result, const Omissions& omissio
         const std::size_t change = rung->changes.front();
         found.rows.push_back({std::to_string(omissions.numbers[change]), result.positions[change],
                               omissions.changes[change].before, saved_by(*rung, result), rung->gpu_bytes,
-                              rung->bytes_decoded});
+                              rung->bytes_decoded, rung->load_ms});
     }
     const auto costs = [&](const WithoutEffect::Row& row) {
         return std::pair(row.frame ? shown(*row.frame, software) : 0, row.gpu_bytes);

@@ -24,6 +24,7 @@ struct WithoutEffect {
         std::string what;                // the text that is left out
         std::optional<FrameCost> frame;  // what it costs in each frame; nullopt: not timed
         std::int64_t gpu_bytes = 0, bytes_decoded = 0;
+        std::optional<double> load_ms = {};  // of loading; 0: less than can be measured; nullopt: not measured
     };
     std::vector<Row> rows;
     std::size_t tried = 0, places = 0, held_out = 0;

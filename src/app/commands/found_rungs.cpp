@@ -120,8 +120,8 @@ std::optional<std::vector<Chosen>> choose(const std::string& names, const Found&
         std::string error;
         auto one = choose_changes(std::string_view(names).substr(at, end - at), found.changes, found.sources, error);
         if (!one) {
-            refuse(error, fmt::format("'{} --list-found' lists them",
-                                      accuracy_command(options.scenes.front(), options.choices)));
+            refuse(error,
+                   "list them by: " + accuracy_command(options.scenes.front(), options.choices) + " --list-found");
             return std::nullopt;
         }
         chosen.push_back(std::move(*one));

@@ -18,7 +18,8 @@ public:
         : unit_(unit), sources_(sources), options_(options), diagnostics_(diagnostics), macros_(unit.arena) {}
 
     void run(FileId file) {
-        for (const Define& d : options_.defines) macros_.define(d.name, {false, {}, macro_tokens(d.value)});
+        // Tokens refer to their texts, and the unit outlives the options.
+        for (const Define& d : options_.defines) macros_.define(d.name, {false, {}, macro_tokens(unit_.keep(d.value))});
         file_name_.push_back(std::string(sources_.name(file)));
         read(file);
         broken_ = broken_ || !conditionals_.empty();

@@ -17,6 +17,7 @@ public:
     Omissions(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes)
         : plan_(plan),
           scene_(plan.scene),
+          files_(files),
           shaders_(shaders(plan, files, sources)),
           all_(statements(files, sources)),
           to_(files, sources, changes, most_omissions) {}
@@ -25,7 +26,8 @@ public:
         for (const Draw& draw : scene_.draws)
             if (draw.program == none || whole(draw.program)) leave_out(draw);
         for (Index i = 0; i < scene_.textures.size(); ++i)
-            if (!needed(i)) leave_out(ChangeKind::no_texture, scene_.textures[i].span);
+            if (!needed(i) && (scene_.textures[i].files.empty() || is_there(scene_, i, files_)))
+                leave_out(ChangeKind::no_texture, scene_.textures[i].span);
         for (Index i = 0; i < scene_.programs.size(); ++i)
             for (const UniformValue& uniform : scene_.programs[i].uniforms)
                 if (uniform.span.begin < uniform.span.end && whole(i))
@@ -178,6 +180,7 @@ private:
 
     const Plan& plan_;
     const Scene& scene_;
+    const Files& files_;
     Shaders shaders_;
     std::vector<Statement> all_;
     Collector to_;

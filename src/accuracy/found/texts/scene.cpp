@@ -6,14 +6,13 @@
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
 #include "src/accuracy/found/texts/texts.h"
-#include "src/plan/identity.h"
 
 namespace snell::accuracy::texts {
 
 namespace {
 
 constexpr std::size_t most_scene_changes = 200;
-constexpr int fewest_slices = 3, most_parts = 2048, smallest_noise = 8;
+constexpr int fewest_slices = 3, most_parts = 2048, smallest_noise = 8, fewest_texels = 8;
 
 // A number of a shape's statement, with the value that a missing one has.
 struct Field {
@@ -81,6 +80,7 @@ public:
             if (draw.program == none || plan_.programs[draw.program].readable) change_shape(draw);
         change_noise("Noise2D", scene_.noise2d, TextureTarget::d2, 2, {"Noise2", "uNoise2"});
         change_noise("Noise3D", scene_.noise3d, TextureTarget::d3, 3, {"Noise3", "uNoise3"});
+        for (const Pass& pass : scene_.passes) change_texels(pass);
         change_filters();
         decode();
     }
@@ -152,6 +152,35 @@ private:
         scale(ChangeKind::more_slices, *at, fields, 2, fewest_slices, round);
     }
 
+    // Smaller numbers of texels for a texture's statement, as its edits; none if there is no size that may shrink.
+    std::vector<Edit> fewer_texels(const Texture& texture, int part) const {
+        std::vector<Edit> edits;
+        const Statement* at = statement(texture.span);
+        if (!at || !texture.files.empty() || texture.computed != Computed::no) return {};
+        for (std::size_t i = 1; i < at->arguments.size(); ++i) {  // the first is the unit
+            const Number size = read_number(to_.text(at->arguments[i]));
+            if (!size.usable() || size.value / part < fewest_texels) return {};
+            edits.push_back({at->arguments[i], text_of::number(std::floor(size.value / part), true)});
+        }
+        return edits;
+    }
+
+    // The textures of one pass keep one size.
+    void change_texels(const Pass& pass) {
+        for (const int part : {2, 4}) {
+            std::vector<Edit> all;
+            for (const Index texture : pass.textures) {
+                if (texture >= scene_.textures.size()) return;  // there is none on its unit
+                const std::vector<Edit> edits = fewer_texels(scene_.textures[texture], part);
+                if (edits.empty()) return;
+                all.insert(all.end(), edits.begin(), edits.end());
+            }
+            if (all.empty()) return;
+            const Span where = scene_.textures[pass.textures.front()].span;
+            to_.add(ChangeKind::fewer_texels, where, std::move(all));
+        }
+    }
+
     void change_noise(std::string_view command, int size, TextureTarget target, int unit,
                       std::initializer_list<std::string_view> names) {
         const auto own = [&](const Texture& t) { return t.unit == unit && t.target == target; };
@@ -188,7 +217,15 @@ private:
     }
 
     void change_filters() {
-        bool said = false;
+        bool said = false, there = false;
+        const Texture* first = nullptr;  // from a file
+        for (Index i = 0; i < scene_.textures.size(); ++i) {
+            const Texture& texture = scene_.textures[i];
+            const bool from_file = !texture.files.empty() && is_there(scene_, i, files_);
+            there = there || from_file || texture.files.empty();
+            if (!first && from_file && texture.target != TextureTarget::d1) first = &texture;
+        }
+        if (!there) return;
         for (const Statement& at : all_) {
             if (at.command != "Filter") continue;
             said = true;
@@ -201,9 +238,7 @@ private:
             if (mode == "nearest" || mode == "linear")
                 to_.add(ChangeKind::filtered, at.span, {{at.arguments[0], "mipmap"}});
         }
-        const auto from_file = [](const Texture& t) { return !t.files.empty() && t.target != TextureTarget::d1; };
-        const auto first = ranges::find_if(scene_.textures, from_file);
-        if (said || first == scene_.textures.end()) return;
+        if (said || !first) return;
         if (const Statement* at = statement(first->span)) insert_line(ChangeKind::filtered, at->span, "Filter mipmap");
     }
 
@@ -235,7 +270,7 @@ private:
             // Arguments behind the files would come before the word.
             if (!at || !holds_colours(texture) || at->arguments.size() != texture.files.size() + 1) continue;
             if (edits.empty()) where = at->span;
-            there = there || !texture_identity(scene_, i, files_).key.empty();
+            there = there || is_there(scene_, i, files_);
             edits.push_back({{at->span.file, at->span.end, at->span.end}, " srgb"});
         }
         if (!there) return;

@@ -13,6 +13,7 @@
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
+#include "src/plan/identity.h"
 #include "src/runtime/resources/program.h"
 
 namespace snell::accuracy::texts {
@@ -146,6 +147,10 @@ const Statement* statement_at(const std::vector<Statement>& all, Span place) {
     return found == all.end() ? nullptr : &*found;
 }
 
+bool is_there(const Scene& scene, Index texture, const Files& files) {
+    return !texture_identity(scene, texture, files).key.empty();
+}
+
 std::string_view line_end(std::string_view text) { return text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n"; }
 
 // ---- shaders ------------------------------------------------------------------------------------------------
@@ -170,13 +175,15 @@ Shaders shaders(const Plan& plan, Files& files, Sources& sources) {
                 std::to_string(static_cast<int>(stage.stage)) + std::string(sources.name(stage.file)) + macros;
             const auto [at, fresh] = known.emplace(key, all.size());
             if (fresh) {
-                glsl::Unit& unit = all.emplace_back().unit;
+                Shader& shader = all.emplace_back();
+                glsl::Unit& unit = shader.unit;
                 unit.stage = stage.stage;
                 unit.reference = stage.reference;
                 Diagnostics unheard;  // compiling reports them
                 glsl::preprocess(unit, stage.file, sources, options, unheard);
+                unit.tree = &shader.tree;
                 glsl::Parser(unit, options.target, unheard).run();
-                all.back().bodies = bodies(unit);
+                shader.bodies = bodies(unit);
             }
             all[at->second].programs.push_back(planned.program);
         }

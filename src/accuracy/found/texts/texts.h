@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "src/accuracy/found/change.h"
-#include "src/glsl/read/token.h"
+#include "src/glsl/read/tree.h"
 
 namespace snell::accuracy::texts {
 
@@ -59,6 +59,8 @@ struct Statement {
 std::vector<Statement> statements(const Files& files, const Sources& sources);
 // The statement that begins at the place; null if there is none.
 const Statement* statement_at(const std::vector<Statement>& all, Span place);
+// Whether all files of the texture are there, or of the one that it is computed from.
+bool is_there(const Scene& scene, Index texture, const Files& files);
 // "\r\n" or "\n", as the text has it.
 std::string_view line_end(std::string_view text);
 
@@ -91,7 +93,7 @@ struct Tree {
         return is(Kind::call, name) && parts.size() == arguments;
     }
 };
-// The expression that begins at the token, up to a comma or to what cannot belong to it.
+// The outermost expression that begins at the token; Kind::other if there is none.
 Tree expression(const glsl::Unit& unit, int first);
 // What is within the brackets around an expression.
 const Tree& bare(const Tree& tree);
@@ -134,10 +136,11 @@ std::vector<Body> bodies(const glsl::Unit& unit);
 // One stage as the translator reads it for the plan's rungs.
 struct Shader {
     glsl::Unit unit;
+    glsl::Tree tree;              // of the unit, which refers to it
     std::vector<Index> programs;  // that use it
     std::vector<Body> bodies;
 };
-// A deque, because texts of a unit refer to the unit.
+// A deque, because a unit refers to its texts and its tree.
 using Shaders = std::deque<Shader>;
 // The stages of all programs, equal ones once. `sources` gets the texts of included shaders.
 Shaders shaders(const Plan& plan, Files& files, Sources& sources);

@@ -1,4 +1,4 @@
-// Expressions and statements of shaders, as far as changes need them.
+// Expressions and statements of shaders, as far as changes need them: expressions are those of the translator's tree.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 
 #include "parser/text/real.h"
 #include "src/accuracy/found/texts/texts.h"
+#include "src/glsl/read/tree.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::accuracy::texts {
@@ -14,148 +15,73 @@ using glsl::Unit;
 
 namespace {
 
-// Of brackets, and of operators in a row: a tree is as deep as both say.
-constexpr int deepest = 60, longest = 100;
+constexpr int deepest = 100;  // a tree, and statements within one another
 
-class Reader {
-public:
-    Reader(const Unit& unit, int at) : u_(unit), p_(at) {}
-
-    Tree assignment() {
-        if (++depth_ > deepest) return --depth_, Tree{};
-        Tree left = choice();
-        if (glsl::assigns(text())) {
-            const std::string_view op = text();
-            ++p_;
-            left = join(Tree::Kind::assign, op, std::move(left), assignment());
-        }
-        --depth_;
-        return left;
+Tree::Kind kind_of(const Unit& unit, const glsl::Node& node) {
+    using glsl::Form;
+    switch (node.form) {
+        case Form::name:
+            return Tree::Kind::name;
+        case Form::number:  // but true and false
+            return unit.at(node.first).kind == glsl::Kind::identifier ? Tree::Kind::name : Tree::Kind::number;
+        case Form::group:
+            return Tree::Kind::group;
+        case Form::select:
+            return Tree::Kind::select;
+        case Form::index:
+            return Tree::Kind::index;
+        case Form::prefix:
+            return Tree::Kind::prefix;
+        case Form::step:
+            return unit.at(node.first).text == node.text ? Tree::Kind::prefix : Tree::Kind::postfix;
+        case Form::infix:
+            return Tree::Kind::infix;
+        case Form::choose:
+            return Tree::Kind::choose;
+        case Form::assign:
+            return Tree::Kind::assign;
+        case Form::construct:
+        case Form::call:
+        case Form::built_in:  // not casts and arrays
+            return unit.at(node.first + 1).text == "(" ? Tree::Kind::call : Tree::Kind::other;
+        default:
+            return Tree::Kind::other;
     }
+}
 
-private:
-    using Kind = Tree::Kind;
-
-    const glsl::Token& token(int ahead = 0) const {
-        const auto i = static_cast<std::size_t>(p_ + ahead);
-        return i < u_.tokens.size() ? u_.tokens[i] : u_.tokens.back();
+// A tree with something in it that was not understood is not understood itself.
+Tree tree_of(const Unit& unit, int node, int depth = 0) {
+    const glsl::Node& n = (*unit.tree)[static_cast<std::size_t>(node)];
+    if (n.first < 0 || n.last < n.first || depth > deepest) return {};
+    Tree tree{kind_of(unit, n), n.first, n.last, n.text, {}};
+    const bool written = tree.kind == Tree::Kind::call || tree.kind == Tree::Kind::number;
+    if (written) tree.text = unit.at(n.first).text;
+    for (const int part : glsl::parts(*unit.tree, node)) {
+        tree.parts.push_back(tree_of(unit, part, depth + 1));
+        if (tree.parts.back().kind == Tree::Kind::other) tree.kind = Tree::Kind::other;
     }
-    std::string_view text() const { return token().text; }
-    // A tree with something in it that was not understood is not understood itself.
-    static Tree join(Kind kind, std::string_view text, Tree a, Tree b) {
-        const bool known = a.kind != Kind::other && b.kind != Kind::other;
-        Tree tree{known ? kind : Kind::other, a.first, b.last, text, {}};
-        tree.parts.push_back(std::move(a));
-        tree.parts.push_back(std::move(b));
-        return tree;
-    }
+    return tree;
+}
 
-    Tree choice() {
-        Tree condition = infix(1);
-        if (text() != "?") return condition;
-        ++p_;
-        Tree yes = assignment();
-        if (text() != ":") return {};
-        ++p_;
-        Tree no = assignment();
-        Tree tree = join(Kind::choose, "?", std::move(condition), std::move(yes));
-        if (no.kind == Kind::other) tree.kind = Kind::other;
-        tree.last = no.last;
-        tree.parts.push_back(std::move(no));
-        return tree;
+// By token: the outermost expression that begins there; -1: there is none.
+std::vector<int> expressions(const Unit& unit) {
+    std::vector<int> at(unit.tokens.size(), -1);
+    for (std::size_t n = 0; n < unit.tree->size(); ++n) {
+        const glsl::Node& node = (*unit.tree)[n];
+        if (node.first >= 0 && node.form < glsl::Form::declarator && node.form != glsl::Form::comma)
+            at[static_cast<std::size_t>(node.first)] = static_cast<int>(n);
     }
+    return at;
+}
 
-    Tree infix(int least) {
-        Tree left = prefix();
-        int links = 0;
-        for (int level = glsl::precedence(text()); level >= least && level > 0; level = glsl::precedence(text())) {
-            const std::string_view op = text();
-            if (++links > longest) return {};
-            ++p_;
-            left = join(Kind::infix, op, std::move(left), infix(level + 1));
-        }
-        return left;
-    }
-
-    Tree prefix() {
-        const std::string_view op = text();
-        if (op != "-" && op != "+" && op != "!" && op != "~" && op != "++" && op != "--") return postfix();
-        if (++depth_ > deepest) return --depth_, Tree{};
-        const int first = p_++;
-        Tree operand = prefix();
-        --depth_;
-        Tree tree{operand.kind == Kind::other ? Kind::other : Kind::prefix, first, operand.last, op, {}};
-        tree.parts.push_back(std::move(operand));
-        return tree;
-    }
-
-    Tree postfix() {
-        Tree tree = primary();
-        for (int links = 0; tree.kind != Kind::other; ++links) {
-            if (links > longest) return {};
-            if (text() == "." && token(1).kind == glsl::Kind::identifier) {
-                tree = wrap(Kind::select, token(1).text, std::move(tree), p_ + 1);
-                p_ += 2;
-                if (text() == "(") return {};
-            } else if (text() == "[") {
-                ++p_;
-                Tree index = assignment();
-                if (text() != "]") return {};
-                tree = join(Kind::index, "[", std::move(tree), std::move(index));
-                tree.last = p_++;
-            } else if (text() == "++" || text() == "--") {
-                tree = wrap(Kind::postfix, text(), std::move(tree), p_);
-                ++p_;
-            } else {
-                break;
-            }
-        }
-        return tree;
-    }
-
-    static Tree wrap(Kind kind, std::string_view text, Tree inner, int last) {
-        Tree tree{kind, inner.first, last, text, {}};
-        tree.parts.push_back(std::move(inner));
-        return tree;
-    }
-
-    Tree primary() {
-        const glsl::Token& t = token();
-        const int first = p_;
-        if (t.kind == glsl::Kind::integer || t.kind == glsl::Kind::real)
-            return ++p_, Tree{Kind::number, first, first, t.text, {}};
-        if (t.text == "(") {
-            ++p_;
-            Tree inner = assignment();
-            if (text() != ")" || inner.kind == Kind::other) return {};
-            Tree tree{Kind::group, first, p_++, "(", {}};
-            tree.parts.push_back(std::move(inner));
-            return tree;
-        }
-        if (t.kind != glsl::Kind::identifier || glsl::is_statement_word(t.text)) return {};
-        ++p_;
-        if (text() != "(") return {Kind::name, first, first, t.text, {}};
-        ++p_;
-        Tree tree{Kind::call, first, first, t.text, {}};
-        while (text() != ")") {
-            tree.parts.push_back(assignment());
-            if (tree.parts.back().kind == Kind::other) return {};
-            if (text() == ",")
-                ++p_;
-            else if (text() != ")")
-                return {};
-        }
-        tree.last = p_++;
-        return tree;
-    }
-
-    const Unit& u_;
-    int p_, depth_ = 0;
-};
+Tree expression(const Unit& unit, const std::vector<int>& all, int first) {
+    const int node = first >= 0 && first < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(first)] : -1;
+    return node < 0 ? Tree{} : tree_of(unit, node);
+}
 
 }  // namespace
 
-Tree expression(const Unit& unit, int first) { return Reader(unit, first).assignment(); }
+Tree expression(const Unit& unit, int first) { return expression(unit, expressions(unit), first); }
 
 const Tree& bare(const Tree& tree) {
     const Tree* inner = &tree;
@@ -194,7 +120,9 @@ namespace {
 // Reads the pieces of one body, token by token; what it does not understand it leaves out.
 class BodyReader {
 public:
-    BodyReader(const Unit& unit, const glsl::Function& function) : u_(unit), end_(function.close) {
+    // `expressions`: by token.
+    BodyReader(const Unit& unit, const std::vector<int>& expressions, const glsl::Function& function)
+        : u_(unit), expressions_(expressions), end_(function.close) {
         body_.function = &function;
         for (int k = function.open + 1; k < end_;) k = statement(k);
         for (Piece& piece : body_.pieces)
@@ -268,7 +196,7 @@ private:
         piece.first = first;
         piece.last = last;
         piece.depth = depth_;
-        piece.value = expression(u_, value);
+        piece.value = expression(u_, expressions_, value);
         body_.pieces.push_back(std::move(piece));
         return last + 1;
     }
@@ -325,7 +253,7 @@ private:
             piece.name_token = k++;
             if (text(k) == "[") k = matching(k) + 1, piece.type = "";
             if (text(k) == "=") {
-                piece.value = expression(u_, k + 1);
+                piece.value = expression(u_, expressions_, k + 1);
                 while (k < last && text(k) != ",")
                     k = text(k) == "(" || text(k) == "[" || text(k) == "{" ? matching(k) + 1 : k + 1;
             }
@@ -351,17 +279,17 @@ private:
             if (declares(start) && start + 1 < first) {
                 while (glsl::is_qualifier(text(start))) ++start;
                 loop.counter = text(start + 1);
-                if (text(start + 2) == "=") loop.start = expression(u_, start + 3);
+                if (text(start + 2) == "=") loop.start = expression(u_, expressions_, start + 3);
             } else if (text(start + 1) == "=") {
                 loop.counter = text(start);
-                loop.start = expression(u_, start + 2);
+                loop.start = expression(u_, expressions_, start + 2);
             }
             if (second < loop.close) {
-                loop.condition = expression(u_, first + 1);
-                loop.step = expression(u_, second + 1);
+                loop.condition = expression(u_, expressions_, first + 1);
+                loop.step = expression(u_, expressions_, second + 1);
             }
         } else {
-            loop.condition = expression(u_, loop.open + 1);
+            loop.condition = expression(u_, expressions_, loop.open + 1);
         }
         const int body = loop.close + 1;
         body_.loops.push_back(std::move(loop));
@@ -369,6 +297,7 @@ private:
     }
 
     const Unit& u_;
+    const std::vector<int>& expressions_;
     int end_, depth_ = 0;
     mutable int nesting_ = 0;
     Body body_;
@@ -378,10 +307,11 @@ private:
 
 std::vector<Body> bodies(const Unit& unit) {
     std::vector<Body> all;
+    const std::vector<int> known = expressions(unit);
     for (const glsl::Function& function : unit.functions)
         if (function.open >= 0 && function.close > function.open &&
             function.close < static_cast<int>(unit.tokens.size()))
-            all.push_back(BodyReader(unit, function).take());
+            all.push_back(BodyReader(unit, known, function).take());
     return all;
 }
 

@@ -9,6 +9,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
+#include "src/accuracy/report/found.h"
 
 namespace snell {
 
@@ -60,7 +61,6 @@ void measured(ui::FoundRow& row, const FoundRung& rung, const FoundResult& resul
         row.high = times->ratio.high;
     }
     row.bytes = static_cast<std::uint64_t>(std::max<std::int64_t>(rung.gpu_bytes, 0));
-    if (rung.only_where_tried) row.remark = "It is harmless only at the views and values where it was tried first.";
 }
 
 }  // namespace
@@ -81,6 +81,10 @@ std::vector<ui::FoundRow> found_rows(const FoundResult& result, const Sources& s
             row.remark = rung.reason.empty() ? "the search was stopped" : utf8::printable(rung.reason);
         else
             measured(row, rung, result);
+        // Of places that are held out, the window says what the report says.
+        const bool unseen = !searching && !rung.held_out && result.places.size() > result.searched;
+        if (rung.outcome == Outcome::tried && rung.aim != Aim::unused && (rung.only_where_tried || unseen))
+            row.remark = utf8::printable(standing_of(result, rung));
         rows.push_back(std::move(row));
     }
     ranges::stable_sort(
