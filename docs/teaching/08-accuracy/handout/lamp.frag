@@ -2,6 +2,9 @@
 
 in vec3 vPosition, vNormal;
 
+// The light of the square lamp is the mean over LAMP x LAMP points of it.
+const int LAMP = 24;
+
 const vec3 COLOR = vec3( .85, .80, .70 );
 
 // 0 if the ball is between the point and the lamp's. Its triangles lie a little within the radius of .6.
@@ -19,8 +22,8 @@ void main()
     for( int i = 0; i < LAMP; i++ )
         for( int k = 0; k < LAMP; k++ )
         {
-            // From the lamp's corner on.
-            vec2 at = vec2( float( i ), float( k ) ) / float( LAMP );
+            // The middles of equal cells.
+            vec2 at = ( vec2( float( i ), float( k ) ) + .5 ) / float( LAMP );
             vec3 point = vec3( -1.6 + at.x, 2., -.2 + at.y );
             light += seen( vPosition, point ) * max( dot( N, normalize( point - vPosition ) ), 0. );
         }

@@ -13,7 +13,7 @@ void main()
 {
     vec3 N = normalize( vNormal );
     float light = 0.;
-    float cell = 1. / float( LAMP );
+    float cell = 1. / float( LAMP_VALUE );
     for( float x = .5 * cell; x < 1.; x += cell )
         for( float z = .5 * cell; z < 1.; z += cell )
         {
