@@ -15,15 +15,7 @@ float seen( vec3 from, vec3 to )
 void main()
 {
     vec3 N = normalize( vNormal );
-    float light = 0.;
-    for( int i = 0; i < LAMP_VALUE; i++ )
-        for( int k = 0; k < LAMP_VALUE; k++ )
-        {
-            // The middles of equal cells.
-            vec2 at = ( vec2( float( i ), float( k ) ) + .5 ) / float( LAMP_VALUE );
-            vec3 point = vec3( -1.6 + at.x, 2., -.2 + at.y );
-            light += seen( vPosition, point ) * max( dot( N, normalize( point - vPosition ) ), 0. );
-        }
-    light /= float( LAMP_VALUE * LAMP_VALUE );
+    vec3 point = vec3( -1.1, 2., .3 );      // the middle of the lamp
+    float light = seen( vPosition, point ) * max( dot( N, normalize( point - vPosition ) ), 0. );
     gl_FragColor = vec4( ( .1 + .9 * light ) * COLOR, 1. );
 }
