@@ -22,7 +22,8 @@ void main()
         T = 2. * dot( T, I ) * T - I;
     vec3 color = uTint * texture( uSky, T ).rgb;
 
-    // Schlick's formula: glass mirrors 4 % of the light that meets it head-on, and all of it at the rim.
+    // Schlick's formula: glass mirrors 4 % of the light that meets it head-on, and all of it at the rim. At an index of 1
+    // nothing should be mirrored; the formula still draws a thin rim, Fresnel's own equations do not.
     float c = clamp( -dot( I, N ), 0., 1. );
     float f0 = ( uIndex - 1. ) / ( uIndex + 1. );
     f0 *= f0;
