@@ -53,10 +53,11 @@ Bytes background_of(const Picture& picture) {
 
 }  // namespace
 
-PictureDifference picture_difference(const Picture& picture, const Picture& reference, double threshold) {
+PictureDifference picture_difference(const Picture& picture, const Picture& reference, double threshold,
+                                     bool perceived) {
     PictureDifference result;
     result.error = compare(picture, reference);
-    result.map = flip_map(picture, reference);
+    if (perceived) result.map = flip_map(picture, reference);
     result.flip = mean_of(result.map);
     const auto width = static_cast<std::size_t>(picture.width);
     std::size_t beyond = 0;

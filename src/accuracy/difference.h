@@ -22,8 +22,10 @@ struct PictureDifference {
 // A difference of one step of a byte is not more than this.
 constexpr double one_step = 1.5 / 255;
 
-// Both pictures must have the same size. `threshold` is a difference of displayed values in any channel.
-PictureDifference picture_difference(const Picture& picture, const Picture& reference, double threshold = one_step);
+// Both pictures must have the same size. `threshold` is a difference of displayed values in any channel. Without
+// `perceived`, which takes most of the time, `flip` and `map` stay empty.
+PictureDifference picture_difference(const Picture& picture, const Picture& reference, double threshold = one_step,
+                                     bool perceived = true);
 
 // The share of the pixels that are not background, 0 to 1: those that are not transparent if any is, otherwise those
 // whose bytes differ from the most frequent bytes of the picture's edge.

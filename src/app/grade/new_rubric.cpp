@@ -163,7 +163,7 @@ private:
             const double value = at_low ? control->max : control->min;
             const accuracy::Picture other = picture(control, value);
             const double before = accuracy::mean_light(own), now = accuracy::mean_light(other);
-            const double share = accuracy::picture_difference(other, own).share;
+            const double share = accuracy::picture_difference(other, own, accuracy::one_step, false).share;
             const std::string_view expect = now <= .9 * before   ? "darker"
                                             : now >= 1.1 * before ? "brighter"
                                                                   : "different";

@@ -31,7 +31,7 @@ struct Record {
     std::vector<std::string> notes;
     std::string messages;  // errors and warnings with their excerpts
     std::size_t errors = 0, warnings = 0;
-    double milliseconds = 0;         // of the fastest frame; 0: not measured
+    double milliseconds = 0;         // of a frame; 0: not measured
     std::vector<Judged> items;       // in the order of the rubric's
     std::vector<std::string> drawn;  // by picture of the rubric: its file beside the record; "" if it was not drawn
     std::vector<std::string> maps;   // likewise, of the differences from the reference

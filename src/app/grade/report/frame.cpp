@@ -22,12 +22,12 @@ a { color: var(--link); }
 h1 { font-size: 1.5rem; margin: .5rem 0; } h2 { font-size: 1.125rem; margin: 1.5rem 0 .5rem; }
 p { margin: .5rem 0; max-width: 60rem; } .quiet { color: var(--quiet); }
 .wide { overflow-x: auto; }
-table { border-collapse: collapse; } th, td { border: 1px solid var(--edge); padding: .25rem .5rem; text-align: left; vertical-align: top; overflow-wrap: anywhere; }
-th { background: var(--head); } td.number, th.number { text-align: right; white-space: nowrap; }
+table { border-collapse: collapse; } th, td { border: 1px solid var(--edge); padding: .25rem .5rem; text-align: left; vertical-align: top; overflow-wrap: break-word; max-width: 40rem; }
+th { background: var(--head); } td.number, th.number { text-align: right; } td.number { white-space: nowrap; } .number { min-width: 4rem; max-width: 9rem; }
 th button { all: unset; cursor: pointer; font-weight: bold; } th button:focus-visible { outline: 2px solid currentColor; outline-offset: 2px; }
 th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
 .full { background: var(--full); } .part { background: var(--part); } .none { background: var(--none); }
-img { display: block; max-width: 100%; height: auto; } td img { width: 5rem; }
+img { display: block; max-width: 100%; height: auto; } td img { width: 5rem; max-width: none; } td a { display: inline-block; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: .5rem 0; } figure { margin: 0; } figcaption { font-size: .875rem; color: var(--quiet); }
 .over { position: relative; } .over img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 50%); } input[type=range] { width: 100%; margin: .25rem 0; }
 pre { overflow-x: auto; border: 1px solid var(--edge); background: var(--head); padding: .5rem; font: .8125rem/1.4 ui-monospace, monospace; margin: 0; }
