@@ -73,11 +73,15 @@ bool is_absolute(std::string_view name) { return (!name.empty() && name[0] == '/
 
 std::string_view last_component(std::string_view name) { return name.substr(name.rfind('/') + 1); }
 
-// Looks names up in folders, within bounds: what lies outside of `root` is as if it were not there.
-struct Finder {
-    const std::string& root;  // a real path; empty if the search is unbounded
+bool below_any(std::string_view path, const std::vector<std::string>& roots) {
+    return std::any_of(roots.begin(), roots.end(), [&](const std::string& root) { return below(path, root); });
+}
 
-    bool inside(const std::string& path) const { return root.empty() || below(real_path(path), root); }
+// Looks names up in folders, within bounds: what lies outside of `roots` is as if it were not there.
+struct Finder {
+    const std::vector<std::string>& roots;  // real paths; empty if the search is unbounded
+
+    bool inside(const std::string& path) const { return roots.empty() || below_any(real_path(path), roots); }
 
     bool is_regular(const std::string& path) const {
         struct stat status {};
@@ -167,8 +171,12 @@ struct Finder {
 
 Files::Files(std::string folder, Access access) : folder_(std::move(folder)), access_(std::move(access)) {
     if (!access_.confine) return;
-    root_ = real_path(*access_.confine);
-    if (root_.empty()) root_ = "/\n";  // the folder does not exist, so no file is inside of it
+    const auto add = [&](const std::string& root) {
+        const std::string real = real_path(root);
+        roots_.push_back(real.empty() ? "/\n" : real);  // if the folder does not exist, no file is inside of it
+    };
+    add(*access_.confine);
+    for (const std::string& more : access_.allow) add(more);
 }
 
 namespace {
@@ -199,7 +207,7 @@ Resolved Files::resolve(std::string_view written, const std::vector<std::string_
 Resolved Files::look_for(std::string_view written, const std::vector<std::string_view>& extensions) const {
     const std::string name = tidy(written);
     if (name.empty() || name.find('\0') != std::string::npos) return {};
-    const Finder finder{root_};
+    const Finder finder{roots_};
     const auto at = [&](const std::string& relative) {
         return is_absolute(relative) && !has_drive(relative) ? relative : join(folder_, relative);
     };
@@ -216,7 +224,7 @@ Resolved Files::look_for(std::string_view written, const std::vector<std::string
         if (Resolved here = resolve(file, extensions); !here.path.empty()) return {here.path, true, {}, false};
     }
     struct stat status {};
-    if (!root_.empty() && stat(at(name).c_str(), &status) == 0 && !finder.inside(at(name)))
+    if (!roots_.empty() && stat(at(name).c_str(), &status) == 0 && !finder.inside(at(name)))
         return {{}, false, {}, true};
     return {{}, false, finder.most_similar(folder_, name, extensions), false};
 }
@@ -238,11 +246,11 @@ const std::string* Files::instead_of(const std::string& path) const {
 
 std::optional<std::string> Files::read(const std::string& path, std::string& error) {
     const auto inside = [&](const std::string& real) {
-        if (below(real, root_)) return true;
+        if (below_any(real, roots_)) return true;
         error = "it is outside of the folder '" + *access_.confine + "', and only files inside may be read";
         return false;
     };
-    const bool confined = !root_.empty();
+    const bool confined = !roots_.empty();
     std::optional<std::string> bytes;
     if (const auto* text = instead_of(path))
         bytes = *text;

@@ -36,6 +36,8 @@ struct Access {
     std::optional<std::string> confine;
     // By path: what is read instead of the file, which must exist. For texts that were changed and are not written yet.
     std::shared_ptr<const std::map<std::string, std::string>> instead = nullptr;
+    // Folders whose files are read too, although they are not within `confine`.
+    std::vector<std::string> allow = {};
 };
 
 // Finds and reads files. Thread-safe; it never creates or writes a file.
@@ -75,7 +77,7 @@ private:
 
     std::string folder_;
     Access access_;
-    std::string root_;  // real path of the folder to which reading is confined; empty if it is not
+    std::vector<std::string> roots_;  // real paths of the folders to which reading is confined; empty if it is not
     mutable std::mutex mutex_;
     FileCounters counters_;
     std::map<std::string, std::shared_ptr<const std::string>> texts_;  // by path, for read_once()

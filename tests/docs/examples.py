@@ -3,7 +3,8 @@
 
 An example is a line of a fenced block that begins with `snell `, or such a span of code that names a scene. It runs in
 a folder with a copy of scenes/ and an empty out/, at a small size, and must end with status 0, or N where its comment
-says "status N". A command that opens a window is replaced by `snell check`. Lines with a `$` belong to a job scheduler
+says "status N". Those of docs/teaching/ run in a copy of their lesson, in the order of the page, and those of its README
+in the first lesson. A command that opens a window is replaced by `snell check`. Lines with a `$` belong to a job scheduler
 and are skipped (tests/farm runs them). A fenced block that begins with `##OpenGL GLIB` is a scene: it must have neither
 errors nor warnings.
 """
@@ -17,8 +18,8 @@ import subprocess
 import sys
 import tempfile
 
-SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info", "web", "help",
-               "complete"}
+SUBCOMMANDS = {"render", "sweep", "check", "compare", "grade", "save", "accuracy", "explain", "commands", "info", "web", "help",
+               "complete", "new"}
 # What `snell web` fills in, in the place of the browser's part, which need not be built.
 PAGE = """<title>snell</title><script type="application/json" id="scene">null</script>
 <script type="text/plain" id="archive"></script>"""
@@ -51,6 +52,16 @@ def examples(root, program, folder):
     return found
 
 
+def lessons(root):
+    """Pairs of a page of docs/teaching and all of its commands, as one that runs in its folder."""
+    found = []
+    for page in sorted(root.glob("docs/teaching/**/README.md")):
+        own = [command for block in FENCE.findall(page.read_text()) for command in commands(block)]
+        lesson = min(page.parent.glob("01-*"), default=page.parent).relative_to(root)
+        found.append((str(page.relative_to(root)), " && ".join([f"cd {lesson}", "mkdir -p out", *map(small, own)])))
+    return found
+
+
 def small(command):
     """The same command without a window, and with less to draw and to measure."""
     words = command.partition("#")[0].split()
@@ -75,6 +86,7 @@ def main():
     failed = 0
     with tempfile.TemporaryDirectory(prefix="snell-examples-") as folder:
         shutil.copytree(root / "scenes", folder + "/scenes")
+        shutil.copytree(root / "docs/teaching", folder + "/docs/teaching")
         os.mkdir(folder + "/out")
         web = pathlib.Path(folder, "web")
         web.mkdir()
@@ -87,17 +99,18 @@ def main():
             return subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True)
 
-        found = examples(root, program, folder)
-        unlike = list(dict.fromkeys(small(command) for _, command in found))
+        found = [(page, command, small(command)) for page, command in examples(root, program, folder)]
+        found += [(page, command, command) for page, command in lessons(root)]
+        unlike = list(dict.fromkeys(run_as for _, _, run_as in found))
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             done = dict(zip(unlike, pool.map(run, unlike)))
-        for page, command in found:
-            ended = done[small(command)]
+        for page, command, run_as in found:
+            ended = done[run_as]
             told = re.search(r"#.*\bstatus (\d)", command)
             if ended.returncode != int(told[1] if told else 0):
                 failed += 1
-                print(f"{page}: {command}\n  run as: {small(command)}\n  status {ended.returncode}\n{ended.stdout}")
-    pages = len({page for page, _ in found})
+                print(f"{page}: {command}\n  run as: {run_as}\n  status {ended.returncode}\n{ended.stdout}")
+    pages = len({page for page, _, _ in found})
     print(f"{len(unlike)} examples of {pages} pages, {failed} failed")
     # Without this, a change of the pages' form that hides all examples would pass.
     return failed > 0 or pages < 5

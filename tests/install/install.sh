@@ -29,7 +29,7 @@ done
 ! find "$work/first" -type d -empty | grep . || fail "empty folders are installed"
 
 # The links of the pages lead to files.
-(cd "$work/first/share/doc/snell" && grep -oHE '\]\([^):#]+' README.md docs/*.md | sort -u) |
+(cd "$work/first/share/doc/snell" && grep -oHE '\]\([^):#]+' README.md docs/*.md docs/teaching/*.md docs/teaching/*/*.md | sort -u) |
   while IFS=: read -r page link; do
     target=${link#](}
     [ -e "$work/first/share/doc/snell/$(dirname "$page")/$target" ] || fail "$page: $target is not installed"

@@ -55,6 +55,27 @@ TEST(Confined, ReadsOnlyWhatLiesInside) {
     EXPECT_FALSE(nowhere.read(folder.path("in/a"), error)) << "a folder that is not there holds nothing";
 }
 
+TEST(Confined, AllowedFoldersAreReadToo) {
+    const Scratch folder;
+    folder.write("in/a", "inside");
+    folder.write("shared/a.bmp", "shared");
+    folder.write("shared2/b.bmp", "a folder with a longer name");
+    fs::create_symlink("../shared/a.bmp", folder.path("in/link.bmp"));
+    Access access = inside(folder);
+    access.allow = {folder.path("shared"), folder.path("missing")};
+    Files files(folder.path("in"), access);
+    std::string error;
+    for (const char* name : {"../shared/a.bmp", "link.bmp"}) {
+        const std::string path = files.resolve(name).path;
+        EXPECT_EQ(files.read(path, error), "shared") << name << path << error;
+    }
+    EXPECT_EQ(files.read(folder.path("in/a"), error), "inside");
+    EXPECT_TRUE(files.resolve("../shared2/b.bmp").path.empty());
+    EXPECT_TRUE(files.resolve("../shared2/b.bmp").outside);
+    EXPECT_FALSE(files.read(folder.path("shared2/b.bmp"), error));
+    EXPECT_FALSE(files.read(folder.path("shared/../shared2/b.bmp"), error));
+}
+
 // A link that is turned around between looking and opening.
 TEST(Confined, ARaceIsLost) {
     const Scratch folder;

@@ -57,6 +57,11 @@ TEST_F(Hostile, NothingOutsideOfTheFolderIsRead) {
     EXPECT_TRUE(check("Include ../scene/inside.glib\n").says("swordfish"));
     // A wider folder may be named.
     EXPECT_TRUE(check("Include ../secret.glib\n", "--confine " + folder_.path()).says("swordfish"));
+    // Or one more, and only that one.
+    folder_.write("shared/secret.glib", "swordfish\n");
+    EXPECT_TRUE(check("Include ../shared/secret.glib\n", "--grade --allow " + at("shared")).says("swordfish"));
+    EXPECT_FALSE(check("Include ../secret.glib\n", "--grade --allow " + at("shared")).says("swordfish"));
+    EXPECT_EQ(check("Sphere\n", "--grade --allow " + at("missing")).status, 2);
     // The scene itself may be a link out.
     fs::create_symlink("../secret.glib", at("scene/exam.glib"));
     const test::Outcome exam = test::snell("check --grade " + at("scene/exam.glib"));

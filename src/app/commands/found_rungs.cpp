@@ -173,7 +173,8 @@ Exit write_texts(const AccuracyOptions& options, Found& found) {
 bool fits(const CLI::App& command, const AccuracyOptions& options) {
     const std::string asked = options.list_found ? "--list-found" : options.apply.empty() ? "--as-ladder" : "--apply";
     const std::set<std::string> fitting{
-        "SCENE", "--limit", "--confine", "--timeout", "--ladder", asked, options.list_found ? "--json" : "--output"};
+        "SCENE",     "--limit",  "--confine", "--allow",
+        "--timeout", "--ladder", asked,       options.list_found ? "--json" : "--output"};
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0 || fitting.contains(option->get_single_name()) ||
             fitting.contains("--" + option->get_single_name()))

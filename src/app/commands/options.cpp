@@ -83,6 +83,8 @@ void add_access(CLI::App& command, Access& access) {
             "--confine", [&access](const std::string& folder) { access.confine = folder; },
             "read nothing outside of this folder")
         ->check(CLI::ExistingDirectory);
+    add_repeated(command, "--allow", access.allow, "with --confine or --grade: read this folder, too; may be repeated")
+        ->check(CLI::ExistingDirectory);
 }
 
 void add_grade(CLI::App& command, bool& grade) {

@@ -122,7 +122,10 @@ private:
         fs::current_path(folder, error);
         if (error) return fail("cannot read its folder: " + error.message());
         record_.scene = found.scene;
-        access_ = {strict_limits(), fs::current_path(error).string()};
+        access_.limits = strict_limits();
+        access_.confine = fs::current_path(error).string();
+        if (work_.reference.empty()) access_.confine.reset();  // the lecturer's own
+        access_.allow = rubric_.shared;
         return true;
     }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "parser/text/ranges.h"
+#include "src/app/create/create.h"
 #include "src/app/help/help.h"
 #include "src/app/open/version.h"
 
@@ -23,6 +24,9 @@ Exit status: 0 fine, 1 errors in the input, 2 wrong usage, 3 no graphics,
 4 timeout, 5 the graphics driver reset itself.)";
 
 constexpr auto table = std::to_array<Subcommand>({
+    {"new", "make a folder with a scene to start from", add_new,
+     "  snell new glass                                            # a ball of glass: the name says so\n"
+     "  snell new out/homework-1 --kind displace"},
     {"render", "draw scenes to pictures, without a display", add_render,
      "  snell render scenes/light/glass/glass.glib -o glass.png --set uIndex=1.33 --ladder BEND=single\n"
      "  snell render scenes/light/glass/glass.glib -o glass.exr --size 1920x1080 --time 2.5 --samples 4\n"
@@ -72,16 +76,16 @@ struct ValueName {
     const char* value;
 };
 constexpr auto value_names = std::to_array<ValueName>({
-    {"baked", "UNIFORM"},     {"budget", "SECONDS"},     {"color", "WHEN"},       {"confine", "FOLDER"},
-    {"context", "VERSION"},   {"csv", "FILE"},           {"dump", "STAGE"},       {"error", "RMSE"},
-    {"fps", "RATE"},          {"frames", "COUNT"},       {"from", "RUNGS"},       {"json", "FILE"},
-    {"knobs", "KNOB,…"},      {"ladder", "LADDER=RUNG"}, {"ladders", "LADDER,…"}, {"limit", "LIMIT=VALUE"},
-    {"link", "URL"},          {"markdown", "FILE"},      {"merge", "FILE"},       {"output", "FILE"},
-    {"over", "NAME=VALUES"},  {"quality", "PRESET"},     {"reps", "COUNT"},       {"samples", "COUNT"},
-    {"set", "UNIFORM=VALUE"}, {"shard", "I/N"},          {"sheet", "FILE"},       {"size", "WIDTHxHEIGHT"},
-    {"stats", "FILE"},        {"steps", "COUNT"},        {"svg", "FILE"},         {"tile", "PIXELS"},
-    {"time", "SECONDS"},      {"timeout", "SECONDS"},    {"title", "TEXT"},       {"view", "VIEW"},
-    {"within", "TIME"},
+    {"allow", "FOLDER"},     {"baked", "UNIFORM"},     {"budget", "SECONDS"},    {"color", "WHEN"},
+    {"confine", "FOLDER"},   {"context", "VERSION"},   {"csv", "FILE"},          {"dump", "STAGE"},
+    {"error", "RMSE"},       {"fps", "RATE"},          {"frames", "COUNT"},      {"from", "RUNGS"},
+    {"json", "FILE"},        {"kind", "KIND"},         {"knobs", "KNOB,…"},      {"ladder", "LADDER=RUNG"},
+    {"ladders", "LADDER,…"}, {"limit", "LIMIT=VALUE"}, {"link", "URL"},          {"markdown", "FILE"},
+    {"merge", "FILE"},       {"output", "FILE"},       {"over", "NAME=VALUES"},  {"quality", "PRESET"},
+    {"reps", "COUNT"},       {"samples", "COUNT"},     {"set", "UNIFORM=VALUE"}, {"shard", "I/N"},
+    {"sheet", "FILE"},       {"size", "WIDTHxHEIGHT"}, {"stats", "FILE"},        {"steps", "COUNT"},
+    {"svg", "FILE"},         {"tile", "PIXELS"},       {"time", "SECONDS"},      {"timeout", "SECONDS"},
+    {"title", "TEXT"},       {"view", "VIEW"},         {"within", "TIME"},
 });
 
 // Flags have no type.

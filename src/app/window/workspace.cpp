@@ -26,6 +26,7 @@ std::vector<std::string> page_arguments(const Document& document, const View& vi
     std::vector<std::string> words = value_options(document, view);
     const Access& access = document.files->access();
     if (access.confine) words.insert(words.end(), {"--confine", *access.confine});
+    for (const std::string& folder : access.allow) words.insert(words.end(), {"--allow", folder});
     for (const LimitFacts& limit : limit_table())
         if (access.limits.*limit.value != Limits{}.*limit.value)
             words.insert(words.end(), {"--limit", fmt::format("{}={}", limit.name, access.limits.*limit.value)});

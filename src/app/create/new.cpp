@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
+#include "src/app/create/create.h"
+#include "src/app/create/kinds.h"
+#include "src/app/open/command_text.h"
+#include "src/app/open/exit_status.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewOptions {
+    std::string name, kind;
+};
+
+Exit complain(Exit status, const std::string& what, const std::string& help) {
+    fmt::print(stderr, "snell: error: {}\n   help: {}\n", utf8::printable(what), utf8::printable(help));
+    return status;
+}
+
+// What is wrong with the name itself, and what to do; both empty if nothing is.
+struct Objection {
+    std::string what, help;
+};
+
+Objection objection_to(const fs::path& folder, const std::string& given) {
+    const std::string last = folder.filename().string();
+    if (last.empty() || last == "." || last == "..")
+        return {fmt::format("'{}' is not a name for a new folder", given), "name it, as in 'snell new glass'"};
+    if (ranges::any_of(given, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
+        return {fmt::format("the name '{}' has control characters", given), "use letters, digits, '-' and '_'"};
+    if (folder.extension() == ".glib")
+        return {fmt::format("'{}' is the name of a scene: a folder with the scene in it is made", given),
+                fmt::format("did you mean 'snell new {}'?", folder.stem().string())};
+    return {};
+}
+
+// A name like it that is free.
+fs::path free_name(const fs::path& folder) {
+    std::error_code none;
+    for (int i = 2;; ++i)
+        if (fs::path free = fmt::format("{}-{}", folder.string(), i); !fs::exists(fs::symlink_status(free, none)))
+            return free;
+}
+
+// Writes the files into a folder next to the new one's place, and renames it, so that the new one is there as a whole
+// or not at all. Returns "" or what went wrong.
+std::string write_folder(const fs::path& folder, const std::vector<NewFile>& files) {
+    const fs::path part = folder.parent_path() / fmt::format(".{}.{}.part", folder.filename().string(), getpid());
+    std::error_code wrong, ignored;
+    std::string error;
+    if (fs::create_directory(part, wrong); wrong) return wrong.message();
+    for (const NewFile& file : files) {
+        if (!error.empty()) break;
+        fs::create_directories((part / file.path).parent_path(), wrong);
+        error = wrong ? wrong.message() : content::write_file(part / file.path, file.bytes);
+    }
+    if (error.empty()) {
+        fs::rename(part, folder, wrong);
+        error = wrong ? wrong.message() : "";
+    }
+    if (!error.empty()) fs::remove_all(part, ignored);
+    return error;
+}
+
+Exit make_new(const NewOptions& options) {
+    std::string name = options.name.empty() ? options.kind.empty() ? "blank" : options.kind : options.name;
+    while (name.size() > 1 && name.back() == '/') name.pop_back();
+    const fs::path folder = name;
+    if (const Objection objection = objection_to(folder, name); !objection.what.empty())
+        return complain(exit_usage, objection.what, objection.help);
+
+    const std::string stem = folder.filename().string();
+    Choice choice = kind_for(stem);
+    if (!options.kind.empty()) choice = {&*ranges::find(kinds(), options.kind, &Kind::name), ""};
+
+    std::error_code none;
+    if (fs::exists(fs::symlink_status(folder, none)))
+        return complain(exit_input, fmt::format("'{}' exists already", name),
+                        fmt::format("choose another name, such as '{}'", free_name(folder).string()));
+    const fs::path parent = folder.parent_path();
+    if (!parent.empty() && !fs::is_directory(parent, none))
+        return complain(exit_input, fmt::format("there is no folder '{}'", parent.string()),
+                        "make it first, or leave it out of the name");
+    if (const std::string error = write_folder(folder, files_of(*choice.kind, stem)); !error.empty())
+        return complain(exit_input, fmt::format("cannot make '{}': {}", name, error),
+                        "choose a folder where you may write, and a name that its file system takes");
+
+    fmt::print("{}: {}, kind {}{}\nopen it: snell {}\n", utf8::printable(name), choice.kind->summary, choice.kind->name,
+               choice.word.empty() ? "" : fmt::format(" because of '{}' in the name", utf8::printable(choice.word)),
+               utf8::printable(file_word((folder / (stem + ".glib")).string())));
+    return exit_fine;
+}
+
+std::string notes() {
+    std::string text = "Kinds, each with the words that choose it:\n";
+    for (const Kind& kind : kinds()) text += fmt::format("  {:<9} {} ({})\n", kind.name, kind.summary, kind.words);
+    return text +
+           "Without --kind, the words of NAME choose: 'glass-1' is of kind refract. If none of them does, or several\n"
+           "disagree, the kind is blank.";
+}
+
+}  // namespace
+
+Run add_new(CLI::App& command) {
+    auto options = std::make_shared<NewOptions>();
+    command.add_option("NAME", options->name, "the new folder; the scene in it has the same name. Default: the kind")
+        ->check([](const std::string& text) { return text.empty() ? "the name of the folder is empty" : ""; });
+    std::vector<std::string> names;
+    for (const Kind& kind : kinds()) names.emplace_back(kind.name);
+    command.add_option("--kind", options->kind, "what the scene shows")->check(CLI::IsMember(names));
+    command.footer(notes());
+    return [options] { return make_new(*options); };
+}
+
+}  // namespace snell::app

@@ -1,0 +1,90 @@
+// The lessons of docs/teaching: what they hand out runs, and their rubrics give the points that their pages tell.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/cli/run.h"
+
+namespace snell::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> lessons() {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(SNELL_ROOT "/docs/teaching"))
+        if (entry.is_directory()) found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+// "4.3 of 10 points" of a page, in their order.
+std::vector<double> points_told(const std::string& page) {
+    static const std::regex told("([0-9.]+)\\s+of\\s+10\\s+points");
+    const std::string text = page.substr(std::min(page.find("## Submissions"), page.size()));
+    std::vector<double> points;
+    for (std::sregex_iterator at(text.begin(), text.end(), told), end; at != end; ++at)
+        points.push_back(std::stod((*at)[1]));
+    return points;
+}
+
+TEST(Teaching, ThereAreEightLessonsWithTheSameParts) {
+    EXPECT_EQ(lessons().size(), 8u);
+    const std::string list = bytes_of(SNELL_ROOT "/docs/teaching/README.md");
+    for (const fs::path& lesson : lessons()) {
+        const std::string page = bytes_of(lesson / "README.md");
+        for (const char* part :
+             {"**Question.** ", "\n## In class (", "\n## Exercise\n", "\n## Rubric\n", "\n## Submissions\n"})
+            EXPECT_NE(page.find(part), page.npos) << lesson << part;
+        const std::string question = page.substr(page.find("**Question.** ") + 14);
+        EXPECT_NE(
+            list.find("](" + lesson.filename().string() + "/README.md) | " + question.substr(0, question.find('\n'))),
+            list.npos)
+            << lesson << ": the list has another question";
+        EXPECT_EQ(points_told(page).size(), 2u) << lesson;
+    }
+}
+
+TEST(Teaching, WhatIsHandedOutIsCompleteAndWithoutWarnings) {
+    std::string scenes;
+    for (const fs::path& lesson : lessons())
+        for (const char* part : {"handout", "solution", "submissions/passing"})
+            for (const auto& entry : fs::directory_iterator(lesson / part))
+                if (entry.path().extension() == ".glib") scenes += " " + entry.path().string();
+    const Outcome outcome = snell("check --grade" + scenes);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(std::count(scenes.begin(), scenes.end(), ' '), 24);
+}
+
+// A rubric that rewards what was handed out teaches nothing.
+TEST(Teaching, RubricsGiveThePointsThatThePagesTell) {
+    for (const fs::path& lesson : lessons()) {
+        const Scratch folder;
+        const Outcome outcome = run(
+            "cd " + lesson.string() +
+            " && " SNELL_BIN "/snell grade rubric.toml submissions/passing submissions/failing handout solution -o " +
+            folder.path("report"));
+        ASSERT_EQ(outcome.status, 0) << lesson << '\n' << outcome.output;
+        EXPECT_FALSE(outcome.says("warning")) << lesson << '\n' << outcome.output;
+        const auto results = nlohmann::json::parse(bytes_of(folder.path("report/results.json")));
+        EXPECT_EQ(results["points"], 10) << lesson;
+        std::map<std::string, double> points;
+        for (const auto& one : results["submissions"]) points[one["name"]] = one["points"];
+        ASSERT_EQ(points.size(), 4u) << outcome.output;
+        const std::vector<double> told = points_told(bytes_of(lesson / "README.md"));
+        ASSERT_EQ(told.size(), 2u) << lesson;
+        EXPECT_EQ(told[0], 10) << lesson;
+        EXPECT_LE(told[1], 5) << lesson;
+        EXPECT_NEAR(points["passing"], told[0], .05) << lesson << '\n' << results.dump(1);
+        EXPECT_NEAR(points["failing"], told[1], .05) << lesson << '\n' << results.dump(1);
+        EXPECT_EQ(points["solution"], 10) << lesson << '\n' << results.dump(1);
+        EXPECT_LE(points["handout"], 5) << lesson << '\n' << results.dump(1);
+    }
+}
+
+}  // namespace
+}  // namespace snell::test
