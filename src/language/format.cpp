@@ -188,14 +188,14 @@ public:
         }
     }
 
-    void edit(std::vector<LayoutEdit>& edits) const {
+    void edit(FileId file, std::vector<Edit>& edits) const {
         const std::optional<std::uint32_t> aligned = backslashes();
         for (const LayoutLine& line : lines_) {
             const LayoutRow& row = text_.rows[line.row];
             // A backslash alone in its line has no content that would be indented.
-            if (line.backslash != row.content) change(edits, row.begin, row.content, line.column);
+            if (line.backslash != row.content) change(file, edits, row.begin, row.content, line.column);
             if (aligned && line.backslash != std::string_view::npos && line.is != *aligned)
-                change(edits, line.content_end, line.backslash, *aligned - line.end);
+                change(file, edits, line.content_end, line.backslash, *aligned - line.end);
         }
     }
 
@@ -241,10 +241,11 @@ private:
         return count > 1 ? std::optional(std::max(was, column)) : std::nullopt;
     }
 
-    void change(std::vector<LayoutEdit>& edits, std::size_t begin, std::size_t end, std::uint32_t blanks) const {
+    void change(FileId file, std::vector<Edit>& edits, std::size_t begin, std::size_t end, std::uint32_t blanks) const {
         std::string text(blanks, ' ');
         if (text_.text.substr(begin, end - begin) != text)
-            edits.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), std::move(text)});
+            edits.push_back(
+                {{file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}, std::move(text)});
     }
 
     const LayoutText& text_;
@@ -260,8 +261,8 @@ bool readable_scene(std::string_view text) {
 
 }  // namespace
 
-std::vector<LayoutEdit> layout_edits(std::string_view text, std::uint32_t begin, std::uint32_t end) {
-    std::vector<LayoutEdit> edits;
+std::vector<Edit> layout_edits(std::string_view text, FileId file, std::uint32_t begin, std::uint32_t end) {
+    std::vector<Edit> edits;
     if (!readable_scene(text)) return edits;
     const LayoutText read(text);
     const Blocks blocks(read);
@@ -269,20 +270,11 @@ std::vector<LayoutEdit> layout_edits(std::string_view text, std::uint32_t begin,
         const LayoutPiece& piece = read.pieces[i];
         if (!piece.comment && piece.command == nullptr) continue;
         if (read.rows[piece.last].end < begin || read.rows[piece.first].begin > end) continue;
-        StatementLayout(read, piece, blocks.column(i)).edit(edits);
+        StatementLayout(read, piece, blocks.column(i)).edit(file, edits);
     }
     return edits;
 }
 
-std::string formatted(std::string_view text) {
-    std::string out;
-    std::size_t at = 0;
-    for (const LayoutEdit& edit : layout_edits(text)) {
-        out += text.substr(at, edit.begin - at);
-        out += edit.text;
-        at = edit.end;
-    }
-    return out += text.substr(at);
-}
+std::string formatted(std::string_view text) { return with_edits(text, 0, layout_edits(text)); }
 
 }  // namespace snell::language

@@ -12,18 +12,14 @@
 #include <string_view>
 #include <vector>
 
+#include "src/plan/values/write_back.h"
+
 namespace snell::language {
 
-// Replaces the bytes from `begin` to `end`, which are in one line, by `text`.
-struct LayoutEdit {
-    std::uint32_t begin = 0, end = 0;
-    std::string text;
-    bool operator==(const LayoutEdit&) const = default;
-};
-
-// Returns what changes, in order and without overlap, in the statements and comments that have a byte in begin … end or
-// touch it. Any bytes are accepted; nothing changes in UTF-16, and in texts that are too large to be read as scenes.
-std::vector<LayoutEdit> layout_edits(std::string_view text, std::uint32_t begin = 0, std::uint32_t end = UINT32_MAX);
+// Returns what changes, in order and without overlap, each within a line, in the statements and comments that touch the
+// bytes begin … end. Any bytes are accepted; nothing changes in UTF-16, and in texts that are too large to be scenes.
+std::vector<Edit> layout_edits(std::string_view text, FileId file = 0, std::uint32_t begin = 0,
+                               std::uint32_t end = UINT32_MAX);
 
 // The text after all of these. Formatting it again changes nothing, and it reads to the same scene.
 std::string formatted(std::string_view text);
