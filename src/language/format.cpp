@@ -232,13 +232,16 @@ private:
     std::optional<std::uint32_t> backslashes() const {
         std::size_t count = 0;
         std::uint32_t was = 0, column = 0;
+        bool apart = false;  // otherwise one blank before each, which lines of equal length have, too
         for (const LayoutLine& line : lines_) {
             if (line.backslash == std::string_view::npos) continue;
             if (count++ > 0 && line.was != was) return std::nullopt;
             was = line.was;
-            column = std::max(column, line.end + (line.backslash > line.content_end ? 1 : 0));
+            const std::string_view before = text_.text.substr(line.content_end, line.backslash - line.content_end);
+            apart = apart || before.size() > 1 || before == "\t";
+            column = std::max(column, line.end + (before.empty() ? 0 : 1));
         }
-        return count > 1 ? std::optional(std::max(was, column)) : std::nullopt;
+        return count > 1 && apart ? std::optional(std::max(was, column)) : std::nullopt;
     }
 
     void change(FileId file, std::vector<Edit>& edits, std::size_t begin, std::size_t end, std::uint32_t blanks) const {

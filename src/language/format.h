@@ -3,8 +3,9 @@
 //
 // Statements between RenderToTexture or RenderToCube and the end of the pass, PushMatrix and PopMatrix, glBegin and
 // glEnd are indented by four blanks each, if the block ends in the same text. A line that continues a statement begins
-// below its first argument, or below what follows an open bracket. Comments are indented like what surrounds them.
-// Lines of blanks, and statements that are not commands, stay as they are.
+// below its first argument, or below what follows an open bracket; backslashes that stand below each other stay so.
+// Comments are indented like what surrounds them. Lines of blanks, and statements that are not commands, stay as they
+// are.
 #pragma once
 
 #include <cstdint>

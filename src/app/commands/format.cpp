@@ -55,11 +55,12 @@ std::string unfit(const std::string& path, std::string_view text) {
 
 // Returns the exit status for this file.
 Exit format_one(const std::string& path, bool check) {
+    const bool piped = path == standard_input;
     const auto complain = [&](const std::string& what) {
-        fmt::print(stderr, "snell: error: {}: {}\n", utf8::printable(path), utf8::printable(what));
+        fmt::print(stderr, "snell: error: {}: {}\n", piped ? "standard input" : utf8::printable(path),
+                   utf8::printable(what));
         return exit_input;
     };
-    const bool piped = path == standard_input;
     std::string error;
     const auto text =
         piped ? read_standard_input(error) : content::read_regular_file(path, Limits{}.text_bytes, {}, error);
