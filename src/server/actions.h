@@ -1,7 +1,7 @@
 // Quick fixes: what diagnostics carry as `data`, as edits.
 #pragma once
 
-#include "src/server/json.h"
+#include "src/server/wire/json.h"
 
 namespace snell::server {
 

@@ -1,7 +1,7 @@
 // What the server says of itself when a connection begins.
 #pragma once
 
-#include "src/server/json.h"
+#include "src/server/wire/json.h"
 
 namespace snell::server {
 

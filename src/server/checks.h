@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "src/server/background.h"
 #include "src/server/state.h"
+#include "src/server/wire/background.h"
 
 namespace snell::server {
 

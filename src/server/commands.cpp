@@ -1,6 +1,6 @@
 #include "src/server/commands.h"
 
-#include "src/server/uri.h"
+#include "src/server/wire/uri.h"
 
 namespace snell::server {
 

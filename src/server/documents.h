@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "src/plan/files.h"
-#include "src/server/lines.h"
+#include "src/server/wire/lines.h"
 
 namespace snell::server {
 

@@ -1,8 +1,8 @@
 // Commands that take their time, one after the other in the background.
 #pragma once
 
-#include "src/server/background.h"
 #include "src/server/state.h"
+#include "src/server/wire/background.h"
 
 namespace snell::server {
 

@@ -1,7 +1,7 @@
 #include "src/server/notices.h"
 
 #include "src/server/capabilities.h"
-#include "src/server/uri.h"
+#include "src/server/wire/uri.h"
 
 namespace snell::server {
 

@@ -5,7 +5,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/lint/lint.h"
-#include "src/server/uri.h"
+#include "src/server/wire/uri.h"
 
 namespace snell::server {
 

@@ -5,8 +5,8 @@
 
 #include "parser/text/diagnostic.h"
 #include "src/server/documents.h"
-#include "src/server/json.h"
 #include "src/server/services.h"
+#include "src/server/wire/json.h"
 
 namespace snell::server {
 

@@ -10,8 +10,8 @@
 
 #include "src/server/checks.h"
 #include "src/server/errands.h"
-#include "src/server/pipes.h"
 #include "src/server/session.h"
+#include "src/server/wire/pipes.h"
 
 namespace snell::server {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "src/server/state.h"
-#include "src/server/wire.h"
+#include "src/server/wire/inbox.h"
 
 namespace snell::server {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "src/server/documents.h"
-#include "src/server/json.h"
 #include "src/server/services.h"
+#include "src/server/wire/json.h"
 #include "src/server/workspace.h"
 
 namespace snell::server {

@@ -10,7 +10,7 @@
 
 #include "src/language/project.h"
 #include "src/server/documents.h"
-#include "src/server/json.h"
+#include "src/server/wire/json.h"
 
 namespace snell::server {
 

@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// snell with these arguments. Its output goes to `out`, its messages to `err`; -1: nowhere. Returns 0 or the error.
+// Starts snell with these arguments, its output in `out` and its messages in `err`. Returns 0 or the error.
 int spawn(pid_t& process, std::vector<std::string> arguments, int out, int err, short flags) {
     std::string program = "/proc/self/exe";
     std::vector<char*> words{program.data()};
@@ -36,11 +36,8 @@ int spawn(pid_t& process, std::vector<std::string> arguments, int out, int err, 
     posix_spawnattr_init(&how);
     posix_spawnattr_setflags(&how, flags);
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    for (const auto& [from, to] : {std::pair(out, STDOUT_FILENO), std::pair(err, STDERR_FILENO)})
-        if (from >= 0)
-            posix_spawn_file_actions_adddup2(&files, from, to);
-        else
-            posix_spawn_file_actions_addopen(&files, to, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
     const int error = posix_spawn(&process, program.c_str(), &files, &how, words.data(), environ);
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&files);
@@ -62,12 +59,12 @@ struct Said {
     std::string output;
 };
 
-// With `messages`, what is said of errors; otherwise the output.
+// With `messages`, also what is said of errors.
 Said said_by(const std::vector<std::string>& arguments, bool messages) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return {};
     pid_t process = 0;
-    const int error = spawn(process, arguments, messages ? -1 : ends[1], messages ? ends[1] : -1, 0);
+    const int error = spawn(process, arguments, ends[1], messages ? ends[1] : STDERR_FILENO, 0);
     close(ends[1]);
     Said said;
     if (error == 0) {
@@ -139,7 +136,7 @@ server::Outcome cost(const std::string& scene, int line) {
 
 std::string open_window(const std::string& scene) {
     pid_t process = 0;
-    const int error = spawn(process, {"--", scene}, -1, -1, POSIX_SPAWN_SETSID);
+    const int error = spawn(process, {"--", scene}, STDERR_FILENO, STDERR_FILENO, POSIX_SPAWN_SETSID);
     return error == 0 ? "" : fmt::format("snell cannot be started: {}", std::strerror(error));
 }
 

@@ -15,7 +15,7 @@
 #include "src/app/open/version.h"
 #include "src/lint/lint.h"
 #include "src/server/server.h"
-#include "src/server/uri.h"
+#include "src/server/wire/uri.h"
 
 namespace snell::app {
 

@@ -1,4 +1,4 @@
-#include "src/server/uri.h"
+#include "src/server/wire/uri.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "src/server/background.h"
+#include "src/server/wire/background.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <csignal>
 
-#include "src/server/pipes.h"
+#include "src/server/wire/pipes.h"
 
 namespace snell::server {
 

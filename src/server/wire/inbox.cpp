@@ -1,4 +1,4 @@
-#include "src/server/wire.h"
+#include "src/server/wire/inbox.h"
 
 #include <algorithm>
 #include <charconv>

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "parser/text/source.h"
-#include "src/server/lines.h"
+#include "src/server/wire/lines.h"
 
 namespace snell::server {
 

@@ -1,4 +1,4 @@
-#include "src/server/lines.h"
+#include "src/server/wire/lines.h"
 
 #include <algorithm>
 

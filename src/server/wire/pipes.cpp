@@ -1,4 +1,4 @@
-#include "src/server/pipes.h"
+#include "src/server/wire/pipes.h"
 
 #include <unistd.h>
 

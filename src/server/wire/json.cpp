@@ -1,4 +1,4 @@
-#include "src/server/json.h"
+#include "src/server/wire/json.h"
 
 #include <algorithm>
 #include <limits>
