@@ -27,6 +27,7 @@ Run add_format(CLI::App& command);
 Run add_web(CLI::App& command);
 Run add_commands(CLI::App& command);
 Run add_info(CLI::App& command);
+Run add_lsp(CLI::App& command);
 
 // A command of the language as `snell commands NAME` prints it.
 std::string described(const Command& row);
