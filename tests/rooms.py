@@ -24,6 +24,7 @@ APP = {
     "commands/explain": "open commands",
     "create": "open commands",
     "help": "open commands create",
+    "lsp": "open desktop commands",
     "window/measure": "open",
     "window/survive": "open",
     "window": "open picture desktop batch window/measure window/survive",

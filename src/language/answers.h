@@ -1,0 +1,137 @@
+// What editors are told of a text: plain values, with places as bytes of a source. No protocol.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "parser/text/source.h"
+#include "src/plan/values/write_back.h"
+
+namespace snell::language {
+
+struct Completion {
+    enum class Kind : std::uint8_t {
+        command,  // of the language of scenes, with its arguments
+        choice,   // a word of an enumeration, a truth value, a rung
+        number,   // a value, such as a texture unit
+        file,
+        folder,
+        uniform,
+        program,
+        function,
+        variable,
+        constant,  // also macros
+        type,
+        keyword,
+        member,
+    };
+    std::string label;
+    Kind kind = Kind::variable;
+    std::string detail;         // one line, such as a signature or a type
+    std::string documentation;  // Markdown
+    Span replaced;              // what `text` replaces: the word that is being written
+    std::string text;
+    bool snippet = false;         // `text` has the placeholders of LSP: $1, ${1:radius}, $0; \ $ } are escaped
+    int rank = 1;                 // smaller ones first; of equal ones by label
+    bool more = false;            // completion goes on behind it: a folder
+    std::vector<Edit> also = {};  // elsewhere in the text, such as the declaration of the uniform
+};
+
+struct Hover {
+    Span span;                  // of what it explains
+    std::string documentation;  // Markdown
+    std::string picture = {};   // a file in docs/, such as "images/Sphere.png"; empty: none. It may not be installed
+};
+
+struct Signature {
+    std::string label;
+    std::string documentation;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> parameters;  // bytes of the label
+};
+struct SignatureHelp {
+    std::vector<Signature> signatures;
+    std::size_t signature = 0, parameter = 0;  // the current ones; `parameter` may be past the last
+};
+
+struct Symbol {
+    enum class Kind : std::uint8_t {
+        pass,
+        program,
+        uniform,
+        ladder,
+        rung,
+        draw,
+        texture,
+        include,
+        function,
+        variable,
+        constant,
+        structure,
+        member,
+        macro,
+    };
+    Kind kind = Kind::variable;
+    std::string name, detail;
+    Span span, name_span;  // the second is within the first
+    std::vector<Symbol> children = {};
+};
+
+struct Color {
+    Span span;                   // of the numbers, which `color_edits` takes
+    std::array<double, 4> rgba;  // within 0 and 1
+};
+
+struct Fold {
+    enum class Kind : std::uint8_t { region, comment };
+    Kind kind = Kind::region;
+    Span span;  // from the first line, which stays, to the last one
+};
+
+struct SemanticToken {
+    enum class Type : std::uint8_t {
+        comment,
+        keyword,  // commands, words of GLSL
+        number,
+        string,
+        operator_,
+        type,
+        function,
+        variable,
+        parameter,
+        property,     // uniforms of a scene; members
+        enum_member,  // choices, rungs
+        macro,        // directives, macros, ladders
+        name,         // programs
+    };
+    enum Modifier : std::uint8_t { declaration = 1, readonly = 2, built_in = 4 };
+    Span span;  // within one line
+    Type type = Type::variable;
+    std::uint8_t modifiers = 0;
+};
+
+struct CodeLens {
+    enum class Kind : std::uint8_t {
+        open,    // the scene, in snell's window
+        render,  // the scene, as a picture
+        cost     // of the statement at `span`: snell explain
+    };
+    Kind kind = Kind::open;
+    Span span;         // the statement
+    std::string name;  // of the program, or of the draw's command
+};
+
+// Where a name can be renamed, or why not.
+struct Renaming {
+    Span span;            // of the name under the cursor; empty: there is none
+    std::string name;     // what it is now
+    std::string refused;  // why it can't be renamed; empty: it can
+};
+struct Rename {
+    std::vector<Edit> edits;  // sorted by file and place, each place once
+    std::string refused;      // why there are none
+};
+
+}  // namespace snell::language

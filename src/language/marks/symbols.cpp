@@ -1,0 +1,182 @@
+// The outline of a scene or a shader.
+#include <algorithm>
+
+#include "parser/text/ranges.h"
+#include "parser/text/words.h"
+#include "src/language/marks/statement_kinds.h"
+#include "src/language/names/texts.h"
+#include "src/language/services.h"
+
+namespace snell::language {
+
+namespace {
+
+using Kind = ShaderDeclaration::Kind;
+
+class SceneSymbols {
+public:
+    explicit SceneSymbols(const Statements& statements) : s_(statements) {}
+
+    std::vector<Symbol> run() {
+        for (const SceneStatement& statement : s_.items) {
+            add(statement);
+            end_ = s_.span(statement).end;
+        }
+        close_pass();
+        return std::move(all_);
+    }
+
+private:
+    std::string_view argument(const SceneStatement& statement, std::size_t i) const {
+        return i < statement.count ? s_.word(s_.tokens[statement.first + i]) : std::string_view();
+    }
+    // What follows the command, in one line.
+    std::string arguments(const SceneStatement& statement) const {
+        std::string text;
+        for (std::uint32_t i = 1; i < statement.count && text.size() < 60; ++i) {
+            const Token& token = s_.tokens[statement.first + i];
+            if (i > 1 && !token.glued) text += ' ';
+            text += s_.word(token);
+        }
+        return text;
+    }
+
+    Symbol symbol(const SceneStatement& statement, Symbol::Kind kind, std::string name, std::string detail) const {
+        return {kind, std::move(name), std::move(detail), s_.span(statement), s_.span(s_.tokens[statement.first])};
+    }
+
+    void add(const SceneStatement& statement) {
+        if (statement.command == nullptr) return;
+        const std::string_view name = statement.command->name;
+        if (begins_pass(*statement.command)) return pass(statement);
+        if (name == "Program") return program(statement);
+        if (name == "Ladder") return put(ladder(statement));
+        if (name == "glEnd") return end_list(statement);
+        if (binds_texture(*statement.command))
+            return put(symbol(statement, Symbol::Kind::texture, std::string(name), arguments(statement)));
+        if (name == "Include")
+            return put(symbol(statement, Symbol::Kind::include, arguments(statement), std::string(name)));
+        if (draws(*statement.command))
+            return put(symbol(statement, Symbol::Kind::draw, std::string(name), arguments(statement)));
+    }
+
+    std::vector<Symbol>& level() {
+        if (program_) return program_->children;
+        return pass_ ? pass_->children : all_;
+    }
+    void put(Symbol symbol) { level().push_back(std::move(symbol)); }
+
+    void pass(const SceneStatement& statement) {
+        close_pass();
+        const bool window = statement.count == 1;
+        pass_ = symbol(statement, Symbol::Kind::pass, window ? "Window" : std::string(statement.command->name),
+                       arguments(statement));
+    }
+
+    void program(const SceneStatement& statement) {
+        close_program();
+        std::string name(argument(statement, 1));
+        if (statement.count > 1 && s_.tokens[statement.first + 1].kind == TokenKind::text)
+            name = without_quotes(name, !s_.tokens[statement.first + 1].unclosed);
+        Symbol made = symbol(statement, Symbol::Kind::program, name.empty() ? "built-in" : name, "Program");
+        if (statement.count > 1) made.name_span = s_.span(s_.tokens[statement.first + 1]);
+        for (const WrittenUniform& one : written_uniforms(s_, statement)) {
+            const std::uint32_t end = std::max(one.value_end, one.name_span.end);
+            const bool valued = one.value_end > one.value_begin;
+            const std::string_view value =
+                valued ? s_.text.substr(one.value_begin, one.value_end - one.value_begin) : std::string_view();
+            made.children.push_back({Symbol::Kind::uniform, std::string(one.name), std::string(value.substr(0, 60)),
+                                     Span{s_.file, one.name_span.begin, end}, one.name_span});
+        }
+        program_ = std::move(made);
+    }
+
+    Symbol ladder(const SceneStatement& statement) const {
+        Symbol made = symbol(statement, Symbol::Kind::ladder, std::string(argument(statement, 1)), "Ladder");
+        for (std::uint32_t i = 1; i < statement.count; ++i) {
+            const Token& token = s_.tokens[statement.first + i];
+            if (token.kind != TokenKind::word) continue;
+            if (i == 1) {
+                made.name_span = s_.span(token);
+                continue;
+            }
+            made.children.push_back(
+                {Symbol::Kind::rung, std::string(s_.word(token)), {}, s_.span(token), s_.span(token)});
+        }
+        if (made.name.empty()) made.name = "Ladder";
+        return made;
+    }
+
+    void end_list(const SceneStatement& statement) {
+        std::vector<Symbol>& here = level();
+        if (!here.empty() && here.back().name == "glBegin") here.back().span.end = s_.span(statement).end;
+    }
+
+    void close_program() {
+        if (!program_) return;
+        program_->span.end = std::max(program_->span.end, end_);
+        Symbol done = *std::exchange(program_, std::nullopt);
+        put(std::move(done));
+    }
+    void close_pass() {
+        close_program();
+        if (!pass_) return;
+        pass_->span.end = std::max(pass_->span.end, end_);
+        all_.push_back(*std::exchange(pass_, std::nullopt));
+    }
+
+    const Statements& s_;
+    std::vector<Symbol> all_;
+    std::optional<Symbol> pass_, program_;
+    std::uint32_t end_ = 0;  // of the statement before
+};
+
+Symbol::Kind symbol_kind(Kind kind) {
+    switch (kind) {
+        case Kind::uniform:
+            return Symbol::Kind::uniform;
+        case Kind::constant:
+            return Symbol::Kind::constant;
+        case Kind::function:
+            return Symbol::Kind::function;
+        case Kind::structure:
+        case Kind::block:
+            return Symbol::Kind::structure;
+        case Kind::member:
+            return Symbol::Kind::member;
+        case Kind::macro:
+            return Symbol::Kind::macro;
+        default:
+            return Symbol::Kind::variable;
+    }
+}
+
+std::vector<Symbol> shader_symbols(const Outline& outline) {
+    std::vector<const ShaderDeclaration*> order;
+    for (const ShaderDeclaration& d : outline.declarations)
+        if (!d.local) order.push_back(&d);
+    ranges::stable_sort(order, [](const auto* a, const auto* b) { return a->token < b->token; });
+    std::vector<Symbol> all;
+    for (const ShaderDeclaration* d : order) {
+        std::string detail(d->type);
+        if (d->kind == Kind::function)
+            detail += "(" +
+                      std::string(outline.text.substr(d->parameters_begin, d->parameters_end - d->parameters_begin)) +
+                      ")";
+        Symbol made{symbol_kind(d->kind), std::string(d->name), std::move(detail), Span{outline.file, d->begin, d->end},
+                    outline.span(outline.tokens[d->token])};
+        const bool inside = !all.empty() && made.span.begin >= all.back().span.begin &&
+                            made.span.end <= all.back().span.end && all.back().kind == Symbol::Kind::structure;
+        (inside ? all.back().children : all).push_back(std::move(made));
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<Symbol> symbols(const Project& project, FileId file) {
+    Texts texts(project);
+    return texts.is_scene(file) ? SceneSymbols(texts.statements(file)).run() : shader_symbols(texts.outline(file));
+}
+
+}  // namespace snell::language

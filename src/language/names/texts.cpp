@@ -1,0 +1,45 @@
+#include "src/language/names/texts.h"
+
+#include "parser/text/ranges.h"
+
+namespace snell::language {
+
+const Outline& Texts::outline(FileId file) {
+    const auto found = outlines_.find(file);
+    if (found != outlines_.end()) return found->second;
+    return outlines_.emplace(file, read_outline(file, project.sources.text(file))).first->second;
+}
+
+const Statements& Texts::statements(FileId file) {
+    const auto found = statements_.find(file);
+    if (found != statements_.end()) return found->second;
+    return statements_.emplace(file, read_statements(file, project.sources.text(file))).first->second;
+}
+
+FileId Texts::first(FileId file) {
+    if (first_.empty())
+        for (FileId id = 0; id < project.sources.size(); ++id) first_.emplace(project.sources.name(id), id);
+    const auto found = first_.find(project.sources.name(file));
+    return found == first_.end() ? file : found->second;
+}
+
+std::vector<FileId> Texts::scenes() {
+    std::vector<FileId> found;
+    for (FileId id = 0; id < project.sources.size(); ++id)
+        if (first(id) == id && is_scene(id) && !project.path_of(id).empty()) found.push_back(id);
+    return found;
+}
+
+std::vector<ShaderUse> Texts::uses(FileId file) const {
+    const Shader* shader = project.shader_of(file);
+    return shader == nullptr ? std::vector<ShaderUse>() : shader->uses;
+}
+
+std::vector<FileId> Texts::files(const ShaderUse& use) const {
+    std::vector<FileId> found;
+    for (const Shader& shader : project.shaders)
+        if (ranges::find(shader.uses, use) != shader.uses.end()) found.push_back(shader.file);
+    return found;
+}
+
+}  // namespace snell::language

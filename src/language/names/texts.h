@@ -1,0 +1,38 @@
+// The texts of a project, each read once, and who uses them.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "src/language/project.h"
+#include "src/language/scene/statements.h"
+#include "src/language/shader/outline.h"
+
+namespace snell::language {
+
+class Texts {
+public:
+    explicit Texts(const Project& of) : project(of) {}
+
+    const Project& project;
+
+    const Outline& outline(FileId file);
+    const Statements& statements(FileId file);
+    bool is_scene(FileId file) const { return project.is_scene(file); }
+    // The source of the same name that was read first: the one that editors have open.
+    FileId first(FileId file);
+    Span first(Span span) { return {first(span.file), span.begin, span.end}; }
+    // The scene and those that it includes.
+    std::vector<FileId> scenes();
+    // The stages whose text the file is a part of.
+    std::vector<ShaderUse> uses(FileId file) const;
+    // The files of a stage: what the scene names, and what that includes.
+    std::vector<FileId> files(const ShaderUse& use) const;
+
+private:
+    std::map<FileId, Outline> outlines_;
+    std::map<FileId, Statements> statements_;
+    std::map<std::string_view, FileId> first_;
+};
+
+}  // namespace snell::language

@@ -1,0 +1,66 @@
+// The files that an argument may name, as they are on disk.
+#include <algorithm>
+#include <filesystem>
+
+#include "parser/text/ranges.h"
+#include "parser/text/words.h"
+#include "src/language/offers/offers.h"
+
+namespace snell::language {
+
+namespace {
+
+constexpr std::size_t most_entries = 5000;
+
+bool has_extension(std::string_view name, std::span<const std::string_view> extensions) {
+    return ranges::any_of(extensions, [&](std::string_view extension) {
+        return name.size() > extension.size() + 1 && name[name.size() - extension.size() - 1] == '.' &&
+               same_word(name.substr(name.size() - extension.size()), extension);
+    });
+}
+
+// Quotes are for names that would be several words.
+std::string as_argument(const std::string& name, bool quoted) {
+    const bool needs =
+        name.find_first_of(" \t#;,<>[]{}\"") != std::string::npos || name.find("//") != std::string::npos;
+    return needs && !quoted ? "\"" + name + "\"" : name;
+}
+
+}  // namespace
+
+std::vector<Completion> file_completions(std::string_view folder, std::string_view written, Span replaced,
+                                         std::span<const std::string_view> extensions) {
+    namespace fs = std::filesystem;
+    std::vector<Completion> found;
+    const bool quoted = written.starts_with('"');
+    if (quoted) written.remove_prefix(1);
+    const std::size_t slash = written.find_last_of("/\\");
+    const std::string_view parent = slash == std::string_view::npos ? "" : written.substr(0, slash + 1);
+    std::string prefix(parent);
+    std::replace(prefix.begin(), prefix.end(), '\\', '/');
+    std::error_code error;
+    fs::directory_iterator at(fs::path(folder.empty() ? "." : folder) / prefix, error);
+    if (error) return found;
+    std::size_t count = 0;
+    for (; at != fs::directory_iterator() && count < most_entries; at.increment(error), ++count) {
+        if (error) break;
+        const std::string name = at->path().filename().string();
+        if (name.starts_with('.') || name.find('\n') != std::string::npos) continue;
+        const bool is_folder = at->is_directory(error);
+        if (!is_folder && !has_extension(name, extensions)) continue;
+        Completion one;
+        one.kind = is_folder ? Completion::Kind::folder : Completion::Kind::file;
+        one.label = is_folder ? name + "/" : name;
+        // Where the names before it stay, only the last one is replaced.
+        one.replaced = replaced;
+        one.text = as_argument(std::string(parent) + one.label, quoted);
+        if (quoted) one.text.insert(0, "\"");
+        if (quoted && !is_folder) one.text += '"';
+        one.rank = is_folder ? 2 : 1;
+        one.more = is_folder;
+        found.push_back(std::move(one));
+    }
+    return found;
+}
+
+}  // namespace snell::language

@@ -1,0 +1,41 @@
+// The parts of completion, hover and signature help: for a scene, and for a shader.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/language/answers.h"
+#include "src/language/offers/uniforms.h"
+
+namespace snell::language {
+
+std::vector<Completion> scene_completions(Texts& texts, FileId file, std::uint32_t offset);
+std::vector<Completion> shader_completions(Texts& texts, FileId file, std::uint32_t offset);
+std::optional<Hover> scene_hover(Texts& texts, FileId file, std::uint32_t offset);
+std::optional<Hover> shader_hover(Texts& texts, FileId file, std::uint32_t offset);
+std::optional<SignatureHelp> scene_signature(Texts& texts, FileId file, std::uint32_t offset);
+std::optional<SignatureHelp> shader_signature(Texts& texts, FileId file, std::uint32_t offset);
+
+// The files and folders that `written`, the beginning of a name, may go on with; `extensions` without their points.
+std::vector<Completion> file_completions(std::string_view folder, std::string_view written, Span replaced,
+                                         std::span<const std::string_view> extensions);
+
+// "Rotate angle x=0 y=0 z=0": an alternative with its parameters.
+Signature command_signature(const Command& command, std::size_t alternative);
+// A word for the kind of the argument, and its default: "number, default 1".
+std::string parameter_text(const Parameter& parameter);
+// The documentation of the command as Markdown.
+std::string command_text(const Command& command);
+
+// "The uniform is set by program 'Glass' (scene.glib:12): <0. .2 1.>", a line for each program.
+std::string where_set(Texts& texts, std::string_view uniform, const std::vector<Index>& programs);
+// A declaration as it is written, without its initialiser.
+std::string declaration_text(const Outline& outline, const ShaderDeclaration& declaration);
+
+// "fresnel.frag:12", for documentation.
+std::string place_text(Texts& texts, FileId file, std::uint32_t offset);
+
+}  // namespace snell::language
