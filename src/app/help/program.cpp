@@ -42,6 +42,10 @@ constexpr auto table = std::to_array<Subcommand>({
     {"save", "write values into a scene: only its numbers change", add_save,
      "  snell save scenes/light/glass/glass.glib --set uIndex=1.33\n"
      "  snell save scenes/light/glass/glass.glib --set uIndex=1.33 -o scenes/light/glass/water.glib"},
+    {"format", "indent scenes and align continued lines", add_format,
+     "  snell format scenes/light/glass/glass.glib\n"
+     "  snell format --check scenes/light/*/*.glib                 # list those that would change\n"
+     "  snell format - <scenes/light/glass/glass.glib              # print the formatted text"},
     {"web", "make a page for browsers of a scene, or a gallery of many", add_web,
      "  snell web scenes/light/glass/glass.glib -o out/glass.html --set uIndex=1.33\n"
      "  snell web --gallery scenes/light -o out/gallery            # a page of each, and an index"},
