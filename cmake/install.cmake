@@ -26,6 +26,13 @@ install(CODE "
   file(CREATE_LINK ../../snell/scenes \"\${link}\" SYMBOLIC)
   list(APPEND CMAKE_INSTALL_MANIFEST_FILES \"\${CMAKE_INSTALL_PREFIX}/${page}/scenes\")")
 
+# Vim looks there; the extension for VS Code is there if `./dev editors` has built it.
+install(DIRECTORY docs/editors/vim/ DESTINATION ${CMAKE_INSTALL_DATADIR}/vim/vimfiles)
+install(CODE "
+  if(EXISTS \"${PROJECT_SOURCE_DIR}/build/editors/snell.vsix\")
+    file(INSTALL \"${PROJECT_SOURCE_DIR}/build/editors/snell.vsix\" DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${data}/editors\")
+  endif()")
+
 install(FILES desktop/snell.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES desktop/snell.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES desktop/snell.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)

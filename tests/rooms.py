@@ -20,6 +20,7 @@ APP = {
     "page": "open picture",
     "help": "open commands",
     "commands": "open picture batch page window",
+    "lsp": "open desktop commands",
     "window/measure": "open",
     "window/survive": "open",
     "window": "open picture desktop batch window/measure window/survive",

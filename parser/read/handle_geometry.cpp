@@ -117,9 +117,11 @@ void gl_begin(Builder& b, const Arguments& a) {
     const std::optional<Topology> topology = topology_named(a.text(0));
     if (!topology) {
         const std::string_view near = nearest(a.text(0), topology_names());
-        b.report().error("unknown-topology", a.span(0), "'" + std::string(a.text(0)) + "' is not a kind of primitive",
-                         near.empty() ? "gl_patches, gl_points, gl_lines, gl_triangles and others are"
-                                      : "did you mean '" + std::string(near) + "'?");
+        Diagnostic& said = b.report().error(
+            "unknown-topology", a.span(0), "'" + std::string(a.text(0)) + "' is not a kind of primitive",
+            near.empty() ? "gl_patches, gl_points, gl_lines, gl_triangles and others are"
+                         : "did you mean '" + std::string(near) + "'?");
+        if (!near.empty()) said.fixes.push_back({a.span(0), std::string(near)});
     }
     b.begin_list(topology, a.span());
 }

@@ -306,8 +306,9 @@ private:
         std::string all;
         for (const std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
         const std::string_view near = nearest(text, words);
-        report_.error("unknown-choice", out->span, quoted(text) + " is not one of: " + all,
-                      near.empty() ? "" : "did you mean " + quoted(near) + "?");
+        Diagnostic& said = report_.error("unknown-choice", out->span, quoted(text) + " is not one of: " + all,
+                                         near.empty() ? "" : "did you mean " + quoted(near) + "?");
+        if (!near.empty()) said.fixes.push_back({out->span, std::string(near)});
         return false;
     }
 
@@ -373,14 +374,19 @@ private:
     void report_surplus() {
         const Span span{lexer_.file(), tokens_[at_].begin, tokens_.back().end};
         std::string help = "usage: " + usage(command_);
+        std::vector<Fix> fixes;
         if (alternative_takes(ArgumentKind::path)) help = "a file name with blanks is written in double quotes";
         for (const Parameter& p : command_.signature.parameters)
             if (const auto word = nearest(lexer_.text(tokens_[at_]), split(p.choices, '/'));
-                !word.empty() && find_choice(p.choices, lexer_.text(tokens_[at_])) < 0)
+                !word.empty() && find_choice(p.choices, lexer_.text(tokens_[at_])) < 0) {
                 help = "did you mean " + quoted(word) + "?";
+                fixes = {{lexer_.span(tokens_[at_]), std::string(word)}};
+            }
         if (find_command(lexer_.text(tokens_[at_])) != nullptr) help = "every statement begins a line of its own";
-        report_.warning("surplus-arguments", span,
-                        quoted(command_.name) + " takes no more arguments: the rest is ignored", std::move(help));
+        Diagnostic& said =
+            report_.warning("surplus-arguments", span,
+                            quoted(command_.name) + " takes no more arguments: the rest is ignored", std::move(help));
+        said.fixes = std::move(fixes);
     }
 
     const Command& command_;

@@ -1,12 +1,14 @@
 #include "parser/read/parse.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "parser/commands/elsewhere.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
 #include "parser/read/uniforms.h"
 #include "parser/text/ranges.h"
+#include "parser/text_of.h"
 
 namespace snell {
 namespace {
@@ -22,6 +24,7 @@ struct LostLines {
     Diagnostic diagnostic;
     Span program;  // the statement; empty: others stand between
     std::string name;
+    std::uint32_t end = 0;  // of the last of these lines
 };
 
 class SceneParser {
@@ -111,12 +114,14 @@ private:
         }
         const bool argument = statement.tokens.size() > 1;
         std::string help = help_for_opengl(word, argument ? lexer.text(statement.tokens[1]) : std::string_view());
-        if (help.empty() && !near.empty()) help = "did you mean '" + std::string(near) + "'?";
+        const bool meant = help.empty() && !near.empty();
+        if (meant) help = "did you mean '" + std::string(near) + "'?";
         if (help.empty() && word.find('.') != std::string::npos)
             help = "a file name is not a command: if it belongs to the statement before, end that line with '\\'";
         if (valued && bracketed && current == nullptr) help = "uniforms are given by a Program statement";
         if (statement.command().kind != TokenKind::word) help = "a statement begins with a command";
-        report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
+        Diagnostic& said = report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
+        if (meant) said.fixes.push_back({span, std::string(near)});
     }
 
     static bool upper(char c) { return c >= 'A' && c <= 'Z'; }
@@ -144,6 +149,7 @@ private:
         Diagnostic& reported = report_.error(d.code, d.span, std::move(d.message), std::move(d.help));
         reported.notes = std::move(d.notes);
         reported.also = std::move(d.also);
+        reported.fixes = std::move(d.fixes);
         lost_.reset();
     }
 
@@ -151,11 +157,15 @@ private:
     void take_uniforms(const StatementReader& reader, const Statement& statement, Program& current, Span program) {
         const Lexer& lexer = reader.lexer();
         const Span span = lexer.span(statement.command());
+        const std::uint32_t end = statement.tokens.back().end;
+        const auto goes_on = [&](std::uint32_t at) { return Fix{{span.file, at, at}, " \\"}; };
         if (lost_ && lost_->program == program) {
             lost_->diagnostic.also.push_back(span);
+            lost_->diagnostic.fixes.push_back(goes_on(std::exchange(lost_->end, end)));
         } else {
             report_lost_lines();
-            lost_ = LostLines{{}, program, current.name};
+            lost_ = LostLines{{}, program, current.name, end};
+            if (program != Span{}) lost_->diagnostic.fixes.push_back(goes_on(program.end));
             lost_->diagnostic.code = "unknown-command";
             lost_->diagnostic.span = span;
             lost_->diagnostic.message =
@@ -194,8 +204,10 @@ private:
         }
         std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
         if (!included || included->name.empty()) {
-            report_.error("include-not-found", span, "'" + std::string(name) + "' cannot be read",
-                          included ? suggested(included->nearest) : std::string());
+            const std::string near = included ? suggested(included->nearest) : std::string();
+            Diagnostic& said = report_.error("include-not-found", span, "'" + std::string(name) + "' cannot be read",
+                                             near.empty() ? near : "did you mean '" + near + "'?");
+            if (!near.empty()) said.fixes.push_back({span, text_of::name(near)});
             return;
         }
         const auto same =
@@ -212,7 +224,7 @@ private:
     std::string suggested(std::string_view nearest) const {
         const auto last = [](std::string_view path) { return path.substr(path.rfind('/') + 1); };
         const bool open = ranges::any_of(open_, [&](const OpenText& text) { return last(text.name) == last(nearest); });
-        return nearest.empty() || open ? std::string() : "did you mean '" + std::string(nearest) + "'?";
+        return open ? std::string() : std::string(nearest);
     }
 
     Sources& sources_;

@@ -89,6 +89,7 @@ void Diagnostics::add_once(Diagnostic diagnostic) {
         add(std::move(diagnostic));
     } else if (!same->is_at(diagnostic.code, diagnostic.span)) {
         if (diagnostic.span.begin < same->span.begin) std::swap(diagnostic.span, same->span);
+        same->fixes.insert(same->fixes.end(), diagnostic.fixes.begin(), diagnostic.fixes.end());
         same->also.push_back(diagnostic.span);
     }
 }

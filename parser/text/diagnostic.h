@@ -21,6 +21,13 @@ struct Note {
     std::string message;
 };
 
+// Replaces the bytes of `span` by `text`.
+struct Fix {
+    Span span;
+    std::string text;
+    bool operator==(const Fix&) const = default;
+};
+
 struct Diagnostic {
     Severity severity = Severity::error;
     std::string code;  // stable, in kebab-case, such as "unknown-command"
@@ -30,6 +37,7 @@ struct Diagnostic {
     std::vector<Note> notes;
     bool has_span = true;         // false if it concerns no place in a text (no graphics, unwritable output)
     std::vector<Span> also = {};  // further places in the same text with the same defect
+    std::vector<Fix> fixes = {};  // all of them together are what was certainly meant; may be empty
 
     bool is_at(std::string_view what, const Span& place) const {
         return has_span && code == what && (span == place || ranges::find(also, place) != also.end());

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
-#include "parser/read/parse.h"
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/document/unsampled.h"
@@ -15,17 +12,6 @@
 namespace snell {
 
 namespace {
-
-IncludeReader include_reader(Files& files) {
-    return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
-        const Resolved resolved = files.resolve_beside(from, name, {"glib"});
-        if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest};
-        std::string error;
-        auto text = files.read(resolved.path, error);
-        if (!text) return std::nullopt;
-        return IncludedText{resolved.path, std::move(*text)};
-    };
-}
 
 // An error of OpenGL means that a texture or a mesh may be missing.
 void report_gl_errors(Diagnostics& diagnostics) {
@@ -39,20 +25,6 @@ void report_gl_errors(Diagnostics& diagnostics) {
 }
 
 }  // namespace
-
-std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
-                                             Diagnostics& diagnostics) {
-    std::string error;
-    auto text = files.read(path, error);
-    if (!text) {
-        diagnostics.error("scene-unreadable", "cannot read '" + path + "': " + error);
-        return std::nullopt;
-    }
-    const FileId file = sources.add(path, std::move(*text));
-    Parsed parsed = parse(file, sources, include_reader(files), files.limits());
-    diagnostics.append(parsed.diagnostics);
-    return ParsedDocument{file, std::move(parsed.scene)};
-}
 
 std::vector<std::string> files_read_by(const std::string& path, const Access& access) {
     Files files(scene_folder(path), access);
@@ -68,8 +40,6 @@ Access access_to(const std::string& path, Access access, bool grade) {
     if (grade && !access.confine) access.confine = scene_folder(path);
     return access;
 }
-
-std::string scene_folder(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
 
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps, const RungChooser& choose,
                                         const PlanReader& planned, const RuntimeOptions& options,

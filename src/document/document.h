@@ -12,6 +12,7 @@
 #include "parser/text/source.h"
 #include "src/gl/caps.h"
 #include "src/plan/files.h"
+#include "src/plan/read/texts.h"
 #include "src/plan/values/controls.h"
 #include "src/runtime/runtime.h"
 
@@ -28,23 +29,11 @@ struct Document {
     const Scene& scene() const { return runtime->scene(); }
 };
 
-// The result of parsing alone, for commands that need no graphics.
-struct ParsedDocument {
-    FileId file = 0;
-    Scene scene;
-};
-// Returns nullopt if the file cannot be read.
-std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
-                                             Diagnostics& diagnostics);
-
 // Returns the files that the scene may read; only the scene itself is certain to be read if it has errors.
 std::vector<std::string> files_read_by(const std::string& path, const Access& access);
 
 // Returns `access`; with `grade`, confined to the scene's folder unless `access` sets a folder.
 Access access_to(const std::string& path, Access access, bool grade);
-
-// The folder that file names in the scene are relative to.
-std::string scene_folder(const std::string& path);
 
 // Changes the rungs that the programs are compiled for; `rungs` is initially as the scene's text marks them.
 using RungChooser = std::function<void(const Scene& scene, Rungs& rungs)>;

@@ -232,7 +232,8 @@ Resolved Files::resolve_beside(std::string_view from, std::string_view name,
 
 const std::string* Files::instead_of(const std::string& path) const {
     if (!access_.instead) return nullptr;
-    const auto found = access_.instead->find(path);
+    auto found = access_.instead->find(path);
+    if (found == access_.instead->end()) found = access_.instead->find(real_path(path));
     return found == access_.instead->end() ? nullptr : &found->second;
 }
 

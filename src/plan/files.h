@@ -34,7 +34,8 @@ struct Access {
     // Only files within this folder are read, by whatever name or link they are reached. Nullopt: all files may be
     // read.
     std::optional<std::string> confine;
-    // By path: what is read instead of the file, which must exist. For texts that were changed and are not written yet.
+    // By path, or by path without links and "..": what is read instead of the file, which must exist. For texts that
+    // were changed and are not written yet.
     std::shared_ptr<const std::map<std::string, std::string>> instead = nullptr;
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "parser/text/ranges.h"
+#include "parser/text_of.h"
 #include "src/content/cube/cubemap.h"
 
 namespace snell {
@@ -17,15 +18,27 @@ bool said(const Diagnostics& diagnostics, std::string_view code, const Span& spa
 }
 
 // Scenes name one file in many statements.
+// `meant`: the name to write instead; empty if it is not known.
 void say(Severity severity, std::string_view code, const Span& span, std::string message, std::string help,
-         Diagnostics& diagnostics) {
+         Diagnostics& diagnostics, std::string_view meant = {}) {
     if (said(diagnostics, code, span)) return;
-    diagnostics.add_once({severity, std::string(code), span, std::move(message), std::move(help), {}, true});
+    Diagnostic diagnostic{severity, std::string(code), span, std::move(message), std::move(help), {}, true};
+    if (!meant.empty()) diagnostic.fixes.push_back({span, text_of::name(meant)});
+    diagnostics.add_once(std::move(diagnostic));
+}
+
+// A path as a scene writes it: relative to the scene that contains the name.
+std::string written(const std::string& path, const FileName& file, const Files& files) {
+    std::string folder = files.folder();
+    if (const std::size_t slash = file.from.rfind('/'); slash != std::string::npos) folder = file.from.substr(0, slash);
+    if (folder.empty()) return path;
+    if (folder.back() != '/') folder += '/';
+    return path.starts_with(folder) ? path.substr(folder.size()) : path;
 }
 
 void report_missing(const FileName& file, const std::string& nearest, Diagnostics& diagnostics) {
     say(Severity::error, "file-not-found", file.span, fmt::format("there is no file '{}'", file.name),
-        nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest), diagnostics);
+        nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest), diagnostics, nearest);
 }
 
 // Names are relative to the scene that contains them, which may be an included one.
@@ -33,7 +46,7 @@ Resolved resolve(const FileName& file, std::string_view name, const Extensions& 
     return file.from.empty() ? files.resolve(name, extensions) : files.resolve_beside(file.from, name, extensions);
 }
 
-std::string accept(const FileName& file, const Resolved& resolved, Diagnostics& diagnostics) {
+std::string accept(const FileName& file, const Resolved& resolved, const Files& files, Diagnostics& diagnostics) {
     if (resolved.path.empty()) {
         if (resolved.outside)
             report_unreadable(
@@ -44,7 +57,8 @@ std::string accept(const FileName& file, const Resolved& resolved, Diagnostics& 
     } else if (resolved.inexact) {
         say(Severity::warning, "file-inexact", file.span,
             fmt::format("there is no file '{}'; '{}' is used", file.name, resolved.path),
-            "write the name exactly as on disk: other systems distinguish upper and lower case", diagnostics);
+            "write the name exactly as on disk: other systems distinguish upper and lower case", diagnostics,
+            written(resolved.path, file, files));
     }
     return resolved.path;
 }
@@ -98,7 +112,7 @@ const Extensions& image_extensions() {
 }
 
 std::string locate(const FileName& file, const Extensions& extensions, const Files& files, Diagnostics& diagnostics) {
-    return accept(file, resolve(file, file.name, extensions, files), diagnostics);
+    return accept(file, resolve(file, file.name, extensions, files), files, diagnostics);
 }
 
 void report_unreadable(const FileName& file, std::string_view reason, Diagnostics& diagnostics) {
@@ -112,7 +126,7 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
         const FileName& file = texture.files[0];
         const Resolved whole = resolve(file, file.name, image_extensions(), files);
         if (whole.path.empty()) result = locate_faces(file, files, diagnostics);
-        if (result.empty()) result.push_back({file.name, accept(file, whole, diagnostics), file.span});
+        if (result.empty()) result.push_back({file.name, accept(file, whole, files, diagnostics), file.span});
         return result;
     }
     for (const FileName& file : texture.files) {
@@ -120,7 +134,7 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
         // posx.bmp is not a slip for posy.bmp, which is one of the other five.
         const bool other = ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end();
         if (other) resolved.nearest.clear();
-        result.push_back({file.name, accept(file, resolved, diagnostics), file.span});
+        result.push_back({file.name, accept(file, resolved, files, diagnostics), file.span});
     }
     return result;
 }

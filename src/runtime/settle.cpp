@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
+#include "src/plan/values/declared.h"
 #include "src/runtime/impl.h"
 #include "src/runtime/resources/effect.h"
 
@@ -38,7 +39,7 @@ glsl::Settler Runtime::Impl::settler(Index program) const {
     return [this, program](std::span<const glsl::DeclaredUniform> declared) {
         std::vector<std::vector<ActiveUniform>> uniforms(plan.scene.programs.size());
         for (const glsl::DeclaredUniform& one : declared)
-            if (one.simple) uniforms[program].push_back(runtime::described(plan.scene.programs[program], one));
+            if (one.simple) uniforms[program].push_back(described(plan.scene.programs[program], one));
         Diagnostics unheard;  // the controls of all active uniforms will report it
         Controls controls = make_controls(plan.scene, uniforms, unheard);
         settle(controls, plan.scene);
@@ -64,7 +65,7 @@ std::vector<ActiveUniform> Runtime::Impl::general_uniforms(Index program, const 
             declared.simple || (declared.array_size == 0 && sampler_target(declared.name, declared.glsl_type));
         if (declared.use == glsl::DeclaredUniform::Use::none || (whole && is_active(declared))) continue;
         if (declared.use == glsl::DeclaredUniform::Use::sure && whole) {
-            uniforms.push_back(runtime::described(plan.scene.programs[program], declared));
+            uniforms.push_back(described(plan.scene.programs[program], declared));
             continue;
         }
         variant.rungs = working[program].value_or(rungs_of(program));  // the driver knows

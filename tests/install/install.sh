@@ -22,6 +22,7 @@ for file in bin/snell lib/snell/snell_oiio.so share/snell/scenes/light/glass/gla
   share/doc/snell/README.md share/doc/snell/CHANGELOG.md share/doc/snell/copyright share/doc/snell/docs/language.md \
   share/doc/snell/scenes/light/glass/glass.glib share/applications/snell.desktop share/man/man1/snell.1 share/man/man1/snell-render.1 \
   share/bash-completion/completions/snell share/zsh/vendor-completions/_snell share/fish/vendor_completions.d/snell.fish \
+  share/vim/vimfiles/syntax/glib.vim share/vim/vimfiles/compiler/snell.vim share/doc/snell/docs/editors/glib.tmLanguage.json \
   share/icons/hicolor/scalable/apps/snell.svg share/mime/packages/snell.xml; do
   [ -f "$work/first/$file" ] || fail "'$file' is not installed"
 done

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "src/gl/program.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {
@@ -26,7 +26,7 @@ protected:
         glsl::Options options;
         options.target = {caps.glsl, caps.es, caps.fp64};
         options.find_uses = true;
-        options.include = runtime::include_reader(files);
+        options.include = shader_includes(files);
         if (program)
             options.geometry_input = program->geometry_input, options.geometry_output = program->geometry_output;
         Diagnostics diagnostics;

@@ -236,6 +236,7 @@ std::vector<Document> generate(const std::string& intro) {
             {"docs/editors/glib.tmLanguage.json", textmate()},
             {"docs/editors/vim/syntax/glib.vim", vim()},
             {"docs/editors/vim/ftdetect/glib.vim", "autocmd BufNewFile,BufRead *.glib setfiletype glib\n"},
+            {"editors/vscode/snippets.json", snippets()},
             {"web/page/editor/words.json", page_words()},
             {"tests/fuzz/parser.dict", dictionary()}};
 }

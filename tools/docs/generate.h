@@ -21,6 +21,12 @@ std::string written(std::string_view name);
 // web/page/editor/words.json.
 std::string page_words();
 
+// editors/vscode/snippets.json.
+std::string snippets();
+
+// A string of JSON. The text has no control characters.
+std::string quoted(std::string_view text);
+
 // `intro` is the text before the commands.
 std::vector<Document> generate(const std::string& intro);
 

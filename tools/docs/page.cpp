@@ -8,7 +8,6 @@
 #include "tools/docs/generate.h"
 
 namespace snell::docs {
-namespace {
 
 std::string quoted(std::string_view text) {
     std::string out = "\"";
@@ -18,6 +17,8 @@ std::string quoted(std::string_view text) {
     }
     return out + "\"";
 }
+
+namespace {
 
 // One entry a line, so that a change of the table is a short difference.
 std::string lines(const std::vector<std::string>& entries) {

@@ -4,7 +4,7 @@
 
 #include "src/lint/lint.h"
 #include "src/plan/plan.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 
 namespace snell::web {
 
@@ -15,7 +15,7 @@ Document checked(const std::string& path) {
     auto parsed = parse_document(path, *document.files, document.sources, document.diagnostics);
     if (parsed) {
         const Plan plan = make_plan(std::move(parsed->scene), *document.files, document.sources, document.diagnostics);
-        document.diagnostics.append(lint::check(plan, document.sources, runtime::include_reader(*document.files)));
+        document.diagnostics.append(lint::check(plan, document.sources, shader_includes(*document.files)));
     }
     document.diagnostics.sort();
     return document;

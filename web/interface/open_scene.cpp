@@ -6,7 +6,7 @@
 #include "src/document/view_text.h"
 #include "src/lint/lint.h"
 #include "src/plan/objects.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 
 namespace snell::web {
 
@@ -70,7 +70,7 @@ Reading OpenScene::open(const std::string& path, const Settings& settings, const
     const auto planned = [&](const Plan& made, Document& document) {
         plan = made;
         if (!settings.lints) return;
-        document.diagnostics.append(lint::check(made, document.sources, runtime::include_reader(*document.files)));
+        document.diagnostics.append(lint::check(made, document.sources, shader_includes(*document.files)));
     };
     RuntimeOptions options;
     options.previous = shown_ ? &*shown_->runtime : nullptr;

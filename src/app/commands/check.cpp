@@ -1,3 +1,5 @@
+#include "src/app/commands/check.h"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -16,7 +18,7 @@
 #include "src/document/unsampled.h"
 #include "src/lint/lint.h"
 #include "src/plan/plan.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 
 namespace snell::app {
 
@@ -51,6 +53,8 @@ Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     for (const Span& span : diagnostic.also) json["also_at"].push_back(span_json(span, sources));
     for (const Note& note : diagnostic.notes)
         json["notes"].push_back({{"at", span_json(note.span, sources)}, {"message", note.message}});
+    for (const Fix& fix : diagnostic.fixes)
+        json["fixes"].push_back({{"at", span_json(fix.span, sources)}, {"text", fix.text}});
     return json;
 }
 
@@ -85,7 +89,7 @@ struct Checked {
 };
 
 void lint(const Plan& plan, Document& document) {
-    document.diagnostics.append(lint::check(plan, document.sources, runtime::include_reader(*document.files)));
+    document.diagnostics.append(lint::check(plan, document.sources, shader_includes(*document.files)));
 }
 
 Checked check_scene(const std::string& path, const CheckOptions& options, const std::optional<gl::Caps>& caps) {
@@ -93,10 +97,8 @@ Checked check_scene(const std::string& path, const CheckOptions& options, const 
     const Access access = access_to(path, options.access, options.grade);
     if (caps && options.dump.empty()) {
         ProgressLine progress;
-        checked.document = open_document(path, *caps, nullptr, options.lint ? PlanReader(lint) : nullptr,
-                                         {.progress = progress.watcher()}, access);
-        if (options.lint) add_idle_sliders(*checked.document, options.timeout > 0 ? options.timeout / 10 : 1e6);
-        check_unsampled(*checked.document);  // sorts
+        checked.document =
+            checked_document(path, *caps, options.lint, options.timeout, {.progress = progress.watcher()}, access);
         return checked;
     }
     checked.document = std::make_unique<Document>();
@@ -160,6 +162,14 @@ Exit check(const CheckOptions& options) {
 }
 
 }  // namespace
+
+std::unique_ptr<Document> checked_document(const std::string& path, const gl::Caps& caps, bool wants_lint,
+                                           double seconds, const RuntimeOptions& options, const Access& access) {
+    auto document = open_document(path, caps, nullptr, wants_lint ? PlanReader(lint) : nullptr, options, access);
+    if (wants_lint) add_idle_sliders(*document, seconds > 0 ? seconds / 10 : 1e6);
+    check_unsampled(*document);  // sorts
+    return document;
+}
 
 Run add_check(CLI::App& command) {
     auto options = std::make_shared<CheckOptions>();

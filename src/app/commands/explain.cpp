@@ -240,7 +240,7 @@ Exit explain(const ExplainOptions& options) {
     const auto document = open_document(
         options.scene, report.caps, rungs_of(options, chosen),
         [&](const Plan& plan, Document& opened) {
-            report.lints = lint::check(plan, opened.sources, runtime::include_reader(*opened.files));
+            report.lints = lint::check(plan, opened.sources, shader_includes(*opened.files));
             if (options.without_effect) planned = plan;
         },
         how, options.access);

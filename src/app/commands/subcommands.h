@@ -23,9 +23,11 @@ Run add_check(CLI::App& command);
 Run add_explain(CLI::App& command);
 Run add_accuracy(CLI::App& command);
 Run add_save(CLI::App& command);
+Run add_format(CLI::App& command);
 Run add_web(CLI::App& command);
 Run add_commands(CLI::App& command);
 Run add_info(CLI::App& command);
+Run add_lsp(CLI::App& command);
 
 // A command of the language as `snell commands NAME` prints it.
 std::string described(const Command& row);

@@ -12,7 +12,7 @@
 #include "src/app/open/exit_status.h"
 #include "src/document/document.h"
 #include "src/plan/plan.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/values/declared.h"
 
 namespace snell::app {
 
@@ -63,12 +63,12 @@ void add_uniforms(Candidates& found, Reading& reading, std::string_view end) {
         for (const UniformValue& value : program.uniforms)
             add(program, value.name, written_value(value, reading.sources));
         glsl::Options options;
-        options.include = runtime::include_reader(reading.files);
+        options.include = shader_includes(reading.files);
         options.defines = ladder_defines(std::span(scene.ladders).first(program.ladders), reading.plan.rungs);
         const glsl::Translation translation =
             glsl::translate(planned.stages, reading.sources, options, reading.unheard);
         for (const glsl::DeclaredUniform& uniform : translation.declared)
-            if (!runtime::set_by_snell(program, uniform.name, uniform.glsl_type))
+            if (!set_by_snell(program, uniform.name, uniform.glsl_type))
                 add(program, uniform.name, uniform.glsl_type);
     }
 }

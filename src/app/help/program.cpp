@@ -42,6 +42,10 @@ constexpr auto table = std::to_array<Subcommand>({
     {"save", "write values into a scene: only its numbers change", add_save,
      "  snell save scenes/light/glass/glass.glib --set uIndex=1.33\n"
      "  snell save scenes/light/glass/glass.glib --set uIndex=1.33 -o scenes/light/glass/water.glib"},
+    {"format", "indent scenes and align continued lines", add_format,
+     "  snell format scenes/light/glass/glass.glib\n"
+     "  snell format --check scenes/light/*/*.glib                 # list those that would change\n"
+     "  snell format - <scenes/light/glass/glass.glib              # print the formatted text"},
     {"web", "make a page for browsers of a scene, or a gallery of many", add_web,
      "  snell web scenes/light/glass/glass.glib -o out/glass.html --set uIndex=1.33\n"
      "  snell web --gallery scenes/light -o out/gallery            # a page of each, and an index"},
@@ -52,6 +56,8 @@ constexpr auto table = std::to_array<Subcommand>({
     {"info", "print the OpenGL version and renderer", add_info,
      "  snell info\n"
      "  snell info --context es3.0                                 # of another version"},
+    {"lsp", "serve editors by the Language Server Protocol", add_lsp,
+     "  snell lsp                                                  # editors start it, and end it"},
     {"help", "explain a subcommand, a command of the language or the code of a message", add_help,
      "  snell help render\n"
      "  snell help pow-of-negative                                 # the code at the end of a message\n"

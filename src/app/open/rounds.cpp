@@ -7,7 +7,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/lint/lint.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 
 namespace snell {
 
@@ -39,7 +39,7 @@ bool may_go_round(const Plan& plan, const Document& document, const gl::Caps& ca
 
 Diagnostics too_many_rounds(const Plan& plan, Document& document) {
     Diagnostics rounds;
-    const Diagnostics found = lint::check(plan, document.sources, runtime::include_reader(*document.files));
+    const Diagnostics found = lint::check(plan, document.sources, shader_includes(*document.files));
     for (const Diagnostic& diagnostic : found.items())
         if (diagnostic.code == lint::facts(lint::Rule::many_rounds).code) rounds.add(diagnostic);
     return rounds;

@@ -89,6 +89,19 @@ bool hint_other_stage(std::string_view name, const Context& context, Diagnostic&
     return false;
 }
 
+// A fix if the word stands once where the driver saw it: some drivers only name the line.
+void suggest(Diagnostic& diagnostic, std::string_view word, std::string_view meant, const Context& context) {
+    const Span& span = diagnostic.span;
+    const std::string_view text = context.sources.text(span.file);
+    const Word* found = nullptr;
+    for (const Word& w : context.texts.words(span.file)) {
+        if (w.begin < span.begin || w.end > span.end || text_of(text, w) != word) continue;
+        if (found) return;
+        found = &w;
+    }
+    if (found) diagnostic.fixes.push_back({{span.file, found->begin, found->end}, std::string(meant)});
+}
+
 void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
     const std::vector<Declared>& all = context.texts.declared(place.file);
@@ -108,6 +121,7 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
     if (const Declared* d = nearest_declared(name, all)) {
         const bool unused = d->qualifier == "uniform" && d->uses == 0;
         diagnostic.help = fmt::format("did you mean '{}'?", d->name);
+        suggest(diagnostic, name, d->name, context);
         diagnostic.notes.push_back(
             {span_of(place.file, *d), unused ? "this uniform is declared but never used" : "declared here"});
         return;
@@ -119,8 +133,10 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         diagnostic.help = hand_on(name);
         return;
     }
-    if (const std::string_view built_in = nearest(name, builtin_names()); !built_in.empty() && built_in != name)
+    if (const std::string_view built_in = nearest(name, builtin_names()); !built_in.empty() && built_in != name) {
         diagnostic.help = fmt::format("did you mean '{}'?", built_in);
+        suggest(diagnostic, name, built_in, context);
+    }
 }
 
 int count_arguments(std::string_view list) {
@@ -166,6 +182,7 @@ void hint_no_main(const Entry& entry, const Context& context, Diagnostic& diagno
             if (!d.function || nearest("main", {d.name}).empty()) continue;
             diagnostic.span = span_of(file, d);
             diagnostic.help = fmt::format("did you mean 'main' instead of '{}'?", d.name);
+            suggest(diagnostic, d.name, "main", context);
             return;
         }
     diagnostic.span = context.sources.line_span(stage->files.front(), 1);

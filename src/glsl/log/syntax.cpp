@@ -22,6 +22,7 @@ bool hint_unknown_type(std::string_view type, const Span& span, Diagnostic& diag
     diagnostic.message.replace(0, diagnostic.message.find(" ("), fmt::format("'{}' is not a type", type));
     diagnostic.help = fmt::format("did you mean '{}'?", meant);
     diagnostic.span = span;
+    diagnostic.fixes = {{span, std::string(meant)}};
     return true;
 }
 
@@ -78,6 +79,7 @@ bool hint_macro(const Around& a, const Place& place, Diagnostic& diagnostic) {
             diagnostic.span = {place.file, w.begin, w.end};
             diagnostic.help = fmt::format("the macro '{}' ends with a ';': remove it there", a.word(i + 1));
             diagnostic.notes.push_back({a.span(place.file, last), "this ';' comes along wherever the macro is used"});
+            diagnostic.fixes = {{a.span(place.file, last), ""}};
             return true;
         }
     }
@@ -93,6 +95,7 @@ bool hint_semicolon(const Around& a, const Place& place, Diagnostic& diagnostic)
     diagnostic.help = new_line ? fmt::format("line {} seems to lack a ';' at its end", before.line)
                                : std::string("a ';' is missing before the '}'");
     diagnostic.notes.push_back({{place.file, before.end - 1, before.end}, "a ';' is missing after this"});
+    diagnostic.fixes = {{{place.file, before.end, before.end}, ";"}};
     return true;
 }
 
@@ -102,6 +105,8 @@ bool hint_brackets(const Around& a, Diagnostic& diagnostic) {
         diagnostic.help = "the three parts of a 'for' are separated by ';'";
     } else if ((here == ";" || here == "{") && a.parens > 0) {
         diagnostic.help = fmt::format("a ')' is missing before the '{}'", here);
+        const std::uint32_t end = a.all[a.at - 1].end;  // an open parenthesis is before it
+        diagnostic.fixes = {{{diagnostic.span.file, end, end}, ")"}};
     } else if (a.parens < 0 || (here == ")" && a.parens == 0)) {
         diagnostic.help = "there are more ')' than '('";
     } else if (here == "{" && a.before() == ")" && a.depth > 0) {

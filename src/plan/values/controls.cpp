@@ -142,10 +142,12 @@ private:
         }
         const std::string_view near = nearest(written.name, names);
         if (laddered && near.empty()) return;
-        diagnostics_.warning(
+        const bool meant = !near.empty() && near != written.name;
+        Diagnostic& said = diagnostics_.warning(
             "unknown-uniform", written.name_span,
             fmt::format("program '{}' has no active uniform '{}'", scene_.programs[program].name, written.name),
-            near.empty() || near == written.name ? std::string() : fmt::format("did you mean '{}'?", near));
+            meant ? fmt::format("did you mean '{}'?", near) : std::string());
+        if (meant) said.fixes.push_back({written.name_span, std::string(near)});
     }
 
     bool is_listed(Index program, std::string_view name) const {
@@ -307,13 +309,14 @@ private:
         UniformValue meant = written;
         meant.values = {range.min, range.current, range.max};
         ranges::sort(meant.values);
-        diagnostics_.warning(
+        Diagnostic& said = diagnostics_.warning(
             "range-order", written.span,
             fmt::format("range of '{}': its numbers are <min current max>, and the current one, {}, is {}",
                         written.name, range.current,
                         range.current > range.max ? "above the maximum" : "below the minimum"),
             fmt::format("did you mean '{}'? as written, the value is {}, and the range is extended to it",
                         text_of::uniform(meant), range.current));
+        said.fixes.push_back({written.span, text_of::uniform(meant)});
     }
 
     void warn_range(std::string_view code, const UniformValue& written, const std::string& what) {

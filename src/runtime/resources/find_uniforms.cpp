@@ -4,36 +4,12 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
+#include "src/plan/values/declared.h"
 #include "src/runtime/resources/program.h"
-#include "src/runtime/resources/tree.h"
 
 namespace snell::runtime {
 
 namespace {
-
-struct TypeFacts {
-    ValueType type = ValueType::float_;
-    int components = 1;
-};
-
-TypeFacts facts(std::string_view type) {
-    if (type.find("sampler") != std::string_view::npos) return {ValueType::sampler, 1};
-    const char last = type.empty() ? '1' : type.back();
-    const int digit = last >= '2' && last <= '4' ? last - '0' : 1;
-    if (type.starts_with("mat")) return {ValueType::matrix, (type[3] - '0') * digit};
-    switch (type.empty() ? 'f' : type[0]) {
-        case 'i':
-            return {ValueType::int_, digit};
-        case 'u':
-            return {ValueType::uint_, digit};
-        case 'b':
-            return {ValueType::bool_, digit};
-        case 'd':
-            return {ValueType::double_, digit};
-        default:
-            return {ValueType::float_, digit};
-    }
-}
 
 std::vector<double> read_values(GLuint program, const gl::Uniform& uniform, const TypeFacts& type) {
     std::vector<double> values;
@@ -56,18 +32,6 @@ std::vector<double> read_values(GLuint program, const gl::Uniform& uniform, cons
     return values;
 }
 
-bool scene_sets(const Program& program, std::string_view name) {
-    return ranges::any_of(program.uniforms, [&](const UniformValue& u) { return u.name == name; });
-}
-
-const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, std::string_view name,
-                                    std::string_view type, const Program& program) {
-    for (const glsl::SystemName& candidate : names)
-        if (candidate.name == name && candidate.type == type && (candidate.legacy || !scene_sets(program, name)))
-            return &candidate;
-    return nullptr;
-}
-
 // Returns the name that the scene uses for a uniform that the translation had to rename.
 std::string scene_name(const std::string& shader_name, const glsl::Translation& translation) {
     const auto renamed = ranges::find(translation.renamed, shader_name, &glsl::RenamedUniform::shader_name);
@@ -87,10 +51,10 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
         ActiveUniform active;
         active.name = uniform.name;
         active.glsl_type = type;
-        active.type = facts(type).type;
-        active.components = facts(type).components;
+        active.type = type_facts(type).type;
+        active.components = type_facts(type).components;
         active.array_size = uniform.size;
-        active.initial = read_values(id, uniform, facts(type));
+        active.initial = read_values(id, uniform, type_facts(type));
         const bool ours = uniform.name.starts_with("snell_");
         uniform.name = active.name = scene_name(uniform.name, translation);
         if (active.type == ValueType::sampler) {
@@ -149,25 +113,6 @@ void take_defaults(LinkedProgram& linked, const glsl::Translation& translation) 
 }
 
 }  // namespace
-
-bool set_by_snell(const Program& program, std::string_view name, std::string_view type) {
-    const bool sampler = facts(type).type == ValueType::sampler;
-    if (sampler) return (name == "Noise2" || name == "Noise3" || tree_part(name, type)) && !scene_sets(program, name);
-    return name.starts_with("snell_") || find_system(glsl::system_names(), name, type, program) != nullptr;
-}
-
-ActiveUniform described(const Program& program, const glsl::DeclaredUniform& declared) {
-    ActiveUniform uniform;
-    uniform.name = declared.name;
-    uniform.glsl_type = declared.glsl_type;
-    uniform.type = facts(declared.glsl_type).type;
-    uniform.components = facts(declared.glsl_type).components;
-    uniform.array_size = std::max(declared.array_size, 1);
-    uniform.system = set_by_snell(program, declared.name, declared.glsl_type);
-    uniform.initial = declared.initial;
-    uniform.initial.resize(static_cast<std::size_t>(uniform.components) * static_cast<std::size_t>(uniform.array_size));
-    return uniform;
-}
 
 void find_uniforms(LinkedProgram& linked, const Program& program, const glsl::Translation& translation,
                    const gl::Caps& caps) {

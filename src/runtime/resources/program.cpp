@@ -8,6 +8,7 @@
 
 #include "parser/text/ranges.h"
 #include "shaders/embedded.h"
+#include "src/plan/read/texts.h"
 #include "src/runtime/resources/stopwatch.h"
 
 namespace snell::runtime {
@@ -116,21 +117,6 @@ std::shared_ptr<gl::Shader> compile(const glsl::StageOutput& stage, Store* store
 
 }  // namespace
 
-glsl::IncludeReader include_reader(Files& files) {
-    return [&files](std::string_view from, std::string_view name, bool angle) -> std::optional<glsl::IncludeText> {
-        if (angle) {
-            const std::string_view text = embedded_shader(name);
-            if (text.empty()) return std::nullopt;
-            return glsl::IncludeText{std::string(name), std::string(text)};
-        }
-        const Resolved resolved = files.resolve_beside(from, name, {"glsl"});
-        std::string error;
-        const auto text = resolved.path.empty() ? nullptr : files.read_once(resolved.path, error);
-        if (!text) return std::nullopt;
-        return glsl::IncludeText{resolved.path, *text};
-    };
-}
-
 bool LinkedProgram::reads(glsl::System which) const {
     return ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
 }
@@ -146,7 +132,7 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.target = {request.caps.glsl, request.caps.es, request.caps.fp64};
     options.geometry_input = request.program.geometry_input;
     options.geometry_output = request.program.geometry_output;
-    options.include = include_reader(request.files);
+    options.include = shader_includes(request.files);
     options.limits = request.files.limits();
     options.flat_color = request.variant.flat;
     options.wide_lines = request.variant.wide;

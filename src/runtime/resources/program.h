@@ -125,19 +125,12 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
 // Fills `active`, `system`, `user` and `samplers` from the driver's list of active uniforms.
 void find_uniforms(LinkedProgram& linked, const Program& program, const glsl::Translation& translation,
                    const gl::Caps& caps);
-// As find_uniforms would describe it if it is active.
-ActiveUniform described(const Program& program, const glsl::DeclaredUniform& declared);
-// True if snell sets a uniform of that name and type, because the scene does not.
-bool set_by_snell(const Program& program, std::string_view name, std::string_view type);
 // Gives each sampler its GL units, for good.
 void assign_units(const LinkedProgram& linked);
 
 // The form of the program that draws instances; null where there is none. `program` is the one that it was linked for.
 const Instancing* make_instancing(LinkedProgram& linked, const Program& program, const gl::Caps& caps,
                                   Counters& counters);
-
-// What the shaders of a scene include: the library for angle brackets, else files.
-glsl::IncludeReader include_reader(Files& files);
 
 // Draws the current colour, unlit. Throws when it fails: nothing can be drawn in a context where that is so.
 std::shared_ptr<LinkedProgram> link_builtin(const Variant& variant, const gl::Caps& caps, Store* store,

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "parser/read/parse.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 
 namespace snell::accuracy::test {
 
@@ -81,7 +81,7 @@ std::string translation_errors(const Found& found, const std::vector<const Chang
         if (!planned.readable || planned.stages.empty()) continue;
         glsl::Options options;
         options.target = {450, false, true};
-        options.include = runtime::include_reader(files);
+        options.include = shader_includes(files);
         options.geometry_input = program.geometry_input;
         options.geometry_output = program.geometry_output;
         options.defines = ladder_defines(

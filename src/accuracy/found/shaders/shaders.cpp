@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "parser/text/ranges.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 
 namespace snell::accuracy {
 
@@ -18,7 +18,7 @@ using Stages = std::vector<std::unique_ptr<Shader>>;
 class ShaderReader {
 public:
     ShaderReader(const Plan& plan, Files& files, Sources& sources) : plan_(plan), sources_(sources) {
-        include_ = runtime::include_reader(files);
+        include_ = shader_includes(files);
         for (const PlannedProgram& planned : plan.programs) {
             const auto draws = [&](const Draw& draw) { return draw.program == planned.program; };
             programs.emplace_back();

@@ -8,7 +8,7 @@
 #include "src/accuracy/found/texts/texts.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/lint.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 
 namespace snell::accuracy::texts {
 
@@ -42,7 +42,7 @@ public:
         : plan_(plan), sources_(sources), shaders_(shaders), to_(to), eye_space_(eye_space) {}
 
     void run(Files& files) {
-        const Diagnostics found = lint::check(plan_, sources_, runtime::include_reader(files));
+        const Diagnostics found = lint::check(plan_, sources_, shader_includes(files));
         for (const Diagnostic& d : found.items()) fix(d);
         for (const auto& [key, fixes] : fixes_) all_of(key.second, fixes);
     }

@@ -13,7 +13,7 @@
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
-#include "src/runtime/resources/program.h"
+#include "src/plan/read/texts.h"
 
 namespace snell::accuracy::texts {
 
@@ -157,7 +157,7 @@ Shaders shaders(const Plan& plan, Files& files, Sources& sources) {
         if (!planned.readable || planned.stages.empty()) continue;
         const Program& program = plan.scene.programs[planned.program];
         glsl::Options options;
-        options.include = runtime::include_reader(files);
+        options.include = shader_includes(files);
         options.limits = files.limits();
         options.geometry_input = program.geometry_input;
         options.geometry_output = program.geometry_output;

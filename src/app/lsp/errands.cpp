@@ -1,0 +1,147 @@
+#include "src/app/lsp/errands.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "parser/text/utf8.h"
+#include "src/app/desktop/named_by.h"
+#include "src/content/json.h"
+
+extern char** environ;
+
+namespace snell::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Starts snell with these arguments, its output in `out` and its messages in `err`. Returns 0 or the error.
+int spawn(pid_t& process, std::vector<std::string> arguments, int out, int err, short flags) {
+    std::string program = "/proc/self/exe";
+    std::vector<char*> words{program.data()};
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t how;
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&how);
+    posix_spawnattr_setflags(&how, flags);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
+    const int error = posix_spawn(&process, program.c_str(), &files, &how, words.data(), environ);
+    posix_spawnattr_destroy(&how);
+    posix_spawn_file_actions_destroy(&files);
+    return error;
+}
+
+std::string read_all(int pipe) {
+    std::string bytes;
+    std::array<char, 1 << 14> some{};
+    for (;;) {
+        const ssize_t got = read(pipe, some.data(), some.size());
+        if (got == 0 || (got < 0 && errno != EINTR)) return bytes;
+        if (got > 0) bytes.append(some.data(), static_cast<std::size_t>(got));
+    }
+}
+
+struct Said {
+    int status = -1;
+    std::string output;
+};
+
+// With `messages`, also what is said of errors.
+Said said_by(const std::vector<std::string>& arguments, bool messages) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return {};
+    pid_t process = 0;
+    const int error = spawn(process, arguments, ends[1], messages ? ends[1] : STDERR_FILENO, 0);
+    close(ends[1]);
+    Said said;
+    if (error == 0) {
+        said.output = read_all(ends[0]);
+        int status = 0;
+        while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+        }
+        if (WIFEXITED(status)) said.status = WEXITSTATUS(status);
+    }
+    close(ends[0]);
+    return said;
+}
+
+server::Outcome failed(std::string message) { return {{}, std::move(message), true}; }
+
+server::Outcome render(const std::string& scene) {
+    std::error_code none;
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(none) / fmt::format("snell-{}", getuid());
+    std::filesystem::create_directory(folder, none);
+    std::filesystem::permissions(folder, std::filesystem::perms::owner_all, none);
+    const std::string picture = named_by(folder.string(), scene, "png");
+    const Said said = said_by({"render", scene, "-o", picture, "--color", "never"}, true);
+    if (said.status == 0) return {picture, "The picture is in " + picture, false};
+    const std::size_t at = said.output.find("error: ");
+    const std::string line = at == said.output.npos ? "" : said.output.substr(at, said.output.find('\n', at) - at);
+    return failed("The scene was not drawn" + (line.empty() ? std::string() : ": " + utf8::printable(line)));
+}
+
+std::string milliseconds(const Json& frame) {
+    if (!frame.is_object()) return {};
+    for (const char* clock : {"gpu_ms", "wall_ms", "cpu_ms"})
+        if (frame.contains(clock) && frame[clock].is_number())
+            return fmt::format("{:.2f} ms of a frame", frame[clock].get<double>());
+    return {};
+}
+
+std::string bytes_text(const Json& bytes) {
+    const double value = bytes.is_number() ? bytes.get<double>() : 0;
+    return value > 0 ? fmt::format("{:.1f} kB", value / 1e3) : "";
+}
+
+// One sentence for each thing that is paid at the line, or for the frame.
+std::string costs(const Json& report, int line) {
+    std::string text;
+    for (const Json& paid : report.value("pays", Json::array())) {
+        const Json at = paid.value("at", Json());
+        if (line >= 0 && !(at.is_object() && at.value("line", 0) == line + 1)) continue;
+        if (line < 0 && paid.value("kind", "") != "pass") continue;
+        std::string parts;
+        for (const std::string& part :
+             {milliseconds(paid.value("frame", Json())), bytes_text(paid.value("bytes", Json())),
+              paid.contains("triangles") ? fmt::format("{} triangles", paid["triangles"].dump()) : std::string()})
+            if (!part.empty()) parts += (parts.empty() ? "" : ", ") + part;
+        text += fmt::format("{} {}: {}. ", paid.value("kind", ""), paid.value("name", ""),
+                            parts.empty() ? "less than can be measured" : parts);
+    }
+    if (line >= 0 && text.empty()) text = "This statement costs nothing by itself. ";
+    return fmt::format("{}A frame takes {}.", text, milliseconds(report.value("frame", Json())));
+}
+
+server::Outcome cost(const std::string& scene, int line) {
+    const Said said = said_by({"explain", scene, "--json"}, false);
+    const Json report = content::parse_json(said.output);
+    if (!report.is_object()) return failed("The scene was not drawn: its errors come first.");
+    return {{}, costs(report, line), false};
+}
+
+}  // namespace
+
+std::string open_window(const std::string& scene) {
+    pid_t process = 0;
+    const int error = spawn(process, {"--", scene}, STDERR_FILENO, STDERR_FILENO, POSIX_SPAWN_SETSID);
+    return error == 0 ? "" : fmt::format("snell cannot be started: {}", std::strerror(error));
+}
+
+server::Outcome run_errand(const server::Errand& errand, const Access&) {
+    return errand.kind == server::Errand::Kind::render ? render(errand.scene) : cost(errand.scene, errand.line);
+}
+
+}  // namespace snell::app

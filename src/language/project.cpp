@@ -1,0 +1,220 @@
+#include "src/language/project.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "parser/text/ranges.h"
+#include "src/language/translations.h"
+#include "src/lint/lint.h"
+#include "src/plan/read/texts.h"
+
+namespace snell::language {
+
+namespace {
+
+std::string normal(std::string_view path) { return std::filesystem::path(path).lexically_normal().string(); }
+
+// A name behind #include, in whatever branch or comment it stands.
+struct Include {
+    std::string_view name;
+    bool angle = false;
+};
+
+std::vector<Include> includes_of(std::string_view text) {
+    constexpr std::string_view directive = "include";
+    std::vector<Include> found;
+    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + 1)) {
+        const std::size_t open = text.find_first_not_of(" \t", at + directive.size());
+        if (open == text.npos || (text[open] != '"' && text[open] != '<')) continue;
+        const bool angle = text[open] == '<';
+        const std::size_t end = text.find_first_of(angle ? ">\n\r" : "\"\n\r", open + 1);
+        if (end != text.npos && text[end] == (angle ? '>' : '"'))
+            found.push_back({text.substr(open + 1, end - open - 1), angle});
+    }
+    return found;
+}
+
+class Reader {
+public:
+    Reader(Project& project, const Access& access) : project_(project) {
+        project_.files = std::make_unique<Files>(scene_folder(project_.path), access);
+        project_.diagnostics = Diagnostics(access.limits);
+    }
+
+    void read_scene() {
+        auto parsed = parse_document(project_.path, *project_.files, project_.sources, project_.diagnostics);
+        if (!parsed) {
+            project_.scene_file = project_.sources.add(project_.path, "");
+            project_.plan.scene.passes.resize(1);
+            return;
+        }
+        project_.scene_file = parsed->file;
+        project_.plan = make_plan(std::move(parsed->scene), *project_.files, project_.sources, project_.diagnostics);
+    }
+
+    // A program of one stage, drawn by nothing.
+    void read_alone(std::string text, std::optional<Stage> stage) {
+        project_.alone = true;
+        project_.scene_file = project_.sources.add("", "");
+        const FileId file = project_.sources.add(project_.path, std::move(text));
+        const Span whole{file, 0, 0};
+        Plan& plan = project_.plan;
+        plan.scene.passes.resize(1);
+        if (!stage) {
+            project_.shaders.push_back({project_.path, file, {}, true});
+            return;
+        }
+        Program program;
+        program.name = std::filesystem::path(project_.path).filename().string();
+        program.stages[static_cast<std::size_t>(*stage)] = FileName{program.name, whole};
+        program.span = whole;
+        plan.scene.programs.push_back(std::move(program));
+        plan.programs.push_back({0, {{*stage, file, whole}}, true});
+    }
+
+    void list_shaders() {
+        for (Index i = 0; i < project_.plan.programs.size(); ++i)
+            for (const glsl::StageInput& stage : project_.plan.programs[i].stages) {
+                Shader& shader = shader_named(std::string(project_.sources.name(stage.file)), stage.file);
+                shader.included = false;
+                add(shader.uses, {i, stage.stage});
+            }
+        // The list grows: what is included includes more.
+        for (std::size_t i = 0; i < project_.shaders.size(); ++i) list_included(i);
+        for (std::size_t changed = 1; changed > 0;) changed = pass_uses_on();
+    }
+
+    void translate(Known* known) {
+        const std::vector<glsl::Options> options = options_of(project_.plan, shader_includes(*project_.files));
+        for (Index program = 0; program < project_.plan.programs.size(); ++program)
+            project_.translations.push_back(translate_program(project_, program, options[program], known));
+        report_values(project_);
+        report_lints();
+    }
+
+private:
+    static bool add(std::vector<ShaderUse>& uses, ShaderUse use) {
+        if (ranges::find(uses, use) != uses.end()) return false;
+        uses.push_back(use);
+        return true;
+    }
+
+    Shader& shader_named(std::string name, FileId file) {
+        const auto found =
+            ranges::find_if(project_.shaders, [&](const Shader& s) { return project_.sources.name(s.file) == name; });
+        if (found != project_.shaders.end()) return *found;
+        return project_.shaders.emplace_back(Shader{std::move(name), file, {}, true});
+    }
+
+    void list_included(std::size_t from) {
+        const glsl::IncludeReader read = shader_includes(*project_.files);
+        const FileId file = project_.shaders[from].file;
+        const std::string name(project_.sources.name(file));
+        for (const Include& include : includes_of(project_.sources.text(file))) {
+            auto text = read(name, include.name, include.angle);
+            if (!text) continue;
+            const std::string included = text->name;
+            if (!files_.contains(included) && !listed(included))
+                files_.emplace(included, project_.sources.add(included, std::move(text->text)));
+            const auto known = files_.find(included);
+            Shader& shader = shader_named(included, known == files_.end() ? 0 : known->second);
+            if (include.angle) shader.path.clear();
+            inclusions_.emplace_back(from, static_cast<std::size_t>(&shader - project_.shaders.data()));
+        }
+    }
+
+    bool listed(std::string_view name) const {
+        return ranges::any_of(project_.shaders, [&](const Shader& s) { return project_.sources.name(s.file) == name; });
+    }
+
+    // An included text is compiled where the text that includes it is. Returns how many uses were new.
+    std::size_t pass_uses_on() {
+        std::size_t added = 0;
+        for (const auto& [from, to] : inclusions_) {
+            if (from == to) continue;
+            for (const ShaderUse& use : std::vector<ShaderUse>(project_.shaders[from].uses))
+                added += add(project_.shaders[to].uses, use) ? 1 : 0;
+        }
+        return added;
+    }
+
+    void report_lints() {
+        project_.diagnostics.append(lint::check(project_.plan, project_.sources, shader_includes(*project_.files)));
+    }
+
+    Project& project_;
+    std::map<std::string, FileId> files_;                          // of included texts, by name
+    std::vector<std::pair<std::size_t, std::size_t>> inclusions_;  // from one of the shaders to another
+};
+
+}  // namespace
+
+std::string_view Project::path_of(FileId file) const {
+    const std::string_view name = sources.name(file);
+    if (file == scene_file) return alone ? std::string_view() : std::string_view(path);
+    if (const Shader* shader = shader_of(file)) return shader->path;
+    return name.starts_with('<') ? std::string_view() : name;
+}
+
+std::optional<FileId> Project::file_of(std::string_view wanted) const {
+    const std::string tidy = normal(wanted);
+    for (FileId file = 0; file < sources.size(); ++file)
+        if (const std::string_view name = path_of(file); name == wanted || (!name.empty() && normal(name) == tidy))
+            return file;
+    std::error_code error;
+    for (FileId file = 0; file < sources.size(); ++file)
+        if (const std::string_view name = path_of(file);
+            !name.empty() && std::filesystem::equivalent(name, wanted, error) && !error)
+            return file;
+    return std::nullopt;
+}
+
+const Shader* Project::shader_of(FileId file) const {
+    const std::string_view name = sources.name(file);
+    const auto found = ranges::find_if(shaders, [&](const Shader& s) { return sources.name(s.file) == name; });
+    return found == shaders.end() ? nullptr : &*found;
+}
+
+namespace {
+
+// What is said of the other stages, and of the scene, where there are none.
+Diagnostics without_others(const Diagnostics& all) {
+    Diagnostics kept;
+    for (const Diagnostic& diagnostic : all.items())
+        if (diagnostic.code != lint::facts(lint::Rule::program_not_drawn).code &&
+            diagnostic.code != "input-without-output")
+            kept.add(diagnostic);
+    return kept;
+}
+
+}  // namespace
+
+Project read_project(const std::string& scene_path, const Access& access, Depth depth, Known* known) {
+    Project project;
+    project.path = scene_path;
+    Reader reader(project, access);
+    reader.read_scene();
+    reader.list_shaders();
+    if (depth == Depth::translated) reader.translate(known);
+    project.diagnostics.sort();
+    return project;
+}
+
+Project read_shader(const std::string& shader_path, const Access& access, Depth depth) {
+    Project project;
+    project.path = shader_path;
+    Reader reader(project, access);
+    std::string error;
+    std::string text = project.files->read(shader_path, error).value_or("");
+    const std::optional<Stage> stage = stage_of(shader_path, text);
+    reader.read_alone(std::move(text), stage);
+    reader.list_shaders();
+    if (depth == Depth::translated) reader.translate(nullptr);
+    project.diagnostics = without_others(project.diagnostics);
+    project.diagnostics.sort();
+    return project;
+}
+
+}  // namespace snell::language

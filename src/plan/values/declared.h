@@ -1,0 +1,29 @@
+// Uniforms by their types: what values they hold, and whether the scene or snell sets them.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "parser/scene.h"
+#include "src/glsl/glsl.h"
+#include "src/plan/values/controls.h"
+
+namespace snell {
+
+struct TypeFacts {
+    ValueType type = ValueType::float_;
+    int components = 1;
+};
+// Of a type of GLSL without array brackets, such as "vec3".
+TypeFacts type_facts(std::string_view glsl_type);
+
+// The row of `names` that snell sets as this uniform of the program; null if there is none, or the scene sets the name
+// itself.
+const glsl::SystemName* find_system(const std::vector<glsl::SystemName>& names, std::string_view name,
+                                    std::string_view type, const Program& program);
+// True if snell sets a uniform of that name and type, because the scene does not.
+bool set_by_snell(const Program& program, std::string_view name, std::string_view type);
+// The uniform as a linked program would have it if it is active.
+ActiveUniform described(const Program& program, const glsl::DeclaredUniform& declared);
+
+}  // namespace snell

@@ -1,0 +1,31 @@
+#include "src/server/capabilities.h"
+
+#include <algorithm>
+
+#include "src/server/commands.h"
+
+namespace snell::server {
+
+Encoding chosen_encoding(const Json& offered) {
+    if (offered.is_array() && std::find(offered.begin(), offered.end(), "utf-8") != offered.end())
+        return Encoding::utf8;
+    return Encoding::utf16;
+}
+
+Json capabilities(Encoding encoding) {
+    Json commands = Json::array();
+    for (const std::string_view name : command_names) commands.push_back(name);
+    return {{"positionEncoding", encoding == Encoding::utf8 ? "utf-8" : "utf-16"},
+            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
+            {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
+            {"executeCommandProvider", {{"commands", commands}}}};
+}
+
+Json watched_files() {
+    return {{"registrations",
+             {{{"id", "files"},
+               {"method", "workspace/didChangeWatchedFiles"},
+               {"registerOptions", {{"watchers", {{{"globPattern", "**/*"}}}}}}}}}};
+}
+
+}  // namespace snell::server

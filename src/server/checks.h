@@ -1,0 +1,42 @@
+// Diagnostics of the open scenes, in the background: first those that need no driver, after a rest the driver's too.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "src/server/state.h"
+#include "src/server/wire/background.h"
+
+namespace snell::server {
+
+class Checks {
+public:
+    explicit Checks(State& state) : state_(state) {}
+
+    // Ends what has become needless, takes what is done, and begins what is due.
+    void go_on();
+    int descriptor() const { return background_.descriptor(); }
+    // When go_on() has something to do, if nothing happens before.
+    Clock::time_point due() const;
+
+private:
+    struct Next {
+        Scene* scene = nullptr;
+        bool driver = false;
+        Clock::time_point at = Clock::time_point::max();
+    };
+    Next next() const;
+    Scene* current() const;
+    void begin(const Next& next);
+    void take(const std::string& result);
+    void publish();
+
+    State& state_;
+    Background background_;
+    std::string path_;  // of the scene that is being checked
+    bool driver_ = false;
+    Clock::time_point began_;
+    std::map<std::string, Json> sent_;  // by URI: the params of the last publication
+};
+
+}  // namespace snell::server

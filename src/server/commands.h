@@ -1,0 +1,16 @@
+// workspace/executeCommand: what code lenses and editors' menus call.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "src/server/state.h"
+
+namespace snell::server {
+
+// Each takes the URI of a scene or a shader; "snell.cost" also the line of a statement, from 0.
+inline constexpr std::array<std::string_view, 3> command_names{"snell.open", "snell.render", "snell.cost"};
+
+Json execute(State& state, const Json& params);
+
+}  // namespace snell::server

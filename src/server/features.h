@@ -1,0 +1,14 @@
+// Requests about texts.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "src/server/state.h"
+
+namespace snell::server {
+
+// Returns nullopt if there is no such method. Throws a Failure, or nlohmann's exceptions for params of a wrong shape.
+std::optional<Json> feature(State& state, const std::string& method, const Json& params);
+
+}  // namespace snell::server

@@ -1,0 +1,86 @@
+#include "src/server/notices.h"
+
+#include "src/server/capabilities.h"
+#include "src/server/wire/uri.h"
+
+namespace snell::server {
+
+namespace {
+
+void did_open(State& state, const Json& params) {
+    const Json& item = params.at("textDocument");
+    Document document;
+    document.uri = string_at(item, "uri");
+    document.path = path_of_uri(document.uri);
+    document.language = item.value("languageId", "");
+    document.version = item.value("version", std::int64_t{0});
+    document.text = string_at(item, "text");
+    const Document& opened = state.documents.open(std::move(document));
+    state.workspace.rearranged();
+    state.workspace.arrange();
+    state.workspace.scene_of(opened);
+}
+
+Place valid_place(const Json& range, const char* end) { return place_of(range.at(end)); }
+
+void did_change(State& state, const Json& params) {
+    Document& document = state.document(params);
+    std::vector<Change> changes;
+    for (const Json& json : params.at("contentChanges")) {
+        Change change{std::nullopt, string_at(json, "text")};
+        if (const auto range = json.find("range"); range != json.end() && !range->is_null())
+            change.range = Change::Range{valid_place(*range, "start"), valid_place(*range, "end")};
+        changes.push_back(std::move(change));
+    }
+    apply(document.text, changes, state.encoding);
+    document.version = params.at("textDocument").value("version", document.version + 1);
+    document.saved = false;
+    state.workspace.changed(document.path);
+}
+
+void did_save(State& state, const Json& params) {
+    Document& document = state.document(params);
+    document.saved = true;
+    if (const auto text = params.find("text"); text != params.end() && text->is_string() && *text != document.text) {
+        document.text = text->get<std::string>();
+        state.workspace.changed(document.path);
+    }
+}
+
+void did_close(State& state, const Json& params) {
+    const Document& document = state.document(params);
+    state.documents.close(std::string(document.uri));
+    state.workspace.rearranged();
+    state.workspace.arrange();
+}
+
+void did_change_files(State& state, const Json& params) {
+    bool arrangement = false;
+    for (const Json& change : params.at("changes")) {
+        const std::string path = path_of_uri(string_at(change, "uri"));
+        arrangement = arrangement || change.value("type", 2) != 2;
+        if (!state.documents.with_path(path)) state.workspace.changed(path);
+    }
+    if (arrangement) state.workspace.rearranged();
+    state.workspace.arrange();
+}
+
+void initialized(State& state, const Json&) {
+    const Json& workspace = state.client.is_object() ? state.client.value("workspace", Json::object()) : Json::object();
+    const Json watched = workspace.is_object() ? workspace.value("didChangeWatchedFiles", Json::object()) : Json();
+    if (watched.is_object() && watched.value("dynamicRegistration", false))
+        state.ask("client/registerCapability", watched_files());
+}
+
+}  // namespace
+
+void notice(State& state, const std::string& method, const Json& params) {
+    if (method == "initialized") initialized(state, params);
+    if (method == "textDocument/didOpen") did_open(state, params);
+    if (method == "textDocument/didChange") did_change(state, params);
+    if (method == "textDocument/didSave") did_save(state, params);
+    if (method == "textDocument/didClose") did_close(state, params);
+    if (method == "workspace/didChangeWatchedFiles") did_change_files(state, params);
+}
+
+}  // namespace snell::server

@@ -1,0 +1,131 @@
+#include "src/server/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "parser/text/ranges.h"
+#include "src/server/capabilities.h"
+#include "src/server/features.h"
+#include "src/server/notices.h"
+
+namespace snell::server {
+
+namespace {
+
+Json failure_json(const Json& id, int code, const std::string& message) {
+    return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}};
+}
+
+bool is_id(const Json& json) { return json.is_string() || json.is_number(); }
+
+const Json& member(const Json& json, const char* key) {
+    static const Json nothing;
+    if (!json.is_object()) return nothing;
+    const auto found = json.find(key);
+    return found == json.end() ? nothing : *found;
+}
+
+std::string method_of(const Json& message) {
+    const Json& method = member(message, "method");
+    return method.is_string() ? method.get<std::string>() : "";
+}
+
+}  // namespace
+
+void Session::receive(Arrived arrived) {
+    if (!arrived.wrong.empty()) return queue_.push_back({{}, std::move(arrived.wrong)});
+    Json message = parse_json(arrived.body);
+    if (message.is_discarded()) return queue_.push_back({{}, "the message is not JSON"});
+    if (method_of(message) != "$/cancelRequest") return queue_.push_back({std::move(message), {}});
+    const Json& id = member(member(message, "params"), "id");
+    for (Waiting& waiting : queue_)
+        if (is_id(id) && member(waiting.message, "id") == id && !method_of(waiting.message).empty())
+            waiting.cancelled = true;
+}
+
+void Session::step() {
+    const Waiting first = std::move(queue_.front());
+    queue_.pop_front();
+    if (!first.broken.empty()) return state_.send(failure_json({}, Failure::parse_error, first.broken));
+    const Json& message = first.message;
+    if (const auto reply = message.is_array() ? answer_all(message) : answer(message, first.cancelled))
+        state_.send(*reply);
+}
+
+std::optional<Json> Session::answer_all(const Json& batch) {
+    if (batch.empty()) return failure_json({}, Failure::invalid_request, "the batch is empty");
+    Json replies = Json::array();
+    for (const Json& message : batch)
+        if (auto reply = answer(message, false)) replies.push_back(std::move(*reply));
+    return replies.empty() ? std::nullopt : std::optional(std::move(replies));
+}
+
+std::optional<Json> Session::answer(const Json& message, bool cancelled) {
+    const Json& id = member(message, "id");
+    const std::string method = method_of(message);
+    if (method.empty()) {
+        const bool reply = message.is_object() && (message.contains("result") || message.contains("error"));
+        if (reply) return std::nullopt;  // to a request of ours
+        return failure_json(is_id(id) ? id : Json(), Failure::invalid_request, "the message is no request");
+    }
+    const bool request = message.contains("id");
+    try {
+        const Json& params = member(message, "params");
+        if (!request) {
+            heed(method, params);
+            return std::nullopt;
+        }
+        if (cancelled) throw Failure{Failure::cancelled, "the request was cancelled"};
+        if (outdated(method, params)) throw Failure{Failure::content_modified, "the text has been changed since"};
+        return Json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result_of(method, params)}};
+    } catch (const Failure& failure) {
+        return request ? std::optional(failure_json(id, failure.code, failure.message)) : std::nullopt;
+    } catch (const Json::exception& error) {
+        return request ? std::optional(failure_json(id, Failure::invalid_params, error.what())) : std::nullopt;
+    } catch (const std::exception& error) {
+        return request ? std::optional(failure_json(id, Failure::internal_error, error.what())) : std::nullopt;
+    }
+}
+
+// An answer about a text that the editor has already changed would be about the wrong one.
+bool Session::outdated(const std::string& method, const Json& params) const {
+    if (!method.starts_with("textDocument/")) return false;
+    const Json& uri = member(member(params, "textDocument"), "uri");
+    return ranges::any_of(queue_, [&](const Waiting& later) {
+        return method_of(later.message) == "textDocument/didChange" &&
+               member(member(member(later.message, "params"), "textDocument"), "uri") == uri;
+    });
+}
+
+Json Session::initialize(const Json& params) {
+    if (life_ != Life::fresh) throw Failure{Failure::invalid_request, "the server is initialized already"};
+    if (!params.is_object()) throw Failure{Failure::invalid_params, "initialize has no params"};
+    state_.client = member(params, "capabilities");
+    const Json& encodings = member(member(state_.client, "general"), "positionEncodings");
+    state_.encoding = chosen_encoding(encodings);
+    life_ = Life::running;
+    return {{"capabilities", capabilities(state_.encoding)},
+            {"serverInfo", {{"name", "snell"}, {"version", state_.services.version}}}};
+}
+
+Json Session::result_of(const std::string& method, const Json& params) {
+    if (method == "initialize") return initialize(params);
+    if (life_ == Life::fresh) throw Failure{Failure::not_initialized, "the server is not initialized"};
+    if (life_ == Life::shut) throw Failure{Failure::invalid_request, "the server is shut down"};
+    if (method == "shutdown") {
+        life_ = Life::shut;
+        return nullptr;
+    }
+    if (const auto result = feature(state_, method, params)) return *result;
+    throw Failure{Failure::method_not_found, fmt::format("there is no method '{}'", method)};
+}
+
+void Session::heed(const std::string& method, const Json& params) {
+    if (method == "exit")
+        over_ = status_at_end();
+    else if (life_ == Life::running)
+        notice(state_, method, params);
+}
+
+}  // namespace snell::server

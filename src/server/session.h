@@ -1,0 +1,51 @@
+// The life of a connection: messages in their order, and their answers.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "src/server/state.h"
+#include "src/server/wire/inbox.h"
+
+namespace snell::server {
+
+class Session {
+public:
+    Session(Services services, std::function<void(const Json&)> send) : state_(std::move(services), std::move(send)) {}
+
+    // Takes a message; nothing is answered before step().
+    void receive(Arrived arrived);
+    bool idle() const { return queue_.empty(); }
+    // Answers the message that came first.
+    void step();
+
+    bool ready() const { return life_ == Life::running; }
+    // The exit status once the editor is done.
+    std::optional<int> over() const { return over_; }
+    int status_at_end() const { return life_ == Life::shut ? 0 : 1; }
+    State& state() { return state_; }
+
+private:
+    enum class Life { fresh, running, shut };
+
+    struct Waiting {
+        Json message;
+        std::string broken;      // why there is no message
+        bool cancelled = false;  // by the editor
+    };
+
+    std::optional<Json> answer(const Json& message, bool cancelled);
+    std::optional<Json> answer_all(const Json& batch);
+    Json result_of(const std::string& method, const Json& params);
+    void heed(const std::string& method, const Json& params);
+    Json initialize(const Json& params);
+    bool outdated(const std::string& method, const Json& params) const;
+
+    State state_;
+    std::deque<Waiting> queue_;
+    Life life_ = Life::fresh;
+    std::optional<int> over_;
+};
+
+}  // namespace snell::server

@@ -1,0 +1,63 @@
+// What the server knows between two messages.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <string>
+
+#include "src/server/documents.h"
+#include "src/server/services.h"
+#include "src/server/wire/json.h"
+#include "src/server/workspace.h"
+
+namespace snell::server {
+
+// The answer to a request that failed. The codes are those of JSON-RPC and of the protocol.
+struct Failure {
+    enum Code {
+        parse_error = -32700,
+        invalid_request = -32600,
+        method_not_found = -32601,
+        invalid_params = -32602,
+        internal_error = -32603,
+        not_initialized = -32002,
+        request_failed = -32803,
+        content_modified = -32801,
+        cancelled = -32800,
+    };
+    int code;
+    std::string message;
+};
+
+struct State {
+    Services services;
+    std::function<void(const Json& message)> send;
+    Documents documents = {};
+    Workspace workspace{documents};
+    Encoding encoding = Encoding::utf16;
+    Json client = Json::object();  // the capabilities of the editor
+    int asked = 0;                 // requests of ours to the editor
+    std::deque<Errand> wanted = {};
+
+    State(Services given, std::function<void(const Json&)> out) : services(std::move(given)), send(std::move(out)) {}
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    void notify(std::string_view method, Json params) {
+        send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
+    }
+    void ask(std::string_view method, Json params) {
+        send({{"jsonrpc", "2.0"},
+              {"id", "snell-" + std::to_string(++asked)},
+              {"method", method},
+              {"params", std::move(params)}});
+    }
+    // Throws a Failure if the text is not open.
+    Document& document(const Json& params) {
+        const std::string uri = string_at(params.at("textDocument"), "uri");
+        if (Document* found = documents.find(uri)) return *found;
+        throw Failure{Failure::invalid_params, "'" + uri + "' is not open"};
+    }
+};
+
+}  // namespace snell::server

@@ -1,0 +1,69 @@
+#include "src/server/wire/lines.h"
+
+#include <algorithm>
+
+#include "parser/text/utf8.h"
+
+namespace snell::server {
+
+namespace {
+
+// How many units of the encoding a character has.
+std::uint32_t units(const utf8::Char& c, Encoding encoding) {
+    if (encoding == Encoding::utf8) return c.length;
+    return encoding == Encoding::utf16 && c.valid && c.code > 0xFFFF ? 2 : 1;
+}
+
+}  // namespace
+
+Lines::Lines(std::string_view text) : text_(text), starts_{0} {
+    const bool only_lf = text.find('\r') == text.npos;
+    const auto next = [&](std::size_t from) {
+        return only_lf ? text.find('\n', from) : text.find_first_of("\r\n", from);
+    };
+    for (std::size_t at = next(0); at != text.npos; at = next(at)) {
+        at += text.substr(at, 2) == "\r\n" ? 2 : 1;
+        starts_.push_back(static_cast<std::uint32_t>(at));
+    }
+}
+
+std::uint32_t Lines::end_of_line(std::uint32_t line) const {
+    if (line + std::size_t{1} >= starts_.size()) return static_cast<std::uint32_t>(text_.size());
+    const std::uint32_t next = starts_[line + 1];
+    return next - (text_.substr(0, next).ends_with("\r\n") && next >= starts_[line] + 2 ? 2 : 1);
+}
+
+std::uint32_t Lines::offset(Place place, Encoding encoding) const {
+    if (place.line >= starts_.size()) return static_cast<std::uint32_t>(text_.size());
+    const std::uint32_t end = end_of_line(place.line);
+    std::uint32_t at = starts_[place.line], character = 0;
+    while (at < end && character < place.character) {
+        const utf8::Char c = utf8::decode(text_, at);
+        character += units(c, encoding);
+        if (character > place.character) break;  // the middle of a character is its beginning
+        at += c.length;
+    }
+    return std::min(at, end);
+}
+
+Place Lines::place(std::uint32_t offset, Encoding encoding) const {
+    offset = std::min(offset, static_cast<std::uint32_t>(text_.size()));
+    const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
+    const auto line = static_cast<std::uint32_t>(next - starts_.begin() - 1);
+    Place place{line, 0};
+    std::uint32_t at = starts_[line];
+    if (last_.place.line == line && last_.offset <= offset && last_.offset >= at && last_.encoding == encoding) {
+        place = last_.place;
+        at = last_.offset;
+    }
+    while (at < offset) {
+        const utf8::Char c = utf8::decode(text_, at);
+        if (at + c.length > offset) break;
+        place.character += units(c, encoding);
+        at += c.length;
+    }
+    last_ = {at, place, encoding};
+    return place;
+}
+
+}  // namespace snell::server

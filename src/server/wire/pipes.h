@@ -1,0 +1,11 @@
+// Bytes through file descriptors.
+#pragma once
+
+#include <string_view>
+
+namespace snell::server {
+
+// Returns false if nobody reads.
+bool write_all(int descriptor, std::string_view bytes);
+
+}  // namespace snell::server

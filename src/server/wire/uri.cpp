@@ -1,0 +1,51 @@
+#include "src/server/wire/uri.h"
+
+#include <fmt/format.h>
+
+#include "parser/text/words.h"
+
+namespace snell::server {
+
+namespace {
+
+int digit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    const char low = lower(c);
+    return low >= 'a' && low <= 'f' ? low - 'a' + 10 : -1;
+}
+
+bool plain(char c) {
+    const char low = lower(c);
+    return (low >= 'a' && low <= 'z') || (c >= '0' && c <= '9') ||
+           std::string_view("-._~/").find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string path_of_uri(std::string_view uri) {
+    constexpr std::string_view scheme = "file://";
+    if (uri.size() < scheme.size() || !same_word(uri.substr(0, scheme.size()), scheme)) return std::string(uri);
+    std::string_view rest = uri.substr(scheme.size());
+    rest.remove_prefix(std::min(rest.find('/'), rest.size()));  // the host
+    std::string path;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const bool coded = rest[i] == '%' && i + 2 < rest.size() && digit(rest[i + 1]) >= 0 && digit(rest[i + 2]) >= 0;
+        path += coded ? static_cast<char>(digit(rest[i + 1]) * 16 + digit(rest[i + 2])) : rest[i];
+        if (coded) i += 2;
+    }
+    return path;
+}
+
+std::string uri_of_path(std::string_view path) {
+    if (!path.starts_with('/')) return std::string(path);
+    std::string uri = "file://";
+    for (const char c : path) {
+        if (plain(c))
+            uri += c;
+        else
+            uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return uri;
+}
+
+}  // namespace snell::server
