@@ -23,8 +23,8 @@
 #include "src/document/view_text.h"
 #include "src/gl/target.h"
 #include "src/lint/lint.h"
+#include "src/plan/read/texts.h"
 #include "src/plan/used_files.h"
-#include "src/runtime/resources/program.h"
 
 namespace snell::app {
 
@@ -131,7 +131,7 @@ private:
 
     bool open() {
         const auto planned = [this](const Plan& plan, Document& document) {
-            document.diagnostics.append(lint::check(plan, document.sources, runtime::include_reader(*document.files)));
+            document.diagnostics.append(lint::check(plan, document.sources, shader_includes(*document.files)));
             Files reader(document.files->folder(), access_);
             for (const PlannedProgram& program : plan.programs)
                 for (const auto& [path, text] : shader_texts(program, document.sources, reader))
