@@ -34,6 +34,33 @@ NamedReport report(const std::string& name, double first, double second, bool qu
     return {name + ".json", json_text(result)};
 }
 
+// A report with one found rung, whose number depends on the machine.
+NamedReport found_report(const std::string& name, double cost, const std::string& number, const std::string& after) {
+    FoundResult found;
+    found.scene = "scene.glib";
+    found.changes = {{.kind = ChangeKind::fewer_rounds, .where = {}, .before = "i < 8", .after = after, .edits = {}}};
+    found.positions = {name + "/a.frag:3:5"};
+    FoundRung rung{.name = number, .changes = {0}, .outcome = Outcome::tried, .at = {{}}};
+    rung.timed = 0;
+    found.rungs = {rung};
+    found.timed_size = {64, 64};
+    SweepResult& sweep = found.timed;
+    sweep.sweep = {.kind = SweepKind::found, .name = "found rungs", .reference = 1, .current = 1};
+    sweep.residual = 0;
+    for (const double one : {cost, 1.}) {
+        RungResult timed{.name = one == 1 ? "scene" : number, .drawn = true};
+        timed.own.light.rmse = one == 1 ? 0 : .1;
+        for (int round = 0; round < 31; ++round) timed.cpu.push_back(one * (10 + .01 * (round % 3)));
+        sweep.rungs.push_back(std::move(timed));
+    }
+    sweep.clock = ClockKind::cpu;
+    conclude(sweep, std::vector<double>(sweep.rungs[1].cpu), 1);
+    Report result;
+    result.where.renderer = name;
+    result.found = {found};
+    return {name + ".json", json_text(result)};
+}
+
 // The report with every `from` replaced.
 NamedReport changed(NamedReport report, const std::string& from, const std::string& to) {
     for (std::size_t at = report.json.find(from); at != std::string::npos; at = report.json.find(from, at + to.size()))
@@ -120,6 +147,17 @@ TEST(Merge, RungsOfAnyReportAreListed) {
     EXPECT_NE(line_of(text, "new").find("A: -"), std::string::npos) << text;
     EXPECT_NE(line_of(text, "new").find("B: 0.8"), std::string::npos) << text;
     EXPECT_NE(line_of(text, "b").find("A: 0.8"), std::string::npos) << text;
+}
+
+TEST(Merge, FoundRungsAreMatchedByWhatTheyChange) {
+    const std::string same = merged({found_report("one", .5, "3", "i < 4"), found_report("two", .6, "7", "i < 4")});
+    EXPECT_NE(same.find("\nscene.glib: found rungs\n"), std::string::npos) << same;
+    EXPECT_NE(line_of(same, "a.frag:3:5: i < 8 → i < 4").find("B: 0.6"), std::string::npos) << same;
+    EXPECT_EQ(same.find("not portable"), std::string::npos) << same;
+    const std::string flips = merged({found_report("one", .5, "3", "i < 4"), found_report("two", 1.5, "3", "i < 4")});
+    EXPECT_NE(line_of(flips, "a.frag:3:5: i < 8 → i < 4").find("not portable"), std::string::npos) << flips;
+    const std::string other = merged({found_report("one", .5, "3", "i < 4"), found_report("two", .5, "3", "i < 2")});
+    EXPECT_NE(line_of(other, "a.frag:3:5: i < 8 → i < 4").find("can't say"), std::string::npos) << other;
 }
 
 TEST(Merge, DamagedNumbersAndOtherSchemasAreErrors) {

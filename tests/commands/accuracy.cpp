@@ -201,6 +201,30 @@ TEST_F(Accuracy, PresetsAreMeasuredKeptAndSaid) {
     EXPECT_NE(text("err.txt").find("stale-quality"), std::string::npos) << text("err.txt");
 }
 
+TEST_F(Accuracy, ValuesThatAreNoneAreErrors) {
+    for (const char* const set : {"uK=nan", "nosuch=1"}) {
+        EXPECT_EQ(run("--no-time --size 64x64 --set " + std::string(set)), 1) << set;
+        EXPECT_NE(text("err.txt").find("error: "), std::string::npos) << text("err.txt");
+        EXPECT_EQ(text("out.txt").find("RMSE"), std::string::npos) << "nothing is measured with other values";
+    }
+}
+
+TEST_F(Accuracy, FoundRungsArePlottedToo) {
+    folder.write("lit.frag",
+                 "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = 0.;\n for (int i = 0; i < 2000; "
+                 "i++) c += abs(sin(vN.z + float(i))) / 2000.;\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
+    ASSERT_EQ(run("--size 64x64 --reps 7 --budget 6 --knobs samples --svg " + folder.path("k.svg")), 0);
+    EXPECT_NE(
+        run("--size 64x64 --reps 7 --budget 12 --svg " + folder.path("p.svg") + " --markdown " + folder.path("p.md")),
+        2)
+        << text("err.txt");
+    const std::string page = text("p.md");
+    const std::size_t plot = page.find("![found rungs: error over time](p");
+    ASSERT_NE(plot, std::string::npos) << page;
+    const std::size_t from = page.find('(', plot) + 1;
+    EXPECT_TRUE(text(page.substr(from, page.find(')', from) - from)).starts_with("<svg"));
+}
+
 TEST_F(Accuracy, UnknownNamesAreErrors) {
     EXPECT_EQ(run("--ladders SHAD --no-time"), 1);
     EXPECT_NE(text("err.txt").find("did you mean 'SHADE'?"), std::string::npos) << text("err.txt");

@@ -142,10 +142,10 @@ Place Trials::seen_by(Trial& trial, std::size_t place) const {
     return seen;
 }
 
-std::optional<Picture> Trials::picture(Trial& trial, std::size_t place) {
+std::optional<Picture> Trials::picture(Trial& trial, std::size_t place, const Variant& variant) {
     trial.bench->resize(settings_.width, settings_.height);
     trial.bench->at(seen_by(trial, place));
-    auto picture = trial.bench->picture(variant());
+    auto picture = trial.bench->picture(variant);
     trial.bench->at(places_.front());
     if (const auto errors = gl::take_errors(); !errors.empty()) trial.refused = "OpenGL reports " + errors.front();
     return picture;

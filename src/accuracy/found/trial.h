@@ -47,7 +47,8 @@ public:
     // Opens the scene with these changes, which are compatible; with none, as it is. `shared`: with the textures,
     // meshes and programs of the scene as it is.
     Trial open(std::span<const std::size_t> changes, bool shared = true);
-    std::optional<Picture> picture(Trial& trial, std::size_t place);
+    std::optional<Picture> picture(Trial& trial, std::size_t place) { return picture(trial, place, variant()); }
+    std::optional<Picture> picture(Trial& trial, std::size_t place, const Variant& variant);
     const Picture& original(std::size_t place);
     // The difference of that picture at a place. `flip`: with FLIP.
     Difference compare(const Picture& picture, std::size_t place, std::span<const std::size_t> changes, bool flip);

@@ -315,7 +315,7 @@ std::string found_text(const FoundResult& found) {
     return text;
 }
 
-std::string found_markdown(const FoundResult& found) {
+std::string found_markdown(const FoundResult& found, const std::string& plot) {
     std::string text = fmt::format("\n## {}: found rungs\n\n{}\n", escaped(found.scene), found_words(found));
     if (const Listed none = found.without_effect(); !none.empty()) {
         text += fmt::format("\n{}:\n\n", invisible);
@@ -324,6 +324,7 @@ std::string found_markdown(const FoundResult& found) {
                                 escaped(place_of(found, *rung)), escaped(change_of(found, *rung)),
                                 shown_cost(found, *rung));
     }
+    if (!plot.empty()) text += fmt::format("\n![found rungs: error over time]({})\n", plot);
     text += table_markdown(found, listed(found, Aim::cheaper, true));
     if (const Listed better = listed(found, Aim::better, true); !better.empty())
         text += fmt::format("\n{}:\n", lacking) + table_markdown(found, better);

@@ -24,7 +24,8 @@ SweepResult as_sweep(const FoundResult& found, Aim aim);
 
 // Tables for a terminal: what changes no pixel, what is cheaper, what would be better.
 std::string found_text(const FoundResult& found);
-std::string found_markdown(const FoundResult& found);
+// `plot`: the name of the plot's file; may be empty.
+std::string found_markdown(const FoundResult& found, const std::string& plot);
 std::string found_html(const FoundResult& found);
 nlohmann::ordered_json found_json(const FoundResult& found);
 

@@ -56,9 +56,13 @@ std::string markdown_text(const Report& report, const std::vector<std::string>& 
         "control says that it was too noisy.\n",
         w.cpu, w.cores, w.os, w.renderer, w.gl, w.tool, w.date, w.width, w.height, w.rounds, w.from, w.load_before,
         w.load_after, errors_are);
-    for (const FoundResult& found : report.found) text += found_markdown(found);
-    for (std::size_t i = 0; i < report.sweeps.size(); ++i)
-        text += part(report.sweeps[i], i < plots.size() ? plots[i] : std::string());
+    const std::vector<const SweepResult*> plotted = plots_of(report);
+    const auto plot_for = [&](const SweepResult& sweep) {
+        const auto at = static_cast<std::size_t>(ranges::find(plotted, &sweep) - plotted.begin());
+        return at < plots.size() ? plots[at] : std::string();
+    };
+    for (const FoundResult& found : report.found) text += found_markdown(found, plot_for(found.timed));
+    for (const SweepResult& sweep : report.sweeps) text += part(sweep, plot_for(sweep));
     return text;
 }
 

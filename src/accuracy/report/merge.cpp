@@ -48,12 +48,43 @@ char letter(std::size_t machine) { return static_cast<char>('A' + machine % 26);
 // Reports come from anywhere, and their names go to the terminal.
 std::string text_of(const Json& json) { return utf8::printable(json.get<std::string>()); }
 
-Cost cost_of(const Json& rung) {
-    if (!rung.contains("ratio_to_current") || rung["ratio_to_current"].at("median").is_null()) return {};
-    const Json& ratio = rung["ratio_to_current"];
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
+
+// `base`: what the ratio is to.
+Cost cost_of(const Json& rung, const char* base) {
+    if (!rung.contains(base) || rung[base].at("median").is_null()) return {};
+    const Json& ratio = rung[base];
     return {true,
             {ratio.at("lo95").get<double>(), ratio.at("median").get<double>(), ratio.at("hi95").get<double>()},
             text_of(rung.at("standing"))};
+}
+
+// What is the same on all machines, unlike the numbers of found rungs: "glass.frag:3:5: i < 8 → i < 4".
+std::string changes_of(const Json& rung) {
+    std::string text;
+    for (const Json& change : rung.at("changes")) {
+        const std::string before = text_of(change.at("before")), after = text_of(change.at("after"));
+        text += fmt::format("{}{}: {} → {}", text.empty() ? "" : " + ", file_name(text_of(change.at("place"))),
+                            before.empty() ? "(nothing)" : before, after.empty() ? "(nothing)" : after);
+    }
+    return text;
+}
+
+// The found rungs that were timed.
+OnMachine found_on(const Json& found, std::size_t index) {
+    OnMachine on{index,
+                 text_of(found.at("scene")),
+                 found.at("timed_size").get<std::array<int, 2>>(),
+                 found.at("trusted").get<bool>(),
+                 {},
+                 {}};
+    for (const Json& rung : found.at("rungs")) {
+        const Cost cost = text_of(rung.at("aim")) == "cheaper" ? cost_of(rung, "ratio_to_scene") : Cost{};
+        if (!cost.known) continue;
+        on.order.push_back(changes_of(rung));
+        on.costs[on.order.back()] = cost;
+    }
+    return on;
 }
 
 Machine machine_of(const Json& json, const std::string& file, std::size_t index) {
@@ -66,10 +97,14 @@ Machine machine_of(const Json& json, const std::string& file, std::size_t index)
         OnMachine on{index, text_of(ladder.at("scene")), size, ladder.at("trusted").get<bool>(), {}, {}};
         for (const Json& rung : ladder.at("rungs")) {
             on.order.push_back(text_of(rung.at("rung")));
-            on.costs[on.order.back()] = cost_of(rung);
+            on.costs[on.order.back()] = cost_of(rung, "ratio_to_current");
         }
         Key key{on.scene, text_of(ladder.at("ladder"))};
         machine.ladders[std::move(key)] = std::move(on);
+    }
+    for (const Json& found : json.value("found", Json::array())) {
+        OnMachine on = found_on(found, index);
+        if (!on.order.empty()) machine.ladders[{on.scene, "found rungs"}] = std::move(on);
     }
     return machine;
 }
@@ -85,8 +120,6 @@ std::optional<Machine> read_machine(const NamedReport& report, std::size_t index
     }
     return std::nullopt;
 }
-
-std::string file_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
 
 // The names of files that a single report has in several folders: only their paths tell these scenes apart.
 std::set<std::string> ambiguous_names(const std::vector<Machine>& machines) {
@@ -190,7 +223,7 @@ std::optional<std::string> merged_text(std::span<const NamedReport> reports, std
         text += fmt::format("\n{}: {}\n{}", key.first, key.second, ladder_text(on));
     }
     if (any) return text;
-    error = "no ladder is in more than one of these reports";
+    error = "no ladder and no found rung is in more than one of these reports";
     if (!ambiguous.empty())
         error += fmt::format("; a report has several scenes named '{}', so these are matched by their paths",
                              fmt::join(ambiguous, "', '"));

@@ -31,6 +31,8 @@ struct Report {
     std::vector<std::string> problems;  // of the scene, one line each
 };
 
+// What is plotted: ladders and knobs, then the found rungs that were timed.
+std::vector<const SweepResult*> plots_of(const Report& report);
 // A few sentences about a sweep, derived from its numbers alone.
 std::string in_words(const SweepResult& sweep);
 // Formats as "1.02 [.99, 1.05]", with as many digits as the interval justifies.
@@ -64,7 +66,7 @@ std::string csv_text(const Report& report);
 std::string json_text(const Report& report);
 // A single file that needs no network; its plots are inline SVG. It begins with `slide`, an element of HTML.
 std::string html_text(const Report& report, std::string_view slide = {});
-// A page of Markdown; `plots` has the path of the plot of each sweep.
+// A page of Markdown; `plots` has the paths of the plots of plots_of().
 std::string markdown_text(const Report& report, const std::vector<std::string>& plots);
 // A plot for use in a paper: black on a transparent background, with its own fonts and sizes.
 std::string svg_text(const SweepResult& sweep);

@@ -170,6 +170,14 @@ std::string hidden_sentences(const SweepResult& sweep) {
 
 }  // namespace
 
+std::vector<const SweepResult*> plots_of(const Report& report) {
+    std::vector<const SweepResult*> plots;
+    for (const SweepResult& sweep : report.sweeps) plots.push_back(&sweep);
+    for (const FoundResult& found : report.found)
+        if (found.timed.rungs.size() > 1) plots.push_back(&found.timed);
+    return plots;
+}
+
 std::string in_words(const SweepResult& sweep) {
     if (!sweep.cannot_say.empty()) return fmt::format("Can't say: {}.", sweep.cannot_say);
     std::string text = cost_sentences(sweep);

@@ -83,6 +83,7 @@ struct Subject {
     bool errors = false;
     bool measurable = false;
 
+    Original original() { return {path, plan, *files, sources}; }
     std::size_t rungs() const {
         std::size_t count = 0;
         for (const Sweep& sweep : sweeps) count += sweep.rungs.size();
@@ -163,7 +164,7 @@ public:
         how.pixels = static_cast<std::size_t>(131072 * std::clamp(per_minute, 1.0, 64.0));
         how.stop = measuring.stop;
         how.report = measuring.report;
-        FoundResult found = search({subject.path, subject.plan, *subject.files, subject.sources}, caps, settings, how);
+        FoundResult found = search(subject.original(), caps, settings, how);
         if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
         fmt::print("{}", found_text(found));
         std::fflush(stdout);
@@ -184,10 +185,12 @@ public:
         }
     }
 
-    bool advise(Bench& bench, const Subject& subject, References& references, Report& report) {
-        const bool told =
-            give_advice(options_, subject.path, bench, subject.plan.rungs, next(Work::advice_rungs, references),
-                        seeks(options_) ? &report.found.back() : nullptr, report);
+    bool advise(Bench& bench, Subject& subject, const gl::Caps& caps, const BenchSettings& settings,
+                References& references, Report& report) {
+        std::optional<Sought> sought;
+        if (seeks(options_)) sought.emplace(Sought{subject.original(), report.found.back(), caps, settings});
+        const bool told = give_advice(options_, subject.path, bench, subject.plan.rungs,
+                                      next(Work::advice_rungs, references), sought ? &*sought : nullptr, report);
         finish(Work::advice_rungs);
         return told;
     }
@@ -240,6 +243,16 @@ bool note_problems(const Bench& bench, const Subject& subject, Report& report) {
     return wrong.has_errors();
 }
 
+// Prints what is wrong with the values of --set. Opens the scene if there are any.
+bool values_fit(Bench& bench, const AccuracyOptions& options, const Sources& sources) {
+    Diagnostics wrong;
+    if (options.sets.empty()) return true;
+    Controls controls = bench.runtime().controls();
+    for (const std::string& set : options.sets) set_control(controls, bench.runtime().scene(), set, wrong);
+    fmt::print(stderr, "{}", snell::render(wrong, sources));
+    return !wrong.has_errors();
+}
+
 Exit accuracy(const AccuracyOptions& options) {
     Deadline deadline(options.timeout);
     deadline.begin("starting OpenGL");
@@ -272,12 +285,16 @@ Exit accuracy(const AccuracyOptions& options) {
     Measurement run(options, work, deadline);
     for (const auto& subject : subjects) {
         deadline.begin(fmt::format("compiling '{}'", subject->path));
-        if (seeks(options)) run.find(*subject, caps, settings, report);
         Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
+        if (!values_fit(bench, options, subject->sources)) {
+            errors = true;
+            continue;
+        }
+        if (seeks(options)) run.find(*subject, caps, settings, report);
         References references = run.references();
         run.measure_all(bench, *subject, references, report);
         if (asks_for_advice(options) && !interrupted)
-            errors = !run.advise(bench, *subject, references, report) || errors;
+            errors = !run.advise(bench, *subject, caps, settings, references, report) || errors;
         report.where.query_over_wall = bench.query_over_wall();
         errors = note_problems(bench, *subject, report) || errors;
     }

@@ -161,9 +161,10 @@ bool write_reports(const AccuracyOptions& options, const Report& report) {
         written = write_html(options.html, report, slide) && written;
         written = write_slide(options.slide, slide) && written;
     }
-    for (std::size_t i = 0; i < report.sweeps.size() && !options.svg.empty(); ++i) {
+    const std::vector<const SweepResult*> plotted = plots_of(report);
+    for (std::size_t i = 0; i < plotted.size() && !options.svg.empty(); ++i) {
         const std::string path = plot_path(options.svg, i);
-        written = write_text(path, svg_text(report.sweeps[i])) && written;
+        written = write_text(path, svg_text(*plotted[i])) && written;
         plots.push_back(link_from(options.markdown, path));
     }
     return write_text(options.markdown, markdown_text(report, plots)) && written;

@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <iterator>
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
+#include "src/accuracy/found/together.h"
 #include "src/accuracy/report/quality.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/quality.h"
@@ -151,7 +153,7 @@ std::string found_choice_text(const std::string& path, const AccuracyOptions& op
 // False, too, if it is the scene as it is: ladders are judged by the reference, not by what the scene has.
 bool advise_found(const std::string& path, const AccuracyOptions& options, const FoundResult& found, const Wish& wish,
                   bool ladders) {
-    const auto best = choose(found.timed, wish);
+    const auto best = choose_surely(found.timed, wish);
     if (!best) {
         fmt::print("\n{}: can't say of found rungs: none was timed\n", wish_text(wish));
         return false;
@@ -166,6 +168,45 @@ bool advise_found(const std::string& path, const AccuracyOptions& options, const
         fmt::print("  the costs are not sure: {}\n",
                    found.timed.few_rounds ? "there were too few rounds" : "the machine is too noisy");
     return met && !(ladders && *best == found.timed.sweep.current);
+}
+
+// All kinds together. False, if no limit is met.
+bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench& bench, const Sought& sought,
+                  const Wish& wish, const MeasureOptions& measuring, const Report& report) {
+    MixOptions how{.rungs = {}, .measuring = measuring};
+    for (const SweepResult& sweep : report.sweeps) {
+        if (sweep.scene != path || sweep.sweep.kind != SweepKind::lattice) continue;
+        if (const auto best = choose(sweep, wish)) how.rungs.push_back(sweep.sweep.rungs[*best].variant.rungs);
+    }
+    const MixAdvice advice =
+        advise_together(sought.original, sought.found, bench, sought.caps, sought.settings, wish, how);
+    if (!advice.best) {
+        fmt::print("\n{}: of everything together, can't say: the time was up\n", wish_text(wish));
+        return false;
+    }
+    const SweepResult& sweep = advice.sweep;
+    const RungResult& rung = sweep.rungs[*advice.best];
+    const Mix& mix = advice.mixes[*advice.best];
+    fmt::print("{}\n{}: of everything together {} '{}'\n", table_text(sweep), wish_text(wish),
+               !advice.met         ? "nothing that was measured is; the nearest is"
+               : wish.milliseconds ? "the most exact is"
+                                   : "the cheapest is",
+               rung.name);
+    fmt::print(
+        "  RMSE {:.3g}{}, at the worst of {} places; {:.3g} ms [{:.3g}, {:.3g}] of {}, {} times what the scene "
+        "takes{}\n",
+        rung.own.light.rmse, residual_text(sweep, wish), advice.places, rung.milliseconds, rung.low, rung.high,
+        name(sweep.clock), ratio_text(rung.ratio), advice.settled ? "" : "; others may be better: more --budget tells");
+    std::string scene = path;
+    if (!mix.changes.empty()) {
+        fmt::print("  {}\n", apply_command(path, options.choices, rung_name(mix.changes), "FOLDER"));
+        scene = "FOLDER/" + std::filesystem::path(path).filename().string();
+    }
+    std::string line = "  snell render " + file_word(scene) + " -o picture.png";
+    for (const std::string& choice : choices(bench.scene(), mix.rungs)) line += " --ladder " + choice;
+    if (mix.samples > 1) line += fmt::format(" --samples {}", mix.samples);
+    fmt::print("{}\n", line);
+    return advice.met;
 }
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
@@ -197,20 +238,26 @@ std::optional<double> parse_milliseconds(const std::string& text) {
 }
 
 bool give_advice(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
-                 const MeasureOptions& measuring, const FoundResult* found, Report& report) {
+                 const MeasureOptions& measuring, const Sought* sought, Report& report) {
     const bool limited = options.within || options.error;
     const Wish wish{options.within, options.error};
     bool met = false, saved = true;
+    const FoundResult* found = sought ? &sought->found : nullptr;
+    MeasureOptions half = measuring;  // the rest is for all kinds together
+    if (limited && found) half.seconds /= 2;
     if (!bench.scene().ladders.empty()) {
-        met = advise_ladders(options, path, bench, now, measuring, report, saved);
+        met = advise_ladders(options, path, bench, now, half, report, saved);
     } else if (!found) {
         fmt::print(stderr, "snell: error: '{}' has no ladders: there is nothing to choose\n", utf8::printable(path));
         return false;
     } else {
         saved = !options.save_quality || explain_presets(path, options, *found);
-        if (limited) met = advise_knobs(path, bench, now, wish, measuring, report);
+        if (limited) met = advise_knobs(path, bench, now, wish, half, report);
     }
-    if (limited && found) met = advise_found(path, options, *found, wish, !bench.scene().ladders.empty()) || met;
+    if (limited && found) {
+        met = advise_found(path, options, *found, wish, !bench.scene().ladders.empty()) || met;
+        if (found->cannot_say.empty()) met = advise_mixed(path, options, bench, *sought, wish, half, report) || met;
+    }
     return saved && (met || !limited);
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <thread>
 
 #include "src/accuracy/found/search.h"
@@ -352,6 +353,51 @@ TEST_F(FoundSearch, WhatPassesBetweenStepsIsNotSpent) {
     ASSERT_TRUE(found.step());
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
     EXPECT_LE(before - left, passed.count() - .3 + 1e-3) << "a window may wait until nothing moves";
+}
+
+TEST_F(FoundSearch, WhatIsLoadedForNothingIsToldInMilliseconds) {
+    write_full("void main() { gl_FragColor = vec4(.5); }\n");
+    folder.write("far.vert",
+                 "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy + 9., 0., 1.); }\n");
+    folder.write("far.frag",
+                 "#version 330 compatibility\nuniform samplerCube uLight;\nvoid main() { gl_FragColor = "
+                 "texture(uLight, vec3(gl_FragCoord.xy, 99.)); }\n");
+    const std::string room = std::filesystem::absolute("scenes/environments/room.hdr").string();
+    read_scene("CubeMap 6 " + room + "\nPrefilter 8 6 64\n" + std::string(full_scene) +
+               "Vertex far.vert\nFragment far.frag\nProgram Far uLight 8\nQuadXY 0 2\n");
+    const std::vector<Change> changes{change(ChangeKind::no_draw, "QuadXY 0 2", ""),
+                                      change(ChangeKind::no_uniform, "uGain <1. 1. 1.>", "")};
+    const FoundResult found = search(changes, true);
+    ASSERT_EQ(found.without_effect().size(), 2u);
+    ASSERT_TRUE(found.rungs[0].load_ms) << found.rungs[0].gpu_bytes;
+    EXPECT_GT(*found.rungs[0].load_ms, 5) << "light is convolved for every texel";
+    EXPECT_GT(found.rungs[0].gpu_bytes, 6 * 64 * 64 * 4);
+    EXPECT_FALSE(found.rungs[1].load_ms) << "a value takes no memory";
+    EXPECT_FALSE(search(changes).rungs[0].load_ms) << "times were not wanted";
+}
+
+// A window rests between the steps.
+TEST_F(FoundSearch, AStepDrawsAPlaceOrTimesARung) {
+    write_full("void main() { float c = .5; c += .1; gl_FragColor = vec4(vec3(c), 1.); }\n");
+    read_scene(full_scene);
+    SearchOptions options;
+    options.rounds = 9;
+    options.at_least = .5;
+    Search found({folder.path("scene.glib"), read->plan, *read->files, read->sources},
+                 {change(ChangeKind::without_term, "c += .1;", ";"), change(ChangeKind::no_draw, "QuadXY 0 1", "")},
+                 caps, {32, 32, 0, {}}, options);
+    std::size_t most = 0, drawn = 0;
+    const auto places = [&] {
+        std::size_t count = 0;
+        for (const FoundRung& rung : found.result().rungs) count += rung.at.size();
+        return count;
+    };
+    while (found.step()) {
+        most = std::max(most, places() - std::min(places(), drawn));
+        drawn = places();
+    }
+    EXPECT_GE(drawn, 4u);
+    EXPECT_EQ(most, 1u) << "places of one rung in a step";
 }
 
 }  // namespace
