@@ -5,7 +5,7 @@ set(data ${CMAKE_INSTALL_DATADIR}/snell)
 set(page ${CMAKE_INSTALL_DATADIR}/doc/snell)
 
 install(TARGETS snell RUNTIME DESTINATION bin)
-install(TARGETS snell_oiio snell_cairo LIBRARY DESTINATION lib/snell)
+install(TARGETS snell_oiio snell_cairo snell_archive LIBRARY DESTINATION lib/snell)
 
 install(DIRECTORY scenes DESTINATION ${data})
 install(DIRECTORY shaders/snell DESTINATION ${data}/shaders)
@@ -45,7 +45,7 @@ endforeach()
 install(DIRECTORY parser DESTINATION include/snell COMPONENT development FILES_MATCHING PATTERN *.h)
 foreach(folder content glsl plan gl runtime document platform)
   install(DIRECTORY src/${folder} DESTINATION include/snell/src COMPONENT development
-    FILES_MATCHING PATTERN *.h PATTERN web EXCLUDE PATTERN oiio EXCLUDE PATTERN forms EXCLUDE)
+    FILES_MATCHING PATTERN *.h PATTERN web EXCLUDE PATTERN oiio EXCLUDE PATTERN archive EXCLUDE PATTERN forms EXCLUDE)
 endforeach()
 install(FILES src/content/oiio/api.h DESTINATION include/snell/src/content/oiio COMPONENT development)
 install(FILES shaders/embedded.h DESTINATION include/snell/shaders COMPONENT development)

@@ -77,7 +77,7 @@ endfunction()
 # (regular expressions) lists.
 function(snell_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
-  foreach(pattern "(^|/)(main|oiio|cairo)\\.cpp$" ${SNELL_WITHOUT})
+  foreach(pattern "(^|/)(main|oiio|cairo|libarchive)\\.cpp$" ${SNELL_WITHOUT})
     list(FILTER sources EXCLUDE REGEX "${pattern}")
   endforeach()
   add_library(${name} STATIC ${sources})

@@ -25,6 +25,8 @@ complain "OpenImageIO belongs to src/content/oiio" \
   "$(code | grep -vE '^src/content/oiio/' | xargs grep -nE '#include <OpenImageIO')"
 complain "Cairo belongs to src/accuracy/report/slide/cairo" \
   "$(code | grep -vE '^src/accuracy/report/slide/cairo/' | xargs grep -nE '#include <cairo')"
+complain "libarchive belongs to src/content/archive" \
+  "$(code | grep -vE '^src/content/archive/' | xargs grep -nE '#include <archive')"
 complain "Dear ImGui belongs to src/ui" "$(code | grep -vE '^src/ui/' | xargs grep -nE '#include <imgui|#include <backends/imgui')"
 complain "files are written by src/content/replace.cpp only, and by OpenImageIO beside their place: whole, or not at all" \
   "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/content/(replace.cpp|oiio/oiio.cpp)$' |
@@ -75,5 +77,6 @@ allow src/ui 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/platfo
 
 complain "the program must not link OpenImageIO: it costs start-up" "$(ldd "$bin/snell" | grep -i openimageio)"
 complain "the program must not link Cairo: it costs start-up" "$(ldd "$bin/snell" | grep -i cairo)"
+complain "the program must not link libarchive or tomlplusplus: they cost start-up" "$(ldd "$bin/snell" | grep -iE 'libarchive|tomlplusplus')"
 complain "no target, namespace or header is called glib" "$(code | grep -iE '/glib\.' ; code | xargs grep -nE 'namespace glib')"
 exit $failed

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -71,8 +72,11 @@ int main(int argc, char** argv) {
                    utf8::printable(first), meant);
         return exit_usage;
     }
+    std::vector<std::string> words = meant_words(argc, argv);
     try {
-        program.parse(argc, argv);
+        if (!words.empty()) words.erase(words.begin());
+        std::reverse(words.begin(), words.end());  // CLI11 takes the last one first
+        program.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
         print_usage_error(program, error);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "src/app/commands/explain.h"
+#include "src/app/commands/explain/explain.h"
 #include "tests/cli/command.h"
 #include "tests/sanitized.h"
 

@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info", "web", "help",
+SUBCOMMANDS = {"render", "sweep", "check", "compare", "grade", "save", "accuracy", "explain", "commands", "info", "web", "help",
                "complete", "new"}
 # What `snell web` fills in, in the place of the browser's part, which need not be built.
 PAGE = """<title>snell</title><script type="application/json" id="scene">null</script>

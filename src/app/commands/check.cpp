@@ -7,6 +7,7 @@
 #include "parser/read/parse.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
+#include "src/app/grade/idle_sliders.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
@@ -52,30 +53,6 @@ Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     for (const Note& note : diagnostic.notes)
         json["notes"].push_back({{"at", span_json(note.span, sources)}, {"message", note.message}});
     return json;
-}
-
-bool tries_every_value(const snell::Control& slider) {
-    return slider.type == ValueType::bool_ || slider.type == ValueType::int_ || slider.type == ValueType::uint_;
-}
-
-std::string tried_values(const snell::Control& slider) {
-    if (slider.type == ValueType::bool_) return "for false and true";
-    return fmt::format("for {} from {} to {}", tries_every_value(slider) ? "every value" : "all tried values",
-                       slider.min, slider.max);
-}
-
-void add_idle_sliders(Document& document, double seconds) {
-    if (!document.runtime || document.diagnostics.has_errors()) return;
-    const lint::RuleFacts& rule = lint::facts(lint::Rule::slider_without_effect);
-    for (const snell::Control* slider : document.runtime->without_effect(seconds)) {
-        const Program& program = document.scene().programs[slider->program];
-        const std::string_view where = program.ladders > 0 ? "with these rungs, " : "";
-        document.diagnostics.warning(rule.code, slider->span,
-                                     fmt::format("'{}' {} no effect: {}program '{}' computes the same {}", slider->name,
-                                                 tries_every_value(*slider) ? "has" : "seems to have", where,
-                                                 program.name, tried_values(*slider)),
-                                     fmt::format("{} ({})", rule.instead, lint::more(rule)));
-    }
 }
 
 // Programs are compiled only if there is a context.

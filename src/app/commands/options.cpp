@@ -30,7 +30,7 @@ std::string check_limit(const std::string& text) {
 }
 
 // CLI11 accepts "nan" and "inf" as numbers, so they are refused here.
-std::string check_finite(const std::string& text) {
+std::string check_finite_number(const std::string& text) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     return *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
@@ -44,7 +44,7 @@ std::string check_context(const std::string& text) {
 }  // namespace
 
 std::string check_positive(const std::string& text) {
-    const std::string error = check_finite(text);
+    const std::string error = check_finite_number(text);
     return !error.empty() || std::strtod(text.c_str(), nullptr) > 0 ? error : "'" + text + "' is not more than 0";
 }
 
@@ -91,9 +91,13 @@ void add_grade(CLI::App& command, bool& grade) {
     command.add_flag("--grade", grade, "for scenes of strangers: read nothing outside of each scene's folder");
 }
 
+void add_json(CLI::App& command, std::string& file, const std::string& text) {
+    command.add_flag("--json{/dev/stdout}", file, text + "; --json=FILE writes them to a file")->check(check_file_name);
+}
+
 void add_timeout(CLI::App& command, double& seconds, const std::string& what) {
     command.add_option("--timeout", seconds, "seconds for " + what + "; 0: no end")
-        ->check(check_finite)
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 1e6));
 }
 
@@ -117,7 +121,7 @@ void add_context(CLI::App& command, std::string& context) {
 }
 
 void add_time(CLI::App& command, double& seconds) {
-    command.add_option("--time", seconds, "seconds since the scene began")->check(check_finite);
+    command.add_option("--time", seconds, "seconds since the scene began")->check(check_finite_number);
 }
 
 bool size_fits(const Size& size, const Limits& most) {

@@ -24,6 +24,8 @@ CLI::Option* add_size(CLI::App& command, Size& size, const std::string& text);
 // --limit, --confine and --allow: what a scene may read, and how much.
 void add_access(CLI::App& command, Access& access);
 void add_grade(CLI::App& command, bool& grade);
+// --json, alone or as --json=FILE: `file` is then "/dev/stdout", or the name (see meant_words in help/program.h).
+void add_json(CLI::App& command, std::string& file, const std::string& text);
 // `what` completes the sentence "seconds for …".
 void add_timeout(CLI::App& command, double& seconds, const std::string& what);
 void add_specialise(CLI::App& command, bool& specialise);

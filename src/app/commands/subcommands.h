@@ -20,6 +20,8 @@ Run add_window(CLI::App& command);  // without a subcommand
 Run add_render(CLI::App& command);
 Run add_sweep(CLI::App& command);
 Run add_check(CLI::App& command);
+Run add_compare(CLI::App& command);
+Run add_grade_command(CLI::App& command);
 Run add_explain(CLI::App& command);
 Run add_accuracy(CLI::App& command);
 Run add_save(CLI::App& command);

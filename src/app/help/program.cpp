@@ -37,6 +37,10 @@ constexpr auto table = std::to_array<Subcommand>({
     {"check", "report errors and warnings", add_check,
      "  snell check scenes/light/glass/glass.glib\n"
      "  snell check scenes/light/*/*.glib --json --confine scenes  # for scripts that grade homework"},
+    {"compare", "measure how far pictures or scenes are from each other", add_compare,
+     "  snell compare scenes/light/glass/glass.glib scenes/light/glass/glass.glib --max-rmse 0.01"},
+    {"grade", "grade submissions by a rubric, and make a page of each", add_grade_command,
+     "  snell grade --new scenes/light/glass/glass.glib            # print a rubric to start from"},
     {"explain", "report what a scene costs, and why", add_explain,
      "  snell explain scenes/light/glass/glass.glib --size 800x600\n"
      "  snell explain scenes/light/glass/glass.glib --set uMix=0   # what this value switches off"},
@@ -124,6 +128,47 @@ bool matters(const Subcommand& row, std::string_view first) {
 }
 
 }  // namespace
+
+namespace {
+
+// `--json` of these has always taken the next word.
+bool json_is_file(std::string_view subcommand) {
+    return subcommand == "render" || subcommand == "sweep" || subcommand == "accuracy";
+}
+
+bool names_json(std::string_view word, std::string_view subcommand) {
+    if (word == "-" || word.ends_with(".json") || word.starts_with("/dev/") || word.starts_with("/proc/")) return true;
+    return json_is_file(subcommand) && !word.starts_with('-') && !word.ends_with(".glib");
+}
+
+bool names_output(std::string_view option) {
+    constexpr auto outputs = std::to_array<std::string_view>(
+        {"-o", "--output", "--sheet", "--stats", "--csv", "--markdown", "--svg", "--sarif"});
+    return ranges::find(outputs, option) != outputs.end();
+}
+
+}  // namespace
+
+std::vector<std::string> meant_words(int count, const char* const* words) {
+    constexpr const char* standard_output = "/dev/stdout";
+    std::vector<std::string> meant(words, words + count);
+    const std::string_view subcommand = count > 1 ? words[1] : "";
+    for (std::size_t i = 1; i < meant.size(); ++i) {
+        std::string& word = meant[i];
+        const std::string next = i + 1 < meant.size() ? meant[i + 1] : "";
+        if (word == "--") break;
+        if (word == "--json" && names_json(next, subcommand)) {
+            word += "=" + (next == "-" ? std::string(standard_output) : next);
+            meant.erase(meant.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        } else if (names_output(word) && next == "-") {
+            meant[++i] = standard_output;
+        } else if (word.starts_with("--") && word.ends_with("=-") &&
+                   (word == "--json=-" || names_output(std::string_view(word).substr(0, word.size() - 2)))) {
+            word.replace(word.size() - 1, 1, standard_output);
+        }
+    }
+    return meant;
+}
 
 void describe(CLI::App& program, Request& request, std::string_view first) {
     program.description("snell runs .glib scenes: GLSL programs with sliders, in a window or to a picture.");

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "src/app/commands/explain.h"
+#include "src/app/commands/explain/explain.h"
 #include "src/content/json.h"
 
 namespace snell::app {

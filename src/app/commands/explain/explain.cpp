@@ -1,4 +1,4 @@
-#include "src/app/commands/explain.h"
+#include "src/app/commands/explain/explain.h"
 
 #include <fmt/format.h>
 

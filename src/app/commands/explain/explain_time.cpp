@@ -5,7 +5,7 @@
 #include "parser/text/ranges.h"
 #include "src/accuracy/clock.h"
 #include "src/accuracy/statistics.h"
-#include "src/app/commands/explain.h"
+#include "src/app/commands/explain/explain.h"
 #include "src/gl/exact_target.h"
 #include "src/gl/present.h"
 #include "src/runtime/resources/stopwatch.h"

@@ -1,0 +1,335 @@
+// `snell compare`: how far pictures, or pictures of scenes, are from each other.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
+#include "parser/text/words.h"
+#include "src/accuracy/difference.h"
+#include "src/app/commands/options.h"
+#include "src/app/commands/subcommands.h"
+#include "src/app/open/deadline.h"
+#include "src/app/open/exit_status.h"
+#include "src/app/open/headless.h"
+#include "src/app/picture/outputs.h"
+#include "src/app/picture/scene_picture.h"
+#include "src/content/json.h"
+#include "src/content/regular_file.h"
+#include "src/content/replace.h"
+#include "src/gl/caps.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using accuracy::PictureDifference;
+using accuracy::Picture;
+
+struct CompareOptions {
+    std::string picture;
+    std::vector<std::string> references;
+    std::string output, json;
+    std::optional<double> max_rmse, max_flip, max_pixels;  // the last in per cent
+    double threshold = accuracy::one_step;
+    bool displayed = false;
+    double timeout = 20;
+    ScenePicture scene;
+};
+
+bool is_scene(const fs::path& path) { return same_word(path.extension().string(), ".glib"); }
+
+bool no_comparison(const std::string& what) {
+    fmt::print(stderr, "snell: error: {}\n", what);
+    return false;
+}
+
+// Reads pictures and draws scenes; the context is made for the first scene.
+class Pictures {
+public:
+    explicit Pictures(const CompareOptions& options) : options_(options), deadline_(options.timeout) {}
+
+    // Scenes are drawn in the size that is given. Prints why there is no picture.
+    std::optional<Picture> of(const std::string& path, std::optional<std::pair<int, int>> size) {
+        deadline_.begin(fmt::format("reading '{}'", path));
+        auto image = is_scene(path) ? drawn(path, size) : read(path);
+        deadline_.rest();
+        if (!image) return std::nullopt;
+        return accuracy::displayed_picture(*image, image->light && !options_.displayed);
+    }
+    Exit status() const { return status_; }
+
+private:
+    std::optional<content::Image> drawn(const std::string& path, std::optional<std::pair<int, int>> size) {
+        if (!context_) context_ = headless_context("");
+        if (!context_) {
+            status_ = exit_graphics;
+            return std::nullopt;
+        }
+        ScenePicture wanted = options_.scene;
+        if (!wanted.size) wanted.size = size;
+        std::string messages;
+        auto image = scene_picture(path, wanted, gl::query_caps(), messages);
+        fmt::print(stderr, "{}", messages);
+        return image;
+    }
+
+    static std::optional<content::Image> read(const std::string& path) {
+        std::string error;
+        const auto bytes = content::read_regular_file(path, Limits{}.file_bytes, nullptr, error);
+        if (!bytes) {
+            no_comparison(fmt::format("cannot read '{}': {}", utf8::printable(path), error));
+            return std::nullopt;
+        }
+        auto decoded = content::decode_image(path, *bytes);
+        for (const content::ImageIssue& issue : decoded.issues)
+            fmt::print(stderr, "snell: {}: '{}': {} [{}]\n   help: {}\n", issue.error ? "error" : "warning",
+                       utf8::printable(path), utf8::printable(issue.message), issue.code, issue.help);
+        if (decoded.image && decoded.image->depth > 1) {
+            no_comparison(fmt::format("'{}' is a volume, not a picture", utf8::printable(path)));
+            return std::nullopt;
+        }
+        return std::move(decoded.image);
+    }
+
+    const CompareOptions& options_;
+    Deadline deadline_;
+    std::unique_ptr<HeadlessContext> context_;
+    Exit status_ = exit_input;
+};
+
+struct Compared {
+    std::string picture, reference;
+    int width = 0, height = 0;
+    PictureDifference difference;
+    bool alike = true;
+};
+
+bool within(double value, const std::optional<double>& limit) { return !limit || value <= *limit; }
+
+bool alike(const PictureDifference& d, const CompareOptions& options) {
+    return within(d.error.display.rmse, options.max_rmse) && within(d.flip, options.max_flip) &&
+           within(100 * d.share, options.max_pixels);
+}
+
+// The nearest of the references; nullopt if none could be compared, which was printed.
+std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pictures, const std::string& path,
+                                   const std::vector<std::string>& references) {
+    std::optional<Compared> best;
+    std::optional<Picture> picture;
+    if (!is_scene(path)) picture = pictures.of(path, std::nullopt);
+    if (!is_scene(path) && !picture) return best;
+    for (const std::string& name : references) {
+        const auto reference =
+            pictures.of(name, picture ? std::optional(std::pair(picture->width, picture->height)) : std::nullopt);
+        if (!reference) return std::nullopt;
+        if (is_scene(path)) picture = pictures.of(path, std::pair(reference->width, reference->height));
+        if (!picture) return std::nullopt;
+        if (picture->width != reference->width || picture->height != reference->height) {
+            no_comparison(fmt::format("'{}' has {}x{} pixels, but '{}' has {}x{}", utf8::printable(path), picture->width,
+                                 picture->height, utf8::printable(name), reference->width, reference->height));
+            continue;
+        }
+        Compared now{path, name, picture->width, picture->height,
+                     accuracy::picture_difference(*picture, *reference, options.threshold), true};
+        now.alike = alike(now.difference, options);
+        const auto rank = [](const Compared& c) { return std::pair(!c.alike, c.difference.error.display.rmse); };
+        if (!best || rank(now) < rank(*best)) best = std::move(now);
+    }
+    return best;
+}
+
+nlohmann::ordered_json figures_json(const accuracy::Figures& f) {
+    const auto number = [](double value) {  // JSON has no infinity
+        return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+    };
+    return {{"rmse", number(f.rmse)}, {"psnr", number(f.psnr)}, {"max", number(f.max)}, {"mean", number(f.mean)}};
+}
+
+nlohmann::ordered_json compared_json(const Compared& c) {
+    const PictureDifference& d = c.difference;
+    return {{"picture", c.picture},
+            {"reference", c.reference},
+            {"alike", c.alike},
+            {"size", {c.width, c.height}},
+            {"display", figures_json(d.error.display)},
+            {"light", figures_json(d.error.light)},
+            {"largest_at", {d.x, d.y}},
+            {"flip", d.flip},
+            {"pixels_percent", 100 * d.share},
+            {"coverage", {d.cover[0], d.cover[1]}},
+            {"non_finite_pixels", d.error.nonfinite}};
+}
+
+void print_compared(const Compared& c, const CompareOptions& options) {
+    const PictureDifference& d = c.difference;
+    const accuracy::Figures &shown = d.error.display, &light = d.error.light;
+    fmt::print("{} against {}: {}x{}{}\n", utf8::printable(c.picture), utf8::printable(c.reference), c.width, c.height,
+               c.alike ? "" : ", different");
+    fmt::print("  RMSE      {:.6g} of displayed values, {:.6g} of light\n", shown.rmse, light.rmse);
+    fmt::print("  PSNR      {:.4g} dB of displayed values, {:.4g} dB of light\n", shown.psnr, light.psnr);
+    if (d.largest > 0)
+        fmt::print("  largest   {:.6g} of displayed values at {},{} from the top left\n", d.largest, d.x, d.y);
+    fmt::print("  FLIP      {:.6g}\n", d.flip);
+    fmt::print("  pixels    {:.4g} % differ by more than {:.4g}\n", 100 * d.share, options.threshold);
+    fmt::print("  coverage  {:.4g} % and {:.4g} %\n", 100 * d.cover[0], 100 * d.cover[1]);
+}
+
+// The pictures and scenes below a folder, by their paths in it.
+std::optional<std::vector<std::string>> names_in(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
+    for (; !error && entry != end; entry.increment(error)) {
+        constexpr std::array endings{".png", ".exr", ".hdr", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".tga", ".glib"};
+        const std::string ending = entry->path().extension().string();
+        if (ranges::any_of(endings, [&](const char* e) { return same_word(ending, e); }) &&
+            entry->is_regular_file(error))
+            names.push_back(entry->path().lexically_relative(folder).string());
+    }
+    if (error) {
+        no_comparison(fmt::format("cannot read the folder '{}': {}", utf8::printable(folder), error.message()));
+        return std::nullopt;
+    }
+    ranges::sort(names);
+    return names;
+}
+
+struct Pair {
+    std::string picture;
+    std::vector<std::string> references;
+    std::string map;  // where the map of the differences is written; "": nowhere
+};
+
+// What is compared with what. A file that only one of two folders has is printed, and makes them different.
+std::optional<std::vector<Pair>> pairs_of(const CompareOptions& options, bool& different) {
+    if (!fs::is_directory(options.picture))
+        return std::vector{Pair{options.picture, options.references, options.output}};
+    const std::string& other = options.references.front();
+    const auto own = names_in(options.picture), others = names_in(other);
+    if (!own || !others) return std::nullopt;
+    std::vector<Pair> pairs;
+    for (const std::string& name : *own) {
+        if (ranges::find(*others, name) == others->end()) {
+            different = true;
+            fmt::print("only in {}: {}\n", utf8::printable(options.picture), utf8::printable(name));
+            continue;
+        }
+        const std::string map =
+            options.output.empty() ? "" : (fs::path(options.output) / fs::path(name).replace_extension(".png")).string();
+        pairs.push_back({(fs::path(options.picture) / name).string(), {(fs::path(other) / name).string()}, map});
+    }
+    for (const std::string& name : *others)
+        if (ranges::find(*own, name) == own->end()) {
+            different = true;
+            fmt::print("only in {}: {}\n", utf8::printable(other), utf8::printable(name));
+        }
+    if (pairs.empty() && !different) different = !no_comparison("there are neither pictures nor scenes in these folders");
+    return pairs;
+}
+
+bool write_map(const Compared& compared, const std::string& file) {
+    if (file.empty()) return true;
+    std::error_code ignored;
+    if (const fs::path folder = fs::path(file).parent_path(); !folder.empty()) fs::create_directories(folder, ignored);
+    const std::string wrong = content::write_image(
+        file, accuracy::map_image(compared.difference.map, compared.width, compared.height));
+    return wrong.empty() || no_comparison(fmt::format("cannot write '{}': {}", utf8::printable(file), wrong));
+}
+
+bool write_compared(const CompareOptions& options, const nlohmann::ordered_json& all, bool same) {
+    const nlohmann::ordered_json json{{"schema", "snell-compare-1"}, {"alike", same}, {"pairs", all}};
+    const std::string wrong = content::replace_file(options.json,
+                                                    content::json_text(json) + '\n');
+    return wrong.empty() || no_comparison(fmt::format("cannot write '{}': {}", utf8::printable(options.json), wrong));
+}
+
+// Two folders, or one picture with any number of references; nothing that is read is overwritten.
+Exit usable(const CompareOptions& options) {
+    std::vector<std::string> read = options.references;
+    read.push_back(options.picture);
+    for (const std::string& path : read) {
+        std::error_code error;
+        if (!fs::exists(path, error)) {
+            no_comparison(fmt::format("there is no '{}'", utf8::printable(path)));
+            return exit_usage;
+        }
+        const bool folders = fs::is_directory(options.picture);
+        if (fs::is_directory(path) == folders && (!folders || options.references.size() == 1)) continue;
+        no_comparison("a folder is compared with one other folder, and a picture or a scene with pictures or scenes");
+        return exit_usage;
+    }
+    const std::vector outputs{options.output, options.json};
+    if (fs::is_directory(options.picture)) return exit_fine;
+    return check_outputs(outputs, read);
+}
+
+Exit compare(const CompareOptions& options) {
+    if (const Exit refused = usable(options); refused != exit_fine) return refused;
+    bool different = false;
+    const auto pairs = pairs_of(options, different);
+    if (!pairs) return exit_input;
+    Pictures pictures(options);
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    Exit status = exit_fine;
+    for (const Pair& pair : *pairs) {
+        const auto compared = nearest_of(options, pictures, pair.picture, pair.references);
+        if (!compared) {
+            status = std::max(status, pictures.status());
+            continue;
+        }
+        different = different || !compared->alike;
+        if (options.json != "/dev/stdout") print_compared(*compared, options);
+        all.push_back(compared_json(*compared));
+        if (!write_map(*compared, pair.map)) status = std::max(status, exit_input);
+    }
+    if (different) status = std::max(status, exit_input);
+    if (!options.json.empty() && !write_compared(options, all, status == exit_fine)) return exit_input;
+    return status;
+}
+
+}  // namespace
+
+Run add_compare(CLI::App& command) {
+    auto options = std::make_shared<CompareOptions>();
+    command.add_option("PICTURE", options->picture, "a picture, a scene, or a folder of them")->required();
+    command
+        .add_option("REFERENCE", options->references,
+                    "what it is compared with; of several, the nearest counts. A folder is compared by names")
+        ->required();
+    command.add_option("-o,--output", options->output, "write FLIP's map of the differences; of folders, into a folder")
+        ->check(check_file_name);
+    add_json(command, options->json, "print the figures as JSON, or write them");
+    command.add_option("--max-rmse", options->max_rmse, "different if the RMSE of displayed values (0 to 1) is larger")
+        ->check(CLI::Range(0., 1e9));
+    command.add_option("--max-flip", options->max_flip, "different if the mean of FLIP (0 to 1) is larger")
+        ->check(CLI::Range(0., 1.));
+    command.add_option("--max-pixels", options->max_pixels, "different if more per cent of the pixels differ")
+        ->check(CLI::Range(0., 100.));
+    command
+        .add_option("--threshold", options->threshold,
+                    "pixels differ if a channel differs by more (default: .0059, one and a half steps of a byte)")
+        ->check(CLI::Range(0., 1e9));
+    command.add_flag("--displayed", options->displayed,
+                     "numbers of EXR and HDR files are displayed values, as scenes without 'Output srgb' write them");
+    add_values(command, options->scene.sets, options->scene.ladders);
+    add_size(command, options->scene.size, "WIDTHxHEIGHT of scenes (default: the reference's)");
+    add_time(command, options->scene.time);
+    command.add_option("--samples", options->scene.samples, "samples per pixel of scenes")->check(CLI::Range(1, 64));
+    add_access(command, options->scene.access);
+    add_grade(command, options->scene.grade);
+    add_timeout(command, options->timeout, "each scene");
+    command.footer(
+        "Without a limit, the status is 0 when the pictures could be compared. With --max-rmse, --max-flip or\n"
+        "--max-pixels it is 0 for pictures that are alike, 1 for different ones, and 2 for wrong usage.");
+    return [options] {
+        return size_fits(options->scene.size, options->scene.access.limits) ? compare(*options) : exit_usage;
+    };
+}
+
+}  // namespace snell::app

@@ -1,0 +1,125 @@
+// `snell grade`: submissions by a rubric.
+#include "src/app/grade/grade.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "parser/text/utf8.h"
+#include "src/app/batch/shots.h"
+#include "src/app/commands/options.h"
+#include "src/app/commands/subcommands.h"
+#include "src/app/grade/report/report.h"
+#include "src/content/whole_file.h"
+
+namespace snell::app {
+
+namespace {
+
+struct GradeCommand {
+    GradeOptions grade;
+    std::string shard;
+    bool make_new = false, quiet = false;
+};
+
+Exit misuse(const std::string& what) {
+    fmt::print(stderr, "snell: error: {}\n", what);
+    return exit_usage;
+}
+
+std::string check_part(const std::string& text) {
+    return parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
+}
+
+// A folder with other people's files is left alone.
+bool may_hold_report(const std::string& folder) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (!fs::exists(folder, error) || fs::is_empty(folder, error)) return true;
+    const fs::path index = fs::path(folder) / "index.html";
+    if (!fs::exists(index, error)) return fs::is_directory(fs::path(folder) / "students", error);
+    return content::whole_file(index.string()).find("content=\"snell grade\"") != std::string::npos;
+}
+
+void print_grades(const Grades& grades) {
+    std::size_t width = 0;
+    for (const GradedSubmission& graded : grades.all) width = std::max(width, graded.submission.name.size());
+    for (const GradedSubmission& graded : grades.all)
+        fmt::print("{:<{}}  {:>6} of {}{}{}\n", graded.submission.name, width, points_text(graded.record.points()),
+                   points_text(grades.rubric.points()), graded.record.problem.empty() ? "" : "  ",
+                   utf8::printable(graded.record.problem));
+}
+
+void warn_of_reference(const Grades& grades) {
+    if (!grades.reference) return;
+    for (std::size_t i = 0; i < grades.reference->items.size(); ++i)
+        if (!grades.reference->items[i].passed)
+            fmt::print(stderr, "snell: warning: the reference itself fails '{}': {} [reference-fails]\n",
+                       utf8::printable(grades.rubric.items[i].name),
+                       utf8::printable(grades.reference->items[i].why));
+}
+
+Exit run_grade(const GradeCommand& command) {
+    const GradeOptions& options = command.grade;
+    if (command.make_new)
+        return options.submissions.empty() ? write_new_rubric(options.rubric, options.output)
+                                           : misuse("--new takes one scene");
+    if (options.submissions.empty()) return misuse("there are no submissions: snell grade RUBRIC SUBMISSIONS… -o FOLDER");
+    if (options.output.empty()) return misuse("-o FOLDER says where the report is written");
+    if (!may_hold_report(options.output))
+        return misuse(fmt::format("'{}' holds other files than a report\n   help: choose a folder that does not exist",
+                                  utf8::printable(options.output)));
+    Grades grades;
+    const Exit status = grade(options, grades);
+    if (status != exit_fine) return status;
+    warn_of_reference(grades);
+    if (!command.quiet) print_grades(grades);
+    std::size_t kept = 0;
+    for (const GradedSubmission& graded : grades.all) kept += graded.kept;
+    if (options.shards > 1) {
+        fmt::print("part {} of {}: {} submissions, {} of them judged before\n", options.shard, options.shards,
+                   grades.all.size(), kept);
+        return exit_fine;
+    }
+    const std::string wrong = write_report(grades, options.output);
+    if (!wrong.empty()) {
+        fmt::print(stderr, "snell: error: cannot write {}\n", utf8::printable(wrong));
+        return exit_input;
+    }
+    fmt::print("{}: {} submissions, {} of them judged before\n",
+               utf8::printable((std::filesystem::path(options.output) / "index.html").string()), grades.all.size(),
+               kept);
+    return exit_fine;
+}
+
+}  // namespace
+
+Run add_grade_command(CLI::App& command) {
+    auto options = std::make_shared<GradeCommand>();
+    GradeOptions& grade = options->grade;
+    command.add_option("RUBRIC", grade.rubric, "the rubric (TOML); with --new, a scene")->required();
+    command.add_option("SUBMISSION", grade.submissions,
+                       "folders, archives or scenes; one folder without a scene holds submissions");
+    command.add_option("-o,--output", grade.output, "the folder of the report; with --new, the rubric")
+        ->check(check_file_name);
+    command.add_flag("--new", options->make_new, "write a rubric for a scene, to start from");
+    command.add_option("--shard", options->shard, "I/N: judge part I of N, and write no report")->check(check_part);
+    command.add_option("--jobs", grade.jobs, "processes at a time (default: one for each core)")
+        ->check(CLI::Range(1, 1024));
+    command.add_flag("--again", grade.again, "judge everything again, also what an earlier run has judged");
+    command.add_flag("-q,--quiet", options->quiet, "print no line for each submission");
+    command.footer(
+        "What was judged is kept in the folder of the report: a second run judges only what has changed.\n"
+        "After all parts of --shard, the same command without it writes the report.");
+    return [options] {
+        if (const auto part = parse_shard(options->shard)) {
+            options->grade.shard = part->index;
+            options->grade.shards = part->count;
+        }
+        return run_grade(*options);
+    };
+}
+
+}  // namespace snell::app

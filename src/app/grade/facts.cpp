@@ -1,0 +1,166 @@
+#include "src/app/grade/facts.h"
+
+#include <fmt/format.h>
+
+#include "parser/commands/commands.h"
+#include "parser/read/syntax.h"
+#include "parser/text/ranges.h"
+#include "parser/text/words.h"
+
+namespace snell::app {
+
+namespace {
+
+using Kind = RubricItem::Kind;
+
+std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
+
+// A share of the points for what is right.
+Judged shared_points(const RubricItem& item, std::size_t wrong, std::size_t of, const std::vector<std::string>& why) {
+    const double share = of > 0 ? static_cast<double>(of - wrong) / static_cast<double>(of) : 1;
+    return {item.points * share, wrong == 0, joined(why)};
+}
+
+Judged judge_errors(const RubricItem& item, const Document& document) {
+    const std::size_t errors = document.diagnostics.errors();
+    if (errors == 0) return {item.points, true, "there are no errors"};
+    return {0, false, fmt::format("there {} {} error{}", errors == 1 ? "is" : "are", errors, errors == 1 ? "" : "s")};
+}
+
+Judged judge_lints(const RubricItem& item, const Document& document) {
+    std::vector<std::string> found;
+    for (const std::string& code : item.names)
+        for (const Diagnostic& diagnostic : document.diagnostics.items())
+            if (diagnostic.code == code) {
+                found.push_back(code);
+                break;
+            }
+    if (found.empty()) return {item.points, true, "nothing was found"};
+    const double lost = item.each ? *item.each * static_cast<double>(found.size()) : item.points;
+    return {std::max(0., item.points - lost), false, fmt::format("found: {}", fmt::join(found, ", "))};
+}
+
+bool has_uniform(const Document& document, std::string_view name) {
+    return ranges::any_of(document.controls.items, [&](const snell::Control& c) { return c.name == name; });
+}
+
+std::string own_name(const std::string& name, const Rubric& rubric, const Document& document) {
+    if (has_uniform(document, name)) return name;
+    if (const auto aliases = rubric.aliases.find(name); aliases != rubric.aliases.end())
+        for (const std::string& alias : aliases->second)
+            if (has_uniform(document, alias)) return alias;
+    return name;
+}
+
+std::string type_of(const Document& document, const snell::Control& control) {
+    for (const ActiveUniform& uniform : document.runtime->active_uniforms()[control.program])
+        if (uniform.name == control.name) return uniform.glsl_type;
+    return {};
+}
+
+// "" or what is wrong with it.
+std::string missing(const NeededUniform& needed, const Rubric& rubric, const Document& document) {
+    const std::string name = own_name(needed.name, rubric, document);
+    if (!has_uniform(document, name)) {
+        std::vector<std::string_view> names;
+        for (const snell::Control& control : document.controls.items) names.push_back(control.name);
+        const std::string_view near = nearest(needed.name, names);
+        return fmt::format("there is no uniform '{}'{}", needed.name,
+                           near.empty() ? "" : fmt::format(", but '{}'", near));
+    }
+    std::string wrong;
+    for (const snell::Control& control : document.controls.items) {
+        if (control.name != name) continue;
+        const std::string type = type_of(document, control);
+        if (type.empty())
+            wrong = fmt::format("no shader uses '{}'", name);
+        else if (!needed.type.empty() && type != needed.type)
+            wrong = fmt::format("'{}' is a {}, not a {}", name, type, needed.type);
+        else if (needed.least && (control.widget == Widget::none || control.min > *needed.least ||
+                                  control.max < *needed.most))
+            wrong = control.widget == Widget::none
+                        ? fmt::format("'{}' has no slider", name)
+                        : fmt::format("the slider of '{}' goes from {} to {}, not from {} to {}", name, control.min,
+                                      control.max, *needed.least, *needed.most);
+        else
+            return {};
+    }
+    return wrong;
+}
+
+Judged judge_uniforms(const RubricItem& item, const Rubric& rubric, const Document& document) {
+    std::vector<std::string> why;
+    for (const NeededUniform& needed : item.uniforms)
+        if (std::string wrong = missing(needed, rubric, document); !wrong.empty()) why.push_back(std::move(wrong));
+    Judged judged = shared_points(item, why.size(), item.uniforms.size(), why);
+    if (judged.passed) judged.why = "all uniforms are as they should be";
+    return judged;
+}
+
+Judged judge_commands(const RubricItem& item, const std::set<std::string>& commands) {
+    const bool needed = item.kind == Kind::needs;
+    std::vector<std::string> why;
+    for (const std::string& name : item.names) {
+        const Command* command = find_command(name);
+        const bool used = commands.contains(command ? std::string(command->name) : name);
+        if (used != needed) why.push_back(fmt::format("it {} {}", used ? "uses" : "does not use", name));
+    }
+    if (needed) return shared_points(item, why.size(), item.names.size(), why);
+    return {why.empty() ? item.points : 0, why.empty(), joined(why)};
+}
+
+}  // namespace
+
+std::set<std::string> used_commands(const std::string& scene, const Access& access) {
+    Files files(scene_folder(scene), access);
+    Sources sources;  // only scenes: no plan is made, which would read shaders
+    Diagnostics unheard(access.limits);
+    std::set<std::string> used;
+    if (!parse_document(scene, files, sources, unheard)) return used;
+    for (std::size_t file = 0; file < sources.size(); ++file) {
+        Report report(1);
+        const auto id = static_cast<FileId>(file);
+        StatementReader reader(sources.text(id), id, report);
+        Statement statement;
+        while (reader.next(statement))
+            if (const Command* command = find_command(reader.lexer().text(statement.command()))) used.emplace(command->name);
+    }
+    return used;
+}
+
+Judged judge_text(const RubricItem& item, const Rubric& rubric, const Document& document,
+                  const std::set<std::string>& commands) {
+    switch (item.kind) {
+        case Kind::no_errors: return judge_errors(item, document);
+        case Kind::no_lints: return judge_lints(item, document);
+        case Kind::uniforms: return judge_uniforms(item, rubric, document);
+        default: return judge_commands(item, commands);
+    }
+}
+
+Judged judge_counters(const RubricItem& item, const Counters& counters) {
+    std::vector<std::string> told;
+    std::size_t wrong = 0;
+    for (const Bounds& bounds : item.counters)
+        for (const CounterName& counter : counter_names()) {
+            if (counter.name != bounds.counter) continue;
+            const auto value = static_cast<double>(counters.*counter.value);
+            const bool low = bounds.least && value < *bounds.least, high = bounds.most && value > *bounds.most;
+            wrong += low || high;
+            std::string text = fmt::format("{} {}", counter.name, value);
+            if (low) text += fmt::format(", at least {} expected", *bounds.least);
+            if (high) text += fmt::format(", at most {} allowed", *bounds.most);
+            told.push_back(std::move(text));
+        }
+    return {wrong == 0 ? item.points : 0, wrong == 0, joined(told)};
+}
+
+std::string with_aliases(const std::string& assignment, const Rubric& rubric, const Document& document) {
+    const std::size_t equals = std::min(assignment.find('='), assignment.size());
+    std::string name;
+    for (const std::string_view part : split(std::string_view(assignment).substr(0, equals), '.'))
+        name += (name.empty() ? "" : ".") + own_name(std::string(part), rubric, document);
+    return name + assignment.substr(equals);
+}
+
+}  // namespace snell::app

@@ -1,0 +1,23 @@
+// Judges items of a rubric by what a scene says and counts, without its pictures.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "src/app/grade/record.h"
+#include "src/document/document.h"
+
+namespace snell::app {
+
+// The commands that the scene and the scenes that it includes use, by their own names.
+std::set<std::string> used_commands(const std::string& scene, const Access& access);
+
+// Judges an item of the kinds no_errors, no_lints, uniforms, needs and forbids.
+Judged judge_text(const RubricItem& item, const Rubric& rubric, const Document& document,
+                  const std::set<std::string>& commands);
+Judged judge_counters(const RubricItem& item, const Counters& counters);
+
+// The assignment with the names that the scene has in place of the rubric's, where the rubric lists them as aliases.
+std::string with_aliases(const std::string& assignment, const Rubric& rubric, const Document& document);
+
+}  // namespace snell::app

@@ -1,0 +1,195 @@
+#include "src/app/grade/grade.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "parser/text/utf8.h"
+#include "src/app/grade/judge.h"
+#include "src/app/grade/processes.h"
+#include "src/content/image/open_module.h"
+#include "src/content/replace.h"
+#include "src/content/workers.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool trouble(const std::string& what) {
+    fmt::print(stderr, "snell: error: {}\n", what);
+    return false;
+}
+
+std::optional<Rubric> rubric_of(const std::string& path) {
+    Sources sources;
+    Diagnostics diagnostics;
+    auto rubric = read_rubric(path, sources, diagnostics);
+    diagnostics.sort();
+    fmt::print(stderr, "{}", render(diagnostics, sources));
+    return rubric;
+}
+
+// Submissions and what they are judged with, and where the results go.
+class Grading {
+public:
+    Grading(const GradeOptions& options, Grades& grades)
+        : options_(options), grades_(grades), output_(fs::absolute(options.output).lexically_normal()) {}
+
+    Exit run() {
+        if (!ready()) return exit_input;
+        const std::string common = common_key(grades_.rubric);
+        if (!judge_reference(common)) return exit_graphics;
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < grades_.all.size(); ++i) {
+            GradedSubmission& graded = grades_.all[i];
+            const std::string key = key_of(graded.submission, common);
+            graded.record = read_record(folder_of(graded.submission), grades_.rubric);
+            graded.kept = !options_.again && graded.record.key == key;
+            graded.record.key = key;
+            if (!graded.kept) open.push_back(i);
+        }
+        return judge_all(open) ? exit_fine : exit_graphics;
+    }
+
+private:
+    std::string folder_of(const Submission& submission) const {
+        return student_folder(output_.string(), submission);
+    }
+
+    bool ready() {
+        std::error_code error;
+        fs::create_directories(output_ / "students", error);
+        if (!error) fs::create_directories(output_ / "reference", error);
+        return !error || trouble(fmt::format("cannot make the folder '{}': {}", utf8::printable(options_.output),
+                                             error.message()));
+    }
+
+    ToJudge work_on(const std::string& key, const std::string& path, const std::string& folder,
+                    const std::string& reference) const {
+        return {&grades_.rubric, key, path, folder, (output_ / ".unpacked" / fs::path(folder).filename()).string(),
+                reference};
+    }
+
+    // The whole time of a submission: that of each picture is kept by the process itself.
+    double most_seconds() const {
+        return grades_.rubric.timeout * static_cast<double>(grades_.rubric.pictures.size() + 3) + 10;
+    }
+
+    std::size_t jobs() const { return options_.jobs > 0 ? options_.jobs : content::cores(); }
+
+    // Leaves only what judging makes, so that pictures of an earlier run are not taken for new ones.
+    static void clear(const std::string& folder) {
+        std::error_code error;
+        for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+            if (entry->path().extension() == ".png" || entry->path().filename() == "result.json")
+                fs::remove(entry->path(), error);
+        fs::create_directories(folder, error);
+    }
+
+    bool judge_reference(const std::string& common) {
+        if (grades_.rubric.reference.empty()) return true;
+        const std::string folder = reference_folder(output_.string()), key = common + "-reference";
+        grades_.reference = read_record(folder, grades_.rubric);
+        if (grades_.reference->key == key && !options_.again) return true;
+        clear(folder);
+        const ToJudge work = work_on(key, grades_.rubric.reference, folder, "");
+        bool graphics = true;
+        run_apart(
+            1, 1, most_seconds(), [&](std::size_t) { return judge(work); },
+            [&](std::size_t, const EndedProcess& ended) {
+                graphics = ended.status != exit_graphics;
+                grades_.reference = result_of(ended, folder, key);
+                if (!graphics) fmt::print(stderr, "{}", ended.output);
+            });
+        return graphics;
+    }
+
+    // What a process has left, and why it ended if it was not by itself.
+    Record result_of(const EndedProcess& ended, const std::string& folder, const std::string& key) const {
+        Record record = read_record(folder, grades_.rubric);
+        std::string problem;
+        if (ended.too_long || ended.signal == SIGXCPU || ended.status == exit_timeout)
+            problem = fmt::format("it takes longer than {} seconds{}", grades_.rubric.timeout, said(ended));
+        else if (ended.signal != 0)
+            problem = fmt::format("it ends the program that draws it, twice, by signal {} ({})", ended.signal,
+                                  strsignal(ended.signal));
+        else if (ended.status != exit_fine)
+            problem = fmt::format("it ends the program that draws it{}", said(ended));
+        if (record.key != key) record = unjudged(grades_.rubric, problem.empty() ? "there is no result" : problem);
+        record.key = key;
+        if (!problem.empty()) record.problem = problem;
+        if (ended.again && ended.signal == 0)
+            record.notes.push_back("the program that draws it ended by a signal once; the second time it did not");
+        write_record(folder, record);
+        return record;
+    }
+
+    // The first line of what it printed about itself.
+    static std::string said(const EndedProcess& ended) {
+        const std::size_t at = ended.output.find("snell: error: ");
+        if (at == std::string::npos) return {};
+        const std::string_view line = std::string_view(ended.output).substr(at + 14);
+        return fmt::format(": {}", utf8::printable(line.substr(0, line.find('\n'))));
+    }
+
+    bool judge_all(const std::vector<std::size_t>& open) {
+        if (open.empty()) return true;
+        content::open_image_module();  // once for all processes
+        bool graphics = true;
+        std::size_t ready = 0;
+        const bool shows = isatty(STDERR_FILENO) != 0;
+        run_apart(
+            open.size(), jobs(), most_seconds(),
+            [&](std::size_t k) {
+                const GradedSubmission& graded = grades_.all[open[k]];
+                const std::string folder = folder_of(graded.submission);
+                clear(folder);
+                return judge(work_on(graded.record.key, graded.submission.path, folder,
+                                     grades_.reference ? reference_folder(output_.string()) : ""));
+            },
+            [&](std::size_t k, const EndedProcess& ended) {
+                GradedSubmission& graded = grades_.all[open[k]];
+                const std::string folder = folder_of(graded.submission);
+                graphics = graphics && ended.status != exit_graphics;
+                graded.record = result_of(ended, folder, graded.record.key);
+                std::error_code error;
+                fs::remove_all(output_ / ".unpacked" / fs::path(folder).filename(), error);
+                if (shows) fmt::print(stderr, "\r{} of {}", ++ready, open.size());
+            });
+        if (shows) fmt::print(stderr, "\r\x1b[K");
+        std::error_code error;
+        fs::remove(output_ / ".unpacked", error);
+        return graphics || trouble("no graphics: nothing can be drawn");
+    }
+
+    const GradeOptions& options_;
+    Grades& grades_;
+    fs::path output_;
+};
+
+}  // namespace
+
+std::string student_folder(const std::string& output, const Submission& submission) {
+    return (fs::path(output) / "students" / submission.folder).string();
+}
+
+std::string reference_folder(const std::string& output) { return (fs::path(output) / "reference").string(); }
+
+Exit grade(const GradeOptions& options, Grades& grades) {
+    auto rubric = rubric_of(options.rubric);
+    if (!rubric) return exit_input;
+    grades.rubric = std::move(*rubric);
+    const auto submissions = find_submissions(options.submissions, options.output);
+    if (!submissions) return exit_usage;
+    for (std::size_t i = 0; i < submissions->size(); ++i)
+        if (i % options.shards == options.shard) grades.all.push_back({(*submissions)[i], {}, false});
+    return Grading(options, grades).run();
+}
+
+}  // namespace snell::app

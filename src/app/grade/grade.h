@@ -1,0 +1,46 @@
+// Grades submissions by a rubric. src/app/grade/report/ tells the results.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/app/grade/record.h"
+#include "src/app/grade/rubric.h"
+#include "src/app/grade/submissions.h"
+#include "src/app/open/exit_status.h"
+
+namespace snell::app {
+
+struct GradeOptions {
+    std::string rubric;
+    std::vector<std::string> submissions;
+    std::string output;  // the folder of the report
+    std::size_t shard = 0, shards = 1;
+    std::size_t jobs = 0;  // processes at a time; 0: as many as there are cores
+    bool again = false;    // judges everything again, whatever is kept
+};
+
+struct GradedSubmission {
+    Submission submission;
+    Record record;
+    bool kept = false;  // from an earlier run
+};
+
+struct Grades {
+    Rubric rubric;
+    std::optional<Record> reference;
+    std::vector<GradedSubmission> all;  // of the shard
+};
+
+// The folders in that of the report.
+std::string student_folder(const std::string& output, const Submission& submission);
+std::string reference_folder(const std::string& output);
+
+// Judges what is not kept, each in a process of its own, and prints what goes wrong.
+Exit grade(const GradeOptions& options, Grades& grades);
+
+// Writes a commented rubric for a scene, to standard output if `output` is empty. An existing file is not replaced.
+Exit write_new_rubric(const std::string& scene, const std::string& output);
+
+}  // namespace snell::app

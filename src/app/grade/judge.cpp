@@ -1,0 +1,297 @@
+#include "src/app/grade/judge.h"
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+
+#include "parser/text/utf8.h"
+#include "src/accuracy/clock.h"
+#include "src/app/grade/facts.h"
+#include "src/app/grade/find_scene.h"
+#include "src/app/grade/idle_sliders.h"
+#include "src/app/grade/relations.h"
+#include "src/app/grade/similarity.h"
+#include "src/app/grade/unpack.h"
+#include "src/app/open/deadline.h"
+#include "src/app/open/headless.h"
+#include "src/app/picture/picture.h"
+#include "src/content/image/image.h"
+#include "src/content/replace.h"
+#include "src/content/whole_file.h"
+#include "src/document/document.h"
+#include "src/document/view_text.h"
+#include "src/gl/target.h"
+#include "src/lint/lint.h"
+#include "src/plan/used_files.h"
+#include "src/runtime/resources/program.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using accuracy::Picture;
+using Kind = RubricItem::Kind;
+
+bool needs_pictures(const RubricItem& item) {
+    return item.kind == Kind::picture || item.kind == Kind::counters || item.kind == Kind::time;
+}
+
+// Limits for submissions: what no exercise needs is refused before it takes memory.
+Limits strict_limits() {
+    Limits limits;
+    limits.file_bytes = 64u << 20;
+    limits.texture_bytes = 512u << 20;
+    limits.texture_side = 8192;
+    limits.vertices = 5'000'000;
+    limits.diagnostics = 200;
+    return limits;
+}
+
+class Judging {
+public:
+    explicit Judging(const ToJudge& work) : work_(work), rubric_(*work.rubric), deadline_(rubric_.timeout) {
+        record_ = unjudged(rubric_, "judging ended before");
+        record_.problem.clear();
+        record_.key = work.key;
+    }
+
+    Exit run() {
+        deadline_.begin("reading the submission");
+        if (!enter()) return keep();
+        context_ = headless_context("");
+        if (!context_) return exit_graphics;
+        caps_ = gl::query_caps();
+        if (!open()) return keep();
+        keep();  // what follows may end the process
+        draw_pictures();
+        judge_pictures();
+        return keep();
+    }
+
+private:
+    Exit keep() {
+        const std::string wrong = write_record(work_.output, record_);
+        if (!wrong.empty()) fmt::print(stderr, "cannot write the record: {}\n", wrong);
+        return wrong.empty() ? exit_fine : exit_input;
+    }
+
+    bool fail(const std::string& why) {
+        std::vector<std::string> notes = std::move(record_.notes);
+        record_ = unjudged(rubric_, why);
+        record_.notes = std::move(notes);
+        record_.key = work_.key;
+        return false;
+    }
+
+    bool unpack_into(const std::string& archive, const std::string& folder) {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        const Unpacked unpacked = unpack(archive, folder);
+        const std::string name = utf8::printable(fs::path(archive).filename().string());
+        for (const std::string& note : unpacked.notes) record_.notes.push_back(fmt::format("{}: {}", name, note));
+        if (!unpacked.error.empty())
+            record_.notes.push_back(fmt::format("{} was not unpacked to its end: {}", name, unpacked.error));
+        return unpacked.error.empty();
+    }
+
+    // Finds the scene, and makes the submission's folder the working directory.
+    bool enter() {
+        std::error_code error;
+        std::string folder = work_.path;
+        const std::string preferred = fs::path(rubric_.reference).filename().string();
+        FoundScene found;
+        if (fs::is_regular_file(work_.path, error) && is_archive(work_.path)) {
+            folder = work_.unpacked;
+            unpack_into(work_.path, folder);
+            found = find_scene(folder, rubric_.scene, preferred);
+        } else if (fs::is_regular_file(work_.path, error)) {
+            folder = fs::path(work_.path).parent_path().string();
+            found.scene = fs::path(work_.path).filename().string();
+        } else {
+            found = find_scene(folder, rubric_.scene, preferred);
+        }
+        // Learning platforms put an archive into a folder with the student's name.
+        for (std::size_t i = 0; i < found.archives.size() && i < 4; ++i) {
+            folder = work_.unpacked;
+            unpack_into(found.archives[i], (fs::path(folder) / std::to_string(i)).string());
+        }
+        if (!found.archives.empty()) found = find_scene(folder, rubric_.scene, preferred);
+        if (!found.error.empty()) return fail(found.error);
+        fs::current_path(folder, error);
+        if (error) return fail("cannot read its folder: " + error.message());
+        record_.scene = found.scene;
+        access_.limits = strict_limits();
+        access_.confine = fs::current_path(error).string();
+        if (work_.reference.empty()) access_.confine.reset();  // the lecturer's own
+        access_.allow = rubric_.shared;
+        return true;
+    }
+
+    bool open() {
+        const auto planned = [this](const Plan& plan, Document& document) {
+            document.diagnostics.append(lint::check(plan, document.sources, runtime::include_reader(*document.files)));
+            Files reader(document.files->folder(), access_);
+            for (const PlannedProgram& program : plan.programs)
+                for (const auto& [path, text] : shader_texts(program, document.sources, reader))
+                    add_prints(record_, path, text);
+        };
+        document_ = open_document(record_.scene, caps_, nullptr, planned, {}, access_);
+        const bool sliders = std::any_of(rubric_.items.begin(), rubric_.items.end(), [](const RubricItem& item) {
+            return item.kind == Kind::no_lints &&
+                   std::find(item.names.begin(), item.names.end(), "slider-without-effect") != item.names.end();
+        });
+        if (sliders) add_idle_sliders(*document_, std::min(rubric_.timeout / 10, 2.));
+        record_.messages = render(document_->diagnostics, document_->sources);
+        record_.errors = document_->diagnostics.errors();
+        record_.warnings = document_->diagnostics.warnings();
+        if (!document_->runtime) {
+            const std::string messages = record_.messages;
+            fail("its scene cannot be read");
+            record_.messages = messages;
+            return false;
+        }
+        const std::set<std::string> commands = used_commands(record_.scene, access_);
+        for (std::size_t i = 0; i < rubric_.items.size(); ++i)
+            if (!needs_pictures(rubric_.items[i]))
+                record_.items[i] = judge_text(rubric_.items[i], rubric_, *document_, commands);
+        return true;
+    }
+
+    void draw_pictures() {
+        pictures_.resize(rubric_.pictures.size());
+        wrong_.resize(rubric_.pictures.size());
+        Runtime& runtime = *document_->runtime;
+        const gl::Target target =
+            gl::make_target(rubric_.width, rubric_.height, rubric_.samples, runtime.display_pixels());
+        for (std::size_t i = 0; i < pictures_.size(); ++i) {
+            if (!target.framebuffer) wrong_[i] = "this OpenGL gives no picture of this size";
+            if (target.framebuffer) draw(i, target);
+            if (i == 0) counters_ = runtime.counters();
+        }
+        if (target.framebuffer && (rubric_.judges(Kind::time))) measure_time(target);
+    }
+
+    void draw(std::size_t index, const gl::Target& target) {
+        const Shown& shown = rubric_.pictures[index];
+        Controls controls = document_->controls;
+        Diagnostics wrong;
+        for (const std::string& set : shown.sets)
+            set_control(controls, document_->scene(), with_aliases(set, rubric_, *document_), wrong);
+        if (wrong.has_errors()) {
+            const Diagnostic& first = wrong.items().front();
+            wrong_[index] = first.message + (first.help.empty() ? "" : " (" + first.help + ")");
+            return;
+        }
+        View view;
+        parse_view(shown.view, view);
+        deadline_.begin(fmt::format("the picture '{}'", shown.label()));
+        const content::Image image = draw_picture(*document_->runtime, {shown.time, view, controls}, target,
+                                                  {.width = rubric_.width, .height = rubric_.height}, {});
+        pictures_[index] = accuracy::displayed_picture(image, false);
+        record_.drawn[index] = fmt::format("picture-{}.png", index);
+        write(record_.drawn[index], content::encode_png(image));
+    }
+
+    void write(const std::string& name, const std::string& bytes) const {
+        const std::string wrong = content::replace_file((fs::path(work_.output) / name).string(), bytes);
+        if (!wrong.empty()) fmt::print(stderr, "cannot write '{}': {}\n", name, wrong);
+    }
+
+    // On the CPU, the processor's time, which does not depend on what else the machine does.
+    double now() const {
+        if (!caps_.software) return accuracy::wall_milliseconds();
+        timespec time{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+    }
+
+    void measure_time(const gl::Target& target) {
+        // Some systems count a processor's time in steps of 10 ms, so single frames are not timed.
+        constexpr double enough = 150;
+        constexpr int most_frames = 200;
+        const View view;
+        const double begin = now(), wall = accuracy::wall_milliseconds();
+        int frames = 0;
+        while (frames < most_frames && accuracy::wall_milliseconds() - wall < enough) {
+            deadline_.begin("a frame whose time is measured");
+            draw_picture(*document_->runtime, {0, view, document_->controls}, target,
+                         {.width = rubric_.width, .height = rubric_.height}, {});
+            ++frames;
+        }
+        record_.milliseconds = (now() - begin) / frames;
+    }
+
+    // The reference's own picture, which is copied so that the folder can be handed back.
+    std::optional<Picture> reference_picture(std::size_t index) {
+        if (work_.reference.empty()) return pictures_[index];
+        const std::string name = fmt::format("picture-{}.png", index);
+        const std::string bytes = content::whole_file((fs::path(work_.reference) / name).string());
+        const auto decoded = content::decode_image(name, bytes);
+        if (!decoded.image) return std::nullopt;
+        write(fmt::format("reference-{}.png", index), bytes);
+        return accuracy::displayed_picture(*decoded.image, false);
+    }
+
+    Judged judge_picture(const RubricItem& item) {
+        for (const std::size_t index : {item.picture, item.than})
+            if (!pictures_[index]) return {0, false, wrong_[index]};
+        const Picture& picture = *pictures_[item.picture];
+        const bool against = item.expect == Expect::reference;
+        const auto other = against ? reference_picture(item.picture) : pictures_[item.than];
+        if (!other) return {0, false, "the reference has no such picture"};
+        const Picture compared = item.expect == Expect::mirrored ? accuracy::mirrored(*other) : *other;
+        const accuracy::PictureDifference difference = accuracy::picture_difference(picture, compared, accuracy::one_step, against);
+        if (against) {
+            record_.maps[item.picture] = fmt::format("map-{}.png", item.picture);
+            write(record_.maps[item.picture],
+                  content::encode_png(accuracy::map_image(difference.map, picture.width, picture.height)));
+        }
+        return judge_relation(item, picture, compared, difference);
+    }
+
+    Judged judge_time(const RubricItem& item) const {
+        const double reference = work_.reference.empty() ? record_.milliseconds
+                                                         : read_record(work_.reference, rubric_).milliseconds;
+        if (record_.milliseconds == 0 || reference == 0) return {0, false, "there is no time to compare"};
+        const double ratio = record_.milliseconds / reference;
+        return {0, ratio <= item.ratio,
+                fmt::format("a frame takes {:.3g} ms, {:.3g} times the reference's {:.3g} ms; allowed: {:.3g} times",
+                            record_.milliseconds, ratio, reference, item.ratio)};
+    }
+
+    void judge_pictures() {
+        for (std::size_t i = 0; i < rubric_.items.size(); ++i) {
+            const RubricItem& item = rubric_.items[i];
+            if (!needs_pictures(item)) continue;
+            deadline_.begin(fmt::format("judging '{}'", item.name));
+            const bool empty = !pictures_[0] || accuracy::uniform(*pictures_[0]);
+            Judged judged = empty && item.kind != Kind::picture
+                                ? Judged{0, false, "its picture is empty: all of its pixels have one colour"}
+                            : item.kind == Kind::picture  ? judge_picture(item)
+                            : item.kind == Kind::counters ? judge_counters(item, counters_)
+                                                          : judge_time(item);
+            judged.points = judged.passed ? item.points : 0;
+            record_.items[i] = std::move(judged);
+        }
+    }
+
+    const ToJudge& work_;
+    const Rubric& rubric_;
+    Deadline deadline_;
+    Access access_;
+    Record record_;
+    std::unique_ptr<HeadlessContext> context_;
+    gl::Caps caps_;
+    std::unique_ptr<Document> document_;
+    std::vector<std::optional<Picture>> pictures_;
+    std::vector<std::string> wrong_;  // why there is no such picture
+    Counters counters_;
+};
+
+}  // namespace
+
+Exit judge(const ToJudge& work) { return Judging(work).run(); }
+
+}  // namespace snell::app

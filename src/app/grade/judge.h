@@ -1,0 +1,25 @@
+// Judges one submission, in a process of its own.
+#pragma once
+
+#include <string>
+
+#include "src/app/grade/record.h"
+#include "src/app/grade/rubric.h"
+#include "src/app/open/exit_status.h"
+
+namespace snell::app {
+
+struct ToJudge {
+    const Rubric* rubric = nullptr;
+    std::string key;
+    std::string path;       // the submission's folder, archive or scene: absolute
+    std::string output;     // an existing folder, for record and pictures: absolute
+    std::string unpacked;   // where archives are unpacked: absolute; made if it is needed
+    std::string reference;  // the folder of the reference's record and pictures; "": this is the reference
+};
+
+// Writes a record into `output`, more than once: what is known so far, as if judging ended there. Ends the process if
+// a picture takes too long. Changes the working directory, so that messages name files as the submission does.
+Exit judge(const ToJudge& work);
+
+}  // namespace snell::app

@@ -1,0 +1,226 @@
+// Writes a rubric that a lecturer can change without reading a manual.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "parser/text/utf8.h"
+#include "src/accuracy/difference.h"
+#include "src/app/grade/facts.h"
+#include "src/app/grade/grade.h"
+#include "src/app/open/deadline.h"
+#include "src/app/open/headless.h"
+#include "src/app/picture/picture.h"
+#include "src/content/replace.h"
+#include "src/document/document.h"
+#include "src/gl/target.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_sliders = 6;
+
+std::string toml_text(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : utf8::printable(text)) result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+    return result + "\"";
+}
+
+constexpr std::string_view head = R"(# A rubric for `snell grade`. Run it with
+#   snell grade {file} submissions -o report
+# where `submissions` is a folder with a folder or an archive of each student.
+# Lines that begin with # are comments: they change nothing.
+
+title = {title}
+reference = {reference}    # your own scene; the path is relative to this file
+size = "320x320"           # of all pictures, in pixels
+timeout = 10               # seconds for reading a scene, and for each picture
+# scene = "project*.glib"  # name of the submissions' scenes; without this line, any *.glib
+# shared = ["textures"]    # folders that every submission may read, besides its own
+# template = ["handout"]   # what was handed out: it does not count as similarity
+
+# Other names under which a submission may have a uniform. Nothing is guessed.
+[aliases]
+# uKd = ["Kd", "uDiffuse"]
+
+# Each [[item]] is worth its points, and judges one thing.
+[[item]]
+name = "The scene reads without errors"
+points = 2
+no_errors = true
+
+# `snell help CODE` explains a code, docs/lints.md lists all. Each that is found costs `each` points.
+[[item]]
+points = 2
+each = 0.5
+no_lints = ["pow-of-negative", "never-read", "slider-without-effect"]
+)";
+
+class NewRubric {
+public:
+    NewRubric(const std::string& scene, const std::string& output) : scene_(scene), output_(output), deadline_(20) {}
+
+    Exit make(std::string& text) {
+        deadline_.begin(fmt::format("reading '{}'", scene_));
+        const auto context = headless_context("");
+        if (!context) return exit_graphics;
+        document_ = open_document(scene_, gl::query_caps());
+        const Diagnostics& diagnostics = document_->diagnostics;
+        if (diagnostics.has_errors() || !document_->runtime) {
+            fmt::print(stderr, "{}", render(diagnostics, document_->sources));
+            return exit_input;
+        }
+        target_ = gl::make_target(side, side, 1, document_->runtime->display_pixels());
+        text = begin() + uniforms() + commands() + relations() + end();
+        document_.reset();
+        target_ = {};
+        return exit_fine;
+    }
+
+private:
+    static constexpr int side = 160;
+
+    std::string begin() const {
+        std::error_code error;
+        const fs::path folder = fs::absolute(output_.empty() ? "rubric.toml" : output_, error).parent_path();
+        std::string text(head);
+        const auto put = [&text](std::string_view mark, const std::string& value) {
+            text.replace(text.find(mark), mark.size(), value);
+        };
+        put("{file}", output_.empty() ? "rubric.toml" : utf8::printable(output_));
+        put("{title}", toml_text(fs::path(scene_).stem().string()));
+        put("{reference}", toml_text(fs::absolute(scene_, error).lexically_normal().lexically_relative(folder).string()));
+        return text;
+    }
+
+    // The sliders and check boxes of the scene, each name once.
+    std::vector<const snell::Control*> sliders() const {
+        std::vector<const snell::Control*> found;
+        for (const snell::Control& control : document_->controls.items)
+            if (control.listed && control.active && control.widget != Widget::none &&
+                std::none_of(found.begin(), found.end(), [&](const auto* other) { return other->name == control.name; }))
+                found.push_back(&control);
+        return found;
+    }
+
+    std::string type_name(const snell::Control& control) const {
+        for (const ActiveUniform& uniform : document_->runtime->active_uniforms()[control.program])
+            if (uniform.name == control.name) return uniform.glsl_type;
+        return "float";
+    }
+
+    std::string uniforms() const {
+        const auto all = sliders();
+        if (all.empty()) return {};
+        std::string text =
+            "\n# Type of each, and, if it has a slider, the range that the slider must reach at least.\n[[item]]\nname = "
+            "\"Uniforms\"\npoints = 2\n[item.uniforms]\n";
+        for (const snell::Control* control : all)
+            text += fmt::format("{} = {}\n", control->name,
+                                toml_text(control->widget == Widget::slider
+                                           ? fmt::format("{} {}..{}", type_name(*control), control->min, control->max)
+                                           : type_name(*control)));
+        return text;
+    }
+
+    std::string commands() const {
+        std::string text =
+            "\n# Commands that must be used; `forbids` names those that must not.\n[[item]]\npoints = 1\nneeds = [";
+        std::size_t count = 0;
+        for (const Draw& draw : document_->scene().draws) {
+            const std::string name(std::visit([](const auto& shape) { return std::string(shape.command()); }, draw.shape));
+            if (text.find('"' + name + '"') == text.npos) text += (count++ > 0 ? ", " : "") + toml_text(name);
+        }
+        return count > 0 ? text + "]\n# forbids = [\"Teapot\"]\n" : "";
+    }
+
+    accuracy::Picture picture(const snell::Control* changed, double value) {
+        Controls controls = document_->controls;
+        if (changed) {
+            snell::Control& control = *controls.find(changed->program, changed->name);
+            for (double& component : control.value) component = value;
+        }
+        deadline_.begin("drawing the scene");
+        const View view;
+        return accuracy::displayed_picture(
+            draw_picture(*document_->runtime, {0, view, controls}, target_, {.width = side, .height = side}, {}), false);
+    }
+
+    // What is true of the reference itself when a slider is at its lower end.
+    std::string relations() {
+        std::string text =
+            "\n# Values that students do not see. `expect` is one of: darker, brighter, different, same, mirrored, "
+            "reference.\n# `than` gives the values of the other picture; without it, it has the scene's own values.\n"
+            "# `by` sets how much darker (share of the light) or how different (share of the pixels) it must be.\n";
+        const accuracy::Picture own = picture(nullptr, 0);
+        std::size_t count = 0;
+        for (const snell::Control* control : sliders()) {
+            if (control->type != ValueType::float_ || control->components != 1 || count == most_sliders) continue;
+            const bool at_low = control->value.front() == control->min;
+            const double value = at_low ? control->max : control->min;
+            const accuracy::Picture other = picture(control, value);
+            const double before = accuracy::mean_light(own), now = accuracy::mean_light(other);
+            const double share = accuracy::picture_difference(other, own, accuracy::one_step, false).share;
+            const std::string_view expect = now <= .9 * before   ? "darker"
+                                            : now >= 1.1 * before ? "brighter"
+                                                                  : "different";
+            if (share < .02) continue;
+            ++count;
+            text += fmt::format("[[item]]\npoints = 1\nset = {{ {} = {} }}\nexpect = {}\n\n", control->name, value,
+                                toml_text(expect));
+        }
+        return text;
+    }
+
+    static std::string end() {
+        return R"(# The picture is near the reference's with the same values. Instead of max_rmse (0 to 1), or besides it: max_flip
+# (0 to 1), max_pixels (per cent of pixels that differ).
+[[item]]
+name = "It looks like the reference"
+points = 4
+expect = "reference"
+max_rmse = 0.05
+
+# What a frame may take. Counters: `snell render --stats` lists them.
+[[item]]
+points = 1
+counters = { draws = "1..100" }
+
+# At most so many times the time of the reference.
+[[item]]
+points = 1
+slower = 4
+)";
+    }
+
+    std::string scene_, output_;
+    Deadline deadline_;
+    std::unique_ptr<Document> document_;
+    gl::Target target_;
+};
+
+}  // namespace
+
+Exit write_new_rubric(const std::string& scene, const std::string& output) {
+    std::error_code error;
+    if (!output.empty() && !content::is_stream(output) && fs::exists(output, error)) {
+        fmt::print(stderr, "snell: error: '{}' exists, and is not replaced\n   help: -o with another name\n",
+                   utf8::printable(output));
+        return exit_usage;
+    }
+    std::string text;
+    const Exit status = NewRubric(scene, output).make(text);
+    if (status != exit_fine) return status;
+    if (output.empty()) {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        return exit_fine;
+    }
+    const std::string wrong = content::replace_file(output, text);
+    if (!wrong.empty()) fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(output), wrong);
+    return wrong.empty() ? exit_fine : exit_input;
+}
+
+}  // namespace snell::app

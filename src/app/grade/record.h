@@ -1,0 +1,54 @@
+// What is known of a submission once it was judged: everything that reports need, as JSON beside its pictures.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "src/app/grade/rubric.h"
+
+namespace snell::app {
+
+struct Judged {
+    double points = 0;
+    bool passed = false;  // all points
+    std::string why;      // what was deducted and why, or what was measured
+};
+
+// A shader's text, and where its fingerprints (similarity.h) are.
+struct Print {
+    std::uint64_t hash = 0;
+    std::uint32_t text = 0, first = 0, last = 0;  // index into Record::texts, and lines, from 1
+};
+struct SourceText {
+    std::string name, text;
+};
+
+struct Record {
+    std::string key;      // tells whether it still holds
+    std::string scene;    // the scene's path in the submission; "" if none was found
+    std::string problem;  // why it could not be judged to the end; ""
+    std::vector<std::string> notes;
+    std::string messages;  // errors and warnings with their excerpts
+    std::size_t errors = 0, warnings = 0;
+    double milliseconds = 0;         // of a frame; 0: not measured
+    std::vector<Judged> items;       // in the order of the rubric's
+    std::vector<std::string> drawn;  // by picture of the rubric: its file beside the record; "" if it was not drawn
+    std::vector<std::string> maps;   // likewise, of the differences from the reference
+    std::vector<Print> prints;
+    std::vector<SourceText> texts;
+
+    double points() const;
+};
+
+// A record in which nothing is judged yet, because of `why`.
+Record unjudged(const Rubric& rubric, const std::string& why);
+
+// The file of a record in its folder.
+std::string record_file(const std::string& folder);
+// Return "" or the error.
+std::string write_record(const std::string& folder, const Record& record);
+// Returns an empty key if there is none, or it is not one of this rubric.
+Record read_record(const std::string& folder, const Rubric& rubric);
+
+}  // namespace snell::app

@@ -1,0 +1,30 @@
+// The folder that `snell grade` writes: pages for people, tables for programs. It works from a disk, without a network.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/app/grade/grade.h"
+#include "src/app/grade/similarity.h"
+
+namespace snell::app {
+
+// Writes index.html, a page beside each record, results.csv, results.json, junit.xml and pages of similar shaders. Returns
+// "" or the error.
+std::string write_report(const Grades& grades, const std::string& output);
+
+// The parts of a report, each as text.
+std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs);
+std::string student_page(const Grades& grades, const GradedSubmission& graded);
+std::string alike_page(const Grades& grades, const AlikePair& pair);
+std::string results_csv(const Grades& grades);
+std::string results_json(const Grades& grades, const std::vector<AlikePair>& pairs);
+std::string results_junit(const Grades& grades);
+
+// Points with at most two decimals.
+std::string points_text(double points);
+
+// Fingerprints of the files that were handed out.
+std::set<std::uint64_t> handed_out(const Rubric& rubric);
+
+}  // namespace snell::app

@@ -1,0 +1,74 @@
+// What submissions are graded by: a text that a lecturer writes.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parser/text/diagnostic.h"
+#include "parser/text/source.h"
+
+namespace snell::app {
+
+// A picture of a scene: which values it has, when it is, and from where it is seen.
+struct Shown {
+    std::vector<std::string> sets;  // such as "uKd=0"
+    double time = 0;                // in seconds
+    std::string view;
+    bool operator==(const Shown&) const = default;
+    std::string label() const;
+};
+
+struct NeededUniform {
+    std::string name, type;            // type: as GLSL writes it; "": any
+    std::optional<double> least, most;  // the slider reaches at least from the one to the other
+};
+
+struct Bounds {
+    std::string counter;
+    std::optional<double> least, most;
+};
+
+enum class Expect { darker, brighter, different, same, mirrored, reference };
+
+// One row of the rubric.
+struct RubricItem {
+    enum class Kind { no_errors, no_lints, uniforms, needs, forbids, picture, counters, time };
+    std::string name;
+    double points = 1;
+    Kind kind = Kind::no_errors;
+    std::vector<std::string> names;  // codes of lints, or commands
+    std::optional<double> each;      // points that each lint costs; nullopt: all
+    std::vector<NeededUniform> uniforms;
+    std::vector<Bounds> counters;
+    double ratio = 1;  // of the reference's time
+    Expect expect = Expect::reference;
+    std::size_t picture = 0, than = 0;  // indices into Rubric::pictures
+    double by = 0;                      // threshold of the relation, a share
+    std::optional<double> max_rmse, max_flip, max_pixels;  // the last in per cent
+};
+
+struct Rubric {
+    std::string title;
+    std::string reference;  // path of the lecturer's scene
+    std::string scene;      // pattern of the name of the submissions' scenes; "": see find_scene
+    std::vector<std::string> shared, templates;  // paths
+    int width = 320, height = 320, samples = 1;
+    double timeout = 10;  // in seconds, for reading a scene and for a picture
+    std::map<std::string, std::vector<std::string>> aliases;
+    std::vector<RubricItem> items;
+    std::vector<Shown> pictures;  // the first one has the scene's own values
+    std::string text;
+
+    double points() const;
+    bool judges(RubricItem::Kind kind) const;
+};
+
+// Reports mistakes at their places. Paths in the rubric are relative to its folder.
+std::optional<Rubric> read_rubric(const std::string& path, Sources& sources, Diagnostics& diagnostics);
+
+// The words of a relation in rubrics, in the order of Expect.
+const std::vector<std::string_view>& expect_names();
+
+}  // namespace snell::app

@@ -1,0 +1,154 @@
+#include "src/app/grade/submissions.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
+#include "parser/text/words.h"
+#include "src/app/grade/unpack.h"
+#include "src/app/open/version.h"
+#include "src/app/picture/sha256.h"
+#include "src/content/regular_file.h"
+#include "src/document/document.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_scene(const fs::path& path) { return same_word(path.extension().string(), ".glib"); }
+
+bool may_be_submission(const fs::path& path) {
+    std::error_code error;
+    const std::string name = path.filename().string();
+    if (name.starts_with('.') || name == "__MACOSX") return false;
+    return fs::is_directory(path, error) ||
+           (fs::is_regular_file(path, error) && (is_scene(path) || is_archive(path.string())));
+}
+
+bool has_scene(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        if (is_scene(entry->path())) return true;
+    return false;
+}
+
+std::string shown_name(const fs::path& path) {
+    std::error_code error;
+    const fs::path last = path.has_filename() ? path.filename() : path.parent_path().filename();
+    return utf8::printable(fs::is_directory(path, error) ? last.string() : last.stem().string());
+}
+
+// Letters, digits and some signs, so that it is a name on every file system and in every address.
+std::string safe_name(const std::string& name) {
+    std::string safe;
+    for (const char c : name) {
+        const bool plain = (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+        if (plain)
+            safe += c;
+        else if (!safe.ends_with('_'))
+            safe += '_';
+        if (safe.size() >= 80) break;
+    }
+    while (safe.starts_with('.')) safe.erase(0, 1);
+    return safe.empty() ? "_" : safe;
+}
+
+// Of names that are equal, all but the first get a part of a hash of their path: another submission more or less does
+// not change them. Names that differ only in case would be one folder on some systems.
+void name_folders(std::vector<Submission>& submissions) {
+    std::map<std::string, std::size_t> taken;
+    const auto key = [](std::string name) {
+        for (char& c : name) c = lower(c);
+        return name;
+    };
+    std::map<std::string, std::size_t> names;
+    for (const Submission& submission : submissions) ++names[key(safe_name(submission.name))];
+    for (Submission& submission : submissions) {
+        submission.folder = safe_name(submission.name);
+        if (names[key(submission.folder)] > 1 || submission.folder != submission.name)
+            submission.folder += "-" + sha256(submission.path).substr(0, 6);
+    }
+}
+
+// Adds the names and hashes of all files below a folder, or of a file.
+void add_files(const fs::path& path, std::string& all) {
+    constexpr std::uint64_t most = std::uint64_t{1} << 30;
+    std::error_code error;
+    std::vector<std::string> files;
+    if (!fs::is_directory(path, error)) files.push_back(path.string());
+    for (fs::recursive_directory_iterator
+             entry(path, fs::directory_options::skip_permission_denied, error),
+         end;
+         !error && entry != end; entry.increment(error))
+        if (fs::is_regular_file(entry->symlink_status(error))) files.push_back(entry->path().string());
+    ranges::sort(files);
+    for (const std::string& file : files) {
+        std::string wrong;
+        const auto bytes = content::read_regular_file(file, most, nullptr, wrong);
+        // Of larger files the size and the time of the last change stand for the bytes.
+        const std::string hash = bytes ? sha256(*bytes)
+                                       : fmt::format("{} {}", fs::file_size(file, error),
+                                                     fs::last_write_time(file, error).time_since_epoch().count());
+        all += fs::path(file).lexically_relative(path).string() + '\0' + hash + '\0';
+    }
+}
+
+}  // namespace
+
+std::optional<std::vector<Submission>> find_submissions(const std::vector<std::string>& arguments,
+                                                        const std::string& output) {
+    std::vector<fs::path> paths;
+    std::error_code error;
+    for (const std::string& argument : arguments) {
+        if (!fs::exists(argument, error)) {
+            fmt::print(stderr, "snell: error: there is no submission '{}'\n", utf8::printable(argument));
+            return std::nullopt;
+        }
+        paths.emplace_back(argument);
+    }
+    if (paths.size() == 1 && fs::is_directory(paths.front(), error) && !has_scene(paths.front())) {
+        const fs::path folder = paths.front();
+        paths.clear();
+        for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+            if (may_be_submission(entry->path())) paths.push_back(entry->path());
+    }
+    std::vector<Submission> submissions;
+    const fs::path report = fs::weakly_canonical(fs::absolute(output, error), error);
+    for (const fs::path& path : paths) {
+        const fs::path absolute = fs::weakly_canonical(fs::absolute(path, error), error);
+        if (absolute == report) continue;
+        submissions.push_back({absolute.string(), shown_name(path), {}});
+    }
+    if (submissions.empty()) {
+        fmt::print(stderr,
+                   "snell: error: there is nothing to grade\n   help: name folders, archives or scenes, or one folder "
+                   "that holds them\n");
+        return std::nullopt;
+    }
+    std::sort(submissions.begin(), submissions.end(),
+              [](const Submission& a, const Submission& b) { return std::tie(a.name, a.path) < std::tie(b.name, b.path); });
+    name_folders(submissions);
+    return submissions;
+}
+
+std::string key_of(const Submission& submission, const std::string& rest) {
+    std::string all = rest;
+    add_files(submission.path, all);
+    return sha256(all);
+}
+
+std::string common_key(const Rubric& rubric) {
+    std::string all = std::string(version()) + '\0' + rubric.text + '\0';
+    if (!rubric.reference.empty())
+        for (const std::string& file : files_read_by(rubric.reference, {})) add_files(file, all);
+    for (const std::string& path : rubric.shared) add_files(path, all);
+    return sha256(all);
+}
+
+}  // namespace snell::app
