@@ -11,12 +11,12 @@ namespace snell::accuracy {
 
 struct PictureDifference {
     Error error;
-    double flip = 0;                // mean
-    std::vector<float> map;         // FLIP of each pixel
-    double share = 0;               // of the pixels that differ by more than the threshold, 0 to 1
-    std::size_t x = 0, y = 0;       // of the largest difference of the values, from the top left
-    double largest = 0;             // infinite if only one of the pictures is finite there
-    double cover[2] = {0, 0};       // of each picture, the share that is not background
+    double flip = 0;           // mean
+    std::vector<float> map;    // FLIP of each pixel
+    double share = 0;          // of the pixels that differ by more than the threshold, 0 to 1
+    std::size_t x = 0, y = 0;  // of the largest difference of the values, from the top left
+    double largest = 0;        // infinite if only one of the pictures is finite there
+    double cover[2] = {0, 0};  // of each picture, the share that is not background
 };
 
 // A difference of one step of a byte is not more than this.

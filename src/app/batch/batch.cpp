@@ -103,6 +103,8 @@ bool Batch::ready_context() {
 
 void Batch::scene(std::size_t scene, const std::vector<std::size_t>& indices) {
     said_.clear();
+    results_.push_back({scene});
+    const std::size_t before = records_.size();
     // A scene is not even read if all of its pictures exist.
     Open opened;
     bool tried = false, usable = false;
@@ -121,6 +123,10 @@ void Batch::scene(std::size_t scene, const std::vector<std::size_t>& indices) {
         }
         if (usable) draw(opened, shot);
     }
+    SceneResult& result = results_.back();
+    result.drawn = records_.size() > before;
+    if (opened.document) result.errors += opened.document->diagnostics.errors();
+    if (opened.document) result.warnings += opened.document->diagnostics.warnings();
     if (opened.document && opened.document->runtime) last_ = std::move(opened.document);
 }
 
@@ -212,7 +218,8 @@ bool Batch::check_values(Open& open) {
         document.diagnostics.append(found);
         problems.append(found);
     }
-    say(problems, document.sources);
+    results_.back().errors += problems.errors();
+    say(problems, document.sources, document.path);
     return !problems.has_errors();
 }
 
@@ -360,11 +367,14 @@ void Batch::draw(Open& open, const Shot& shot) {
 }
 
 // Each message is printed once for a scene.
-void Batch::say(const Diagnostics& diagnostics, const Sources& sources) {
+void Batch::say(const Diagnostics& diagnostics, const Sources& sources, const std::string& scene) {
     for (const Diagnostic& diagnostic : diagnostics.items()) {
         if (diagnostic.severity == Severity::note || (options_.quiet && diagnostic.severity != Severity::error))
             continue;
-        const std::string text = snell::render(diagnostic, sources);
+        std::string text = snell::render(diagnostic, sources);
+        // Of many scenes, that is named which a message without a place is about.
+        if (!scene.empty() && !diagnostic.has_span && shots_.scenes.size() > 1)
+            text = fmt::format("{}: {}", utf8::printable(scene), text);
         if (said_.insert(text).second) std::fwrite(text.data(), 1, text.size(), stderr);
     }
 }

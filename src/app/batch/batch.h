@@ -35,6 +35,13 @@ struct Record {
     double milliseconds = 0;  // for drawing and reading back
 };
 
+// What became of a scene that was attempted.
+struct SceneResult {
+    std::size_t scene = 0;  // index into Shots::scenes
+    bool drawn = false;     // at least one picture was drawn, or exists
+    std::size_t errors = 0, warnings = 0;
+};
+
 class Batch {
 public:
     Batch(const RenderOptions& options, const Shots& shots, Shard shard);
@@ -44,6 +51,8 @@ public:
     Exit run();
 
     const std::vector<Record>& records() const { return records_; }
+    // In the order of the scenes; without those of other shards.
+    const std::vector<SceneResult>& results() const { return results_; }
     // In the order of records(); valid once run() has returned.
     const std::vector<Written>& written() const { return *written_; }
     // Empty until there is a context.
@@ -78,7 +87,7 @@ private:
     void draw(Open& open, const Shot& shot);
     bool keeps_context(const std::string& file);
     void skip(const Shot& shot);
-    void say(const Diagnostics& diagnostics, const Sources& sources);
+    void say(const Diagnostics& diagnostics, const Sources& sources, const std::string& scene = {});
     void fail(Exit status = exit_input) { status_ = std::max(status_, status); }
 
     const RenderOptions& options_;
@@ -97,6 +106,7 @@ private:
     ProgressLine progress_;
     std::unique_ptr<Document> last_;  // the document whose counters stats() returns
     std::vector<Record> records_;
+    std::vector<SceneResult> results_;
     std::set<std::string> said_;  // messages about the current scene that were printed
     Exit status_ = exit_fine;
     Writer writer_;

@@ -29,8 +29,14 @@ std::string write_json(const std::string& path, const Json& json) {
 }
 
 Json pictures_json(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard) {
-    Json json;
+    Json json{{"schema", 1}};
     json["scenes"] = shots.scenes;
+    json["results"] = Json::array();
+    for (const SceneResult& result : batch.results())
+        json["results"].push_back({{"scene", shots.scenes[result.scene]},
+                                   {"status", result.drawn ? result.errors > 0 ? "errors" : "fine" : "not drawn"},
+                                   {"errors", result.errors},
+                                   {"warnings", result.warnings}});
     json["axes"] = Json::array();
     for (const Axis& axis : shots.axes) json["axes"].push_back(axis_json(axis));
     json["total"] = shots.files.size();
@@ -61,7 +67,7 @@ Json pictures_json(const Batch& batch, const RenderOptions& options, const Shots
 
 Json Batch::stats() const {
     const Counters& c = last_->runtime->counters();
-    Json json;
+    Json json{{"schema", 1}};
     json["scene"] = shots_.scenes.front();
     json["output"] = options_.output;
     json["size"] = {target_.width, target_.height};

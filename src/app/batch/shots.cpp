@@ -30,8 +30,10 @@ std::string check_distinct(const Shots& shots) {
         if (is_new) continue;
         const Shot first = shots.shot(other->second), second = shots.shot(i);
         if (first.scene != second.scene && first.at == second.at)
-            return fmt::format("the pictures of '{}' and '{}' would both be '{}'", shots.scenes[first.scene],
-                               shots.scenes[second.scene], shots.files[i]);
+            return fmt::format(
+                "the pictures of '{}' and '{}' would both be '{}'\n   help: {{path}} in the name tells "
+                "scenes apart; {{dir}} is the name of a scene's folder",
+                shots.scenes[first.scene], shots.scenes[second.scene], shots.files[i]);
         const auto differs = std::mismatch(first.at.begin(), first.at.end(), second.at.begin(), second.at.end()).first -
                              first.at.begin();
         return fmt::format("pictures {} and {} would both be '{}': {{{}}} or {{index}} in the name tells them apart",
@@ -56,6 +58,26 @@ std::string check_names(const std::vector<Axis>& axes) {
         if (std::any_of(axes.begin(), axis, [&](const Axis& other) { return other.name == axis->name; }))
             return fmt::format("'{}' varies twice", axis->name);
     return {};
+}
+
+bool distinct(std::vector<std::string> names) {
+    ranges::sort(names);
+    return std::adjacent_find(names.begin(), names.end()) == names.end();
+}
+
+std::vector<std::string> stems_of(const std::vector<std::string>& scenes) {
+    std::vector<std::string> stems;
+    for (const std::string& scene : scenes) stems.push_back(std::filesystem::path(scene).stem().string());
+    return stems;
+}
+
+// Stem, name of the folder, name of the folder above.
+std::vector<AxisValue> names_of_scene(const std::string& scene) {
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::absolute(scene, error).lexically_normal();
+    return {{path.stem().string(), std::nullopt},
+            {path.parent_path().filename().string(), std::nullopt},
+            {path.parent_path().parent_path().filename().string(), std::nullopt}};
 }
 
 // Numbers the files of frames whose pattern has no placeholder.
@@ -91,21 +113,44 @@ Shot Shots::shot(std::size_t index) const {
 }
 
 std::string Shots::label(const Shot& shot) const {
-    std::string text = scenes.size() > 1 ? std::filesystem::path(scenes[shot.scene]).stem().string() : "";
+    std::string text = labels[shot.scene];
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
         text += fmt::format("{}{}={}", text.empty() ? "" : " ", axes[axis].name, value(shot, axis).shown());
     return text;
 }
 
+std::vector<std::string> distinguishing_paths(const std::vector<std::string>& paths) {
+    std::vector<std::vector<std::string>> parts;
+    for (const std::string& path : paths) {
+        parts.emplace_back();
+        for (const auto& part : std::filesystem::path(path).lexically_normal().replace_extension())
+            if (part != "/") parts.back().push_back(part.string());
+    }
+    const auto all_share = [&](auto end) {
+        return ranges::all_of(parts, [&](const auto& own) { return own.size() > 1 && end(own) == end(parts[0]); });
+    };
+    while (parts.size() > 1 && all_share([](const auto& own) { return own.back(); }))
+        for (auto& own : parts) own.pop_back();
+    while (!parts.empty() && all_share([](const auto& own) { return own.front(); }))
+        for (auto& own : parts) own.erase(own.begin());
+    std::vector<std::string> short_paths;
+    for (const auto& own : parts) short_paths.push_back(fmt::format("{}", fmt::join(own, "/")));
+    return short_paths;
+}
+
 std::optional<Shots> plan_shots(std::vector<std::string> scenes, std::vector<Axis> axes, const std::string& pattern,
                                 std::string& error) {
-    Shots shots{std::move(scenes), std::move(axes), {}};
+    Shots shots{std::move(scenes), std::move(axes), {}, {}, {}};
+    shots.paths = distinguishing_paths(shots.scenes);
+    shots.labels = stems_of(shots.scenes);
+    if (!distinct(shots.labels)) shots.labels = shots.paths;
+    if (shots.scenes.size() == 1) shots.labels.front().clear();
     if (error = check_names(shots.axes); error.empty()) error = check_count(shots);
     if (!error.empty()) return std::nullopt;
     const bool frames =
         ranges::any_of(shots.axes, [](const Axis& axis) { return axis.frames && axis.values.size() > 1; });
     const bool told = pattern.find("{frame") != std::string::npos || pattern.find("{index") != std::string::npos;
-    std::vector<std::string> names{"stem", "index"};
+    std::vector<std::string> names{"stem", "dir", "parent", "path", "index"};
     for (const Axis& axis : shots.axes) names.push_back(axis.name);
     const auto parsed = Pattern::parse(frames && !told ? numbered(pattern) : pattern, names, error);
     if (!parsed) return std::nullopt;
@@ -113,8 +158,9 @@ std::optional<Shots> plan_shots(std::vector<std::string> scenes, std::vector<Axi
     shots.files.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const Shot shot = shots.shot(i);
-        const std::string stem = std::filesystem::path(shots.scenes[shot.scene]).stem().string();
-        std::vector<AxisValue> values{{stem, std::nullopt}, {std::to_string(i), static_cast<double>(i)}};
+        std::vector<AxisValue> values = names_of_scene(shots.scenes[shot.scene]);
+        values.push_back({shots.paths[shot.scene], std::nullopt});
+        values.push_back({std::to_string(i), static_cast<double>(i)});
         for (std::size_t axis = 0; axis < shots.axes.size(); ++axis) values.push_back(shots.value(shot, axis));
         auto file = parsed->expand(values, error);
         if (!file) return std::nullopt;

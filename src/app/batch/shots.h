@@ -54,20 +54,28 @@ struct Shot {
 struct Shots {
     std::vector<std::string> scenes;
     std::vector<Axis> axes;
-    std::vector<std::string> files;  // by the index of the picture
+    std::vector<std::string> files;   // by the index of the picture
+    std::vector<std::string> paths;   // by scene: see distinguishing_paths
+    std::vector<std::string> labels;  // by scene: its stem, or its path if stems are equal; "" for a single scene
 
     // The number of pictures of each scene.
     std::size_t per_scene() const;
     Shot shot(std::size_t index) const;
     const AxisValue& value(const Shot& shot, std::size_t axis) const { return axes[axis].values[shot.at[axis]]; }
-    // Formats as "uEta=1.5 uMix=0", preceded by the scene's stem if there are several scenes.
+    // Formats as "uEta=1.5 uMix=0", preceded by the scene's stem if there are several scenes, or by what distinguishes
+    // their paths if stems do not.
     std::string label(const Shot& shot) const;
 };
 
-// Plans all pictures. `pattern` gives the file names: {stem} of the scene, {index}, {NAME} of an axis, each optionally
-// with a format such as {uEta:.2f}; {{ is a brace. If frames would get the same name, "-{frame:04}" is added before the
-// extension. Returns nullopt and sets `error` if a name is unknown, a format does not suit, or two pictures would have
-// the same file name.
+// Of each path without its extension, what is left without the folders that all begin with and the names that all end
+// with, but at least one name: "ann" and "bob" for class/ann/project.glib and class/bob/project.glib.
+std::vector<std::string> distinguishing_paths(const std::vector<std::string>& paths);
+
+// Plans all pictures. `pattern` gives the file names: {stem} of the scene, {dir}, the name of its folder, {parent},
+// that of the folder above, {path}, which distinguishes it from the other scenes, {index}, {NAME} of an axis, each
+// optionally with a format such as {uEta:.2f}; {{ is a brace. If frames would get the same name, "-{frame:04}" is added
+// before the extension. Returns nullopt and sets `error` if a name is unknown, a format does not suit, or two pictures
+// would have the same file name.
 std::optional<Shots> plan_shots(std::vector<std::string> scenes, std::vector<Axis> axes, const std::string& pattern,
                                 std::string& error);
 

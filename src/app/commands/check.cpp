@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "parser/commands/commands.h"
 #include "parser/read/parse.h"
+#include "parser/text/utf8.h"
+#include "src/app/commands/check_json.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/grade/idle_sliders.h"
@@ -12,7 +15,9 @@
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/progress.h"
+#include "src/app/picture/outputs.h"
 #include "src/content/json.h"
+#include "src/content/replace.h"
 #include "src/document/document.h"
 #include "src/document/unsampled.h"
 #include "src/lint/lint.h"
@@ -25,35 +30,17 @@ namespace {
 
 struct CheckOptions {
     std::vector<std::string> scenes;
-    bool json = false;
-    std::string dump;  // "", "tokens", "statements", "scene" or "plan"
-    bool lint = true;  // also reports what is valid but probably not meant
+    std::string json, sarif;     // files
+    bool lines = false;          // one line for each message
+    bool warnings_fail = false;  // warnings give the status of errors
+    std::string dump;            // "", "tokens", "statements", "scene" or "plan"
+    bool lint = true;            // also reports what is valid but probably not meant
     Access access;
     bool grade = false;
     double timeout = 20;  // in seconds for each scene; after that the process ends
 };
 
 using Json = nlohmann::ordered_json;
-
-Json span_json(const Span& span, const Sources& sources) {
-    const Position begin = sources.position(span.file, span.begin);
-    const Position end = sources.position(span.file, span.end);
-    return {{"file", std::string(sources.name(span.file))},
-            {"line", begin.line},
-            {"column", begin.column},
-            {"end_line", end.line},
-            {"end_column", end.column}};
-}
-
-Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
-    Json json{{"severity", name(diagnostic.severity)}, {"code", diagnostic.code}, {"message", diagnostic.message}};
-    if (diagnostic.has_span) json["at"] = span_json(diagnostic.span, sources);
-    if (!diagnostic.help.empty()) json["help"] = diagnostic.help;
-    for (const Span& span : diagnostic.also) json["also_at"].push_back(span_json(span, sources));
-    for (const Note& note : diagnostic.notes)
-        json["notes"].push_back({{"at", span_json(note.span, sources)}, {"message", note.message}});
-    return json;
-}
 
 // Programs are compiled only if there is a context.
 struct Checked {
@@ -102,37 +89,49 @@ std::optional<gl::Caps> caps_of(std::unique_ptr<HeadlessContext>& context) {
     return gl::query_caps();
 }
 
+void print_messages(const Document& document, bool lines, std::FILE* to) {
+    for (const Diagnostic& diagnostic : document.diagnostics.items()) {
+        std::string text = snell::render(diagnostic, document.sources);
+        if (lines) text.resize(std::min(text.find('\n') + 1, text.size()));
+        std::fwrite(text.data(), 1, text.size(), to);
+    }
+}
+
+bool write_json_to(const std::string& file, const Json& json) {
+    if (file.empty()) return true;
+    const std::string wrong = content::replace_file(file, content::json_text(json) + '\n');
+    if (!wrong.empty()) fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(file), wrong);
+    return wrong.empty();
+}
+
 Exit check(const CheckOptions& options) {
+    if (const Exit refused = check_outputs(std::array{options.json, options.sarif}, options.scenes);
+        refused != exit_fine)
+        return refused;
     Deadline deadline(options.timeout);
     deadline.begin("starting OpenGL");
     std::unique_ptr<HeadlessContext> context;
     std::optional<gl::Caps> caps;
+    const bool text = options.json.empty() && options.sarif.empty();
     if (options.dump.empty()) caps = caps_of(context);
-    if (options.dump.empty() && !caps && !options.json)
+    if (options.dump.empty() && !caps && text)
         fmt::print(stderr, "snell: note: no graphics here: programs are not compiled\n");
-    Json all = Json::array();
+    Json all = Json::array(), sarif = empty_sarif();
     bool errors = false;
     for (const std::string& path : options.scenes) {
         deadline.begin(fmt::format("checking '{}'", path));
         const Checked checked = check_scene(path, options, caps);
         deadline.rest();  // a reader of the output may be slow
         const Document& document = *checked.document;
-        errors = errors || document.diagnostics.has_errors();
+        errors = errors || document.diagnostics.has_errors() ||
+                 (options.warnings_fail && document.diagnostics.warnings() > 0);
         std::fwrite(checked.dump.data(), 1, checked.dump.size(), stdout);
-        if (options.json) {
-            Json scene{{"scene", path},
-                       {"errors", document.diagnostics.errors()},
-                       {"warnings", document.diagnostics.warnings()},
-                       {"diagnostics", Json::array()}};
-            for (const Diagnostic& diagnostic : document.diagnostics.items())
-                scene["diagnostics"].push_back(diagnostic_json(diagnostic, document.sources));
-            all.push_back(std::move(scene));
-        } else {
-            const std::string text = snell::render(document.diagnostics, document.sources);
-            std::fwrite(text.data(), 1, text.size(), options.dump.empty() ? stdout : stderr);
-        }
+        all.push_back(checked_json(path, document));
+        add_sarif(sarif, document);
+        if (text) print_messages(document, options.lines, options.dump.empty() ? stdout : stderr);
     }
-    if (options.json) fmt::print("{}\n", content::json_text(all));
+    if (!write_json_to(options.json, all) || (!options.sarif.empty() && !write_json_to(options.sarif, sarif)))
+        return exit_input;
     return errors ? exit_input : exit_fine;
 }
 
@@ -144,7 +143,13 @@ Run add_check(CLI::App& command) {
     add_access(command, options->access);
     add_grade(command, options->grade);
     add_timeout(command, options->timeout, "each scene");
-    command.add_flag("--json", options->json, "print JSON");
+    add_json(command, options->json, "print JSON");
+    command
+        .add_flag("--sarif{/dev/stdout}", options->sarif, "print SARIF 2.1.0, for CI services; --sarif=FILE writes it")
+        ->check(check_file_name);
+    command.add_flag("--lines", options->lines,
+                     "print one line for each message, without excerpts: for problem matchers");
+    command.add_flag("--werror", options->warnings_fail, "status 1 for warnings, too");
     command.add_flag("!--no-lint", options->lint, "omit what is allowed but probably not intended");
     command.add_option("--dump", options->dump, "print one stage of the reading")
         ->check(CLI::IsMember({"tokens", "statements", "scene", "plan"}));

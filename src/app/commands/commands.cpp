@@ -8,6 +8,7 @@
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/exit_status.h"
+#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -15,7 +16,7 @@ namespace {
 
 struct CommandsOptions {
     std::string name;  // empty: all
-    bool json = false;
+    std::string json;  // a file
 };
 
 Exit print_one(const std::string& name) {
@@ -40,12 +41,13 @@ std::string described(const Command& row) {
 Run add_commands(CLI::App& command) {
     auto options = std::make_shared<CommandsOptions>();
     CLI::Option* name = command.add_option("NAME", options->name, "one command");
-    command.add_flag("--json", options->json, "print all as JSON")->excludes(name);
+    add_json(command, options->json, "print all as JSON")->excludes(name);
     return [options] {
         if (!options->name.empty()) return print_one(options->name);
-        if (options->json) {
-            fmt::print("{}\n", commands_json());
-            return exit_fine;
+        if (!options->json.empty()) {
+            const std::string wrong = content::replace_file(options->json, commands_json() + "\n");
+            if (!wrong.empty()) fmt::print(stderr, "snell: error: cannot write '{}': {}\n", options->json, wrong);
+            return wrong.empty() ? exit_fine : exit_input;
         }
         for (const Command& row : commands()) fmt::print("{:<16} {:<48} {}\n", row.name, row.signature.text, row.doc);
         return exit_fine;

@@ -28,8 +28,8 @@ namespace snell::app {
 namespace {
 
 namespace fs = std::filesystem;
-using accuracy::PictureDifference;
 using accuracy::Picture;
+using accuracy::PictureDifference;
 
 struct CompareOptions {
     std::string picture;
@@ -131,12 +131,17 @@ std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pict
         if (is_scene(path)) picture = pictures.of(path, std::pair(reference->width, reference->height));
         if (!picture) return std::nullopt;
         if (picture->width != reference->width || picture->height != reference->height) {
-            no_comparison(fmt::format("'{}' has {}x{} pixels, but '{}' has {}x{}", utf8::printable(path), picture->width,
-                                 picture->height, utf8::printable(name), reference->width, reference->height));
+            no_comparison(fmt::format("'{}' has {}x{} pixels, but '{}' has {}x{}", utf8::printable(path),
+                                      picture->width, picture->height, utf8::printable(name), reference->width,
+                                      reference->height));
             continue;
         }
-        Compared now{path, name, picture->width, picture->height,
-                     accuracy::picture_difference(*picture, *reference, options.threshold), true};
+        Compared now{path,
+                     name,
+                     picture->width,
+                     picture->height,
+                     accuracy::picture_difference(*picture, *reference, options.threshold),
+                     true};
         now.alike = alike(now.difference, options);
         const auto rank = [](const Compared& c) { return std::pair(!c.alike, c.difference.error.display.rmse); };
         if (!best || rank(now) < rank(*best)) best = std::move(now);
@@ -220,8 +225,9 @@ std::optional<std::vector<Pair>> pairs_of(const CompareOptions& options, bool& d
             fmt::print("only in {}: {}\n", utf8::printable(options.picture), utf8::printable(name));
             continue;
         }
-        const std::string map =
-            options.output.empty() ? "" : (fs::path(options.output) / fs::path(name).replace_extension(".png")).string();
+        const std::string map = options.output.empty()
+                                    ? ""
+                                    : (fs::path(options.output) / fs::path(name).replace_extension(".png")).string();
         pairs.push_back({(fs::path(options.picture) / name).string(), {(fs::path(other) / name).string()}, map});
     }
     for (const std::string& name : *others)
@@ -229,7 +235,8 @@ std::optional<std::vector<Pair>> pairs_of(const CompareOptions& options, bool& d
             different = true;
             fmt::print("only in {}: {}\n", utf8::printable(other), utf8::printable(name));
         }
-    if (pairs.empty() && !different) different = !no_comparison("there are neither pictures nor scenes in these folders");
+    if (pairs.empty() && !different)
+        different = !no_comparison("there are neither pictures nor scenes in these folders");
     return pairs;
 }
 
@@ -237,15 +244,14 @@ bool write_map(const Compared& compared, const std::string& file) {
     if (file.empty()) return true;
     std::error_code ignored;
     if (const fs::path folder = fs::path(file).parent_path(); !folder.empty()) fs::create_directories(folder, ignored);
-    const std::string wrong = content::write_image(
-        file, accuracy::map_image(compared.difference.map, compared.width, compared.height));
+    const std::string wrong =
+        content::write_image(file, accuracy::map_image(compared.difference.map, compared.width, compared.height));
     return wrong.empty() || no_comparison(fmt::format("cannot write '{}': {}", utf8::printable(file), wrong));
 }
 
 bool write_compared(const CompareOptions& options, const nlohmann::ordered_json& all, bool same) {
-    const nlohmann::ordered_json json{{"schema", "snell-compare-1"}, {"alike", same}, {"pairs", all}};
-    const std::string wrong = content::replace_file(options.json,
-                                                    content::json_text(json) + '\n');
+    const nlohmann::ordered_json json{{"schema", 1}, {"alike", same}, {"pairs", all}};
+    const std::string wrong = content::replace_file(options.json, content::json_text(json) + '\n');
     return wrong.empty() || no_comparison(fmt::format("cannot write '{}': {}", utf8::printable(options.json), wrong));
 }
 
@@ -302,7 +308,8 @@ Run add_compare(CLI::App& command) {
         .add_option("REFERENCE", options->references,
                     "what it is compared with; of several, the nearest counts. A folder is compared by names")
         ->required();
-    command.add_option("-o,--output", options->output, "write FLIP's map of the differences; of folders, into a folder")
+    command
+        .add_option("-o,--output", options->output, "write FLIP's map of the differences; of folders, into a folder")
         ->check(check_file_name);
     add_json(command, options->json, "print the figures as JSON, or write them");
     command.add_option("--max-rmse", options->max_rmse, "different if the RMSE of displayed values (0 to 1) is larger")

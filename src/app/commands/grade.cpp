@@ -57,8 +57,7 @@ void warn_of_reference(const Grades& grades) {
     for (std::size_t i = 0; i < grades.reference->items.size(); ++i)
         if (!grades.reference->items[i].passed)
             fmt::print(stderr, "snell: warning: the reference itself fails '{}': {} [reference-fails]\n",
-                       utf8::printable(grades.rubric.items[i].name),
-                       utf8::printable(grades.reference->items[i].why));
+                       utf8::printable(grades.rubric.items[i].name), utf8::printable(grades.reference->items[i].why));
 }
 
 Exit run_grade(const GradeCommand& command) {
@@ -66,7 +65,8 @@ Exit run_grade(const GradeCommand& command) {
     if (command.make_new)
         return options.submissions.empty() ? write_new_rubric(options.rubric, options.output)
                                            : misuse("--new takes one scene");
-    if (options.submissions.empty()) return misuse("there are no submissions: snell grade RUBRIC SUBMISSIONS… -o FOLDER");
+    if (options.submissions.empty())
+        return misuse("there are no submissions: snell grade RUBRIC SUBMISSIONS… -o FOLDER");
     if (options.output.empty()) return misuse("-o FOLDER says where the report is written");
     if (!may_hold_report(options.output))
         return misuse(fmt::format("'{}' holds other files than a report\n   help: choose a folder that does not exist",

@@ -91,8 +91,9 @@ void add_grade(CLI::App& command, bool& grade) {
     command.add_flag("--grade", grade, "for scenes of strangers: read nothing outside of each scene's folder");
 }
 
-void add_json(CLI::App& command, std::string& file, const std::string& text) {
-    command.add_flag("--json{/dev/stdout}", file, text + "; --json=FILE writes them to a file")->check(check_file_name);
+CLI::Option* add_json(CLI::App& command, std::string& file, const std::string& text) {
+    return command.add_flag("--json{/dev/stdout}", file, text + "; --json=FILE writes them to a file")
+        ->check(check_file_name);
 }
 
 void add_timeout(CLI::App& command, double& seconds, const std::string& what) {

@@ -25,7 +25,7 @@ CLI::Option* add_size(CLI::App& command, Size& size, const std::string& text);
 void add_access(CLI::App& command, Access& access);
 void add_grade(CLI::App& command, bool& grade);
 // --json, alone or as --json=FILE: `file` is then "/dev/stdout", or the name (see meant_words in help/program.h).
-void add_json(CLI::App& command, std::string& file, const std::string& text);
+CLI::Option* add_json(CLI::App& command, std::string& file, const std::string& text);
 // `what` completes the sentence "seconds for …".
 void add_timeout(CLI::App& command, double& seconds, const std::string& what);
 void add_specialise(CLI::App& command, bool& specialise);

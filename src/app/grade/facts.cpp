@@ -76,8 +76,8 @@ std::string missing(const NeededUniform& needed, const Rubric& rubric, const Doc
             wrong = fmt::format("no shader uses '{}'", name);
         else if (!needed.type.empty() && type != needed.type)
             wrong = fmt::format("'{}' is a {}, not a {}", name, type, needed.type);
-        else if (needed.least && (control.widget == Widget::none || control.min > *needed.least ||
-                                  control.max < *needed.most))
+        else if (needed.least &&
+                 (control.widget == Widget::none || control.min > *needed.least || control.max < *needed.most))
             wrong = control.widget == Widget::none
                         ? fmt::format("'{}' has no slider", name)
                         : fmt::format("the slider of '{}' goes from {} to {}, not from {} to {}", name, control.min,
@@ -123,7 +123,8 @@ std::set<std::string> used_commands(const std::string& scene, const Access& acce
         StatementReader reader(sources.text(id), id, report);
         Statement statement;
         while (reader.next(statement))
-            if (const Command* command = find_command(reader.lexer().text(statement.command()))) used.emplace(command->name);
+            if (const Command* command = find_command(reader.lexer().text(statement.command())))
+                used.emplace(command->name);
     }
     return used;
 }
@@ -131,10 +132,14 @@ std::set<std::string> used_commands(const std::string& scene, const Access& acce
 Judged judge_text(const RubricItem& item, const Rubric& rubric, const Document& document,
                   const std::set<std::string>& commands) {
     switch (item.kind) {
-        case Kind::no_errors: return judge_errors(item, document);
-        case Kind::no_lints: return judge_lints(item, document);
-        case Kind::uniforms: return judge_uniforms(item, rubric, document);
-        default: return judge_commands(item, commands);
+        case Kind::no_errors:
+            return judge_errors(item, document);
+        case Kind::no_lints:
+            return judge_lints(item, document);
+        case Kind::uniforms:
+            return judge_uniforms(item, rubric, document);
+        default:
+            return judge_commands(item, commands);
     }
 }
 

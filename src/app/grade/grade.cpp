@@ -58,9 +58,7 @@ public:
     }
 
 private:
-    std::string folder_of(const Submission& submission) const {
-        return student_folder(output_.string(), submission);
-    }
+    std::string folder_of(const Submission& submission) const { return student_folder(output_.string(), submission); }
 
     bool ready() {
         std::error_code error;

@@ -242,7 +242,8 @@ private:
         const auto other = against ? reference_picture(item.picture) : pictures_[item.than];
         if (!other) return {0, false, "the reference has no such picture"};
         const Picture compared = item.expect == Expect::mirrored ? accuracy::mirrored(*other) : *other;
-        const accuracy::PictureDifference difference = accuracy::picture_difference(picture, compared, accuracy::one_step, against);
+        const accuracy::PictureDifference difference =
+            accuracy::picture_difference(picture, compared, accuracy::one_step, against);
         if (against) {
             record_.maps[item.picture] = fmt::format("map-{}.png", item.picture);
             write(record_.maps[item.picture],
@@ -252,8 +253,8 @@ private:
     }
 
     Judged judge_time(const RubricItem& item) const {
-        const double reference = work_.reference.empty() ? record_.milliseconds
-                                                         : read_record(work_.reference, rubric_).milliseconds;
+        const double reference =
+            work_.reference.empty() ? record_.milliseconds : read_record(work_.reference, rubric_).milliseconds;
         if (record_.milliseconds == 0 || reference == 0) return {0, false, "there is no time to compare"};
         const double ratio = record_.milliseconds / reference;
         return {0, ratio <= item.ratio,

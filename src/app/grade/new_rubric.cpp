@@ -25,7 +25,8 @@ constexpr std::size_t most_sliders = 6;
 
 std::string toml_text(std::string_view text) {
     std::string result = "\"";
-    for (const char c : utf8::printable(text)) result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+    for (const char c : utf8::printable(text))
+        result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
     return result + "\"";
 }
 
@@ -92,7 +93,8 @@ private:
         };
         put("{file}", output_.empty() ? "rubric.toml" : utf8::printable(output_));
         put("{title}", toml_text(fs::path(scene_).stem().string()));
-        put("{reference}", toml_text(fs::absolute(scene_, error).lexically_normal().lexically_relative(folder).string()));
+        put("{reference}",
+            toml_text(fs::absolute(scene_, error).lexically_normal().lexically_relative(folder).string()));
         return text;
     }
 
@@ -101,7 +103,8 @@ private:
         std::vector<const snell::Control*> found;
         for (const snell::Control& control : document_->controls.items)
             if (control.listed && control.active && control.widget != Widget::none &&
-                std::none_of(found.begin(), found.end(), [&](const auto* other) { return other->name == control.name; }))
+                std::none_of(found.begin(), found.end(),
+                             [&](const auto* other) { return other->name == control.name; }))
                 found.push_back(&control);
         return found;
     }
@@ -116,13 +119,15 @@ private:
         const auto all = sliders();
         if (all.empty()) return {};
         std::string text =
-            "\n# Type of each, and, if it has a slider, the range that the slider must reach at least.\n[[item]]\nname = "
+            "\n# Type of each, and, if it has a slider, the range that the slider must reach at least.\n[[item]]\nname "
+            "= "
             "\"Uniforms\"\npoints = 2\n[item.uniforms]\n";
         for (const snell::Control* control : all)
-            text += fmt::format("{} = {}\n", control->name,
-                                toml_text(control->widget == Widget::slider
-                                           ? fmt::format("{} {}..{}", type_name(*control), control->min, control->max)
-                                           : type_name(*control)));
+            text +=
+                fmt::format("{} = {}\n", control->name,
+                            toml_text(control->widget == Widget::slider
+                                          ? fmt::format("{} {}..{}", type_name(*control), control->min, control->max)
+                                          : type_name(*control)));
         return text;
     }
 
@@ -131,7 +136,8 @@ private:
             "\n# Commands that must be used; `forbids` names those that must not.\n[[item]]\npoints = 1\nneeds = [";
         std::size_t count = 0;
         for (const Draw& draw : document_->scene().draws) {
-            const std::string name(std::visit([](const auto& shape) { return std::string(shape.command()); }, draw.shape));
+            const std::string name(
+                std::visit([](const auto& shape) { return std::string(shape.command()); }, draw.shape));
             if (text.find('"' + name + '"') == text.npos) text += (count++ > 0 ? ", " : "") + toml_text(name);
         }
         return count > 0 ? text + "]\n# forbids = [\"Teapot\"]\n" : "";
@@ -146,7 +152,8 @@ private:
         deadline_.begin("drawing the scene");
         const View view;
         return accuracy::displayed_picture(
-            draw_picture(*document_->runtime, {0, view, controls}, target_, {.width = side, .height = side}, {}), false);
+            draw_picture(*document_->runtime, {0, view, controls}, target_, {.width = side, .height = side}, {}),
+            false);
     }
 
     // What is true of the reference itself when a slider is at its lower end.
@@ -164,7 +171,7 @@ private:
             const accuracy::Picture other = picture(control, value);
             const double before = accuracy::mean_light(own), now = accuracy::mean_light(other);
             const double share = accuracy::picture_difference(other, own, accuracy::one_step, false).share;
-            const std::string_view expect = now <= .9 * before   ? "darker"
+            const std::string_view expect = now <= .9 * before    ? "darker"
                                             : now >= 1.1 * before ? "brighter"
                                                                   : "different";
             if (share < .02) continue;

@@ -53,8 +53,9 @@ void settle_in(int output, double seconds) {
 }
 
 Running start(std::size_t index, bool again, double seconds, const std::function<int(std::size_t)>& work) {
-    Running running{0, index, Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                 std::chrono::duration<double>(std::min(seconds, 1e7))),
+    Running running{0, index,
+                    Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                       std::chrono::duration<double>(std::min(seconds, 1e7))),
                     memfd_create("output", MFD_CLOEXEC), again};
     std::fflush(nullptr);  // otherwise both processes would write what is buffered
     running.process = fork();

@@ -8,16 +8,16 @@
 namespace snell::app {
 
 struct EndedProcess {
-    int status = -1;       // the exit status; -1: it was ended by a signal
-    int signal = 0;        // that ended it
-    bool too_long = false; // it was ended because its time was up
-    bool again = false;    // it ended by a signal once before
-    std::string output;    // the end of what it printed
+    int status = -1;        // the exit status; -1: it was ended by a signal
+    int signal = 0;         // that ended it
+    bool too_long = false;  // it was ended because its time was up
+    bool again = false;     // it ended by a signal once before
+    std::string output;     // the end of what it printed
 };
 
 // Calls `work(k)` for 0 ≤ k < count in copies of this process, whose return value is the copy's exit status, and `done`
-// here when it has ended. A copy that runs longer than `seconds` is ended. One that ends by a signal of its own is tried
-// once more. There must be neither threads nor a context yet, because they are not copied.
+// here when it has ended. A copy that runs longer than `seconds` is ended. One that ends by a signal of its own is
+// tried once more. There must be neither threads nor a context yet, because they are not copied.
 void run_apart(std::size_t count, std::size_t at_once, double seconds, const std::function<int(std::size_t)>& work,
                const std::function<void(std::size_t, const EndedProcess&)>& done);
 

@@ -30,7 +30,7 @@ Print read_print(const Json& json) {
 }
 
 Json record_json(const Record& record) {
-    Json json{{"schema", "snell-grade-record-1"},
+    Json json{{"schema", 1},
               {"key", record.key},
               {"scene", record.scene},
               {"problem", record.problem},
@@ -97,8 +97,8 @@ Record read_record(const std::string& folder, const Rubric& rubric) {
     if (!std::filesystem::is_regular_file(record_file(folder), error)) return {};
     try {
         Record record = from_json(content::parse_json(content::whole_file(record_file(folder))));
-        const bool fits = record.items.size() == rubric.items.size() &&
-                          record.drawn.size() == rubric.pictures.size() && record.maps.size() == record.drawn.size();
+        const bool fits = record.items.size() == rubric.items.size() && record.drawn.size() == rubric.pictures.size() &&
+                          record.maps.size() == record.drawn.size();
         for (const Print& print : record.prints)
             if (print.text >= record.texts.size()) return {};
         return fits ? record : Record{};

@@ -6,8 +6,8 @@ namespace snell::app {
 
 namespace {
 
-using accuracy::PictureDifference;
 using accuracy::Picture;
+using accuracy::PictureDifference;
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
@@ -15,12 +15,14 @@ Judged light(const RubricItem& item, const Picture& picture, const Picture& othe
     const double now = accuracy::mean_light(picture), before = accuracy::mean_light(other);
     const bool darker = item.expect == Expect::darker;
     Judged judged;
-    judged.passed = darker ? now <= before * (1 - item.by) && before > 0 : now >= before * (1 + item.by) && now > before;
+    judged.passed =
+        darker ? now <= before * (1 - item.by) && before > 0 : now >= before * (1 + item.by) && now > before;
     const double change = before > 0 ? now / before - 1 : 0;
     judged.why = fmt::format("its mean light is {:.4g}, against {:.4g}", now, before);
     if (before > 0 && now != before)
         judged.why += fmt::format(": {} {}", percent(std::abs(change)), change < 0 ? "less" : "more");
-    if (!judged.passed) judged.why += fmt::format("; expected: at least {} {}", percent(item.by), darker ? "less" : "more");
+    if (!judged.passed)
+        judged.why += fmt::format("; expected: at least {} {}", percent(item.by), darker ? "less" : "more");
     return judged;
 }
 
@@ -29,8 +31,7 @@ Judged changed(const RubricItem& item, double share) {
     const bool same = item.expect != Expect::different;
     judged.passed = same ? share <= item.by : share >= item.by && share > 0;
     judged.why = fmt::format("{} of the pixels differ", percent(share));
-    if (!judged.passed)
-        judged.why += fmt::format("; expected: at {} {}", same ? "most" : "least", percent(item.by));
+    if (!judged.passed) judged.why += fmt::format("; expected: at {} {}", same ? "most" : "least", percent(item.by));
     return judged;
 }
 

@@ -10,6 +10,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/real.h"
 #include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/grade/toml.h"
 #include "src/content/whole_file.h"
 #include "src/document/view_text.h"
@@ -25,8 +26,8 @@ using TomlKind = TomlValue::Kind;
 using ItemKind = RubricItem::Kind;
 
 std::string_view words_of(TomlKind kind) {
-    constexpr std::array<std::string_view, 6> words{"a text in quotes",    "a number",
-                                                    "true or false",       "a list in brackets",
+    constexpr std::array<std::string_view, 6> words{"a text in quotes",     "a number",
+                                                    "true or false",        "a list in brackets",
                                                     "a table in braces {}", "something else"};
     return words[static_cast<std::size_t>(kind)];
 }
@@ -192,7 +193,7 @@ private:
         for (const auto& [name, span, value] : table.members) {
             std::string text = value.kind == TomlKind::number  ? fmt::format("{}", value.number)
                                : value.kind == TomlKind::truth ? (value.truth ? "true" : "false")
-                                                           : value.text;
+                                                               : value.text;
             for (const TomlValue& part : value.list) text += fmt::format("{}{}", text.empty() ? "" : ",", part.number);
             if (text.empty()) wrong(value.span, fmt::format("'{}' has no value: a number, true, or a list", name));
             sets.push_back(name + "=" + text);
@@ -281,7 +282,7 @@ private:
         std::vector<std::string> found = table.texts(key);
         const TomlValue* list = table.find(key);
         for (std::size_t i = 0; i < found.size(); ++i)
-            if (ranges::find(names, std::string_view(found[i])) == names.end())
+            if (ranges::find_if(names, [&](std::string_view name) { return same_word(name, found[i]); }) == names.end())
                 unknown(list->kind == TomlKind::list ? list->list[i].span : list->span, what, found[i], names);
         return found;
     }
@@ -306,8 +307,8 @@ private:
             read_uniforms(item, *uniforms);
             told.emplace_back(ItemKind::uniforms, "Uniforms");
         }
-        for (const auto& [key, kind, text] : {std::tuple("needs", ItemKind::needs, "Uses"),
-                                              std::tuple("forbids", ItemKind::forbids, "Does without")})
+        for (const auto& [key, kind, text] :
+             {std::tuple("needs", ItemKind::needs, "Uses"), std::tuple("forbids", ItemKind::forbids, "Does without")})
             if (table.find(key)) {
                 item.names = known_names(table, key, "command", command_names());
                 told.emplace_back(kind, fmt::format("{} {}", text, fmt::join(item.names, ", ")));

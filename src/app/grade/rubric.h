@@ -21,7 +21,7 @@ struct Shown {
 };
 
 struct NeededUniform {
-    std::string name, type;            // type: as GLSL writes it; "": any
+    std::string name, type;             // type: as GLSL writes it; "": any
     std::optional<double> least, most;  // the slider reaches at least from the one to the other
 };
 
@@ -44,15 +44,15 @@ struct RubricItem {
     std::vector<Bounds> counters;
     double ratio = 1;  // of the reference's time
     Expect expect = Expect::reference;
-    std::size_t picture = 0, than = 0;  // indices into Rubric::pictures
-    double by = 0;                      // threshold of the relation, a share
+    std::size_t picture = 0, than = 0;                     // indices into Rubric::pictures
+    double by = 0;                                         // threshold of the relation, a share
     std::optional<double> max_rmse, max_flip, max_pixels;  // the last in per cent
 };
 
 struct Rubric {
     std::string title;
-    std::string reference;  // path of the lecturer's scene
-    std::string scene;      // pattern of the name of the submissions' scenes; "": see find_scene
+    std::string reference;                       // path of the lecturer's scene
+    std::string scene;                           // pattern of the name of the submissions' scenes; "": see find_scene
     std::vector<std::string> shared, templates;  // paths
     int width = 320, height = 320, samples = 1;
     double timeout = 10;  // in seconds, for reading a scene and for a picture

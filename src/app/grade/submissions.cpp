@@ -82,9 +82,7 @@ void add_files(const fs::path& path, std::string& all) {
     std::error_code error;
     std::vector<std::string> files;
     if (!fs::is_directory(path, error)) files.push_back(path.string());
-    for (fs::recursive_directory_iterator
-             entry(path, fs::directory_options::skip_permission_denied, error),
-         end;
+    for (fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end; entry.increment(error))
         if (fs::is_regular_file(entry->symlink_status(error))) files.push_back(entry->path().string());
     ranges::sort(files);
@@ -131,8 +129,9 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
                    "that holds them\n");
         return std::nullopt;
     }
-    std::sort(submissions.begin(), submissions.end(),
-              [](const Submission& a, const Submission& b) { return std::tie(a.name, a.path) < std::tie(b.name, b.path); });
+    std::sort(submissions.begin(), submissions.end(), [](const Submission& a, const Submission& b) {
+        return std::tie(a.name, a.path) < std::tie(b.name, b.path);
+    });
     name_folders(submissions);
     return submissions;
 }

@@ -36,11 +36,10 @@ ArchiveModule open_archive_module() {
     result.error = module.error;
     if (!module.error.empty()) return result;
     decltype(&snell_archive_api_version) api = nullptr;
-    const bool fits = module.find("snell_archive_api_version", api) && api() == snell_archive_version &&
-                      module.find("snell_archive_open", result.open) &&
-                      module.find("snell_archive_next", result.next) &&
-                      module.find("snell_archive_read", result.read) &&
-                      module.find("snell_archive_close", result.close);
+    const bool fits =
+        module.find("snell_archive_api_version", api) && api() == snell_archive_version &&
+        module.find("snell_archive_open", result.open) && module.find("snell_archive_next", result.next) &&
+        module.find("snell_archive_read", result.read) && module.find("snell_archive_close", result.close);
     if (!fits) result.error = module.path + " is from another version of snell";
     return result;
 }

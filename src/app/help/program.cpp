@@ -160,6 +160,8 @@ std::vector<std::string> meant_words(int count, const char* const* words) {
         if (word == "--json" && names_json(next, subcommand)) {
             word += "=" + (next == "-" ? std::string(standard_output) : next);
             meant.erase(meant.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        } else if (word == "--json" && json_is_file(subcommand) && (next.empty() || next.starts_with('-'))) {
+            word += std::string("=") + standard_output;
         } else if (names_output(word) && next == "-") {
             meant[++i] = standard_output;
         } else if (word.starts_with("--") && word.ends_with("=-") &&

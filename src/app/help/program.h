@@ -31,8 +31,8 @@ struct Request {
 };
 
 // The words of the command line as options take them. `--json` takes a file or nothing, so the file is joined to it:
-// the next word if it ends with .json or is a stream, and for subcommands that write nothing else to it any name that is
-// no option and no scene. A single dash for a file that is written is standard output.
+// the next word if it ends with .json or is a stream, and for subcommands that write nothing else to it any name that
+// is no option and no scene. A single dash for a file that is written is standard output.
 std::vector<std::string> meant_words(int count, const char* const* words);
 
 // Adds the options of the window and the subcommands; if `first`, the first word of a command line, names one, only of

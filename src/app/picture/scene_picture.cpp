@@ -12,7 +12,8 @@ std::optional<content::Image> scene_picture(const std::string& scene, const Scen
     const auto choose = [&](const Scene& read, Rungs& rungs) {
         for (const std::string& rung : wanted.ladders) choose_rung(rungs, read, rung, wrong);
     };
-    const auto document = open_document(scene, caps, choose, nullptr, {}, access_to(scene, wanted.access, wanted.grade));
+    const auto document =
+        open_document(scene, caps, choose, nullptr, {}, access_to(scene, wanted.access, wanted.grade));
     messages += render(document->diagnostics, document->sources);
     if (!document->runtime) return std::nullopt;
     Controls controls = document->controls;

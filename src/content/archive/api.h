@@ -12,7 +12,11 @@ extern "C" {
 
 enum { snell_archive_version = 1 };
 
-typedef enum SnellArchiveKind { snell_archive_file = 1, snell_archive_folder = 2, snell_archive_other = 3 } SnellArchiveKind;
+typedef enum SnellArchiveKind {
+    snell_archive_file = 1,
+    snell_archive_folder = 2,
+    snell_archive_other = 3
+} SnellArchiveKind;
 
 typedef struct SnellArchiveEntry {
     const char* name; /* as the archive spells it, in any encoding; valid until the next entry */

@@ -13,6 +13,8 @@
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/progress.h"
+#include "src/app/picture/outputs.h"
+#include "src/content/replace.h"
 #include "src/document/document.h"
 #include "src/gl/exact_target.h"
 #include "src/gl/present.h"
@@ -26,7 +28,8 @@ namespace {
 
 struct ExplainOptions {
     std::string scene;
-    bool json = false, no_time = false;
+    std::string json;  // a file
+    bool no_time = false;
     bool without_effect = false;  // tries what changes no pixel
     bool specialise = true;       // programs are compiled for the values that they have
     std::vector<std::string> sets, ladders;
@@ -255,8 +258,13 @@ Exit explain(const ExplainOptions& options) {
     measure(report, *document, planned, options, {watch, deadline, progress});
     deadline.rest();
     const std::string text =
-        options.json ? explain_json(report, document->sources) : explain_text(report, document->sources);
-    std::fwrite(text.data(), 1, text.size(), stdout);
+        options.json.empty() ? explain_text(report, document->sources) : explain_json(report, document->sources);
+    if (options.json.empty())
+        std::fwrite(text.data(), 1, text.size(), stdout);
+    else if (const std::string wrong = content::replace_file(options.json, text); !wrong.empty()) {
+        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(options.json), wrong);
+        return exit_input;
+    }
     return errors.has_errors() ? exit_input : exit_fine;
 }
 
@@ -268,7 +276,7 @@ Run add_explain(CLI::App& command) {
     add_timeout(command, options->timeout, "all of it; expensive frames are timed in fewer rounds");
     command.footer("Times are of this machine, now; those of passes are by difference.");
     command.add_option("SCENE", options->scene)->required();
-    command.add_flag("--json", options->json, "print JSON");
+    add_json(command, options->json, "print JSON");
     command.add_flag("--no-time", options->no_time, "do not time frames");
     command.add_flag("--without-effect", options->without_effect,
                      "leave out draws, textures, uniforms and statements, to find those that change no pixel");

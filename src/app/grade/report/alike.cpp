@@ -46,7 +46,8 @@ std::string side(const GradedSubmission& graded, const AlikePair& pair) {
 }
 
 bool is_shader(const fs::path& path) {
-    constexpr std::array endings{".vert", ".frag", ".geom", ".tesc", ".tese", ".tcs", ".tes", ".glsl", ".vs", ".fs", ".gs"};
+    constexpr std::array endings{".vert", ".frag", ".geom", ".tesc", ".tese", ".tcs",
+                                 ".tes",  ".glsl", ".vs",   ".fs",   ".gs"};
     return std::any_of(endings.begin(), endings.end(),
                        [&](const char* e) { return same_word(path.extension().string(), e); });
 }
@@ -54,14 +55,14 @@ bool is_shader(const fs::path& path) {
 }  // namespace
 
 std::string alike_page(const Grades& grades, const AlikePair& pair) {
-    const std::string title = fmt::format("{} and {}", grades.all[pair.a].submission.name,
-                                          grades.all[pair.b].submission.name);
-    return page_frame(title,
-                      fmt::format("<h1>{}</h1>\n<p>{:.0f} % of the shorter one's fingerprints are in the other one, too. "
-                                  "Marked lines hold them. This is a hint for a person to look at. <a "
-                                  "href=\"../index.html\">Results</a></p>\n<div class=\"sides\">{}{}</div>\n",
-                                  shown_text(title), 100 * pair.share, side(grades.all[pair.a], pair),
-                                  side(grades.all[pair.b], pair)));
+    const std::string title =
+        fmt::format("{} and {}", grades.all[pair.a].submission.name, grades.all[pair.b].submission.name);
+    return page_frame(
+        title, fmt::format("<h1>{}</h1>\n<p>{:.0f} % of the shorter one's fingerprints are in the other one, too. "
+                           "Marked lines hold them. This is a hint for a person to look at. <a "
+                           "href=\"../index.html\">Results</a></p>\n<div class=\"sides\">{}{}</div>\n",
+                           shown_text(title), 100 * pair.share, side(grades.all[pair.a], pair),
+                           side(grades.all[pair.b], pair)));
 }
 
 std::set<std::uint64_t> handed_out(const Rubric& rubric) {

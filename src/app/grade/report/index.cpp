@@ -30,8 +30,12 @@ std::string row_of_table(const Rubric& rubric, const GradedSubmission& graded) {
     const Record& record = graded.record;
     const std::string folder = "students/" + graded.submission.folder;
     const bool drawn = !record.drawn.empty() && !record.drawn.front().empty();
-    std::string row = fmt::format("<tr><td>{}</td>", drawn ? fmt::format("<a href=\"{0}/index.html\"><img loading=\"lazy\" alt=\"Picture of {1}\" src=\"{0}/{2}\"></a>", folder, shown_text(graded.submission.name), record.drawn.front())
-                                                           : std::string("no picture"));
+    std::string row = fmt::format(
+        "<tr><td>{}</td>",
+        drawn ? fmt::format(
+                    "<a href=\"{0}/index.html\"><img loading=\"lazy\" alt=\"Picture of {1}\" src=\"{0}/{2}\"></a>",
+                    folder, shown_text(graded.submission.name), record.drawn.front())
+              : std::string("no picture"));
     row += fmt::format("<td><a href=\"{}/index.html\">{}</a>", folder, shown_text(graded.submission.name));
     if (!record.problem.empty()) row += fmt::format("<br>{}", shown_text(record.problem));
     row += fmt::format("</td><td class=\"number\" data-key=\"{0}\"><b>{1}</b></td>", record.points(),
@@ -101,7 +105,8 @@ std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs
     body += "<div class=\"wide\"><table><thead><tr><th scope=\"col\">Picture</th>" + heading("Submission", "", false) +
             heading("Points", "", true);
     for (const RubricItem& item : rubric.items)
-        body += heading(item.name, fmt::format("<br><span class=\"quiet\">of {}</span>", points_text(item.points)), true);
+        body +=
+            heading(item.name, fmt::format("<br><span class=\"quiet\">of {}</span>", points_text(item.points)), true);
     body += heading("Errors", "", true) + heading("Warnings", "", true) + "</tr></thead><tbody>\n";
     for (const GradedSubmission& graded : grades.all) body += row_of_table(rubric, graded);
     body += "</tbody></table></div>\n" + alike_table(grades, pairs);

@@ -9,7 +9,8 @@
 
 namespace snell::app {
 
-// Writes index.html, a page beside each record, results.csv, results.json, junit.xml and pages of similar shaders. Returns
+// Writes index.html, a page beside each record, results.csv, results.json, junit.xml and pages of similar shaders.
+// Returns
 // "" or the error.
 std::string write_report(const Grades& grades, const std::string& output);
 

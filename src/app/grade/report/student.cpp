@@ -37,8 +37,9 @@ std::string caption(const Rubric& rubric, std::size_t picture) {
 }
 
 std::string figure(std::string_view file, std::string_view text, const Rubric& rubric) {
-    return fmt::format("<figure><img alt=\"{1}\" src=\"{0}\" width=\"{2}\" height=\"{3}\"><figcaption>{1}</figcaption></figure>",
-                       file, text, rubric.width, rubric.height);
+    return fmt::format(
+        "<figure><img alt=\"{1}\" src=\"{0}\" width=\"{2}\" height=\"{3}\"><figcaption>{1}</figcaption></figure>", file,
+        text, rubric.width, rubric.height);
 }
 
 // The submission's picture at the left of the slider, the reference's at the right.
@@ -65,8 +66,7 @@ std::string pictures(const Rubric& rubric, const Record& record) {
             text += beside_reference(rubric, record, item.picture);
         if (item.expect == Expect::reference || record.drawn[item.than].empty()) continue;
         told[item.than] = true;
-        text += "<div class=\"pictures\">" +
-                figure(record.drawn[item.picture], caption(rubric, item.picture), rubric) +
+        text += "<div class=\"pictures\">" + figure(record.drawn[item.picture], caption(rubric, item.picture), rubric) +
                 figure(record.drawn[item.than], caption(rubric, item.than), rubric) + "</div>\n";
     }
     if (told.front()) return text;

@@ -40,12 +40,8 @@ std::string results_csv(const Grades& grades) {
 
 std::string results_json(const Grades& grades, const std::vector<AlikePair>& pairs) {
     using Json = nlohmann::ordered_json;
-    Json json{{"schema", "snell-grade-1"},
-              {"title", grades.rubric.title},
-              {"points", grades.rubric.points()},
-              {"items", Json::array()},
-              {"submissions", Json::array()},
-              {"similar", Json::array()}};
+    Json json{{"schema", 1}, {"title", grades.rubric.title}, {"points", grades.rubric.points()},
+              {"items", Json::array()},    {"submissions", Json::array()}, {"similar", Json::array()}};
     for (const RubricItem& item : grades.rubric.items)
         json["items"].push_back({{"name", item.name}, {"points", item.points}});
     for (const GradedSubmission& graded : grades.all) {
@@ -59,15 +55,15 @@ std::string results_json(const Grades& grades, const std::vector<AlikePair>& pai
         json["submissions"].push_back(std::move(one));
     }
     for (const AlikePair& pair : pairs)
-        json["similar"].push_back({{"a", grades.all[pair.a].submission.folder},
-                                   {"b", grades.all[pair.b].submission.folder},
+        json["similar"].push_back({{"a", "students/" + grades.all[pair.a].submission.folder},
+                                   {"b", "students/" + grades.all[pair.b].submission.folder},
                                    {"share", pair.share}});
     return content::json_text(json) + '\n';
 }
 
 std::string results_junit(const Grades& grades) {
-    std::string text = fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\">\n",
-                                   xml(grades.rubric.title));
+    std::string text =
+        fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\">\n", xml(grades.rubric.title));
     for (const GradedSubmission& graded : grades.all) {
         std::size_t failures = 0;
         for (const Judged& item : graded.record.items) failures += !item.passed;

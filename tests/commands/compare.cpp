@@ -1,0 +1,132 @@
+// snell compare: its figures against values that are known, and what makes pictures different.
+#include "tests/cli/command.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "src/accuracy/difference.h"
+
+namespace snell::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class Compare : public CommandTest {
+protected:
+    // A grey picture, in which the pixel at x, y has another value.
+    void grey(const std::string& name, int value, int x = -1, int y = 0, int other = 0) const {
+        std::vector<std::array<int, 3>> pixels(20 * 10, {value, value, value});
+        if (x >= 0) pixels[static_cast<std::size_t>(y * 20 + x)] = {other, other, other};
+        folder.write(name, bmp(20, 10, pixels));
+    }
+    Outcome compare(const std::string& arguments) const {
+        return run("cd '" + folder.path() + "' && env -u DISPLAY " SNELL_BIN "/snell compare " + arguments);
+    }
+    json figures(const std::string& arguments) const {
+        return json::parse(compare(arguments + " --json").output, nullptr, false)["pairs"][0];
+    }
+};
+
+TEST_F(Compare, FiguresAreThoseOfTheirDefinitions) {
+    grey("a.bmp", 100);
+    grey("b.bmp", 151);
+    grey("c.bmp", 100, 7, 3, 255);
+    const json all = figures("a.bmp b.bmp");
+    EXPECT_NEAR(all["display"]["rmse"], .2, 1e-6);
+    EXPECT_NEAR(all["display"]["psnr"], -20 * std::log10(.2), 1e-4);
+    const auto light = [](double v) { return std::pow((v / 255 + .055) / 1.055, 2.4); };  // the curve of sRGB
+    EXPECT_NEAR(all["light"]["rmse"], light(151) - light(100), 1e-6);
+    EXPECT_EQ(all["pixels_percent"], 100);
+    const json one = figures("a.bmp c.bmp");
+    EXPECT_EQ(one["largest_at"], json::array({7, 3}));
+    EXPECT_NEAR(one["display"]["max"], 155. / 255, 1e-6);
+    EXPECT_NEAR(one["display"]["rmse"], 155. / 255 / std::sqrt(200.), 1e-6);
+    EXPECT_NEAR(one["pixels_percent"], .5, 1e-9);
+    EXPECT_EQ(one["coverage"], json::array({0., .005}));
+    EXPECT_EQ(figures("a.bmp a.bmp")["flip"], 0);
+    EXPECT_GT(one["flip"], 0);
+    EXPECT_LT(one["flip"], all["flip"]);
+    EXPECT_TRUE(figures("a.bmp a.bmp")["display"]["psnr"].is_null()) << "infinite";
+}
+
+TEST_F(Compare, LimitsMakeItATest) {
+    grey("a.bmp", 100);
+    grey("b.bmp", 102);
+    EXPECT_EQ(compare("a.bmp b.bmp").status, 0);
+    EXPECT_EQ(compare("a.bmp b.bmp --max-rmse .01").status, 0);
+    EXPECT_EQ(compare("a.bmp b.bmp --max-rmse .007").status, 1);
+    EXPECT_EQ(compare("a.bmp b.bmp --max-pixels 50").status, 1);
+    EXPECT_EQ(compare("a.bmp b.bmp --max-pixels 50 --threshold .01").status, 0);
+    EXPECT_EQ(compare("a.bmp b.bmp --max-flip 1e-5").status, 1);
+    EXPECT_EQ(compare("a.bmp b.bmp --max-flip 2").status, 2);
+    EXPECT_EQ(compare("a.bmp").status, 2);
+    EXPECT_EQ(compare("a.bmp nothere.bmp").status, 2);
+    EXPECT_EQ(compare("a.bmp b.bmp -o a.bmp").status, 2) << "what is read is not overwritten";
+}
+
+TEST_F(Compare, TheNearestOfSeveralReferencesCounts) {
+    grey("a.bmp", 100);
+    grey("far.bmp", 200);
+    grey("near.bmp", 101);
+    const json all = figures("a.bmp far.bmp near.bmp");
+    EXPECT_EQ(all["reference"], "near.bmp");
+    EXPECT_EQ(compare("a.bmp near.bmp far.bmp --max-rmse .01").status, 0);
+}
+
+TEST_F(Compare, OtherSizesAreDifferent) {
+    grey("a.bmp", 100);
+    folder.write("b.bmp", bmp(2, 2, std::vector<std::array<int, 3>>(4, {1, 1, 1})));
+    folder.write("t.txt", "no picture");
+    const Outcome outcome = compare("a.bmp b.bmp");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.says("'a.bmp' has 20x10 pixels, but 'b.bmp' has 2x2")) << outcome.output;
+    EXPECT_EQ(compare("a.bmp t.txt").status, 1);
+}
+
+TEST_F(Compare, ScenesAreDrawn) {
+    const std::string scene = SNELL_ROOT "/tests/cases/Sphere.glib";
+    ASSERT_EQ(run(SNELL_BIN "/snell render -q " + scene + " -o " + at("p.png") + " --size 64x48").status, 0);
+    EXPECT_EQ(figures(scene + " p.png")["display"]["max"], 0) << "in the size of the picture";
+    EXPECT_EQ(figures("p.png " + scene)["display"]["max"], 0);
+    EXPECT_EQ(figures(scene + " " + scene + " --size 32x32")["size"], json::array({32, 32}));
+    EXPECT_GT(figures(scene + " " + SNELL_ROOT "/tests/cases/Torus.glib --size 32x32")["display"]["rmse"], 0);
+    folder.write("broken.glib", "Sphre 1\n");
+    EXPECT_EQ(compare("broken.glib p.png").status, 1);
+}
+
+TEST_F(Compare, FoldersAreComparedByNames) {
+    for (const std::string name : {"a/1.bmp", "a/deep/2.bmp", "b/1.bmp", "b/deep/2.bmp"}) {
+        fs::create_directories(fs::path(at(name)).parent_path());
+        grey(name, 100);
+    }
+    EXPECT_EQ(compare("a b --max-rmse 0 -o maps").status, 0);
+    EXPECT_TRUE(fs::exists(at("maps/deep/2.png")));
+    grey("b/deep/2.bmp", 110);
+    EXPECT_EQ(compare("a b --max-rmse 0").status, 1);
+    grey("b/deep/2.bmp", 100);
+    grey("b/more.bmp", 100);
+    const Outcome outcome = compare("a b --max-rmse 0");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.says("only in b: more.bmp")) << outcome.output;
+    EXPECT_EQ(compare("a b/1.bmp").status, 2);
+}
+
+TEST_F(Compare, CoverageLeavesTheBackgroundOut) {
+    accuracy::Picture picture{10, 10, std::vector<float>(400, 1.f)};
+    EXPECT_EQ(accuracy::coverage(picture), 0);
+    EXPECT_TRUE(accuracy::uniform(picture));
+    for (std::size_t i = 0; i < 25; ++i) picture.rgba[4 * (11 + i)] = 0;
+    EXPECT_DOUBLE_EQ(accuracy::coverage(picture), .25);
+    // With transparency, what is transparent is background, whatever its colour is.
+    for (std::size_t i = 0; i < 50; ++i) picture.rgba[4 * i + 3] = 0;
+    EXPECT_DOUBLE_EQ(accuracy::coverage(picture), .5);
+    const accuracy::Picture turned = accuracy::mirrored(picture);
+    EXPECT_EQ(turned.rgba[4 * 18], picture.rgba[4 * 11]);
+    EXPECT_EQ(accuracy::mirrored(turned), picture);
+}
+
+}  // namespace
+
+}  // namespace snell::test

@@ -1,0 +1,230 @@
+// Grading: what items of a rubric judge, and what is said of mistakes in it.
+#include "tests/commands/grade.h"
+
+namespace snell::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class Grade : public GradeTest {
+protected:
+    // Grades one submission, with the fragment shader, by one item; returns the item.
+    json judged(const std::string& item, const std::string& fragment, const std::string& text = ball) {
+        fs::remove_all(at("s"));
+        fs::remove_all(at("out"));
+        scene("s/ann", fragment, text);
+        folder.write("r.toml", head + "[[item]]\npoints = 4\n" + item);
+        const Outcome made = grade("r.toml s -o out");
+        EXPECT_EQ(made.status, 0) << made.output;
+        const json one = result("ann");
+        return one.is_null() ? one : one["items"][0];
+    }
+    double points(const std::string& item, const std::string& fragment = paint, const std::string& text = ball) {
+        const json one = judged(item, fragment, text);
+        last = one.is_null() ? "" : one["why"];
+        return one.is_null() ? -1 : one["points"].get<double>();
+    }
+    static std::string with(std::string text, const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+        return text;
+    }
+    std::string last;
+};
+
+TEST_F(Grade, ItemsWithoutPictures) {
+    EXPECT_EQ(points("no_errors = true\n"), 4);
+    EXPECT_EQ(points("no_errors = true\n", with(paint, "float d", "float e")), 0);
+    EXPECT_EQ(points("needs = [\"Sphere\", \"perspective\"]\n"), 4) << last;
+    EXPECT_EQ(points("needs = [\"Sphere\", \"Teapot\"]\n"), 2) << last;
+    EXPECT_EQ(points("forbids = [\"Sphere\"]\n"), 0);
+    EXPECT_EQ(points("forbids = [\"Sphere\"]\n", paint, ball + "# Sphere\n"), 0);
+    EXPECT_EQ(points("forbids = [\"Torus\"]\n", paint, ball + "# Torus 1 .5\n"), 4) << "a comment uses nothing";
+    EXPECT_EQ(points("counters = { draws = 1 }\n"), 4) << last;
+    EXPECT_EQ(points("counters = { draws = \"2..\" }\n"), 0);
+    EXPECT_NE(last.find("draws 1, at least 2 expected"), std::string::npos) << last;
+}
+
+TEST_F(Grade, UniformsHaveTypesAndRanges) {
+    EXPECT_EQ(points("uniforms = { uKd = \"float 0..1\", uRed = \"float\" }\n"), 4) << last;
+    EXPECT_EQ(points("uniforms = { uKd = \"float 0..2\", uRed = \"vec3\", uNone = \"float\", uSide = \"float\" }\n"),
+              1);
+    EXPECT_NE(last.find("goes from 0 to 1, not from 0 to 2"), std::string::npos) << last;
+    EXPECT_NE(last.find("'uRed' is a float, not a vec3"), std::string::npos) << last;
+    EXPECT_NE(last.find("no uniform 'uNone'"), std::string::npos) << last;
+}
+
+TEST_F(Grade, LintsCostPoints) {
+    const std::string negative = with(paint, "float d =", "float p = pow(n.x - 2., 2.);\n  float d = p * 0. +");
+    EXPECT_EQ(points("no_lints = [\"pow-of-negative\", \"never-read\"]\neach = 1.5\n"), 4);
+    EXPECT_EQ(points("no_lints = [\"pow-of-negative\", \"never-read\"]\neach = 1.5\n", negative), 2.5) << last;
+    EXPECT_EQ(points("no_lints = [\"pow-of-negative\"]\n", negative), 0);
+}
+
+TEST_F(Grade, RelationsBetweenPictures) {
+    EXPECT_EQ(points("set = { uKd = 0 }\nexpect = \"darker\"\n"), 4) << last;
+    EXPECT_EQ(points("set = { uKd = 1 }\nexpect = \"darker\"\n"), 0);
+    EXPECT_EQ(points("set = { uKd = 1 }\nexpect = \"brighter\"\n"), 4) << last;
+    EXPECT_EQ(points("set = { uKd = 1 }\nexpect = \"brighter\"\nby = 3\n"), 0);
+    EXPECT_EQ(points("set = { uRed = 0 }\nexpect = \"different\"\n"), 4) << last;
+    EXPECT_EQ(points("set = { uRed = 0 }\nexpect = \"same\"\n"), 0);
+    // Without diffuse light, its side does not matter.
+    EXPECT_EQ(points("set = { uKd = 0, uSide = -1 }\nthan = { uKd = 0 }\nexpect = \"same\"\n"), 4) << last;
+    EXPECT_EQ(points("set = { uSide = -0.3 }\nexpect = \"mirrored\"\n"), 4) << last;
+    EXPECT_EQ(points("set = { uSide = 0.9 }\nexpect = \"mirrored\"\n"), 0);
+    EXPECT_EQ(points("expect = \"different\"\nset = { uKd = 0 }\n", "void main() { gl_FragColor = vec4(oops); }"), 0);
+}
+
+TEST_F(Grade, AnEmptyPictureIsNotTheSame) {
+    const std::string none = with(ball, "Sphere 1", "# Sphere 1");
+    EXPECT_EQ(points("set = { uKd = 0 }\nexpect = \"same\"\n", paint, none), 0);
+    EXPECT_EQ(points("slower = 100\n", paint, none), 0);
+    EXPECT_EQ(points("slower = 100\n"), 4) << last;
+}
+
+TEST_F(Grade, TheReferenceHasTheSameValues) {
+    const std::string hidden = "set = { uRed = 0.4, uKd = 0.5 }\nexpect = \"reference\"\n";
+    EXPECT_EQ(points(hidden), 4) << last;
+    // Other values in the scene's text do not matter where the rubric sets them.
+    EXPECT_EQ(points(hidden, paint, with(ball, ".9 1.>", ".1 1.>")), 4) << last;
+    EXPECT_EQ(points(hidden + "max_rmse = 0.001\n", with(paint, ".2, .1", ".2, .3")), 0);
+    EXPECT_NE(last.find("RMSE"), std::string::npos);
+    EXPECT_EQ(points("expect = \"reference\"\nmax_pixels = 5\nview = \"scale=.5\"\n"), 4) << last;
+}
+
+TEST_F(Grade, OtherNamesAreMatchedByAliasesOnly) {
+    std::string fragment = paint, text = with(ball, "uKd", "uDiffuse");
+    for (int i = 0; i < 2; ++i) fragment = with(fragment, "uKd", "uDiffuse");
+    const std::string item = "set = { uKd = 0 }\nexpect = \"darker\"\n";
+    EXPECT_EQ(points(item, fragment, text), 0);
+    EXPECT_NE(last.find("uKd"), std::string::npos) << last;
+    EXPECT_EQ(points(item + "[aliases]\nuKd = [\"kd\", \"uDiffuse\"]\n", fragment, text), 4) << last;
+    EXPECT_EQ(points("uniforms = { uKd = \"float 0..1\" }\n[aliases]\nuKd = \"uDiffuse\"\n", fragment, text), 4)
+        << last;
+}
+
+TEST_F(Grade, MistakesInTheRubricHavePlacesAndSuggestions) {
+    scene("s/ann");
+    const auto says = [&](const std::string& item, const std::string& text) {
+        folder.write("r.toml", head + item);
+        const Outcome made = grade("r.toml s -o out");
+        EXPECT_EQ(made.status, 1) << item;
+        EXPECT_TRUE(made.says(text)) << made.output;
+        EXPECT_FALSE(fs::exists(at("out"))) << item;
+    };
+    says("[[item]]\npoint = 3\nno_errors = true\n", "r.toml:6:1: error: a rubric has no 'point' here");
+    says("[[item]]\npoint = 3\nno_errors = true\n", "did you mean 'points'?");
+    says("[[item]]\nno_lints = [\"never-red\"]\n", "did you mean 'never-read'?");
+    says("[[item]]\nneeds = [\"Teepot\"]\n", "r.toml:6:10: error: there is no command 'Teepot'");
+    says("[[item]]\nexpect = \"darkr\"\nset = { uKd = 0 }\n", "did you mean 'darker'?");
+    says("[[item]]\nexpect = \"darker\"\n", "compared with itself");
+    says("[[item]]\ncounters = { drews = 1 }\n", "did you mean 'draws'?");
+    says("[[item]]\npoints = \"two\"\nno_errors = true\n", "'points' is a number, not a text in quotes");
+    says("[[item]]\npoints = 2\n", "does not say what it judges");
+    says("[[item]]\nno_errors = true\nneeds = [\"Sphere\"]\n", "judges two things");
+    says("[[item]]\nno_errors = tru\n", "r.toml:6:");
+    says("size = \"64\"\n[[item]]\nno_errors = true\n", "error");
+    says("", "no items");
+    folder.write("r.toml", "reference = \"nothere.glib\"\n[[item]]\nno_errors = true\n");
+    EXPECT_TRUE(grade("r.toml s -o out").says("r.toml:1:13: error: there is no scene 'nothere.glib'"));
+    EXPECT_EQ(grade("nothere.toml s -o out").status, 1);
+    EXPECT_EQ(grade("r.toml -o out").status, 2);
+    EXPECT_EQ(grade("r.toml s").status, 2);
+}
+
+TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {
+    ASSERT_EQ(grade("--new reference/ball.glib -o r.toml").status, 0);
+    EXPECT_EQ(grade("--new reference/ball.glib -o r.toml").status, 2) << "it is not replaced";
+    scene("s/ann");
+    const Outcome made = grade("r.toml s -o out");
+    ASSERT_EQ(made.status, 0) << made.output;
+    EXPECT_FALSE(made.says("reference-fails")) << made.output;
+    const json all = results();
+    EXPECT_EQ(result("ann")["points"], all["points"]) << all.dump(1);
+    EXPECT_GE(all["items"].size(), 7u);
+    EXPECT_TRUE(grade("--new reference/ball.glib").says("uKd = \"float 0..1\""));
+}
+
+TEST_F(Grade, AReferenceThatFailsIsAWarning) {
+    scene("s/ann");
+    folder.write("r.toml", head + "[[item]]\nneeds = [\"Torus\"]\n");
+    const Outcome made = grade("r.toml s -o out");
+    EXPECT_EQ(made.status, 0);
+    EXPECT_TRUE(made.says("the reference itself fails")) << made.output;
+}
+
+TEST_F(Grade, WhatDidNotChangeIsKept) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    for (const std::string name : {"ann", "bob", "eve"}) scene("s/" + name);
+    EXPECT_TRUE(grade("r.toml s -o out").says("3 submissions, 0 of them judged before"));
+    EXPECT_TRUE(grade("r.toml s -o out").says("3 submissions, 3 of them judged before"));
+    scene("s/bob", "broken");
+    EXPECT_TRUE(grade("r.toml s -o out").says("3 submissions, 2 of them judged before"));
+    EXPECT_EQ(result("bob")["points"], 0);
+    folder.write("s/eve/more.txt", "x");
+    scene("s/zoe");
+    EXPECT_TRUE(grade("r.toml s -o out").says("4 submissions, 2 of them judged before"));
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\npoints = 7\n");
+    EXPECT_TRUE(grade("r.toml s -o out").says("0 of them judged before"));
+    scene("reference", paint + "\n");
+    EXPECT_TRUE(grade("r.toml s -o out").says("0 of them judged before"));
+    EXPECT_TRUE(grade("r.toml s -o out --again").says("0 of them judged before"));
+}
+
+TEST_F(Grade, PartsTogetherAreTheWhole) {
+    folder.write("r.toml",
+                 head + "[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n[[item]]\nexpect = \"reference\"\n");
+    for (const std::string name : {"ann", "bob", "eve", "kim", "zoe"}) scene("s/" + name);
+    ASSERT_EQ(grade("r.toml s -o whole").status, 0);
+    for (const std::string part : {"1/2", "0/2"}) ASSERT_EQ(grade("r.toml s -o parts --shard " + part).status, 0);
+    EXPECT_FALSE(fs::exists(at("parts/index.html")));
+    EXPECT_TRUE(grade("r.toml s -o parts").says("5 of them judged before"));
+    for (const std::string file : {"results.json", "results.csv", "junit.xml", "index.html"})
+        EXPECT_EQ(bytes_of(at("whole/" + file)), bytes_of(at("parts/" + file))) << file;
+}
+
+TEST_F(Grade, ReportsAreNotWrittenOverOtherFiles) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("s/ann");
+    folder.write("mine/letter.txt", "x");
+    EXPECT_EQ(grade("r.toml s -o mine").status, 2);
+    EXPECT_EQ(std::distance(fs::directory_iterator(at("mine")), fs::directory_iterator{}), 1);
+}
+
+TEST_F(Grade, SimilarShadersAreTold) {
+    const std::string long_one = with(
+        paint, "  gl_FragColor",
+        "  float s = 0.;\n  for (int i = 0; i < 4; ++i) { vec3 q = n * float(i) + vec3(.1, .2, .3); s += "
+        "sin(q.x) * cos(q.y) + mix(q.z, q.x * q.y, .25) - smoothstep(.1, .9, q.x); }\n"
+        "  if (s > .5) { d = d * .5 + step(.3, s) * fract(s * 7.); } else { d += clamp(s, 0., 1.); }\n  gl_FragColor");
+    std::string renamed = long_one;
+    for (std::size_t i = renamed.find("q"); i != std::string::npos; i = renamed.find("q", i + 4))
+        renamed.replace(i, 1, "mine");
+    const std::string other =
+        with(paint, "  gl_FragColor",
+             "  vec2 h = n.xy * n.yx;\n  while (h.x < .5) h.x += d;\n  mat2 m = mat2(h, h.yx);\n  d *= "
+             "length(m * h) + distance(h, n.zy) / max(abs(n.x), .2);\n  gl_FragColor");
+    scene("s/ann", long_one);
+    scene("s/bob", "// my own\n" + renamed);
+    for (const std::string name : {"c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8", "c9"}) scene("s/" + name);
+    scene("s/eve", other);
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    const json similar = results()["similar"];
+    ASSERT_EQ(similar.size(), 1u) << similar.dump(1);
+    EXPECT_EQ(similar[0]["a"], "students/ann");
+    EXPECT_EQ(similar[0]["b"], "students/bob");
+    EXPECT_NE(bytes_of(at("out/similar/1.html")).find("<mark>"), std::string::npos);
+    EXPECT_EQ(page("ann").find("bob"), std::string::npos) << "pages for students name nobody else";
+    // What was handed out explains it.
+    folder.write("handout/h.frag", long_one);
+    folder.write("r.toml", "template = \"handout\"\n" + head + "[[item]]\nno_errors = true\n");
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    EXPECT_EQ(results()["similar"].size(), 0u);
+    EXPECT_FALSE(fs::exists(at("out/similar")));
+}
+
+}  // namespace
+
+}  // namespace snell::test

@@ -1,0 +1,61 @@
+// Submissions of a class, made for a test, and what `snell grade` says of them.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/command.h"
+
+namespace snell::test {
+
+class GradeTest : public CommandTest {
+protected:
+    void SetUp() override {
+        CommandTest::SetUp();
+        if (!IsSkipped()) scene("reference");
+    }
+    // A whole submission in that folder.
+    void scene(const std::string& where, const std::string& fragment = paint, const std::string& text = ball,
+               const std::string& name = "ball.glib") const {
+        folder.write(where + "/" + name, text);
+        folder.write(where + "/ball.vert", vertex);
+        folder.write(where + "/ball.frag", fragment);
+    }
+    Outcome grade(const std::string& arguments) const {
+        return run("cd '" + folder.path() + "' && env -u DISPLAY " SNELL_BIN "/snell grade " + arguments);
+    }
+    Outcome python(const std::string& program) const {
+        folder.write("make.py", program);
+        return run("cd '" + folder.path() + "' && python3 make.py");
+    }
+    nlohmann::json results(const std::string& report = "out") const {
+        return nlohmann::json::parse(bytes_of(at(report + "/results.json")), nullptr, false);
+    }
+    // Of the submission with that name; null if there is none.
+    nlohmann::json result(const std::string& name, const std::string& report = "out") const {
+        const nlohmann::json all = results(report);
+        if (!all.is_object()) return {};
+        for (const auto& one : all["submissions"])
+            if (one["name"] == name) return one;
+        return {};
+    }
+    std::string page(const std::string& name, const std::string& report = "out") const {
+        const nlohmann::json one = result(name, report);
+        return one.is_null() ? "" : bytes_of(at(report + "/" + one["folder"].get<std::string>() + "/index.html"));
+    }
+
+    static inline const std::string ball =
+        "##OpenGL GLIB\nPerspective 60\nLookAt 0 0 3  0 0 0  0 1 0\nVertex ball.vert\nFragment ball.frag\n"
+        "Program Ball uKd <0. .7 1.> uRed <0. .9 1.> uSide <-1. .3 1.>\nSphere 1\n";
+    static inline const std::string vertex =
+        "#version 330 compatibility\nout vec3 vN;\nvoid main() { vN = normalize(gl_NormalMatrix * gl_Normal); "
+        "gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n";
+    static inline const std::string paint =
+        "#version 330 compatibility\nuniform float uKd, uRed, uSide;\nin vec3 vN;\nvoid main() {\n"
+        "  vec3 n = normalize(vN);\n  float d = max(dot(n, normalize(vec3(uSide, 0., 1.))), 0.);\n"
+        "  gl_FragColor = vec4(vec3(uRed, .2, .1) * (.1 + uKd * d), 1.);\n}\n";
+    static inline const std::string head =
+        "title = \"Balls\"\nreference = \"reference/ball.glib\"\nsize = \"64x48\"\ntimeout = 10\n";
+};
+
+}  // namespace snell::test

@@ -1,0 +1,236 @@
+// Submissions that are broken, odd or hostile: each is reported, none ends the others, and nothing escapes.
+#include "tests/commands/grade.h"
+
+#include <chrono>
+
+#include "tests/sanitized.h"
+
+namespace snell::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class HostileSubmission : public GradeTest {
+protected:
+    void SetUp() override {
+        GradeTest::SetUp();
+        if (IsSkipped()) return;
+        scene("s/ann");
+        folder.write("r.toml", head + "[[item]]\nno_errors = true\n[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n");
+    }
+    // Grades all, of which ann's is as ever.
+    void grade_all(const std::string& arguments = "") {
+        const Outcome made = grade("r.toml s -o out " + arguments);
+        ASSERT_EQ(made.status, 0) << made.output;
+        EXPECT_EQ(result("ann")["points"], 2) << made.output;
+        said = made.output;
+    }
+    // An archive with entries of these names, in Python's words.
+    void zip(const std::string& file, const std::string& statements) {
+        const Outcome made =
+            python("import zipfile\nz = zipfile.ZipFile('" + file +
+                   "', 'w', zipfile.ZIP_DEFLATED)\n"
+                   "def whole(folder=''):\n"
+                   "  for f in ('ball.glib', 'ball.vert', 'ball.frag'): z.write('reference/' + f, folder + f)\n" +
+                   statements + "\nz.close()\n");
+        ASSERT_EQ(made.status, 0) << made.output;
+    }
+    std::string said;
+};
+
+TEST_F(HostileSubmission, ArchivesAndFoldersOfAnyDepth) {
+    zip("s/zipped.zip", "whole('a/b/c/')\nz.writestr('__MACOSX/a/._ball.glib', 'x')");
+    fs::create_directories(at("s/Bob_123_file"));
+    zip("s/Bob_123_file/work.zip", "whole()");
+    scene("s/deep/1/2/3/4/5");
+    ASSERT_EQ(run("cd '" + at("") + "' && tar czf s/tarred.tgz -C reference .").status, 0);
+    grade_all();
+    for (const std::string name : {"zipped", "Bob_123_file", "deep", "tarred"})
+        EXPECT_EQ(result(name)["points"], 2) << name << result(name).dump(1);
+    EXPECT_FALSE(fs::exists(at("out/.unpacked")));
+}
+
+TEST_F(HostileSubmission, NothingLeavesTheArchivesFolder) {
+    folder.write("secret.txt", "s");
+    zip("s/evil.zip",
+        "whole()\nfor n in ('../../evil', '/tmp/snell-evil-absolute', 'a/../../../evil', 'C:/evil', '..\\\\evil'): "
+        "z.writestr(n, 'x')\n"
+        "i = zipfile.ZipInfo('link'); i.create_system = 3; i.external_attr = 0o120777 << 16\nz.writestr(i, "
+        "'/etc/passwd')");
+    ASSERT_EQ(
+        python(
+            "import tarfile\nt = tarfile.open('s/links.tar', 'w')\nfor f in ('ball.glib', 'ball.vert', 'ball.frag'):\n"
+            "  t.add('reference/' + f, f)\ni = tarfile.TarInfo('out'); i.type = tarfile.SYMTYPE; i.linkname = '/tmp'\n"
+            "t.addfile(i)\ni = tarfile.TarInfo('out/snell-evil-link'); t.addfile(i)\n"
+            "i = tarfile.TarInfo('hard'); i.type = tarfile.LNKTYPE; i.linkname = '../../../secret.txt'; "
+            "t.addfile(i)\nt.close()\n")
+            .status,
+        0);
+    const std::size_t before = folder.entries();
+    grade_all();
+    EXPECT_EQ(result("evil")["points"], 2);
+    EXPECT_EQ(result("links")["points"], 2);
+    EXPECT_NE(page("evil").find("leads out of the archive"), std::string::npos);
+    EXPECT_NE(page("links").find("is a link or a device"), std::string::npos);
+    for (const std::string name : {"evil", "../evil", "s/evil", "out/evil", "out/students/evil", "out/.unpacked"})
+        EXPECT_FALSE(fs::exists(at(name))) << name;
+    EXPECT_FALSE(fs::exists("/tmp/snell-evil-absolute"));
+    EXPECT_FALSE(fs::exists("/tmp/snell-evil-link"));
+    fs::remove_all(at("out"));
+    EXPECT_EQ(folder.entries(), before);
+}
+
+TEST_F(HostileSubmission, AnArchiveOfZerosIsNotUnpackedToItsEnd) {
+    zip("s/bomb.zip",
+        "with z.open('zeros', 'w', force_zip64=True) as f:\n  for i in range(300): f.write(bytes(1 << 20))");
+    folder.write("s/torn.zip", bytes_of(at("s/bomb.zip")).substr(0, 500));
+    folder.write("s/none.zip", "no archive at all");
+    grade_all();
+    EXPECT_NE(page("bomb").find("it holds more than 256 MB"), std::string::npos) << page("bomb");
+    for (const std::string name : {"bomb", "torn", "none"}) EXPECT_EQ(result(name)["points"], 0) << name;
+    EXPECT_FALSE(fs::exists(at("out/.unpacked")));
+}
+
+TEST_F(HostileSubmission, LinksOfFoldersAreNotFollowed) {
+    scene("s/eve");
+    scene("s/kim", "#include \"own.frag\"\n");
+    folder.write("other/ball.frag", paint);
+    fs::remove(at("s/eve/ball.frag"));
+    fs::create_symlink(at("other/ball.frag"), at("s/eve/ball.frag"));
+    fs::create_symlink("/etc/passwd", at("s/kim/own.frag"));
+    fs::create_directories(at("s/leo"));
+    fs::create_directory_symlink(at("reference"), at("s/leo/all"));
+    fs::create_directory_symlink("..", at("s/leo/round"));
+    grade_all();
+    for (const std::string name : {"eve", "kim", "leo"}) {
+        EXPECT_EQ(result(name)["points"], 0) << name;
+        EXPECT_EQ(page(name).find("root:"), std::string::npos);
+    }
+    EXPECT_FALSE(result("leo")["problem"].get<std::string>().empty());
+}
+
+TEST_F(HostileSubmission, SharedFoldersMayBeRead) {
+    folder.write("shared/ball.frag", paint);
+    std::string text = ball;
+    text.replace(text.find("ball.frag"), 9, "../../shared/ball.frag");
+    scene("s/eve", paint, text);
+    fs::remove(at("s/eve/ball.frag"));
+    grade_all();
+    EXPECT_EQ(result("eve")["points"], 0);
+    folder.write("r.toml", "shared = \"shared\"\n" + bytes_of(at("r.toml")));
+    grade_all();
+    EXPECT_EQ(result("eve")["points"], 2) << page("eve");
+}
+
+TEST_F(HostileSubmission, AShaderThatTakesForeverIsStopped) {
+    std::string loops;
+    for (int i = 0; i < 8; ++i) loops += "  for (int i = 0; i < 60000; ++i) x = fract(sin(x + uKd) * 43758.5);\n";
+    scene("s/slow", "uniform float uKd, uRed, uSide;\nvoid main() {\n  float x = gl_FragCoord.x;\n" + loops +
+                        "  gl_FragColor = vec4(x);\n}\n");
+    std::string rubric = bytes_of(at("r.toml"));
+    rubric.replace(rubric.find("timeout = 10"), 12, "timeout = 2");
+    rubric.replace(rubric.find("64x48"), 5, "512x512");
+    folder.write("r.toml", rubric);
+    const Outcome made = grade("r.toml s -o out");
+    ASSERT_EQ(made.status, 0) << made.output;
+    EXPECT_NE(result("slow")["problem"].get<std::string>().find("takes longer than 2 seconds"), std::string::npos);
+    EXPECT_EQ(result("slow")["items"][0]["points"], 1) << "what needs no picture is judged";
+    EXPECT_NE(page("slow").find("takes longer than 2 seconds"), std::string::npos);
+}
+
+TEST_F(HostileSubmission, ASceneOfTenThousandPasses) {
+    std::string passes = "##OpenGL GLIB\n";
+    for (int i = 0; i < 10'000; ++i) passes += "RenderToTexture " + std::to_string(i) + " 64 64\nSphere 1\n";
+    scene("s/many", paint, passes);
+    scene("s/large", paint, "Sphere 1 100000 100000\nObj nothere.obj\nTexture2D 1 ball.frag\n");
+    folder.write("s/binary/x.glib", std::string(100'000, '\0') + "\xff\xfe");
+    grade_all();
+    for (const std::string name : {"many", "large"}) EXPECT_EQ(result(name)["points"], 0) << result(name).dump(1);
+}
+
+TEST_F(HostileSubmission, NothingInNamesAndMessagesIsHtml) {
+    const std::string name = "<img src=x onerror=alert(1)>&\"'";
+    scene("s/" + name, "void main() { <script>alert(2)</script> = oops; }",
+          "##OpenGL GLIB\nMessageBox \"<b>\"\nSphre <i>\n" + ball, "<u>.glib");
+    scene("s/=1+2");
+    scene("s/two\nlines\x1b[31m");
+    grade_all();
+    for (const auto& entry : fs::recursive_directory_iterator(at("out"))) {
+        if (entry.path().extension() != ".html" && entry.path().extension() != ".xml") continue;
+        const std::string text = bytes_of(entry.path());
+        for (const std::string markup : {"<img src=x", "<script>alert", "<b>\"", "<i>", "<u>", "\x1b"})
+            EXPECT_EQ(text.find(markup), std::string::npos) << entry.path() << ": " << markup;
+        EXPECT_NE(entry.path().filename(), "<u>");
+    }
+    EXPECT_NE(page(name).find("&lt;script&gt;alert"), std::string::npos);
+    EXPECT_NE(bytes_of(at("out/results.csv")).find("\n'=1+2,"), std::string::npos) << "no formula";
+    EXPECT_EQ(said.find('\x1b'), std::string::npos);
+    const Outcome parsed = python(
+        "import xml.dom.minidom, csv\nxml.dom.minidom.parse('out/junit.xml')\n"
+        "assert len(set(len(r) for r in csv.reader(open('out/results.csv')))) == 1\n");
+    EXPECT_EQ(parsed.status, 0) << parsed.output;
+}
+
+TEST_F(HostileSubmission, NamesInAnyEncodingAndTwoOfOneName) {
+    scene("s/Jos\xe9");      // Latin-1
+    scene("s/Jos\xc3\xa9");  // UTF-8
+    scene("s/Jos\xc3\xa8");
+    zip("s/latin.zip", "whole('r\\u00e9sum\\u00e9/')");
+    scene("t/ann");
+    const Outcome made = grade("r.toml s/* t/ann -o out");
+    ASSERT_EQ(made.status, 0) << made.output;
+    const json all = results()["submissions"];
+    std::set<std::string> folders, names;
+    for (const json& one : all) {
+        EXPECT_EQ(one["points"], 2) << one.dump(1);
+        folders.insert(one["folder"].get<std::string>());
+        names.insert(one["name"].get<std::string>());
+    }
+    EXPECT_EQ(all.size(), 6u);
+    EXPECT_EQ(folders.size(), 6u);
+    EXPECT_TRUE(names.contains("Jos\u00e9"));
+}
+
+TEST_F(HostileSubmission, WhichSceneIsMeant) {
+    fs::create_directories(at("s/empty"));
+    scene("s/two", paint, ball, "one.glib");
+    scene("s/two", paint, ball, "other.glib");
+    scene("s/named", paint, ball, "old.glib");
+    scene("s/named");  // the reference's name
+    scene("s/near", paint, ball, "near.glib");
+    scene("s/near/backup", "broken", ball, "far.glib");
+    folder.write("s/macos/__MACOSX/ball.glib", ball);
+    folder.write("s/macos/._ball.glib", "x");
+    grade_all();
+    EXPECT_NE(result("empty")["problem"].get<std::string>().find("there is no scene"), std::string::npos);
+    EXPECT_NE(result("two")["problem"].get<std::string>().find("'one.glib', 'other.glib'"), std::string::npos);
+    EXPECT_EQ(result("named")["scene"], "ball.glib");
+    EXPECT_EQ(result("near")["scene"], "near.glib");
+    EXPECT_EQ(result("macos")["points"], 0);
+    folder.write("r.toml", "scene = \"o*.glib\"\n" + bytes_of(at("r.toml")));
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    EXPECT_EQ(result("named")["scene"], "old.glib");
+    EXPECT_EQ(result("ann")["points"], 0);
+}
+
+TEST_F(HostileSubmission, SixtyAreGradedBeforeLunch) {
+    for (int i = 0; i < 60; ++i)
+        scene("s/student " + std::to_string(i),
+              i % 9 == 4 ? "void main() { oops }" : paint + "// " + std::to_string(i) + "\n");
+    folder.write("r.toml", bytes_of(at("r.toml")) + "[[item]]\nexpect = \"reference\"\n[[item]]\nslower = 9\n");
+    const auto timed = [&](double most) {
+        const auto begin = std::chrono::steady_clock::now();
+        const Outcome made = grade("r.toml s -o out -q");
+        EXPECT_EQ(made.status, 0) << made.output;
+        EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), most * patience);
+    };
+    timed(30);
+    EXPECT_EQ(results()["submissions"].size(), 61u);
+    timed(3);
+}
+
+}  // namespace
+
+}  // namespace snell::test

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""The JSON that the program prints is as docs/schemas describes it, and nothing else.
+
+usage: schemas.py PROGRAM ROOT
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None)}
+KNOWN = {"$schema", "title", "description", "type", "properties", "required", "additionalProperties", "items", "enum",
+         "const", "minimum"}
+
+
+def is_type(value, name):
+    if name in ("number", "integer"):
+        return not isinstance(value, bool) and isinstance(value, int if name == "integer" else (int, float))
+    return isinstance(value, TYPES[name])
+
+
+def wrong(value, schema, at):
+    """Yields what in a value is not as the schema says: of JSON Schema, the words that are used here."""
+    assert set(schema) <= KNOWN, set(schema) - KNOWN
+    types = schema.get("type", [])
+    types = [types] if isinstance(types, str) else types
+    if types and not any(is_type(value, name) for name in types):
+        yield f"{at}: {value!r} is no {types}"
+        return
+    if "const" in schema and value != schema["const"] or "enum" in schema and value not in schema["enum"]:
+        yield f"{at}: {value!r}"
+    if "minimum" in schema and value < schema["minimum"]:
+        yield f"{at}: {value!r} is too small"
+    if isinstance(value, dict):
+        yield from (f"{at}: {name} is missing" for name in schema.get("required", []) if name not in value)
+        for name, part in value.items():
+            if name in schema.get("properties", {}):
+                yield from wrong(part, schema["properties"][name], f"{at}.{name}")
+            elif not schema.get("additionalProperties", True):
+                yield f"{at}.{name} is not described"
+    if isinstance(value, list) and "items" in schema:
+        for index, part in enumerate(value):
+            yield from wrong(part, schema["items"], f"{at}[{index}]")
+
+
+def main(program, root):
+    def run(*words):
+        done = subprocess.run([program, *words], capture_output=True, text=True, cwd=root, timeout=120)
+        return done.stdout
+
+    bad = "tests/bad/" + sorted(name for name in os.listdir(os.path.join(root, "tests/bad")) if name.endswith(".glib"))[0]
+    scene = "tests/cases/Sphere.glib"
+    lesson = "docs/teaching/01-colour"
+    with tempfile.TemporaryDirectory() as folder:
+        picture, report = os.path.join(folder, "p.png"), os.path.join(folder, "report")
+        made = {
+            "check": run("check", scene, bad, "--json"),
+            "render": run("render", scene, bad, "-o", os.path.join(folder, "{path}.png"), "-q", "--size", "32x32", "--json"),
+            "compare": run("compare", scene, "tests/cases/Torus.glib", "--size", "32x32", "--json"),
+        }
+        run("sweep", scene, "--over", "time=0,1", "--size", "8x8", "-o", os.path.join(folder, "{time}.png"), "--json",
+            picture + ".json")
+        run("grade", lesson + "/rubric.toml", lesson + "/submissions", "-o", report)
+        with open(os.path.join(report, "results.json"), encoding="utf-8") as text:
+            made["grade"] = text.read()
+        with open(picture + ".json", encoding="utf-8") as text:
+            sweep = text.read()
+    found = []
+    for name, text in [*made.items(), ("render", sweep)]:
+        with open(os.path.join(root, "docs/schemas", name + ".json"), encoding="utf-8") as schema:
+            found += wrong(json.loads(text), json.load(schema), name)
+    schemas = {name.removesuffix(".json") for name in os.listdir(os.path.join(root, "docs/schemas"))}
+    found += [f"nothing is compared with docs/schemas/{name}.json" for name in schemas - set(made)]
+    if not list(wrong([{"schema": 1}], {"type": "array", "items": {"required": ["other"]}}, "self-test")):
+        found.append("this test finds nothing")
+    print("\n".join(found))
+    return bool(found)
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
