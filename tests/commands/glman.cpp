@@ -30,7 +30,7 @@ TEST_F(Glman, WhatOldScenesSayIsReadAsThePageSays) {
     } rows[] = {
         {program("uA 0.1. uC {1 0 0}"), "warning", "[second-point]", 0},
         {program("uA nan uC {1 0 0}"), "error", "[not-finite]", 1},
-        {program("uA 1e400 uC {1 0 0}"), "error", "[not-finite]", 1},
+        {program("uA 1e400 uC {1 0 0}"), "error", "[number-too-large]", 1},
         {program("uA <2. .5 1.> uC {1 0 0}"), "warning", "[range-widened]", 0},
         {program("Height Blending uA 1 uC {1 0 0}"), "'P Height Blending'", "[name-of-several-words]", 0},
         {program("\n  uA 1\n  uC {1 0 0}"), "the values are taken for this program all the same", "[unknown-command]",
