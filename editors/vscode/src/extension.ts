@@ -70,7 +70,7 @@ async function lookAgain(): Promise<void> {
 async function ask(what: string): Promise<void> {
     const editor = window.activeTextEditor;
     if (!editor || !client) return;
-    await editor.document.save();
+    await workspace.saveAll(false);
     await commands.executeCommand(what, editor.document.uri.toString(), editor.selection.active.line);
 }
 
