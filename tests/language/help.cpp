@@ -21,9 +21,7 @@ Editor::Editor(std::string_view scene, const std::map<std::string, std::string>&
     file_ = cursor_.empty() ? project_.scene_file : file(cursor_);
 }
 
-FileId Editor::file(std::string_view name) const {
-    return project_.file_of(folder_.path(name)).value_or(~FileId{0});
-}
+FileId Editor::file(std::string_view name) const { return project_.file_of(folder_.path(name)).value_or(~FileId{0}); }
 
 std::string Editor::text(const Span& span) const {
     return std::string(project_.sources.text(span.file).substr(span.begin, span.end - span.begin));
