@@ -1,5 +1,6 @@
 #include "tests/language/help.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace snell::language {
@@ -35,6 +36,7 @@ std::string Editor::place(const Span& span) const {
 std::vector<std::string> Editor::places(const std::vector<Span>& spans) const {
     std::vector<std::string> all;
     for (const Span& span : spans) all.push_back(place(span));
+    std::sort(all.begin(), all.end());
     return all;
 }
 
