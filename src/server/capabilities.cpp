@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "src/server/commands.h"
+#include "src/server/encode.h"
 
 namespace snell::server {
 
@@ -17,7 +18,21 @@ Json capabilities(Encoding encoding) {
     for (const std::string_view name : command_names) commands.push_back(name);
     return {{"positionEncoding", encoding == Encoding::utf8 ? "utf-8" : "utf-16"},
             {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
-            {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
+            {"codeActionProvider", {{"codeActionKinds", Json::array({"quickfix"})}}},
+            {"completionProvider", {{"triggerCharacters", {".", "<", "\"", "/", "#", "{"}}}},
+            {"hoverProvider", true},
+            {"signatureHelpProvider", {{"triggerCharacters", {"(", ",", " "}}}},
+            {"definitionProvider", true},
+            {"referencesProvider", true},
+            {"documentHighlightProvider", true},
+            {"renameProvider", {{"prepareProvider", true}}},
+            {"documentSymbolProvider", true},
+            {"colorProvider", true},
+            {"foldingRangeProvider", true},
+            {"semanticTokensProvider", {{"legend", token_legend()}, {"full", true}, {"range", true}}},
+            {"codeLensProvider", {{"resolveProvider", false}}},
+            {"documentFormattingProvider", true},
+            {"documentRangeFormattingProvider", true},
             {"executeCommandProvider", {{"commands", commands}}}};
 }
 

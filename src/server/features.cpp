@@ -1,13 +1,146 @@
 #include "src/server/features.h"
 
 #include <array>
+#include <cmath>
 
+#include "src/language/format.h"
+#include "src/language/services.h"
 #include "src/server/actions.h"
 #include "src/server/commands.h"
+#include "src/server/encode.h"
 
 namespace snell::server {
 
 namespace {
+
+// A request about a text: the scene that it belongs to, and the place.
+struct Asked {
+    Asked(State& state, const Json& params)
+        : document(state.document(params)),
+          project(state.workspace.project_of(document)),
+          encode(state, project),
+          found(project.file_of(document.path)),
+          encoding(state.encoding) {
+        if (found && params.contains("position")) offset = offset_of(params.at("position"));
+    }
+
+    std::uint32_t offset_of(const Json& place) const { return encode.lines(*found).offset(place_of(place), encoding); }
+    FileId file() const { return *found; }
+
+    const Document& document;
+    const language::Project& project;
+    Encoder encode;
+    std::optional<FileId> found;  // nullopt: nothing can be said of it
+    Encoding encoding;
+    std::uint32_t offset = 0;
+};
+
+using Params = const Json&;
+Json no_answer() { return nullptr; }
+
+Json completion(Asked& a, Params) { return a.encode.completions(language::completions(a.project, a.file(), a.offset)); }
+Json hover(Asked& a, Params) {
+    const auto hover = language::hover(a.project, a.file(), a.offset);
+    return hover ? a.encode.hover(*hover) : no_answer();
+}
+Json signature_help(Asked& a, Params) {
+    const auto help = language::signature_help(a.project, a.file(), a.offset);
+    return help ? a.encode.signatures(*help) : no_answer();
+}
+Json definition(Asked& a, Params) { return a.encode.locations(language::definition(a.project, a.file(), a.offset)); }
+Json references(Asked& a, Params params) {
+    const bool declarations = params.value("context", Json::object()).value("includeDeclaration", true);
+    return a.encode.locations(language::references(a.project, a.file(), a.offset, declarations));
+}
+Json highlights(Asked& a, Params) {
+    Json all = Json::array();
+    for (const Span& span : language::references(a.project, a.file(), a.offset))
+        if (span.file == a.file()) all.push_back({{"range", a.encode.range(span)}});
+    return all;
+}
+Json prepare_rename(Asked& a, Params) {
+    const language::Renaming naming = language::renaming(a.project, a.file(), a.offset);
+    if (!naming.refused.empty()) throw Failure{Failure::request_failed, naming.refused};
+    if (naming.span.begin == naming.span.end) return nullptr;
+    return {{"range", a.encode.range(naming.span)}, {"placeholder", naming.name}};
+}
+Json rename(Asked& a, Params params) {
+    const language::Rename rename =
+        language::rename(a.project, a.file(), a.offset, params.at("newName").get<std::string>());
+    if (!rename.refused.empty()) throw Failure{Failure::request_failed, rename.refused};
+    return a.encode.workspace_edit(rename.edits);
+}
+Json symbols(Asked& a, Params) { return a.encode.symbols(language::symbols(a.project, a.file())); }
+Json colors(Asked& a, Params) {
+    Json all = Json::array();
+    for (const language::Color& color : language::colors(a.project, a.file()))
+        all.push_back(
+            {{"range", a.encode.range(color.span)},
+             {"color",
+              {{"red", color.rgba[0]}, {"green", color.rgba[1]}, {"blue", color.rgba[2]}, {"alpha", color.rgba[3]}}}});
+    return all;
+}
+Json color_presentation(Asked& a, Params params) {
+    const Json& color = params.at("color");
+    std::array<double, 4> rgba{};
+    constexpr std::array names{"red", "green", "blue", "alpha"};
+    for (std::size_t i = 0; i < rgba.size(); ++i) rgba[i] = color.at(names[i]).get<double>();
+    const Json& range = params.at("range");
+    const Span span{a.file(), a.offset_of(range.at("start")), a.offset_of(range.at("end"))};
+    const auto edits = language::color_edits(a.project, span, rgba);
+    if (edits.empty()) return Json::array();
+    // The editor takes one edit, and others beside it.
+    const Json all = a.encode.edits(edits);
+    Json more = Json::array();
+    for (std::size_t i = 1; i < all.size(); ++i) more.push_back(all[i]);
+    std::string label;
+    for (const Edit& edit : edits) label += (label.empty() ? "" : " ") + edit.text;
+    return Json::array({{{"label", label}, {"textEdit", all[0]}, {"additionalTextEdits", std::move(more)}}});
+}
+Json folding(Asked& a, Params) { return a.encode.folds(language::folds(a.project, a.file())); }
+Json tokens(Asked& a, Params) { return a.encode.tokens(language::semantic_tokens(a.project, a.file())); }
+Json tokens_within(Asked& a, Params params) {
+    const std::uint32_t begin = a.offset_of(params.at("range").at("start"));
+    const std::uint32_t end = a.offset_of(params.at("range").at("end"));
+    auto all = language::semantic_tokens(a.project, a.file());
+    std::erase_if(all, [&](const auto& token) { return token.span.end <= begin || token.span.begin >= end; });
+    return a.encode.tokens(all);
+}
+Json lenses(Asked& a, Params) { return a.encode.lenses(language::code_lenses(a.project, a.file()), a.document.uri); }
+Json formatting(Asked& a, Params) {
+    if (!a.project.is_scene(a.file())) return nullptr;
+    return a.encode.edits(language::layout_edits(a.project.sources.text(a.file()), a.file()));
+}
+Json range_formatting(Asked& a, Params params) {
+    if (!a.project.is_scene(a.file())) return nullptr;
+    const std::uint32_t begin = a.offset_of(params.at("range").at("start"));
+    const std::uint32_t end = a.offset_of(params.at("range").at("end"));
+    return a.encode.edits(language::layout_edits(a.project.sources.text(a.file()), a.file(), begin, end));
+}
+
+struct Method {
+    std::string_view name;
+    Json (*answer)(Asked& asked, Params params);
+};
+constexpr auto methods = std::to_array<Method>({
+    {"textDocument/codeLens", lenses},
+    {"textDocument/colorPresentation", color_presentation},
+    {"textDocument/completion", completion},
+    {"textDocument/definition", definition},
+    {"textDocument/documentColor", colors},
+    {"textDocument/documentHighlight", highlights},
+    {"textDocument/documentSymbol", symbols},
+    {"textDocument/foldingRange", folding},
+    {"textDocument/formatting", formatting},
+    {"textDocument/hover", hover},
+    {"textDocument/prepareRename", prepare_rename},
+    {"textDocument/rangeFormatting", range_formatting},
+    {"textDocument/references", references},
+    {"textDocument/rename", rename},
+    {"textDocument/semanticTokens/full", tokens},
+    {"textDocument/semanticTokens/range", tokens_within},
+    {"textDocument/signatureHelp", signature_help},
+});
 
 Json actions(State& state, const Json& params) {
     const Document& document = state.document(params);
@@ -18,20 +151,16 @@ Json actions(State& state, const Json& params) {
     return Json::array();  // what was said is of another text
 }
 
-struct Method {
-    std::string_view name;
-    Json (*answer)(State& state, const Json& params);
-};
-constexpr auto methods = std::to_array<Method>({
-    {"textDocument/codeAction", actions},
-    {"workspace/executeCommand", execute},
-});
-
 }  // namespace
 
 std::optional<Json> feature(State& state, const std::string& method, const Json& params) {
-    for (const Method& row : methods)
-        if (row.name == method) return row.answer(state, params);
+    if (method == "textDocument/codeAction") return actions(state, params);
+    if (method == "workspace/executeCommand") return execute(state, params);
+    for (const Method& row : methods) {
+        if (row.name != method) continue;
+        Asked asked(state, params);
+        return asked.found ? row.answer(asked, params) : Json();
+    }
     return std::nullopt;
 }
 

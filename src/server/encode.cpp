@@ -1,0 +1,192 @@
+#include "src/server/encode.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "src/server/commands.h"
+#include "src/server/wire/uri.h"
+
+namespace snell::server {
+
+using namespace language;
+
+const Lines& Encoder::lines(FileId file) const {
+    return lines_.try_emplace(file, project_.sources.text(file)).first->second;
+}
+
+std::string Encoder::uri(FileId file) const {
+    const std::string path(project_.path_of(file));
+    if (path.empty()) return {};
+    const Document* document = state_.documents.with_path(path);
+    return document ? document->uri : uri_of_path(real_path(path));
+}
+
+Json Encoder::locations(const std::vector<Span>& spans) const {
+    Json all = Json::array();
+    for (const Span& span : spans)
+        if (std::string at = uri(span.file); !at.empty())
+            all.push_back({{"uri", std::move(at)}, {"range", range(span)}});
+    return all;
+}
+
+Json Encoder::edits(const std::vector<Edit>& edits) const {
+    Json all = Json::array();
+    for (const Edit& edit : edits) all.push_back({{"range", range(edit.span)}, {"newText", edit.text}});
+    return all;
+}
+
+Json Encoder::workspace_edit(const std::vector<Edit>& all) const {
+    Json changes = Json::object();
+    for (const Edit& edit : all)
+        if (const std::string at = uri(edit.span.file); !at.empty())
+            changes[at].push_back({{"range", range(edit.span)}, {"newText", edit.text}});
+    return {{"changes", std::move(changes)}};
+}
+
+namespace {
+
+Json markdown(const std::string& text) { return {{"kind", "markdown"}, {"value", text}}; }
+
+// CompletionItemKind, in the order of Completion::Kind.
+constexpr std::array completion_kinds{3, 20, 12, 17, 19, 10, 9, 3, 6, 21, 7, 14, 5};
+// SymbolKind, in the order of Symbol::Kind.
+constexpr std::array symbol_kinds{3, 5, 7, 10, 22, 19, 20, 17, 12, 13, 14, 23, 8, 21};
+
+bool at(const Json& json, const Json::json_pointer& place) { return json.contains(place) && json[place] == true; }
+
+// A snippet for editors that know none.
+std::string plain_text(const std::string& snippet) {
+    std::string plain;
+    for (std::size_t i = 0; i < snippet.size(); ++i) {
+        if (snippet[i] == '\\' && i + 1 < snippet.size()) {
+            plain += snippet[++i];
+        } else if (snippet[i] == '$' && snippet.compare(i, 2, "${") == 0) {
+            const std::size_t colon = snippet.find_first_of(":}", i), end = snippet.find('}', i);
+            if (end == snippet.npos) break;
+            if (snippet[colon] == ':') plain += snippet.substr(colon + 1, end - colon - 1);
+            i = end;
+        } else if (snippet[i] == '$') {
+            while (i + 1 < snippet.size() && snippet[i + 1] >= '0' && snippet[i + 1] <= '9') ++i;
+        } else {
+            plain += snippet[i];
+        }
+    }
+    return plain;
+}
+
+}  // namespace
+
+Json Encoder::completions(const std::vector<Completion>& items) const {
+    const bool snippets = at(state_.client, "/textDocument/completion/completionItem/snippetSupport"_json_pointer);
+    Json all = Json::array();
+    for (const Completion& item : items) {
+        const bool snippet = item.snippet && snippets;
+        Json json{{"label", item.label},
+                  {"kind", completion_kinds[static_cast<std::size_t>(item.kind)]},
+                  {"sortText", fmt::format("{:02}{}", item.rank, item.label)},
+                  {"filterText", item.label},
+                  {"insertTextFormat", snippet ? 2 : 1},
+                  {"textEdit",
+                   {{"range", range(item.replaced)},
+                    {"newText", item.snippet && !snippets ? plain_text(item.text) : item.text}}}};
+        if (!item.detail.empty()) json["detail"] = item.detail;
+        if (!item.documentation.empty()) json["documentation"] = markdown(item.documentation);
+        if (!item.also.empty()) json["additionalTextEdits"] = edits(item.also);
+        if (item.more)
+            json["command"] = {{"title", "Names in the folder"}, {"command", "editor.action.triggerSuggest"}};
+        all.push_back(std::move(json));
+    }
+    return {{"isIncomplete", false}, {"items", std::move(all)}};
+}
+
+Json Encoder::hover(const Hover& hover) const {
+    std::string text = hover.documentation;
+    const std::string picture =
+        hover.picture.empty() || !state_.services.doc_file ? "" : state_.services.doc_file(hover.picture);
+    if (!picture.empty()) text += fmt::format("\n\n![]({})", uri_of_path(picture));
+    return {{"contents", markdown(text)}, {"range", range(hover.span)}};
+}
+
+Json Encoder::signatures(const SignatureHelp& help) const {
+    Json all = Json::array();
+    for (const Signature& signature : help.signatures) {
+        const Lines label(signature.label);
+        Json parameters = Json::array();
+        for (const auto& [begin, end] : signature.parameters)
+            parameters.push_back(
+                {{"label",
+                  {label.place(begin, Encoding::utf16).character, label.place(end, Encoding::utf16).character}}});
+        all.push_back({{"label", signature.label},
+                       {"documentation", markdown(signature.documentation)},
+                       {"parameters", std::move(parameters)}});
+    }
+    return {{"signatures", std::move(all)}, {"activeSignature", help.signature}, {"activeParameter", help.parameter}};
+}
+
+Json Encoder::symbols(const std::vector<Symbol>& symbols) const {
+    Json all = Json::array();
+    for (const Symbol& symbol : symbols) {
+        Json json{{"name", symbol.name.empty() ? "?" : symbol.name},
+                  {"kind", symbol_kinds[static_cast<std::size_t>(symbol.kind)]},
+                  {"range", range(symbol.span)},
+                  {"selectionRange", range(symbol.name_span)}};
+        if (!symbol.detail.empty()) json["detail"] = symbol.detail;
+        if (!symbol.children.empty()) json["children"] = this->symbols(symbol.children);
+        all.push_back(std::move(json));
+    }
+    return all;
+}
+
+Json Encoder::folds(const std::vector<Fold>& folds) const {
+    Json all = Json::array();
+    for (const Fold& fold : folds) {
+        const Lines& text = lines(fold.span.file);
+        Json json{{"startLine", text.place(fold.span.begin, state_.encoding).line},
+                  {"endLine", text.place(fold.span.end, state_.encoding).line}};
+        json["kind"] = fold.kind == Fold::Kind::comment ? "comment" : "region";
+        all.push_back(std::move(json));
+    }
+    return all;
+}
+
+Json Encoder::tokens(const std::vector<SemanticToken>& tokens) const {
+    std::vector<std::uint32_t> data;
+    data.reserve(tokens.size() * 5);
+    Place last;
+    for (const SemanticToken& token : tokens) {
+        const Lines& text = lines(token.span.file);
+        const Place begin = text.place(token.span.begin, state_.encoding);
+        const Place end = text.place(token.span.end, state_.encoding);
+        if (end.line != begin.line || end.character <= begin.character) continue;
+        const std::uint32_t down = begin.line - last.line;
+        for (const std::uint32_t number :
+             {down, down == 0 ? begin.character - last.character : begin.character, end.character - begin.character,
+              static_cast<std::uint32_t>(token.type), static_cast<std::uint32_t>(token.modifiers)})
+            data.push_back(number);
+        last = begin;
+    }
+    return {{"data", data}};
+}
+
+Json Encoder::lenses(const std::vector<CodeLens>& lenses, const std::string& text_uri) const {
+    constexpr std::array titles{"open in snell", "render here", "what does this cost?"};
+    Json all = Json::array();
+    for (const CodeLens& lens : lenses) {
+        const auto kind = static_cast<std::size_t>(lens.kind);
+        const std::uint32_t line = lines(lens.span.file).place(lens.span.begin, state_.encoding).line;
+        all.push_back({{"range", range(lens.span)},
+                       {"command",
+                        {{"title", titles[kind]}, {"command", command_names[kind]}, {"arguments", {text_uri, line}}}}});
+    }
+    return all;
+}
+
+Json token_legend() {
+    return {{"tokenTypes",
+             {"comment", "keyword", "number", "string", "operator", "type", "function", "variable", "parameter",
+              "property", "enumMember", "macro", "class"}},
+            {"tokenModifiers", {"declaration", "readonly", "defaultLibrary"}}};
+}
+
+}  // namespace snell::server
