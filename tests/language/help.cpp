@@ -1,5 +1,6 @@
 #include "tests/language/help.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace snell::language {
@@ -21,9 +22,7 @@ Editor::Editor(std::string_view scene, const std::map<std::string, std::string>&
     file_ = cursor_.empty() ? project_.scene_file : file(cursor_);
 }
 
-FileId Editor::file(std::string_view name) const {
-    return project_.file_of(folder_.path(name)).value_or(~FileId{0});
-}
+FileId Editor::file(std::string_view name) const { return project_.file_of(folder_.path(name)).value_or(~FileId{0}); }
 
 std::string Editor::text(const Span& span) const {
     return std::string(project_.sources.text(span.file).substr(span.begin, span.end - span.begin));
@@ -37,6 +36,7 @@ std::string Editor::place(const Span& span) const {
 std::vector<std::string> Editor::places(const std::vector<Span>& spans) const {
     std::vector<std::string> all;
     for (const Span& span : spans) all.push_back(place(span));
+    std::sort(all.begin(), all.end());
     return all;
 }
 

@@ -61,6 +61,10 @@ inline constexpr std::string_view vertex =
 inline constexpr std::string_view fragment =
     "#version 330 compatibility\nuniform float uKa, uKd;\nuniform vec4 uColor;\nuniform bool uOn;\n"
     "uniform sampler2D uPicture; // the stripes\nin vec3 vN;\n\nvec3 shade(vec3 n, float k) { return n * k; }\n\n"
-    "void main() {\n    float uKd = uKa;  // hides the uniform\n    gl_FragColor = vec4(shade(vN, uKd) * uKa, 1.) * uColor;\n}\n";
+    "void main() {\n    float uKd = uKa;  // hides the uniform\n    gl_FragColor = vec4(shade(vN, uKd) * uKa, 1.) * "
+    "uColor;\n}\n";
+inline std::map<std::string, std::string> shaders() {
+    return {{"a.vert", std::string(vertex)}, {"a.frag", std::string(fragment)}};
+}
 
 }  // namespace snell::language

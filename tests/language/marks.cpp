@@ -27,8 +27,10 @@ TEST(Symbols, ProgramsHoldUniformsAndDrawsPassesHoldPrograms) {
 }
 
 TEST(Symbols, ShadersListWhatTheyDeclare) {
-    const Editor editor("Fragment a.frag\nProgram A\n", {{"a.frag", "#define TWO 2\nuniform float uKa, uKd;\nstruct Ray { vec3 a; };\n"
-                                                                    "float f(float k) { float x = k; return x; }\nvoid main() {@}\n"}});
+    const Editor editor("Fragment a.frag\nProgram A\n",
+                        {{"a.frag",
+                          "#define TWO 2\nuniform float uKa, uKd;\nstruct Ray { vec3 a; };\n"
+                          "float f(float k) { float x = k; return x; }\nvoid main() {@}\n"}});
     EXPECT_EQ(tree(symbols(editor.project(), editor.file())), "TWO\nuKa\nuKd\nRay\n  a\nf\nmain\n");
 }
 
@@ -39,8 +41,10 @@ std::string recolored(const Editor& editor, std::size_t which, const std::array<
 }
 
 TEST(Colors, AreFoundWhereNumbersAreColours) {
-    const Editor editor("Background 0 .5 1\nColor [1. 0. 0.]\nFragment a.frag\nProgram A uC {.1, .2, .3, .4} uV [1 1 1]\nglColor 1 1 0 .5\nTranslate 1 1 1\n",
-                        {{"a.frag", "void main() {}"}});
+    const Editor editor(
+        "Background 0 .5 1\nColor [1. 0. 0.]\nFragment a.frag\nProgram A uC {.1, .2, .3, .4} uV [1 1 1]\nglColor 1 1 0 "
+        ".5\nTranslate 1 1 1\n",
+        {{"a.frag", "void main() {}"}});
     const auto all = colors(editor.project(), editor.file());
     ASSERT_EQ(all.size(), 4u);
     EXPECT_EQ(editor.text(all[0].span), "0 .5 1");
@@ -64,43 +68,52 @@ TEST(Colors, EditsKeepTheAuthorsStyle) {
 std::vector<std::string> folded(const Editor& editor) {
     std::vector<std::string> lines;
     for (const Fold& fold : folds(editor.project(), editor.file())) {
-        const auto line = [&](std::uint32_t at) { return std::to_string(editor.project().sources.position(editor.file(), at).line); };
-        lines.push_back(line(fold.span.begin) + "-" + line(fold.span.end) + (fold.kind == Fold::Kind::comment ? " comment" : ""));
+        const auto line = [&](std::uint32_t at) {
+            return std::to_string(editor.project().sources.position(editor.file(), at).line);
+        };
+        lines.push_back(line(fold.span.begin) + "-" + line(fold.span.end) +
+                        (fold.kind == Fold::Kind::comment ? " comment" : ""));
     }
     return lines;
 }
 
 TEST(Folds, OfScenes) {
-    EXPECT_EQ(folded(Editor("# a\n# b\n\n# c\nProgram A \\\n  uKa 1.\nSphere\nRenderToTexture 7\nBox\nPushMatrix\nBox\nPopMatrix\n")),
-              (std::vector<std::string>{"1-2 comment", "5-7", "5-6", "8-12", "10-12"}));
+    EXPECT_EQ(
+        folded(Editor(
+            "# a\n# b\n\n# c\nProgram A \\\n  uKa 1.\nSphere\nRenderToTexture 7\nBox\nPushMatrix\nBox\nPopMatrix\n")),
+        (std::vector<std::string>{"1-2 comment", "5-7", "5-6", "8-12", "10-12"}));
     EXPECT_TRUE(folded(Editor("Sphere\nBox # a\nCone # b\n")).empty());
 }
 
 TEST(Folds, OfShaders) {
-    const Editor editor("Fragment a.frag\nProgram A\n", {{"a.frag", "/* a\n b */\nvoid main()\n{\n#if A\n  f();\n#else\n  g();\n#endif\n}\n@"}});
+    const Editor editor("Fragment a.frag\nProgram A\n",
+                        {{"a.frag", "/* a\n b */\nvoid main()\n{\n#if A\n  f();\n#else\n  g();\n#endif\n}\n@"}});
     EXPECT_EQ(folded(editor), (std::vector<std::string>{"1-2 comment", "4-10", "5-6", "7-9"}));
 }
 
 std::string colored(const Editor& editor) {
     std::string text;
-    constexpr const char* names[] = {"comment", "keyword", "number", "string", "operator", "type", "function", "variable",
-                                     "parameter", "property", "enum", "macro", "name"};
+    constexpr const char* names[] = {"comment",  "keyword",   "number",   "string", "operator", "type", "function",
+                                     "variable", "parameter", "property", "enum",   "macro",    "name"};
     for (const SemanticToken& token : semantic_tokens(editor.project(), editor.file()))
         text += (text.empty() ? "" : " ") + editor.text(token.span) + ":" + names[static_cast<int>(token.type)];
     return text;
 }
 
 TEST(SemanticTokens, OfScenes) {
-    EXPECT_EQ(colored(Editor("Program A uKa <0. true>\n", none_else)), "Program:keyword A:name uKa:property 0.:number true:enum");
+    EXPECT_EQ(colored(Editor("Program A uKa <0. true>\n", none_else)),
+              "Program:keyword A:name uKa:property 0.:number true:enum");
     EXPECT_EQ(colored(Editor("Fragment a.frag # b\n")), "Fragment:keyword a.frag:string # b:comment");
-    EXPECT_EQ(colored(Editor("Ladder L a <b>\nCullFace back\n")), "Ladder:keyword L:macro a:enum b:enum CullFace:keyword back:enum");
+    EXPECT_EQ(colored(Editor("Ladder L a <b>\nCullFace back\n")),
+              "Ladder:keyword L:macro a:enum b:enum CullFace:keyword back:enum");
 }
 
 TEST(SemanticTokens, OfShaders) {
     const Editor editor("Fragment a.frag\nProgram A\n",
                         {{"a.frag", "@uniform float uKa;\nfloat f(float k) { return mix(k, uKa, 1.); }\n"}});
-    EXPECT_EQ(colored(editor), "uniform:keyword float:type uKa:variable float:type f:function float:type k:parameter return:keyword "
-                               "mix:function k:parameter uKa:variable 1.:number");
+    EXPECT_EQ(colored(editor),
+              "uniform:keyword float:type uKa:variable float:type f:function float:type k:parameter return:keyword "
+              "mix:function k:parameter uKa:variable 1.:number");
 }
 
 TEST(CodeLenses, StandAboveProgramsAndPasses) {

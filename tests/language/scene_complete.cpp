@@ -6,10 +6,6 @@
 namespace snell::language {
 namespace {
 
-std::map<std::string, std::string> shaders() {
-    return {{"a.vert", std::string(vertex)}, {"a.frag", std::string(fragment)}};
-}
-
 TEST(CompleteScene, CommandsComeWithTheirArguments) {
     const Editor editor("Persp@", {});
     const auto all = editor.completions();
@@ -42,9 +38,9 @@ TEST(CompleteScene, ChoicesAreThoseOfTheArgument) {
 }
 
 TEST(CompleteScene, FilesAreThoseThatTheArgumentTakesAsTheyAreOnDisk) {
-    const std::map<std::string, std::string> files{
-        {"Glass.FRAG", ""}, {"glass.vert", ""}, {"Stripes.bmp", ""}, {"with blank.png", ""}, {"more/x.frag", ""},
-        {"notes.txt", ""},  {"ball.obj", ""}};
+    const std::map<std::string, std::string> files{{"Glass.FRAG", ""},     {"glass.vert", ""},  {"Stripes.bmp", ""},
+                                                   {"with blank.png", ""}, {"more/x.frag", ""}, {"notes.txt", ""},
+                                                   {"ball.obj", ""}};
     EXPECT_EQ(labels(Editor("Fragment @", files).completions()), (std::vector<std::string>{"Glass.FRAG", "more/"}));
     EXPECT_EQ(labels(Editor("Fragment gl@", files).completions()), (std::vector<std::string>{"Glass.FRAG", "more/"}));
     EXPECT_EQ(inserted(Editor("Fragment more/@", files).completions(), "x.frag"), "more/x.frag");

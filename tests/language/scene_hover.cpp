@@ -4,16 +4,10 @@
 namespace snell::language {
 namespace {
 
-using testing::Test;
-
 bool says(const Editor& editor, std::string_view what) {
     const std::string text = editor.hover();
     EXPECT_NE(text.find(what), std::string::npos) << text;
     return text.find(what) != std::string::npos;
-}
-
-std::map<std::string, std::string> shaders() {
-    return {{"a.vert", std::string(vertex)}, {"a.frag", std::string(fragment)}};
 }
 
 TEST(HoverScene, CommandsHaveTheirRowAndPicture) {

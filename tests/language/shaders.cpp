@@ -9,7 +9,8 @@
 namespace snell::language {
 namespace {
 
-const std::string program = "Vertex a.vert\nFragment a.frag\nProgram A uKa <0. .2 1.> uWanted <0. 1. 2.> uTint {1 1 1 1}\nSphere\n";
+const std::string program =
+    "Vertex a.vert\nFragment a.frag\nProgram A uKa <0. .2 1.> uWanted <0. 1. 2.> uTint {1 1 1 1}\nSphere\n";
 
 // The fragment shader of a scene, with a cursor.
 Editor shader(std::string_view text, const std::string& scene = program) {
@@ -52,11 +53,13 @@ TEST(CompleteShader, NothingInCommentsNumbersAndNewNames) {
 }
 
 TEST(CompleteShader, WhatTheSceneSetsIsDeclared) {
-    EXPECT_EQ(completed(shader("#version 120\nuniform float uKa;\nvoid main() { gl_FragColor = vec4(uWan@); }\n"), "uWanted"),
-              "#version 120\nuniform float uWanted;\nuniform float uKa;\nvoid main() { gl_FragColor = vec4(uWanted); }\n");
+    EXPECT_EQ(
+        completed(shader("#version 120\nuniform float uKa;\nvoid main() { gl_FragColor = vec4(uWan@); }\n"), "uWanted"),
+        "#version 120\nuniform float uWanted;\nuniform float uKa;\nvoid main() { gl_FragColor = vec4(uWanted); }\n");
     EXPECT_EQ(completed(shader("#version 120\r\nvoid main() { gl_FragColor = @; }\r\n"), "uTint"),
               "#version 120\r\nuniform vec4 uTint;\r\nvoid main() { gl_FragColor = uTint; }\r\n");
-    EXPECT_EQ(completed(shader("uniform @\nvoid main() {}"), "float uWanted;"), "uniform float uWanted;\nvoid main() {}");
+    EXPECT_EQ(completed(shader("uniform @\nvoid main() {}"), "float uWanted;"),
+              "uniform float uWanted;\nvoid main() {}");
     EXPECT_EQ(completed(shader("@\nvoid main() {}"), "uniform float uKa;"), "uniform float uKa;\nvoid main() {}");
     EXPECT_FALSE(offers(shader("uniform float uKa;\n@\nvoid main() {}"), "uniform float uKa;"));
     EXPECT_EQ(completed(shader("#version 120\nvoid main() { float t = uTi@; }\n"), "uTime"),
@@ -66,8 +69,9 @@ TEST(CompleteShader, WhatTheSceneSetsIsDeclared) {
 TEST(CompleteShader, Members) {
     EXPECT_EQ(labels(shader("void main() { vec2 st; st.@ }").completions()),
               (std::vector<std::string>{"x", "y", "xy", "r", "g", "rg"}));
-    EXPECT_EQ(labels(shader("struct Ray { vec3 from; float far; };\nvoid main() { Ray rays[2]; rays[1].@ }").completions()),
-              (std::vector<std::string>{"from", "far"}));
+    EXPECT_EQ(
+        labels(shader("struct Ray { vec3 from; float far; };\nvoid main() { Ray rays[2]; rays[1].@ }").completions()),
+        (std::vector<std::string>{"from", "far"}));
     EXPECT_TRUE(offers(shader("void main() { gl_LightSource[0].@ }"), "spotCutoff"));
     EXPECT_TRUE(offers(shader("struct A { vec3 p; };\nstruct B { A a; };\nvoid main() { B b; b.a.@ }"), "p"));
     EXPECT_TRUE(shader("void main() { float x; x.@ }").completions().empty());
@@ -77,9 +81,11 @@ TEST(CompleteShader, Members) {
 TEST(CompleteShader, Directives) {
     EXPECT_TRUE(offers(shader("#@\n"), "ifdef"));
     EXPECT_FALSE(offers(shader("#@\n"), "vec3"));
-    const Editor editor("Ladder BEND none both\nFragment a.frag\nProgram A\n", {{"a.frag", "#if BEND == @\n#endif\nvoid main() {}"}});
+    const Editor editor("Ladder BEND none both\nFragment a.frag\nProgram A\n",
+                        {{"a.frag", "#if BEND == @\n#endif\nvoid main() {}"}});
     EXPECT_TRUE(offers(editor, "BEND_both"));
-    const Editor included("Fragment a.frag\nProgram A\n", {{"a.frag", "#include \"@\"\nvoid main() {}"}, {"b.glsl", ""}, {"c.png", ""}});
+    const Editor included("Fragment a.frag\nProgram A\n",
+                          {{"a.frag", "#include \"@\"\nvoid main() {}"}, {"b.glsl", ""}, {"c.png", ""}});
     EXPECT_EQ(labels(included.completions()), std::vector<std::string>{"b.glsl"});
     EXPECT_TRUE(offers(shader("#include <@>\n"), "snell/fresnel.glsl"));
 }
@@ -108,7 +114,8 @@ TEST(SignatureShader, CallsOfTheLanguageAndOfTheText) {
     ASSERT_FALSE(mixed.signatures.empty());
     EXPECT_EQ(mixed.parameter, 2u);
     EXPECT_EQ(mixed.signatures[0].label, "genType mix(genType a, genType b, genType t)");
-    const SignatureHelp own = shader("float shade(vec3 n, float k) { return k; }\nvoid main() { shade(vec3(1., 2., 3.), @) }").signature();
+    const SignatureHelp own =
+        shader("float shade(vec3 n, float k) { return k; }\nvoid main() { shade(vec3(1., 2., 3.), @) }").signature();
     ASSERT_EQ(own.signatures.size(), 1u);
     EXPECT_EQ(own.signatures[0].label, "float shade(vec3 n, float k)");
     EXPECT_EQ(own.parameter, 1u);
