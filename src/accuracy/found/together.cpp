@@ -254,7 +254,7 @@ std::optional<std::size_t> choose_surely(const SweepResult& sweep, const Wish& w
     const auto best = choose(sweep, wish);
     const std::size_t now = sweep.sweep.current;
     if (!best || wish.milliseconds || *best == now || !fulfils(sweep, sweep.rungs[now], wish)) return best;
-    return sweep.trusted() && sweep.rungs[*best].ratio.high < 1 ? best : now;
+    return sweep.rungs[*best].ratio.high < std::min(1., sweep.control.ratio.low) ? best : now;
 }
 
 }  // namespace snell::accuracy

@@ -40,8 +40,9 @@ struct MixOptions {
 MixAdvice advise_together(const Original& original, const FoundResult& found, Bench& bench, const gl::Caps& caps,
                           const BenchSettings& settings, const Wish& wish, const MixOptions& options);
 
-// The rung that fulfils the wish best, as choose() says; but a wish for an error alone never gets one that is not
-// surely cheaper than the current rung, if that fulfils it.
+// The rung that fulfils the wish best, as choose() says. But a wish for an error alone never gets one that is not
+// surely cheaper than the current rung, if that fulfils it: its time is below those that the current rung has, timed
+// twice.
 std::optional<std::size_t> choose_surely(const SweepResult& sweep, const Wish& wish);
 
 }  // namespace snell::accuracy

@@ -21,7 +21,7 @@ protected:
 
     FoundResult search(std::vector<Change> changes) {
         SearchOptions options;
-        options.rounds = 15;
+        options.rounds = 9;
         options.at_least = .5;
         Search found(original(), std::move(changes), caps, settings, options);
         while (found.step()) continue;
@@ -31,7 +31,7 @@ protected:
         References references(2);
         MixOptions options;
         options.measuring.references = &references;
-        options.measuring.rounds = 15;
+        options.measuring.rounds = 9;
         options.measuring.at_least = .5;
         options.rungs = {Rungs{0}};
         return advise_together(original(), found, *bench, caps, settings, wish, options);
@@ -45,14 +45,14 @@ float encoded(float x) { return x <= .0031308 ? 12.92 * x : 1.055 * pow(x, 1. / 
 void main() {
     float sum = .5;
 #if SHADE == SHADE_exact
-    for (int i = 0; i < 3000; ++i) sum += .04 / 3000.;
+    for (int i = 0; i < 1500; ++i) sum += .04 / 1500.;
 #endif
-    for (int k = 0; k < 3000; ++k) sum += .04 / 3000.;
+    for (int k = 0; k < 1500; ++k) sum += .04 / 1500.;
     gl_FragColor = vec4(vec3(encoded(sum)), 1.);
 }
 )");
     read_scene("Ladder SHADE cheap <exact>\n" + std::string(whole_scene));
-    const FoundResult found = search({change(ChangeKind::fewer_rounds, "k < 3000", "k < 30")});
+    const FoundResult found = search({change(ChangeKind::fewer_rounds, "k < 1500", "k < 15")});
     ASSERT_TRUE(found.times(found.rungs[0])) << found.rungs[0].reason;
     const MixAdvice narrow = advise(found, {.error = .06}), wide = advise(found, {.error = .1});
     for (const MixAdvice* advice : {&narrow, &wide}) {
