@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "src/accuracy/found/together.h"
 #include "src/accuracy/report/quality.h"
 
 namespace snell::accuracy {
@@ -36,6 +37,17 @@ TEST(Advice, CheapestThatIsExactEnough) {
 }
 
 TEST(Advice, OfThoseThatCostTheSameTheMostExact) { EXPECT_EQ(choose(sweep(), {.error = .1}), 2U); }
+
+TEST(Advice, NothingIsNamedThatIsNotSurelyCheaperThanTheScene) {
+    SweepResult result = sweep();
+    result.sweep.current = 1;  // .01, 10 ms
+    EXPECT_EQ(choose_surely(result, {.error = .1}), 1U) << "'same' costs as much";
+    EXPECT_EQ(choose_surely(result, {.error = 1}), 0U);
+    EXPECT_EQ(choose_surely(result, {.error = .005}), 2U) << "the scene itself is not exact enough";
+    EXPECT_EQ(choose_surely(result, {.milliseconds = 1000}), 4U);
+    result.control.ratio = {.4, 1, 2};
+    EXPECT_EQ(choose_surely(result, {.error = 1}), 1U) << "timed twice, the scene itself differs as much";
+}
 
 TEST(Advice, MostExactThatIsQuickEnough) {
     EXPECT_EQ(choose(sweep(), {.milliseconds = 16}), 2U);

@@ -154,7 +154,9 @@ void Search::Impl::draw_next(Attempt& attempt) {
     if (!picture && refused.empty()) refused = "this OpenGL cannot draw it";
     if (picture && is_broken(place) && place == 0) refused = result.broken_words();
     if (!refused.empty()) return;
-    rung.at.push_back(trials->compare(*picture, place, rung.changes, false));
+    // Of what is left out, only the pixels that differ count.
+    const bool unused = rung.aim == Aim::unused;
+    rung.at.push_back(trials->compare(*picture, place, unused ? std::vector<std::size_t>{} : rung.changes, false));
     rung.pixels_changed += rung.at.back().pixels_changed;
     std::size_t& worst = place < result.searched ? rung.worst_searched : rung.worst_held_out;
     if (place == result.searched || rung.at[worst] < rung.at.back()) worst = place;
@@ -171,14 +173,17 @@ void Search::Impl::try_rung(std::size_t i, double part, std::function<void()> th
             return then();
         }
         rung.outcome = Outcome::tried;
+        const bool timed = options.times && rung.aim == Aim::cheaper;
         const auto trial = std::make_shared<Trial>(std::move(tried.trial));
-        soon([this, i = tried.rung, trial, then] {
-            FoundRung& done = result.rungs[i];
-            if (options.times && done.aim == Aim::cheaper)
-                done.quick_ratio = trials->quick_ratio(*trial, clock, [this] { return stopped(); });
-            // What compiled once need not compile again, as long as there are few of them.
-            if (kept.size() < most_kept && useful(done)) kept.emplace(i, std::move(*trial));
-            then();
+        soon([this, i = tried.rung, trial, then, timed] {
+            const auto warm = timed ? trial->bench->warm_up(trials->variant(), clock) : std::nullopt;
+            soon([this, i, trial, then, warm] {
+                FoundRung& done = result.rungs[i];
+                if (warm) done.quick_ratio = trials->quick_ratio(*trial, *warm, clock, [this] { return stopped(); });
+                // What compiled once need not compile again, as long as there are few of them.
+                if (kept.size() < most_kept && useful(done)) kept.emplace(i, std::move(*trial));
+                then();
+            });
         });
     });
 }

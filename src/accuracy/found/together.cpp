@@ -96,9 +96,14 @@ private:
             if (ranges::find(all, mix) == all.end()) all.push_back(mix);
         };
         add(centre);
-        for (const Rungs& rungs : rungs_) add({rungs, centre.samples, centre.changes});
-        for (const int samples : {1, finer_samples}) add({centre.rungs, samples, centre.changes});
+        // What may help most comes first: there may be no time for the others.
+        const auto finer = [&] {
+            for (const int samples : {1, finer_samples}) add({centre.rungs, samples, centre.changes});
+        };
+        if (wish_.milliseconds) finer();
         for (const auto& changes : changes_) add({centre.rungs, centre.samples, changes});
+        for (const Rungs& rungs : rungs_) add({rungs, centre.samples, centre.changes});
+        finer();
         return all;
     }
 
@@ -109,16 +114,17 @@ private:
     }
     static Variant variant_of(const Mix& mix) { return {mix.rungs, {.multisample = mix.samples}}; }
 
-    // What the picture of a place is compared with, and the pixels in which the scene draws; empty: all.
+    // What pictures of a place with as many samples are compared with, and the pixels in which the scene draws; empty:
+    // all.
     struct Goal {
         Picture picture;
         Region region;
     };
-    const Goal& goal_at(std::size_t place) {
-        const auto [known, fresh] = goals_.try_emplace(place);
+    const Goal& goal_at(std::size_t place, int samples) {
+        const auto [known, fresh] = goals_.try_emplace({place, samples});
         Goal& goal = known->second;
         if (!fresh) return goal;
-        const Variant last{last_rungs(bench_.scene()), {}};
+        const Variant last{last_rungs(bench_.scene()), {.multisample = samples}};
         goal.picture = trials_.picture(trial_of({}), place, last).value_or(Picture{});
         const std::vector<bool> nothing(bench_.scene().draws.size(), true);
         trials_.scene().at(trials_.places()[place]);
@@ -139,7 +145,7 @@ private:
                 trials_.resize(settings_.width, settings_.height);
             else
                 trials_.resize(found_.search_width, found_.search_height);
-            const Goal& goal = goal_at(place);
+            const Goal& goal = goal_at(place, place == 0 ? 1 : mix.samples);
             auto picture = trials_.picture(trial, place, variant_of(mix));
             if (!picture || goal.picture.rgba.empty()) return false;
             const Error error = compare(*picture, goal.picture, goal.region);
@@ -156,7 +162,7 @@ private:
 
     void judge_reference(SweepResult& sweep) {
         trials_.resize(settings_.width, settings_.height);
-        const Region& region = goal_at(0).region;
+        const Region& region = goal_at(0, 1).region;
         sweep.finest = reference_->knobs;
         sweep.reference = reference_->picture;
         sweep.own_pixels = region.empty() ? 0 : count(region);
@@ -233,7 +239,7 @@ private:
     std::vector<Rungs> rungs_;                       // that are tried
     std::vector<std::vector<std::size_t>> changes_;  // the first: none
     std::map<std::vector<std::size_t>, Trial> trials_by_changes_;
-    std::map<std::size_t, Goal> goals_;  // by place
+    std::map<std::pair<std::size_t, int>, Goal> goals_;  // by place and samples
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -248,7 +254,7 @@ std::optional<std::size_t> choose_surely(const SweepResult& sweep, const Wish& w
     const auto best = choose(sweep, wish);
     const std::size_t now = sweep.sweep.current;
     if (!best || wish.milliseconds || *best == now || !fulfils(sweep, sweep.rungs[now], wish)) return best;
-    return sweep.trusted() && sweep.rungs[*best].ratio.high < 1 ? best : now;
+    return sweep.rungs[*best].ratio.high < std::min(1., sweep.control.ratio.low) ? best : now;
 }
 
 }  // namespace snell::accuracy

@@ -21,7 +21,7 @@ struct Mix {
 
 struct MixAdvice {
     // Errors are the largest of all places: at the scene's own, from the reference, over the pixels in which the scene
-    // draws; elsewhere, from the last rungs with one sample a pixel. The scene as it stands is the current rung.
+    // draws; elsewhere, from the last rungs with as many samples. The scene as it stands is the current rung.
     SweepResult sweep;
     std::vector<Mix> mixes;  // of the sweep's rungs
     std::optional<std::size_t> best;
@@ -40,8 +40,9 @@ struct MixOptions {
 MixAdvice advise_together(const Original& original, const FoundResult& found, Bench& bench, const gl::Caps& caps,
                           const BenchSettings& settings, const Wish& wish, const MixOptions& options);
 
-// The rung that fulfils the wish best, as choose() says; but a wish for an error alone never gets one that is not
-// surely cheaper than the current rung, if that fulfils it.
+// The rung that fulfils the wish best, as choose() says. But a wish for an error alone never gets one that is not
+// surely cheaper than the current rung, if that fulfils it: its time is below those that the current rung has, timed
+// twice.
 std::optional<std::size_t> choose_surely(const SweepResult& sweep, const Wish& wish);
 
 }  // namespace snell::accuracy

@@ -170,7 +170,7 @@ Difference Trials::compare(const Picture& picture, std::size_t place, std::span<
     Difference difference;
     Region changed = where_different(picture, reference);
     difference.pixels_changed = count(changed);
-    Region own = region(place, draws_of(changes));
+    Region own = changes.empty() ? changed : region(place, draws_of(changes));
     for (std::size_t i = 0; i < own.size(); ++i) own[i] |= changed[i];
     const std::size_t pixels = own.empty() ? reference.pixels() : count(own);
     if (difference.pixels_changed == 0) {
@@ -226,10 +226,8 @@ const Region& Trials::region(std::size_t place, const std::vector<bool>& draws) 
     return kept;
 }
 
-double Trials::quick_ratio(Trial& trial, ClockKind clock, const Stop& stop) {
-    const auto warm = trial.bench->warm_up(variant(), clock);
-    if (!warm) return 0;
-    if (*warm > slow_frame) return *warm / std::max(scene().warm_up(variant(), clock).value_or(0), 1e-3);
+double Trials::quick_ratio(Trial& trial, double warm, ClockKind clock, const Stop& stop) {
+    if (warm > slow_frame) return warm / std::max(scene().warm_up(variant(), clock).value_or(0), 1e-3);
     std::vector<double> ratios;
     for (int i = 0; i < quick_pairs && !(stop && stop()); ++i) {
         const double changed = chosen(trial.bench->time(variant(), quick_sample), clock);

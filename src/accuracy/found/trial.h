@@ -50,11 +50,13 @@ public:
     std::optional<Picture> picture(Trial& trial, std::size_t place) { return picture(trial, place, variant()); }
     std::optional<Picture> picture(Trial& trial, std::size_t place, const Variant& variant);
     const Picture& original(std::size_t place);
-    // The difference of that picture at a place. `flip`: with FLIP.
+    // The difference of that picture at a place, over the pixels in which these changes' draws show; without changes,
+    // over those that differ. `flip`: with FLIP.
     Difference compare(const Picture& picture, std::size_t place, std::span<const std::size_t> changes, bool flip);
 
-    // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known.
-    double quick_ratio(Trial& trial, ClockKind clock, const Stop& stop);
+    // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known. `warm`: the
+    // milliseconds of its frames.
+    double quick_ratio(Trial& trial, double warm, ClockKind clock, const Stop& stop);
     // Times frames of that size.
     Entrant entrant(Bench& bench, std::array<int, 2> size) const;
     // What plots and tables show: the error of the worst place, and the picture of the scene's own.

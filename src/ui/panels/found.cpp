@@ -33,8 +33,12 @@ std::string time_of(const FoundRow& row) {
 
 std::string errors_of(const FoundRow& row) {
     if (row.group == Group::untried) return row.remark;
-    if (row.group == Group::unused)
-        return row.bytes > 0 ? bytes_text(row.bytes) + " of GPU memory" : "no pixel differs";
+    if (row.group == Group::unused) {
+        const std::string loading = row.loading > 0 ? fmt::format("{:.3g} ms of loading", row.loading) : "";
+        const std::string memory = row.bytes > 0 ? bytes_text(row.bytes) + " of GPU memory" : "";
+        if (loading.empty() && memory.empty()) return "no pixel differs";
+        return loading + (loading.empty() || memory.empty() ? "" : ", ") + memory;
+    }
     if (!row.error) return {};
     return fmt::format("{} {}{}", row.group == Group::better ? "the scene's error" : "error", error_text(*row.error),
                        row.flip ? fmt::format(", FLIP {}", error_text(*row.flip)) : "");

@@ -36,6 +36,7 @@ struct FoundRow {
     double ratio = 0;                               // of its time to the scene's; 0: not known
     double low = 0, high = 0;                       // interval of the ratio; 0: it was only estimated
     std::uint64_t bytes = 0;                        // of GPU memory that an unused one takes
+    double loading = 0;                             // milliseconds that it takes; 0: not known, or none
     bool front = false;                             // worth its time
     std::string remark;                             // why it was not tried, or what else must be known; may be empty
 };

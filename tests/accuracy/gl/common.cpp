@@ -23,4 +23,21 @@ void AccuracyTest::TearDown() {
     GlTest::TearDown();
 }
 
+accuracy::Change AccuracyTest::change(accuracy::ChangeKind kind, std::string_view before,
+                                      std::string_view after) const {
+    for (FileId file = 0; file < read->sources.size(); ++file)
+        if (const std::size_t at = read->sources.text(file).find(before); at != std::string_view::npos) {
+            const Span span{file, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + before.size())};
+            return {kind, span, std::string(before), std::string(after), {{span, std::string(after)}}};
+        }
+    ADD_FAILURE() << "no text has " << before;
+    return {};
+}
+
+void AccuracyTest::write_full(std::string_view fragment) const {
+    folder.write("full.vert",
+                 "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
+    folder.write("full.frag", "#version 330 compatibility\n" + std::string(fragment));
+}
+
 }  // namespace snell::test

@@ -18,23 +18,6 @@ class FoundSearch : public AccuracyTest {
 protected:
     void read_scene(std::string_view scene) { bench_of_text(scene, 32, 32); }
 
-    void write_full(std::string_view fragment) {
-        folder.write("full.vert",
-                     "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
-        folder.write("full.frag", "#version 330 compatibility\n" + std::string(fragment));
-    }
-
-    // Replaces the first `before` in any of the texts.
-    Change change(ChangeKind kind, std::string_view before, std::string_view after) {
-        for (FileId file = 0; file < read->sources.size(); ++file)
-            if (const std::size_t at = read->sources.text(file).find(before); at != std::string_view::npos) {
-                const Span span{file, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + before.size())};
-                return {kind, span, std::string(before), std::string(after), {{span, std::string(after)}}};
-            }
-        ADD_FAILURE() << "no text has " << before;
-        return {};
-    }
-
     FoundResult search(std::vector<Change> changes, bool times = false, std::uint64_t seed = 1,
                        std::vector<std::string> sets = {}) {
         SearchOptions options;
@@ -374,30 +357,6 @@ TEST_F(FoundSearch, WhatIsLoadedForNothingIsToldInMilliseconds) {
     EXPECT_GT(found.rungs[0].gpu_bytes, 6 * 64 * 64 * 4);
     EXPECT_FALSE(found.rungs[1].load_ms) << "a value takes no memory";
     EXPECT_FALSE(search(changes).rungs[0].load_ms) << "times were not wanted";
-}
-
-// A window rests between the steps.
-TEST_F(FoundSearch, AStepDrawsAPlaceOrTimesARung) {
-    write_full("void main() { float c = .5; c += .1; gl_FragColor = vec4(vec3(c), 1.); }\n");
-    read_scene(full_scene);
-    SearchOptions options;
-    options.rounds = 9;
-    options.at_least = .5;
-    Search found({folder.path("scene.glib"), read->plan, *read->files, read->sources},
-                 {change(ChangeKind::without_term, "c += .1;", ";"), change(ChangeKind::no_draw, "QuadXY 0 1", "")},
-                 caps, {32, 32, 0, {}}, options);
-    std::size_t most = 0, drawn = 0;
-    const auto places = [&] {
-        std::size_t count = 0;
-        for (const FoundRung& rung : found.result().rungs) count += rung.at.size();
-        return count;
-    };
-    while (found.step()) {
-        most = std::max(most, places() - std::min(places(), drawn));
-        drawn = places();
-    }
-    EXPECT_GE(drawn, 4u);
-    EXPECT_EQ(most, 1u) << "places of one rung in a step";
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ void measured(ui::FoundRow& row, const FoundRung& rung, const FoundResult& resul
         row.low = times->ratio.low;
         row.high = times->ratio.high;
     }
+    row.loading = rung.load_ms.value_or(0);
     row.bytes = static_cast<std::uint64_t>(std::max<std::int64_t>(rung.gpu_bytes, 0));
 }
 

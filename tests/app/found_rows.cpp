@@ -1,0 +1,55 @@
+// What the window's list of found rungs says, for results made by hand.
+#include "src/app/window/measure/found_rows.h"
+
+#include <gtest/gtest.h>
+
+#include "src/accuracy/report/found.h"
+
+namespace snell {
+namespace {
+
+struct OneRung {
+    explicit OneRung(accuracy::Aim aim) {
+        const FileId file = sources.add("a.frag", "i < 8");
+        result.changes = {
+            {.kind = accuracy::ChangeKind::fewer_rounds, .where = {file, 0, 5}, .before = "i < 8", .after = "i < 4"}};
+        result.positions = {"a.frag:1:1"};
+        result.places.resize(8);
+        result.searched = 4;
+        accuracy::FoundRung rung;
+        rung.name = "1";
+        rung.changes = {0};
+        rung.aim = aim;
+        rung.outcome = accuracy::Outcome::tried;
+        rung.at.resize(4);
+        result.rungs = {rung};
+    }
+    std::string remark(bool searching) const { return found_rows(result, sources, searching).at(0).remark; }
+    std::string report() const { return accuracy::standing_of(result, result.rungs[0]); }
+
+    accuracy::FoundResult result;
+    Sources sources;
+};
+
+TEST(FoundRows, PlacesThatAreHeldOutAreToldAsInTheReport) {
+    OneRung better(accuracy::Aim::better);
+    EXPECT_EQ(better.remark(true), "") << "it may still be tried there";
+    EXPECT_EQ(better.remark(false), "not held out: the time was up");
+    EXPECT_EQ(better.remark(false), better.report());
+    better.result.rungs[0].held_out = true;
+    EXPECT_EQ(better.remark(false), "");
+    OneRung cheaper(accuracy::Aim::cheaper);
+    cheaper.result.rungs[0].held_out = cheaper.result.rungs[0].only_where_tried = true;
+    EXPECT_EQ(cheaper.remark(true), "at other views and values its error is more than twice as large");
+    EXPECT_EQ(cheaper.remark(true), cheaper.report());
+}
+
+TEST(FoundRows, WhatIsLoadedForNothingIsPassedOn) {
+    OneRung unused(accuracy::Aim::unused);
+    unused.result.rungs[0].held_out = true;
+    unused.result.rungs[0].load_ms = 286;
+    EXPECT_EQ(found_rows(unused.result, unused.sources, false).at(0).loading, 286);
+}
+
+}  // namespace
+}  // namespace snell
