@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "parser/text/utf8.h"
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/statistics.h"
 #include "src/app/commands/options.h"
