@@ -82,16 +82,17 @@ struct ValueName {
     const char* value;
 };
 constexpr auto value_names = std::to_array<ValueName>({
-    {"allow", "FOLDER"},     {"baked", "UNIFORM"},     {"budget", "SECONDS"},    {"color", "WHEN"},
-    {"confine", "FOLDER"},   {"context", "VERSION"},   {"csv", "FILE"},          {"dump", "STAGE"},
-    {"error", "RMSE"},       {"fps", "RATE"},          {"frames", "COUNT"},      {"from", "RUNGS"},
-    {"json", "FILE"},        {"kind", "KIND"},         {"knobs", "KNOB,…"},      {"ladder", "LADDER=RUNG"},
-    {"ladders", "LADDER,…"}, {"limit", "LIMIT=VALUE"}, {"link", "URL"},          {"markdown", "FILE"},
-    {"merge", "FILE"},       {"output", "FILE"},       {"over", "NAME=VALUES"},  {"quality", "PRESET"},
-    {"reps", "COUNT"},       {"samples", "COUNT"},     {"set", "UNIFORM=VALUE"}, {"shard", "I/N"},
-    {"sheet", "FILE"},       {"size", "WIDTHxHEIGHT"}, {"stats", "FILE"},        {"steps", "COUNT"},
-    {"svg", "FILE"},         {"tile", "PIXELS"},       {"time", "SECONDS"},      {"timeout", "SECONDS"},
-    {"title", "TEXT"},       {"view", "VIEW"},         {"within", "TIME"},
+    {"allow", "FOLDER"},       {"baked", "UNIFORM"},     {"budget", "SECONDS"},     {"color", "WHEN"},
+    {"confine", "FOLDER"},     {"context", "VERSION"},   {"csv", "FILE"},           {"dump", "STAGE"},
+    {"error", "RMSE"},         {"fps", "RATE"},          {"frames", "COUNT"},       {"from", "RUNGS"},
+    {"jobs", "COUNT"},         {"json", "FILE"},         {"kind", "KIND"},          {"knobs", "KNOB,…"},
+    {"ladder", "LADDER=RUNG"}, {"ladders", "LADDER,…"},  {"limit", "LIMIT=VALUE"},  {"link", "URL"},
+    {"markdown", "FILE"},      {"max-flip", "FLIP"},     {"max-pixels", "PERCENT"}, {"max-rmse", "RMSE"},
+    {"merge", "FILE"},         {"output", "FILE"},       {"over", "NAME=VALUES"},   {"quality", "PRESET"},
+    {"reps", "COUNT"},         {"samples", "COUNT"},     {"set", "UNIFORM=VALUE"},  {"shard", "I/N"},
+    {"sheet", "FILE"},         {"size", "WIDTHxHEIGHT"}, {"stats", "FILE"},         {"steps", "COUNT"},
+    {"svg", "FILE"},           {"threshold", "VALUE"},   {"tile", "PIXELS"},        {"time", "SECONDS"},
+    {"timeout", "SECONDS"},    {"title", "TEXT"},        {"view", "VIEW"},          {"within", "TIME"},
 });
 
 // Flags have no type.
@@ -143,6 +144,7 @@ bool json_is_file(std::string_view subcommand) {
 }
 
 bool names_json(std::string_view word, std::string_view subcommand) {
+    if (word.empty()) return false;
     if (word == "-" || word.ends_with(".json") || word.starts_with("/dev/") || word.starts_with("/proc/")) return true;
     return json_is_file(subcommand) && !word.starts_with('-') && !word.ends_with(".glib");
 }
@@ -166,7 +168,7 @@ std::vector<std::string> meant_words(int count, const char* const* words) {
         if (word == "--json" && names_json(next, subcommand)) {
             word += "=" + (next == "-" ? std::string(standard_output) : next);
             meant.erase(meant.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-        } else if (word == "--json" && json_is_file(subcommand) && (next.empty() || next.starts_with('-'))) {
+        } else if (word == "--json" && json_is_file(subcommand) && (i + 1 == meant.size() || next.starts_with('-'))) {
             word += std::string("=") + standard_output;
         } else if (names_output(word) && next == "-") {
             meant[++i] = standard_output;
