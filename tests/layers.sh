@@ -51,7 +51,7 @@ complain "libraries that a browser lacks have units of their own, which src/plat
      xargs grep -nE '#include <(png|zlib|shapefil|dlfcn)')"
 complain "no #ifdef in what every platform builds" \
   "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |
-     grep -v '^src/content/oiio/' | xargs grep -nE '^ *# *(if|ifdef|ifndef|elif|else)\b')"
+     grep -vE '^src/content/(oiio|archive)/' | xargs grep -nE '^ *# *(if|ifdef|ifndef|elif|else)\b')"
 complain "threads are started by src/content/workers.cpp, which a platform without any replaces, and by the program" \
   "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(content/workers.cpp|app/)' |
      xargs grep -nE 'std::(j?thread|async)\b|#include <(thread|future|stop_token)>')"

@@ -21,7 +21,7 @@ APP = {
     "grade": "open picture",
     "grade/report": "open grade picture page",
     "commands": "open picture batch page grade grade/report window",
-    "commands/explain": "open commands",
+    "commands/explain": "open picture commands",
     "create": "open commands",
     "help": "open commands create",
     "window/measure": "open",

@@ -56,7 +56,7 @@ TEST_F(Grade, UniformsHaveTypesAndRanges) {
 }
 
 TEST_F(Grade, LintsCostPoints) {
-    const std::string negative = with(paint, "float d =", "float p = pow(n.x - 2., 2.);\n  float d = p * 0. +");
+    const std::string negative = with(paint, "float d =", "float p = pow(vN.x - uSide, 2.);\n  float d = p * 0. +");
     EXPECT_EQ(points("no_lints = [\"pow-of-negative\", \"never-read\"]\neach = 1.5\n"), 4);
     EXPECT_EQ(points("no_lints = [\"pow-of-negative\", \"never-read\"]\neach = 1.5\n", negative), 2.5) << last;
     EXPECT_EQ(points("no_lints = [\"pow-of-negative\"]\n", negative), 0);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -109,6 +110,16 @@ bool parse_range(std::string_view text, std::optional<double>& least, std::optio
     return number(text.substr(0, dots), least) && number(text.substr(dots + 2), most) && (least || most);
 }
 
+// Two whole numbers of pixels, such as "320x240".
+bool parse_sides(std::string_view text, int& width, int& height) {
+    const char* const end = text.data() + text.size();
+    const auto [middle, wrong_width] = std::from_chars(text.data(), end, width);
+    if (wrong_width != std::errc() || middle == end || *middle != 'x') return false;
+    const auto [last, wrong_height] = std::from_chars(middle + 1, end, height);
+    const auto usual = [](int side) { return side >= 16 && side <= 4096; };
+    return wrong_height == std::errc() && last == end && usual(width) && usual(height);
+}
+
 class Reader {
 public:
     Reader(Rubric& rubric, fs::path folder, Diagnostics& diagnostics)
@@ -173,10 +184,7 @@ private:
         rubric_.samples = static_cast<int>(std::clamp(samples.value_or(1), 1., 64.));
         const TomlValue* size = table.find("size", TomlKind::text);
         if (!size) return;
-        int end = 0;
-        if (std::sscanf(size->text.c_str(), "%4dx%4d%n", &rubric_.width, &rubric_.height, &end) != 2 ||
-            static_cast<std::size_t>(end) != size->text.size() || rubric_.width < 16 || rubric_.height < 16 ||
-            rubric_.width > 4096 || rubric_.height > 4096)
+        if (!parse_sides(size->text, rubric_.width, rubric_.height))
             wrong(size->span, fmt::format("'{}' is not a size from 16x16 to 4096x4096", size->text));
     }
 

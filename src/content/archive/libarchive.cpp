@@ -1,6 +1,7 @@
 // The module: zip, tar (also compressed), 7z, rar and cpio by libarchive.
 #include <archive.h>
 #include <archive_entry.h>
+#include <locale.h>
 
 #include <cstdio>
 
@@ -15,6 +16,24 @@ void tell(archive* from, char* message, std::size_t size) {
     std::snprintf(message, size, "%s", text ? text : "it cannot be read");
 }
 
+// libarchive converts names to the thread's locale, and forgets those that it cannot hold. The program's is "C".
+class Utf8Names {
+public:
+    Utf8Names() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+        if (utf8_) before_ = uselocale(utf8_);
+    }
+    ~Utf8Names() {
+        if (!utf8_) return;
+        uselocale(before_);
+        freelocale(utf8_);
+    }
+    Utf8Names(const Utf8Names&) = delete;
+    Utf8Names& operator=(const Utf8Names&) = delete;
+
+private:
+    locale_t utf8_, before_ = nullptr;
+};
+
 SnellArchiveKind kind_of(archive_entry* entry) {
     if (archive_entry_hardlink(entry) || archive_entry_symlink(entry)) return snell_archive_other;
     if (archive_entry_filetype(entry) == AE_IFREG) return snell_archive_file;
@@ -26,6 +45,7 @@ SnellArchiveKind kind_of(archive_entry* entry) {
 extern "C" {
 
 SNELL_EXPORT void* snell_archive_open(const char* path, char* message, size_t message_size) {
+    const Utf8Names names;
     archive* reading = archive_read_new();
     if (!reading) return nullptr;
     archive_read_support_filter_all(reading);
@@ -42,6 +62,7 @@ SNELL_EXPORT void* snell_archive_open(const char* path, char* message, size_t me
 }
 
 SNELL_EXPORT int snell_archive_next(void* from, SnellArchiveEntry* entry, char* message, size_t message_size) {
+    const Utf8Names names;
     auto* reading = static_cast<archive*>(from);
     archive_entry* found = nullptr;
     const int status = archive_read_next_header(reading, &found);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "parser/text/utf8.h"
@@ -228,6 +229,8 @@ void measure(ExplainReport& report, Document& document, const Plan& plan, const 
 }
 
 Exit explain(const ExplainOptions& options) {
+    if (const Exit refused = check_outputs(std::array{options.json}, std::array{options.scene}); refused != exit_fine)
+        return refused;
     const runtime::Stopwatch watch;
     Deadline deadline(options.timeout);
     deadline.begin(fmt::format("reading '{}'", options.scene));
