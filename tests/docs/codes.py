@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 OTHERS = {"a-b", "built-in", "depth-test", "depth-write", "point-size-mode", "cube-size", "cube-precision",
-          "x-terminal-emulator", "xdg-open"}  # dumps, knobs, programs
+          "x-terminal-emulator", "xdg-open", "max-flip", "max-pixels", "max-rmse"}  # dumps, knobs, programs, options
 
 
 def main(program, root):
