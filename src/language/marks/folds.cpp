@@ -119,7 +119,9 @@ std::vector<Fold> folds(const Project& project, FileId file) {
     Texts texts(project);
     std::vector<Fold> found =
         texts.is_scene(file) ? SceneFolds(texts.statements(file)).run() : shader_folds(texts.outline(file));
-    ranges::stable_sort(found, [](const Fold& a, const Fold& b) { return a.span.begin < b.span.begin; });
+    ranges::stable_sort(found, [](const Fold& a, const Fold& b) {  // the outer ones first
+        return a.span.begin != b.span.begin ? a.span.begin < b.span.begin : a.span.end > b.span.end;
+    });
     return found;
 }
 

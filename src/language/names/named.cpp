@@ -35,8 +35,8 @@ bool ladder_named(const Scene& scene, std::string_view name, Named& named) {
 Named in_shader(Texts& texts, FileId file, std::uint32_t offset) {
     const Outline& outline = texts.outline(file);
     Named named;
-    if (const ShaderDirective* directive = outline.directive_at(offset);
-        directive != nullptr && directive->word == "include" && directive->name_end > directive->name_begin) {
+    const ShaderDirective* directive = outline.directive_at(offset);
+    if (directive != nullptr && holds({file, directive->name_begin, directive->name_end}, file, offset)) {
         named.what = What::file;
         named.span = {file, directive->name_begin, directive->name_end};
         named.name = outline.text.substr(directive->name_begin, directive->name_end - directive->name_begin);

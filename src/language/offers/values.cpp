@@ -63,6 +63,7 @@ bool color_name(std::string_view name) { return contains(name, "color") || conta
 // With its point, as scenes write reals: "1.", ".5".
 std::string real_text(double value) {
     std::string text = text_of::number(value);
+    if (text.starts_with("-0.")) text.erase(1, 1);
     return text.find_first_of(".en") == std::string::npos ? text + "." : text;
 }
 

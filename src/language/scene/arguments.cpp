@@ -1,5 +1,6 @@
 // Which argument a token is, by walking the tokens before it along the parameters of each alternative.
 #include <algorithm>
+#include <tuple>
 
 #include "parser/names.h"
 #include "parser/text/number.h"
@@ -33,7 +34,7 @@ bool fits(const Parameter& parameter, const Token& token, std::string_view word)
 
 struct Walked {
     ArgumentPlace place;
-    std::size_t misfits = 0;
+    std::size_t misfits = 0, missing = 0;
     bool surplus = false;
 };
 
@@ -72,6 +73,8 @@ Walked walk(const Statements& statements, const SceneStatement& statement, std::
         if (!wanted.repeated) ++parameter;
     }
     walked.surplus = parameter >= count;
+    for (std::size_t i = parameter; i < count; ++i)
+        if (!signature.parameter(alternative, i).optional) ++walked.missing;
     walked.place = {alternative, walked.surplus ? nullptr : &signature.parameter(alternative, parameter), parameter, 0,
                     false};
     return walked;
@@ -83,7 +86,8 @@ std::vector<ArgumentPlace> arguments_at(const Statements& statements, const Scen
                                         std::size_t token) {
     struct Ranked {
         ArgumentPlace place;
-        std::size_t before = 0, rank = 0;  // misfits before the place, and of the whole statement
+        bool fits = true;  // what precedes the place
+        std::tuple<std::size_t, bool, std::size_t> rank;
     };
     std::vector<Ranked> all;
     if (statement.command == nullptr) return {};
@@ -91,13 +95,14 @@ std::vector<ArgumentPlace> arguments_at(const Statements& statements, const Scen
         const Walked walked = walk(statements, statement, i, token);
         // What is written there, and what follows, tells alternatives apart.
         const Walked whole = walk(statements, statement, i, statement.count);
-        all.push_back({walked.place, walked.misfits + (walked.surplus ? 1u : 0u),
-                       2 * (walked.misfits + whole.misfits) + (walked.surplus ? 3u : 0u)});
+        all.push_back({walked.place,
+                       walked.misfits == 0 && !walked.surplus,
+                       {walked.misfits + whole.misfits, walked.surplus, whole.missing}});
     }
     ranges::stable_sort(all, [](const Ranked& a, const Ranked& b) { return a.rank < b.rank; });
     std::vector<ArgumentPlace> places{all.front().place};
     for (std::size_t i = 1; i < all.size(); ++i)
-        if (all[i].before == 0) places.push_back(all[i].place);
+        if (all[i].fits) places.push_back(all[i].place);
     return places;
 }
 

@@ -145,15 +145,27 @@ private:
     // ---- brackets
 
     void punctuation(const ShaderToken& token) {
-        const std::string_view text = o_.word(token);
-        if (text == "(") return open_parenthesis(token);
-        if (text == ")") return close_parenthesis(token);
-        if (text == "[") return brackets_.push_back('[');
-        if (text == "]") return pop_bracket('[');
-        if (text == "{") return open_brace(token);
-        if (text == "}") return close_brace(token);
-        if (text == ",") return comma();
-        if (text == ";") return semicolon(token);
+        if (token.end - token.begin != 1) return;
+        switch (o_.text[token.begin]) {
+            case '(':
+                return open_parenthesis(token);
+            case ')':
+                return close_parenthesis(token);
+            case '[':
+                return brackets_.push_back('[');
+            case ']':
+                return pop_bracket('[');
+            case '{':
+                return open_brace(token);
+            case '}':
+                return close_brace(token);
+            case ',':
+                return comma();
+            case ';':
+                return semicolon(token);
+            default:
+                return;
+        }
     }
 
     void pop_bracket(char open) {

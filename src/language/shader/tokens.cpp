@@ -66,13 +66,19 @@ private:
         token.begin = static_cast<std::uint32_t>(at);
         token.end = static_cast<std::uint32_t>(std::min(end, at + std::max<std::size_t>(lexeme.text.size(), 1)));
         if (lexeme.kind == glsl::Kind::identifier) {
-            const bool language = glsl::is_qualifier(lexeme.text) || glsl::is_statement_word(lexeme.text) ||
-                                  glsl::builtin_type(lexeme.text);
-            token.role = language ? Role::word : Role::global;
+            token.role = is_word(lexeme.text) ? Role::word : Role::global;
         }
         if (in_directive && lexeme.text == "##") outline_.pastes = true;
         outline_.tokens.push_back(token);
         return token.end;
+    }
+
+    // Texts have few words, many times.
+    bool is_word(std::string_view text) {
+        const auto [known, added] = known_.try_emplace(text, false);
+        if (added)
+            known->second = glsl::is_qualifier(text) || glsl::is_statement_word(text) || glsl::builtin_type(text);
+        return known->second;
     }
 
     std::size_t directive(std::size_t at) {
@@ -115,6 +121,7 @@ private:
     Outline& outline_;
     glsl::Cleaned cleaned_;
     std::string_view text_;
+    std::unordered_map<std::string_view, bool> known_;
 };
 
 }  // namespace
