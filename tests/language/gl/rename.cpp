@@ -56,6 +56,10 @@ TEST_P(Renamed, TheSamePicture) {
     int renamed = 0;
     while (rename_one(scene, renamed, seen)) ++renamed;
     EXPECT_GT(renamed, 8);
+    const Project project = read_project(scene, {}, Depth::plan);
+    for (const Program& program : project.scene().programs)
+        for (const UniformValue& uniform : program.uniforms)
+            EXPECT_TRUE(uniform.name.starts_with("xNew")) << program.name << '.' << uniform.name;
     EXPECT_EQ(draw_scene(), before);
 }
 
