@@ -36,6 +36,9 @@ std::vector<LayoutRow> rows_of(std::string_view text) {
     for (;;) {
         LayoutRow row{at, at, std::min(text.find_first_of("\r\n", at), text.size())};
         while (row.content < row.end && layout_blank(text[row.content])) ++row.content;
+        // At the beginning of the text these bytes would be a mark of its encoding.
+        if (rows.empty() && row.content < row.end && static_cast<unsigned char>(text[row.content]) >= 0x80)
+            row.content = row.begin;
         rows.push_back(row);
         if (row.end == text.size()) return rows;
         at = row.end + (text.substr(row.end, 2) == "\r\n" ? 2 : 1);

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <iterator>
+#include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/server/commands.h"
 #include "src/server/wire/uri.h"
 
@@ -124,35 +127,92 @@ Json Encoder::signatures(const SignatureHelp& help) const {
     return {{"signatures", std::move(all)}, {"activeSignature", help.signature}, {"activeParameter", help.parameter}};
 }
 
-Json Encoder::symbols(const std::vector<Symbol>& symbols) const {
-    Json all = Json::array();
-    for (const Symbol& symbol : symbols) {
-        Json json{{"name", symbol.name.empty() ? "?" : symbol.name},
-                  {"kind", symbol_kinds[static_cast<std::size_t>(symbol.kind)]},
-                  {"range", range(symbol.span)},
-                  {"selectionRange", range(symbol.name_span)}};
-        if (!symbol.detail.empty()) json["detail"] = symbol.detail;
-        if (!symbol.children.empty()) json["children"] = this->symbols(symbol.children);
-        all.push_back(std::move(json));
-    }
-    return all;
+namespace {
+
+// A string of JSON.
+void add_quoted(std::string& out, std::string_view text) {
+    const auto plain = [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; };
+    if (ranges::all_of(text, plain))
+        fmt::format_to(std::back_inserter(out), R"("{}")", text);
+    else
+        out += text_of(Json(text));
 }
 
-Json Encoder::folds(const std::vector<Fold>& folds) const {
-    Json all = Json::array();
-    for (const Fold& fold : folds) {
+// Elements with commas between them, in brackets.
+template <class Elements, class Add>
+void add_list(std::string& out, const Elements& elements, Add&& add) {
+    out += '[';
+    bool first = true;
+    for (const auto& element : elements) {
+        if (!std::exchange(first, false)) out += ',';
+        add(element);
+    }
+    out += ']';
+}
+
+}  // namespace
+
+void Encoder::add_range(std::string& out, const Span& span) const {
+    const Lines& text = lines(span.file);
+    const Place begin = text.place(span.begin, state_.encoding);
+    const Place end = text.place(std::max(span.begin, span.end), state_.encoding);
+    fmt::format_to(std::back_inserter(out),
+                   R"({{"start":{{"line":{},"character":{}}},"end":{{"line":{},"character":{}}}}})", begin.line,
+                   begin.character, end.line, end.character);
+}
+
+void Encoder::add_symbols(std::string& out, const std::vector<Symbol>& symbols) const {
+    add_list(out, symbols, [&](const Symbol& symbol) {
+        out += R"({"name":)";
+        add_quoted(out, symbol.name.empty() ? "?" : symbol.name);
+        fmt::format_to(std::back_inserter(out), R"(,"kind":{},"range":)",
+                       symbol_kinds[static_cast<std::size_t>(symbol.kind)]);
+        add_range(out, symbol.span);
+        out += R"(,"selectionRange":)";
+        add_range(out, symbol.name_span);
+        if (!symbol.detail.empty()) {
+            out += R"(,"detail":)";
+            add_quoted(out, symbol.detail);
+        }
+        if (!symbol.children.empty()) {
+            out += R"(,"children":)";
+            add_symbols(out, symbol.children);
+        }
+        out += '}';
+    });
+}
+
+std::string Encoder::symbols(const std::vector<Symbol>& symbols) const {
+    std::string out;
+    add_symbols(out, symbols);
+    return out;
+}
+
+std::string Encoder::folds(const std::vector<Fold>& folds) const {
+    std::string out;
+    add_list(out, folds, [&](const Fold& fold) {
         const Lines& text = lines(fold.span.file);
-        Json json{{"startLine", text.place(fold.span.begin, state_.encoding).line},
-                  {"endLine", text.place(fold.span.end, state_.encoding).line}};
-        json["kind"] = fold.kind == Fold::Kind::comment ? "comment" : "region";
-        all.push_back(std::move(json));
-    }
-    return all;
+        fmt::format_to(std::back_inserter(out), R"({{"startLine":{},"endLine":{},"kind":"{}"}})",
+                       text.place(fold.span.begin, state_.encoding).line,
+                       text.place(fold.span.end, state_.encoding).line,
+                       fold.kind == Fold::Kind::comment ? "comment" : "region");
+    });
+    return out;
 }
 
-Json Encoder::tokens(const std::vector<SemanticToken>& tokens) const {
-    std::vector<std::uint32_t> data;
-    data.reserve(tokens.size() * 5);
+std::string Encoder::colors(const std::vector<language::Color>& colors) const {
+    std::string out;
+    add_list(out, colors, [&](const language::Color& color) {
+        out += R"({"range":)";
+        add_range(out, color.span);
+        fmt::format_to(std::back_inserter(out), R"(,"color":{{"red":{},"green":{},"blue":{},"alpha":{}}}}})",
+                       color.rgba[0], color.rgba[1], color.rgba[2], color.rgba[3]);
+    });
+    return out;
+}
+
+std::string Encoder::tokens(const std::vector<SemanticToken>& tokens) const {
+    std::string out = R"({"data":[)";
     Place last;
     for (const SemanticToken& token : tokens) {
         const Lines& text = lines(token.span.file);
@@ -160,26 +220,28 @@ Json Encoder::tokens(const std::vector<SemanticToken>& tokens) const {
         const Place end = text.place(token.span.end, state_.encoding);
         if (end.line != begin.line || end.character <= begin.character) continue;
         const std::uint32_t down = begin.line - last.line;
-        for (const std::uint32_t number :
-             {down, down == 0 ? begin.character - last.character : begin.character, end.character - begin.character,
-              static_cast<std::uint32_t>(token.type), static_cast<std::uint32_t>(token.modifiers)})
-            data.push_back(number);
+        fmt::format_to(std::back_inserter(out), "{}{},{},{},{},{}", out.back() == '[' ? "" : ",", down,
+                       down == 0 ? begin.character - last.character : begin.character, end.character - begin.character,
+                       static_cast<int>(token.type), static_cast<int>(token.modifiers));
         last = begin;
     }
-    return {{"data", data}};
+    return out += "]}";
 }
 
-Json Encoder::lenses(const std::vector<CodeLens>& lenses, const std::string& text_uri) const {
+std::string Encoder::lenses(const std::vector<CodeLens>& lenses, const std::string& text_uri) const {
     constexpr std::array titles{"open in snell", "render here", "what does this cost?"};
-    Json all = Json::array();
-    for (const CodeLens& lens : lenses) {
+    std::string out;
+    add_list(out, lenses, [&](const CodeLens& lens) {
         const auto kind = static_cast<std::size_t>(lens.kind);
-        const std::uint32_t line = lines(lens.span.file).place(lens.span.begin, state_.encoding).line;
-        all.push_back({{"range", range(lens.span)},
-                       {"command",
-                        {{"title", titles[kind]}, {"command", command_names[kind]}, {"arguments", {text_uri, line}}}}});
-    }
-    return all;
+        out += R"({"range":)";
+        add_range(out, lens.span);
+        fmt::format_to(std::back_inserter(out), R"(,"command":{{"title":"{}","command":"{}","arguments":[)",
+                       titles[kind], command_names[kind]);
+        add_quoted(out, text_uri);
+        fmt::format_to(std::back_inserter(out), ",{}]}}}}",
+                       lines(lens.span.file).place(lens.span.begin, state_.encoding).line);
+    });
+    return out;
 }
 
 Json token_legend() {

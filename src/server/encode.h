@@ -27,12 +27,17 @@ public:
     Json completions(const std::vector<language::Completion>& items) const;
     Json hover(const language::Hover& hover) const;
     Json signatures(const language::SignatureHelp& help) const;
-    Json symbols(const std::vector<language::Symbol>& symbols) const;
-    Json folds(const std::vector<language::Fold>& folds) const;
-    Json tokens(const std::vector<language::SemanticToken>& tokens) const;
-    Json lenses(const std::vector<language::CodeLens>& lenses, const std::string& text_uri) const;
+    // As texts, because there may be many.
+    std::string symbols(const std::vector<language::Symbol>& symbols) const;
+    std::string folds(const std::vector<language::Fold>& folds) const;
+    std::string colors(const std::vector<language::Color>& colors) const;
+    std::string tokens(const std::vector<language::SemanticToken>& tokens) const;
+    std::string lenses(const std::vector<language::CodeLens>& lenses, const std::string& text_uri) const;
 
 private:
+    void add_range(std::string& text, const Span& span) const;
+    void add_symbols(std::string& text, const std::vector<language::Symbol>& symbols) const;
+
     const State& state_;
     const language::Project& project_;
     mutable std::map<FileId, Lines> lines_;

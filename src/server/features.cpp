@@ -1,7 +1,6 @@
 #include "src/server/features.h"
 
 #include <array>
-#include <cmath>
 
 #include "src/language/format.h"
 #include "src/language/services.h"
@@ -70,16 +69,8 @@ Json rename(Asked& a, Params params) {
     if (!rename.refused.empty()) throw Failure{Failure::request_failed, rename.refused};
     return a.encode.workspace_edit(rename.edits);
 }
-Json symbols(Asked& a, Params) { return a.encode.symbols(language::symbols(a.project, a.file())); }
-Json colors(Asked& a, Params) {
-    Json all = Json::array();
-    for (const language::Color& color : language::colors(a.project, a.file()))
-        all.push_back(
-            {{"range", a.encode.range(color.span)},
-             {"color",
-              {{"red", color.rgba[0]}, {"green", color.rgba[1]}, {"blue", color.rgba[2]}, {"alpha", color.rgba[3]}}}});
-    return all;
-}
+std::string symbols(Asked& a, Params) { return a.encode.symbols(language::symbols(a.project, a.file())); }
+std::string colors(Asked& a, Params) { return a.encode.colors(language::colors(a.project, a.file())); }
 Json color_presentation(Asked& a, Params params) {
     const Json& color = params.at("color");
     std::array<double, 4> rgba{};
@@ -97,16 +88,18 @@ Json color_presentation(Asked& a, Params params) {
     for (const Edit& edit : edits) label += (label.empty() ? "" : " ") + edit.text;
     return Json::array({{{"label", label}, {"textEdit", all[0]}, {"additionalTextEdits", std::move(more)}}});
 }
-Json folding(Asked& a, Params) { return a.encode.folds(language::folds(a.project, a.file())); }
-Json tokens(Asked& a, Params) { return a.encode.tokens(language::semantic_tokens(a.project, a.file())); }
-Json tokens_within(Asked& a, Params params) {
+std::string folding(Asked& a, Params) { return a.encode.folds(language::folds(a.project, a.file())); }
+std::string tokens(Asked& a, Params) { return a.encode.tokens(language::semantic_tokens(a.project, a.file())); }
+std::string tokens_within(Asked& a, Params params) {
     const std::uint32_t begin = a.offset_of(params.at("range").at("start"));
     const std::uint32_t end = a.offset_of(params.at("range").at("end"));
     auto all = language::semantic_tokens(a.project, a.file());
     std::erase_if(all, [&](const auto& token) { return token.span.end <= begin || token.span.begin >= end; });
     return a.encode.tokens(all);
 }
-Json lenses(Asked& a, Params) { return a.encode.lenses(language::code_lenses(a.project, a.file()), a.document.uri); }
+std::string lenses(Asked& a, Params) {
+    return a.encode.lenses(language::code_lenses(a.project, a.file()), a.document.uri);
+}
 Json formatting(Asked& a, Params) {
     if (!a.project.is_scene(a.file())) return nullptr;
     return a.encode.edits(language::layout_edits(a.project.sources.text(a.file()), a.file()));
@@ -118,28 +111,34 @@ Json range_formatting(Asked& a, Params params) {
     return a.encode.edits(language::layout_edits(a.project.sources.text(a.file()), a.file(), begin, end));
 }
 
+// A method whose answer is a value.
+template <Json (*answer)(Asked&, Params)>
+std::string value(Asked& asked, Params params) {
+    return text_of(answer(asked, params));
+}
+
 struct Method {
     std::string_view name;
-    Json (*answer)(Asked& asked, Params params);
+    std::string (*answer)(Asked& asked, Params params);
 };
 constexpr auto methods = std::to_array<Method>({
     {"textDocument/codeLens", lenses},
-    {"textDocument/colorPresentation", color_presentation},
-    {"textDocument/completion", completion},
-    {"textDocument/definition", definition},
+    {"textDocument/colorPresentation", value<color_presentation>},
+    {"textDocument/completion", value<completion>},
+    {"textDocument/definition", value<definition>},
     {"textDocument/documentColor", colors},
-    {"textDocument/documentHighlight", highlights},
+    {"textDocument/documentHighlight", value<highlights>},
     {"textDocument/documentSymbol", symbols},
     {"textDocument/foldingRange", folding},
-    {"textDocument/formatting", formatting},
-    {"textDocument/hover", hover},
-    {"textDocument/prepareRename", prepare_rename},
-    {"textDocument/rangeFormatting", range_formatting},
-    {"textDocument/references", references},
-    {"textDocument/rename", rename},
+    {"textDocument/formatting", value<formatting>},
+    {"textDocument/hover", value<hover>},
+    {"textDocument/prepareRename", value<prepare_rename>},
+    {"textDocument/rangeFormatting", value<range_formatting>},
+    {"textDocument/references", value<references>},
+    {"textDocument/rename", value<rename>},
     {"textDocument/semanticTokens/full", tokens},
     {"textDocument/semanticTokens/range", tokens_within},
-    {"textDocument/signatureHelp", signature_help},
+    {"textDocument/signatureHelp", value<signature_help>},
 });
 
 Json actions(State& state, const Json& params) {
@@ -153,13 +152,13 @@ Json actions(State& state, const Json& params) {
 
 }  // namespace
 
-std::optional<Json> feature(State& state, const std::string& method, const Json& params) {
-    if (method == "textDocument/codeAction") return actions(state, params);
-    if (method == "workspace/executeCommand") return execute(state, params);
+std::optional<std::string> feature(State& state, const std::string& method, const Json& params) {
+    if (method == "textDocument/codeAction") return text_of(actions(state, params));
+    if (method == "workspace/executeCommand") return text_of(execute(state, params));
     for (const Method& row : methods) {
         if (row.name != method) continue;
         Asked asked(state, params);
-        return asked.found ? row.answer(asked, params) : Json();
+        return asked.found ? row.answer(asked, params) : "null";
     }
     return std::nullopt;
 }

@@ -8,7 +8,8 @@
 
 namespace snell::server {
 
-// Returns nullopt if there is no such method. Throws a Failure, or nlohmann's exceptions for params of a wrong shape.
-std::optional<Json> feature(State& state, const std::string& method, const Json& params);
+// Returns the result as JSON, nullopt if there is no such method. Throws a Failure, or nlohmann's exceptions for params
+// of a wrong shape.
+std::optional<std::string> feature(State& state, const std::string& method, const Json& params);
 
 }  // namespace snell::server

@@ -20,8 +20,8 @@ namespace {
 class Server {
 public:
     Server(Services services, int in, int out)
-        : in_(in), session_(std::move(services), [this, out](const Json& message) {
-              if (!write_all(out, framed(text_of(message)))) ended_ = true;
+        : in_(in), session_(std::move(services), [this, out](const std::string& message) {
+              if (!write_all(out, framed(message))) ended_ = true;
           }) {}
 
     int run() {

@@ -13,8 +13,8 @@ namespace snell::server {
 
 namespace {
 
-Json failure_json(const Json& id, int code, const std::string& message) {
-    return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}};
+std::string failure_text(const Json& id, int code, const std::string& message) {
+    return text_of({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}});
 }
 
 bool is_id(const Json& json) { return json.is_string() || json.is_number(); }
@@ -47,27 +47,27 @@ void Session::receive(Arrived arrived) {
 void Session::step() {
     const Waiting first = std::move(queue_.front());
     queue_.pop_front();
-    if (!first.broken.empty()) return state_.send(failure_json({}, Failure::parse_error, first.broken));
+    if (!first.broken.empty()) return state_.send(failure_text({}, Failure::parse_error, first.broken));
     const Json& message = first.message;
     if (const auto reply = message.is_array() ? answer_all(message) : answer(message, first.cancelled))
         state_.send(*reply);
 }
 
-std::optional<Json> Session::answer_all(const Json& batch) {
-    if (batch.empty()) return failure_json({}, Failure::invalid_request, "the batch is empty");
-    Json replies = Json::array();
+std::optional<std::string> Session::answer_all(const Json& batch) {
+    if (batch.empty()) return failure_text({}, Failure::invalid_request, "the batch is empty");
+    std::string replies;
     for (const Json& message : batch)
-        if (auto reply = answer(message, false)) replies.push_back(std::move(*reply));
-    return replies.empty() ? std::nullopt : std::optional(std::move(replies));
+        if (const auto reply = answer(message, false)) replies += (replies.empty() ? "" : ",") + *reply;
+    return replies.empty() ? std::nullopt : std::optional("[" + replies + "]");
 }
 
-std::optional<Json> Session::answer(const Json& message, bool cancelled) {
+std::optional<std::string> Session::answer(const Json& message, bool cancelled) {
     const Json& id = member(message, "id");
     const std::string method = method_of(message);
     if (method.empty()) {
         const bool reply = message.is_object() && (message.contains("result") || message.contains("error"));
         if (reply) return std::nullopt;  // to a request of ours
-        return failure_json(is_id(id) ? id : Json(), Failure::invalid_request, "the message is no request");
+        return failure_text(is_id(id) ? id : Json(), Failure::invalid_request, "the message is no request");
     }
     const bool request = message.contains("id");
     try {
@@ -78,13 +78,13 @@ std::optional<Json> Session::answer(const Json& message, bool cancelled) {
         }
         if (cancelled) throw Failure{Failure::cancelled, "the request was cancelled"};
         if (outdated(method, params)) throw Failure{Failure::content_modified, "the text has been changed since"};
-        return Json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result_of(method, params)}};
+        return fmt::format(R"({{"jsonrpc":"2.0","id":{},"result":{}}})", text_of(id), result_of(method, params));
     } catch (const Failure& failure) {
-        return request ? std::optional(failure_json(id, failure.code, failure.message)) : std::nullopt;
+        return request ? std::optional(failure_text(id, failure.code, failure.message)) : std::nullopt;
     } catch (const Json::exception& error) {
-        return request ? std::optional(failure_json(id, Failure::invalid_params, error.what())) : std::nullopt;
+        return request ? std::optional(failure_text(id, Failure::invalid_params, error.what())) : std::nullopt;
     } catch (const std::exception& error) {
-        return request ? std::optional(failure_json(id, Failure::internal_error, error.what())) : std::nullopt;
+        return request ? std::optional(failure_text(id, Failure::internal_error, error.what())) : std::nullopt;
     }
 }
 
@@ -109,15 +109,15 @@ Json Session::initialize(const Json& params) {
             {"serverInfo", {{"name", "snell"}, {"version", state_.services.version}}}};
 }
 
-Json Session::result_of(const std::string& method, const Json& params) {
-    if (method == "initialize") return initialize(params);
+std::string Session::result_of(const std::string& method, const Json& params) {
+    if (method == "initialize") return text_of(initialize(params));
     if (life_ == Life::fresh) throw Failure{Failure::not_initialized, "the server is not initialized"};
     if (life_ == Life::shut) throw Failure{Failure::invalid_request, "the server is shut down"};
     if (method == "shutdown") {
         life_ = Life::shut;
-        return nullptr;
+        return "null";
     }
-    if (const auto result = feature(state_, method, params)) return *result;
+    if (auto result = feature(state_, method, params)) return std::move(*result);
     throw Failure{Failure::method_not_found, fmt::format("there is no method '{}'", method)};
 }
 

@@ -12,7 +12,8 @@ namespace snell::server {
 
 class Session {
 public:
-    Session(Services services, std::function<void(const Json&)> send) : state_(std::move(services), std::move(send)) {}
+    Session(Services services, std::function<void(const std::string&)> send)
+        : state_(std::move(services), std::move(send)) {}
 
     // Takes a message; nothing is answered before step().
     void receive(Arrived arrived);
@@ -35,9 +36,10 @@ private:
         bool cancelled = false;  // by the editor
     };
 
-    std::optional<Json> answer(const Json& message, bool cancelled);
-    std::optional<Json> answer_all(const Json& batch);
-    Json result_of(const std::string& method, const Json& params);
+    // Answers are texts: large ones are written directly.
+    std::optional<std::string> answer(const Json& message, bool cancelled);
+    std::optional<std::string> answer_all(const Json& batch);
+    std::string result_of(const std::string& method, const Json& params);
     void heed(const std::string& method, const Json& params);
     Json initialize(const Json& params);
     bool outdated(const std::string& method, const Json& params) const;

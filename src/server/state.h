@@ -31,7 +31,7 @@ struct Failure {
 
 struct State {
     Services services;
-    std::function<void(const Json& message)> send;
+    std::function<void(const std::string& message)> send;
     Documents documents = {};
     Workspace workspace{documents};
     Encoding encoding = Encoding::utf16;
@@ -39,18 +39,19 @@ struct State {
     int asked = 0;                 // requests of ours to the editor
     std::deque<Errand> wanted = {};
 
-    State(Services given, std::function<void(const Json&)> out) : services(std::move(given)), send(std::move(out)) {}
+    State(Services given, std::function<void(const std::string&)> out)
+        : services(std::move(given)), send(std::move(out)) {}
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
     void notify(std::string_view method, Json params) {
-        send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
+        send(text_of({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
     }
     void ask(std::string_view method, Json params) {
-        send({{"jsonrpc", "2.0"},
-              {"id", "snell-" + std::to_string(++asked)},
-              {"method", method},
-              {"params", std::move(params)}});
+        send(text_of({{"jsonrpc", "2.0"},
+                      {"id", "snell-" + std::to_string(++asked)},
+                      {"method", method},
+                      {"params", std::move(params)}}));
     }
     // Throws a Failure if the text is not open.
     Document& document(const Json& params) {

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 OTHERS = {"a-b", "built-in", "depth-test", "depth-write", "point-size-mode", "cube-size", "cube-precision",
-          "x-terminal-emulator", "xdg-open"}  # dumps, knobs, programs
+          "x-terminal-emulator", "xdg-open", "utf-8"}  # dumps, knobs, programs, encodings
 
 
 def main(program, root):

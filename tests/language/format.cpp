@@ -131,6 +131,8 @@ TEST(Format, EverythingElseStays) {
         "  misspelt 1\n",
         "  \"text\"\n",
         "\xC2\xA0 Sphere 1\n",
+        "\t\xEF\xBB\xBFSphere\n",
+        "  \xFF\xFE# Sphere\n",
     };
     for (const std::string_view text : kept) EXPECT_EQ(formatted(text), text);
     EXPECT_EQ(formatted("\xEF\xBB\xBF  Sphere\r\n\tBox\r\r\n  Cone"), "\xEF\xBB\xBFSphere\r\nBox\r\r\nCone");

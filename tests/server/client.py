@@ -98,7 +98,7 @@ class Client:
         end = time.monotonic() + seconds
         while True:
             found = wanted()
-            if found is not None and found is not False:
+            if found:
                 return found
             if time.monotonic() > end:
                 raise TimeoutError("no answer")

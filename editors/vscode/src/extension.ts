@@ -29,6 +29,11 @@ async function start(): Promise<void> {
         documentSelector: selector(shaders),
         synchronize: { fileEvents: [workspace.createFileSystemWatcher('**/*.glib'), workspace.createFileSystemWatcher(shaderFiles)] },
         middleware: {
+            // The program reads files, not editors.
+            executeCommand: async (name, words, next) => {
+                await workspace.saveAll(false);
+                return next(name, words);
+            },
             window: {
                 showDocument: async (params, next) =>
                     isPicture(params)
@@ -70,7 +75,6 @@ async function lookAgain(): Promise<void> {
 async function ask(what: string): Promise<void> {
     const editor = window.activeTextEditor;
     if (!editor || !client) return;
-    await editor.document.save();
     await commands.executeCommand(what, editor.document.uri.toString(), editor.selection.active.line);
 }
 

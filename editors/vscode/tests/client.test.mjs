@@ -13,8 +13,6 @@ const manifest = require('../package.json');
 
 let editor, extension, folder, scene, shader;
 const cleanup = [];
-// The server comes with a version of its own.
-const skip = snell(['help', 'lsp']).status !== 0 && 'there is no server';
 
 async function until(what, message) {
     for (let i = 0; i < 200; ++i, await wait(50)) {
@@ -26,7 +24,6 @@ async function until(what, message) {
 const said = (document) => (editor.diagnostics.get(document.uri.toString()) ?? []).map((d) => `${d.range.start.line}:${d.range.start.character} ${d.code?.value ?? d.code}`);
 
 before(async () => {
-    if (skip) return;
     folder = scratch({ after: (what) => cleanup.push(what) });
     mkdirSync(join(folder, 'a b'));
     const at = (name) => join(folder, 'a b', name);
@@ -40,17 +37,17 @@ before(async () => {
     shader = editor.open(at('plain.frag'), 'plaintext');
 });
 after(async () => {
-    await extension?.deactivate();
+    await extension.deactivate();
     cleanup.forEach((clean) => clean());
 });
 
-test('every command of the manifest is there', { skip }, () => {
+test('every command of the manifest is there', () => {
     assert.deepEqual(editor.messages, []);
     for (const { command } of manifest.contributes.commands) assert.ok(editor.commands.has(command), command);
     for (const command of ['snell.open', 'snell.render', 'snell.cost']) assert.ok(editor.commands.has(command), command);
 });
 
-test('errors come and go while one types', { skip }, async () => {
+test('errors come and go while one types', async () => {
     await until(() => said(scene).includes('6:0 unknown-command'), 'the slip is not reported');
     editor.edit(scene, 'Spher', 'Sphere');
     await until(() => !said(scene).includes('6:0 unknown-command'), 'the slip is still reported');
@@ -60,7 +57,20 @@ test('errors come and go while one types', { skip }, async () => {
     await until(() => said(shader).length === 0, 'the shader still has an error');
 });
 
-test('formatting is that of snell format', { skip }, async () => {
+test('a quick fix corrects the slip', async () => {
+    editor.edit(scene, 'Sphere', 'Spher');
+    await until(() => said(scene).includes('6:0 unknown-command'), 'the slip is not reported');
+    const slip = editor.diagnostics.get(scene.uri.toString()).find(({ severity }) => severity === editor.vscode.DiagnosticSeverity.Error);
+    const actions = await editor.ask('CodeActions', 'provideCodeActions', scene, slip.range, { diagnostics: [slip], triggerKind: 1 });
+    const [[uri, [edit]]] = actions[0].edit.entries();
+    assert.equal(uri.toString(), scene.uri.toString());
+    assert.equal(scene.getText(edit.range), 'Spher');
+    editor.edit(scene, 'Spher', edit.newText);
+    assert.match(scene.text, /^Sphere 1/m);
+    await until(() => said(scene).length === 0, 'the slip is still reported');
+});
+
+test('formatting is that of snell format', async () => {
     const options = { tabSize: 4, insertSpaces: true };
     const edits = await editor.ask('DocumentFormattingEdit', 'provideDocumentFormattingEdits', scene, options);
     let text = scene.text;
@@ -72,7 +82,7 @@ test('formatting is that of snell format', { skip }, async () => {
     assert.deepEqual(some.map(({ range, newText }) => [range.start.line, newText]), [[6, '    ']]);
 });
 
-test('commands are completed and explained', { skip }, async () => {
+test('commands are completed and explained', async () => {
     const list = await editor.ask('CompletionItem', 'provideCompletionItems', scene, scene.find('Sphere', 3), {});
     const items = list.items ?? list;
     assert.ok(items.some(({ label }) => (label.label ?? label) === 'Sphere'));
@@ -80,7 +90,7 @@ test('commands are completed and explained', { skip }, async () => {
     assert.match(JSON.stringify(hover.contents), /poles on Y/);
 });
 
-test('a uniform is found and renamed in the scene and its shader', { skip }, async () => {
+test('a uniform is found and renamed in the scene and its shader', async () => {
     const place = await editor.ask('Definition', 'provideDefinition', scene, scene.find('uShine', 1));
     assert.equal([place].flat()[0].uri.toString(), shader.uri.toString());
     const places = await editor.ask('Reference', 'provideReferences', scene, scene.find('uShine', 1), { includeDeclaration: true });
@@ -89,7 +99,18 @@ test('a uniform is found and renamed in the scene and its shader', { skip }, asy
     assert.deepEqual(edit.entries().map(([uri, edits]) => [uri.toString(), edits.length]).sort(), [[shader.uri.toString(), 2], [scene.uri.toString(), 1]].sort());
 });
 
-test('a scene is rendered next to the text', { skip }, async () => {
+test('above statements stand the commands', async () => {
+    const lenses = await editor.ask('CodeLens', 'provideCodeLenses', scene);
+    const commands = new Set(lenses.map(({ command }) => command.command));
+    assert.deepEqual([...commands].sort(), ['snell.cost', 'snell.open', 'snell.render']);
+});
+
+test('a scene is rendered next to the text', async () => {
     await editor.commands.get('snell.renderScene')();
     await until(() => editor.opened.some((uri) => uri.endsWith('.png')), 'no picture is shown');
+});
+
+test('the cost of a scene is told', async () => {
+    await editor.commands.get('snell.sceneCost')();
+    await until(() => editor.messages.some((message) => /A frame takes .* ms/.test(message)), 'no cost is told');
 });

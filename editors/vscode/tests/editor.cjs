@@ -178,6 +178,7 @@ function createEditor(folder, settings, findFiles) {
             workspaceFolders, textDocuments: editor.documents, notebookDocuments: [], isTrusted: true, fs: {},
             getConfiguration: () => configuration, createFileSystemWatcher: watcher, findFiles,
             getWorkspaceFolder: (uri) => (uri.fsPath.startsWith(`${folder}/`) ? workspaceFolders[0] : undefined),
+            saveAll: async () => (await Promise.all(editor.documents.map((document) => document.save()))).every(Boolean),
             asRelativePath: (path) => String(path), applyEdit: async () => true,
         },
         languages: {

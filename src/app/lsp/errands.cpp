@@ -126,7 +126,7 @@ std::string costs(const Json& report, int line) {
 }
 
 server::Outcome cost(const std::string& scene, int line) {
-    const Said said = said_by({"explain", scene, "--json"}, false);
+    const Said said = said_by({"explain", scene, "--json", "--timeout", "6", "--reps", "7"}, false);
     const Json report = content::parse_json(said.output);
     if (!report.is_object()) return failed("The scene was not drawn: its errors come first.");
     return {{}, costs(report, line), false};
