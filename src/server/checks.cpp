@@ -1,6 +1,6 @@
 #include "src/server/checks.h"
 
-#include <set>
+#include <utility>
 
 #include "parser/text/ranges.h"
 #include "src/server/published.h"
@@ -59,6 +59,8 @@ Scene* Checks::current() const {
 Clock::time_point Checks::due() const { return background_.busy() ? background_.deadline() : next().at; }
 
 void Checks::go_on() {
+    // What was said of scenes that are closed is taken back.
+    if (const std::size_t open = state_.workspace.scenes().size(); std::exchange(open_, open) > open) publish();
     if (background_.busy()) {
         const Scene* scene = current();
         const Next waiting = next();

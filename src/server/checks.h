@@ -36,6 +36,7 @@ private:
     std::string path_;  // of the scene that is being checked
     bool driver_ = false;
     Clock::time_point began_;
+    std::size_t open_ = 0;              // scenes
     std::map<std::string, Json> sent_;  // by URI: the params of the last publication
 };
 

@@ -102,6 +102,7 @@ Json Session::initialize(const Json& params) {
     if (life_ != Life::fresh) throw Failure{Failure::invalid_request, "the server is initialized already"};
     if (!params.is_object()) throw Failure{Failure::invalid_params, "initialize has no params"};
     state_.client = member(params, "capabilities");
+    if (member(member(params, "initializationOptions"), "driver") == false) state_.services.driver = nullptr;
     const Json& encodings = member(member(state_.client, "general"), "positionEncodings");
     state_.encoding = chosen_encoding(encodings);
     life_ = Life::running;

@@ -89,6 +89,11 @@ TEST(Format, CommentsAreIndentedLikeWhatTheyAreIn) {
                   "window\nRenderToTexture\n"),
         "RenderToTexture 5\n    Box\n    # in the first\n\n# the second\n# pass\nRenderToTexture 6\n    Box\n# the "
         "window\nRenderToTexture\n");
+    EXPECT_EQ(
+        formatted(
+            "PushMatrix\r\nBox\r\n  # a\r\n# b\r\nRenderToTexture 5\r\nBox\r\n# c\r\nRenderToTexture\r\nPopMatrix\r\n"),
+        "PushMatrix\r\n    Box\r\n    # a\r\n    # b\r\n    RenderToTexture 5\r\n        Box\r\n    # c\r\n    "
+        "RenderToTexture\r\nPopMatrix\r\n");
 }
 
 TEST(Format, ContinuedLinesBeginBelowTheFirstArgument) {
@@ -96,6 +101,7 @@ TEST(Format, ContinuedLinesBeginBelowTheFirstArgument) {
               "Program Glass uRoom 6 \\\n        uIndex <1. 1.5 2.> \\\n        uMix 1 # mixed\n");
     EXPECT_EQ(formatted("PushMatrix\nProgram\tGlass \\\nuA 1\nPopMatrix\n"),
               "PushMatrix\n    Program\tGlass \\\n                uA 1\nPopMatrix\n");
+    EXPECT_EQ(formatted("Program A \\\r\nuB 1"), "Program A \\\r\n        uB 1");
     // Below nothing: four more than the statement.
     EXPECT_EQ(formatted("Sphere \\\n1 \\\n# half\n20\n"), "Sphere \\\n    1 \\\n    # half\n    20\n");
     EXPECT_EQ(formatted("Program A uC {1 \\\n0 \\\n0} \\\nuD 2\n"),
@@ -108,6 +114,8 @@ TEST(Format, ContinuedLinesBeginBelowTheFirstArgument) {
 TEST(Format, BackslashesBelowEachOtherStaySo) {
     EXPECT_EQ(formatted("Program A      \\\n uA 1          \\\n uLonger 2     \\\n uB 3\n"),
               "Program A         \\\n        uA 1      \\\n        uLonger 2 \\\n        uB 3\n");
+    EXPECT_EQ(formatted("Program A      \\\n uLonger 2     \\\n uA 1          \\\n uB 3\n"),
+              "Program A         \\\n        uLonger 2 \\\n        uA 1      \\\n        uB 3\n");
     // Here they do not.
     EXPECT_EQ(formatted("Program A uA 1   \\\n uLong 2        \\\n uB 3\n"),
               "Program A uA 1   \\\n        uLong 2        \\\n        uB 3\n");

@@ -146,6 +146,7 @@ TEST(Names, RefusedRenames) {
     EXPECT_NE(refused("#define J(a) u ## a\nuniform float u@X;\nvoid main() { J(X); }"), "");
     EXPECT_NE(refused("#include <snell/fresnel.glsl>\nvoid main() { snellFresnel@Exact(1., 1., 1.); }"), "");
     EXPECT_NE(refused("void main() { bl@ah; }"), "");
+    EXPECT_NE(refused("float rou@nd(float x) { return x; }\nvoid main() { round(vec3(1.)); }"), "");
     EXPECT_EQ(refused("uniform float u@X; void main() { uX; }"), "");
     const Editor vertices(
         "Vertex b.vert\nProgram A\n",

@@ -43,7 +43,12 @@ TEST(CompleteScene, FilesAreThoseThatTheArgumentTakesAsTheyAreOnDisk) {
                                                    {"ball.obj", ""}};
     EXPECT_EQ(labels(Editor("Fragment @", files).completions()), (std::vector<std::string>{"Glass.FRAG", "more/"}));
     EXPECT_EQ(labels(Editor("Fragment gl@", files).completions()), (std::vector<std::string>{"Glass.FRAG", "more/"}));
-    EXPECT_EQ(inserted(Editor("Fragment more/@", files).completions(), "x.frag"), "more/x.frag");
+    EXPECT_EQ(completed(Editor("Fragment more/@\n", files), "x.frag"), "Fragment more/x.frag\n");
+    EXPECT_EQ(completed(Editor("Texture2D 5 w@\n", files), "with blank.png"), "Texture2D 5 \"with blank.png\"\n");
+    EXPECT_EQ(completed(Editor("Texture2D 5 \"w@\n", files), "with blank.png"), "Texture2D 5 \"with blank.png\"\n");
+    EXPECT_EQ(completed(Editor("Texture2D 5 \"w@x\" raw\n", files), "with blank.png"),
+              "Texture2D 5 \"with blank.png\" raw\n");
+    EXPECT_EQ(completed(Editor("Fragment \"more/@\"\n", files), "x.frag"), "Fragment \"more/x.frag\"\n");
     const auto images = Editor("Texture2D 5 @", files).completions();
     EXPECT_EQ(inserted(images, "Stripes.bmp"), "Stripes.bmp");
     EXPECT_EQ(inserted(images, "with blank.png"), "\"with blank.png\"");

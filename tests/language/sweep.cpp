@@ -6,6 +6,7 @@
 
 #include "tests/language/help.h"
 #include "tests/sanitized.h"
+#include "tests/torture/mutate.h"
 
 namespace snell::language {
 namespace {
@@ -117,8 +118,8 @@ TEST(LanguageSweep, ManyPlaces) {
         for (const Shader& shader : project.shaders) files.push_back(shader.file);
         for (const FileId file : files) {
             const auto size = static_cast<std::uint32_t>(project.sources.text(file).size());
-            for (std::uint32_t at = next % 97; at <= size; at += size < 200 ? 1 : 397) sweep.at(file, at);
-            for (std::uint32_t at = next % 97; at <= size; at += size < 200 ? 7 : 1511) sweep.names_at(file, at);
+            for (std::uint32_t at = next % 97; at <= size; at += size < 200 ? 3 : 2003) sweep.at(file, at);
+            for (std::uint32_t at = next % 97; at <= size; at += size < 200 ? 17 : 6007) sweep.names_at(file, at);
             ++next;
         }
         if (testing::Test::HasFatalFailure()) return;
@@ -129,7 +130,7 @@ TEST(LanguageSweep, CutOffTexts) {
     const Scratch scratch;
     const std::string scene = bytes_of("scenes/light/glass/glass.glib");
     const std::string shader = bytes_of("scenes/light/glass/glass.frag");
-    for (std::size_t cut = 0; cut < std::max(scene.size(), shader.size()); cut += 131) {
+    for (std::size_t cut = 0; cut < std::max(scene.size(), shader.size()); cut += 263) {
         SCOPED_TRACE(cut);
         scratch.write("glass.frag", shader.substr(0, cut));
         const bool whole = cut > scene.size();
@@ -152,14 +153,70 @@ TEST(LanguageSweep, CutOffTexts) {
 }
 
 // Of the processor, which other programs share.
-double milliseconds(const std::function<void()>& work) {
+double milliseconds(const std::function<void()>& work, int runs = 3) {
     double best = 1e9;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < runs; ++i) {
         const std::clock_t start = std::clock();
         work();
         best = std::min(best, 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     }
     return best;
+}
+
+TEST(LanguageSweep, DamagedTexts) {
+    const Scratch scratch;
+    torture::Random random(7);
+    torture::Dictionary dictionary;
+    const std::string scene = bytes_of("scenes/light/workshop/workshop.glib");
+    const std::string shader = bytes_of("scenes/light/workshop/things.frag");
+    torture::learn(dictionary, torture::Language::scene, scene);
+    torture::learn(dictionary, torture::Language::shader, shader);
+    const std::string begin = "Vertex a.vert\nFragment a.frag\nProgram Damaged uKa <0. .2 1.>\n";
+    scratch.write("a.vert", vertex);
+    for (int round = 0; round < 20; ++round) {
+        SCOPED_TRACE(round);
+        std::string damaged_scene = scene, damaged_shader = shader;
+        for (int i = 0; i <= round % 5; ++i) {
+            torture::damage(damaged_scene, torture::Language::scene, dictionary, random);
+            torture::damage(damaged_shader, torture::Language::shader, dictionary, random);
+        }
+        scratch.write("a.frag", damaged_shader);
+        const Project project = read_project(scratch.write("a.glib", begin + damaged_scene), {}, Depth::plan);
+        const Sweep sweep(project);
+        std::vector<FileId> files{project.scene_file};
+        for (const Shader& one : project.shaders) files.push_back(one.file);
+        for (const FileId file : files) {
+            sweep.whole(file);
+            const std::size_t size = project.sources.text(file).size();
+            for (int i = 0; i < 4; ++i) {
+                const auto at = static_cast<std::uint32_t>(torture::below(random, size + 1));
+                sweep.at(file, at);
+                sweep.names_at(file, at);
+            }
+        }
+        if (testing::Test::HasFatalFailure()) return;
+    }
+}
+
+// Texts that make careless readers take the square of their length.
+TEST(LanguageSweep, OddTextsTakeNoLongerThanOthers) {
+    for (const std::string part :
+         {"a]", "{", "in a{", "(", "x.", "#if\n", "struct s{", "for(", "float x;{", "layout(", "/*/", "a,"}) {
+        std::string text = "uniform float uKa;\nvoid main() {\n";
+        while (text.size() < 60'000) text += part;
+        const Editor editor("Fragment a.frag\nProgram A uKa 1.\n", {{"a.frag", text}});
+        const Project& project = editor.project();
+        const FileId file = editor.file("a.frag");
+        const auto end = static_cast<std::uint32_t>(text.size());
+        const auto ask = [&] {
+            completions(project, file, end);
+            semantic_tokens(project, file);
+            symbols(project, file);
+            folds(project, file);
+        };
+        const double took = milliseconds(ask, 1);
+        EXPECT_LT(took, 400 * patience) << part;
+    }
 }
 
 TEST(LanguageSweep, LongTextsAreAnsweredSoon) {

@@ -24,7 +24,7 @@ def frame(message):
 
 
 class Client:
-    def __init__(self, program, capabilities=None, initialize=True, environment=None):
+    def __init__(self, program, capabilities=None, initialize=True, environment=None, driver=True):
         self.process = subprocess.Popen([program, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.DEVNULL, env={**os.environ, **(environment or {})})
         self.messages = queue.Queue()
@@ -37,7 +37,8 @@ class Client:
         threading.Thread(target=self._read, daemon=True).start()
         if initialize:
             self.server = self.request("initialize", {"processId": os.getpid(), "rootUri": None,
-                                                      "capabilities": capabilities or {}})
+                                                      "capabilities": capabilities or {},
+                                                      "initializationOptions": {"driver": driver}})
             self.notify("initialized", {})
 
     def _read(self):
@@ -107,8 +108,10 @@ class Client:
     def answer(self, id, seconds=30):
         return self.wait_for(lambda: self.waiting.pop(id, None), seconds)
 
-    def request(self, method, params, seconds=30):
+    def request(self, method, params, seconds=30, fails=False):
         reply = self.answer(self.begin(method, params), seconds)
+        if "error" in reply and fails:
+            return None
         if "error" in reply:
             raise RuntimeError(reply["error"])
         return reply["result"]

@@ -68,8 +68,7 @@ void add_uniforms(Candidates& found, Reading& reading, std::string_view end) {
         const glsl::Translation translation =
             glsl::translate(planned.stages, reading.sources, options, reading.unheard);
         for (const glsl::DeclaredUniform& uniform : translation.declared)
-            if (!set_by_snell(program, uniform.name, uniform.glsl_type))
-                add(program, uniform.name, uniform.glsl_type);
+            if (!set_by_snell(program, uniform.name, uniform.glsl_type)) add(program, uniform.name, uniform.glsl_type);
     }
 }
 

@@ -1,4 +1,6 @@
 // What is written at a place of a scene or a shader.
+#include <algorithm>
+
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/glsl/read/words.h"
@@ -114,6 +116,7 @@ Named in_scene(Texts& texts, FileId file, std::uint32_t offset) {
 }  // namespace
 
 Named named_at(Texts& texts, FileId file, std::uint32_t offset) {
+    offset = std::min(offset, static_cast<std::uint32_t>(texts.project.sources.text(file).size()));
     return texts.is_scene(file) ? in_scene(texts, file, offset) : in_shader(texts, file, offset);
 }
 

@@ -128,6 +128,8 @@ private:
     std::string refused_global() {
         if (set_by_snell(named_.name) && !has(Kind::function)) return fmt::format("snell sets '{}'", named_.name);
         if (named_.name == "main") return "every shader starts at 'main'";
+        if (glsl::is_language_word(named_.name))
+            return fmt::format("calls of '{}' may mean the function of GLSL", named_.name);
         bool macro = false, other = false;
         for (const FileId file : files_) {
             const Outline& outline = texts_.outline(file);

@@ -19,17 +19,15 @@ bool has_extension(std::string_view name, std::span<const std::string_view> exte
     });
 }
 
-// Quotes are for names that would be several words.
-std::string as_argument(const std::string& name, bool quoted) {
-    const bool needs =
-        name.find_first_of(" \t#;,<>[]{}\"") != std::string::npos || name.find("//") != std::string::npos;
-    return needs && !quoted ? "\"" + name + "\"" : name;
+// Whether a scene writes the name in quotes, so that it is not several words.
+bool needs_quotes(const std::string& name) {
+    return name.find_first_of(" \t#;,<>[]{}\"") != std::string::npos || name.find("//") != std::string::npos;
 }
 
 }  // namespace
 
 std::vector<Completion> file_completions(std::string_view folder, std::string_view written, Span replaced,
-                                         std::span<const std::string_view> extensions) {
+                                         std::span<const std::string_view> extensions, Quotes quotes) {
     namespace fs = std::filesystem;
     std::vector<Completion> found;
     const bool quoted = written.starts_with('"');
@@ -51,11 +49,14 @@ std::vector<Completion> file_completions(std::string_view folder, std::string_vi
         Completion one;
         one.kind = is_folder ? Completion::Kind::folder : Completion::Kind::file;
         one.label = is_folder ? name + "/" : name;
-        // Where the names before it stay, only the last one is replaced.
+        // The folders before it stay, so that editors compare its name with what is written of it.
         one.replaced = replaced;
-        one.text = as_argument(std::string(parent) + one.label, quoted);
-        if (quoted) one.text.insert(0, "\"");
-        if (quoted && !is_folder) one.text += '"';
+        one.replaced.begin += static_cast<std::uint32_t>(parent.size() + (quoted ? 1 : 0));
+        one.text = quoted && !is_folder && quotes == Quotes::added ? one.label + '"' : one.label;
+        if (!quoted && quotes == Quotes::added && needs_quotes(one.label)) {
+            one.replaced = replaced;
+            one.text = "\"" + std::string(parent) + one.label + (is_folder ? "" : "\"");
+        }
         one.rank = is_folder ? 2 : 1;
         one.more = is_folder;
         found.push_back(std::move(one));

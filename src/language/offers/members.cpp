@@ -69,9 +69,10 @@ std::size_t name_before(const Outline& outline, std::size_t point) {
 
 }  // namespace
 
-std::string type_of_name(Texts& texts, FileId file, std::size_t token, Stage stage) {
+std::string type_of_name(Texts& texts, FileId file, std::size_t token, Stage stage, int depth) {
     const Outline& outline = texts.outline(file);
-    if (token >= outline.tokens.size()) return {};
+    constexpr int most_members = 32;  // a.b.c…
+    if (token >= outline.tokens.size() || depth > most_members) return {};
     const ShaderToken& name = outline.tokens[token];
     const std::string_view word = outline.word(name);
     if (name.role == Role::local)
@@ -79,7 +80,7 @@ std::string type_of_name(Texts& texts, FileId file, std::size_t token, Stage sta
     if (name.role == Role::member) {
         std::string type;
         const std::size_t whole = token >= 2 ? name_before(outline, token - 1) : outline.tokens.size();
-        const std::string owner = type_of_name(texts, file, whole, stage);
+        const std::string owner = type_of_name(texts, file, whole, stage, depth + 1);
         for_members(texts, file, owner, [&](const ShaderDeclaration& d) {
             if (d.name == word) type = element_of(d.type);
         });

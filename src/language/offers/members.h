@@ -16,6 +16,6 @@ struct MemberOffer {
 std::vector<MemberOffer> members_before(Texts& texts, FileId file, std::size_t point, Stage stage);
 
 // The type of the variable or member that the token names, without dimensions; empty if it is not known.
-std::string type_of_name(Texts& texts, FileId file, std::size_t token, Stage stage);
+std::string type_of_name(Texts& texts, FileId file, std::size_t token, Stage stage, int depth = 0);
 
 }  // namespace snell::language

@@ -19,9 +19,11 @@ std::optional<Hover> shader_hover(Texts& texts, FileId file, std::uint32_t offse
 std::optional<SignatureHelp> scene_signature(Texts& texts, FileId file, std::uint32_t offset);
 std::optional<SignatureHelp> shader_signature(Texts& texts, FileId file, std::uint32_t offset);
 
+// Of names with blanks: as they are, in quotes, or within quotes whose end is written already.
+enum class Quotes : std::uint8_t { never, added, closed };
 // The files and folders that `written`, the beginning of a name, may go on with; `extensions` without their points.
 std::vector<Completion> file_completions(std::string_view folder, std::string_view written, Span replaced,
-                                         std::span<const std::string_view> extensions);
+                                         std::span<const std::string_view> extensions, Quotes quotes);
 
 // "Rotate angle x=0 y=0 z=0": an alternative with its parameters.
 Signature command_signature(const Command& command, std::size_t alternative);

@@ -160,7 +160,9 @@ private:
         const std::string_view written =
             token == nullptr ? std::string_view() : s_.text.substr(token->begin, offset - token->begin);
         const std::vector<std::string_view> wanted = extensions();
-        for (Completion& one : file_completions(folder_of(texts_.project.path_of(s_.file)), written, replaced_, wanted))
+        const bool closed = token != nullptr && token->kind == TokenKind::text && !token->unclosed;
+        for (Completion& one : file_completions(folder_of(texts_.project.path_of(s_.file)), written, replaced_, wanted,
+                                                closed ? Quotes::closed : Quotes::added))
             found_.push_back(std::move(one));
     }
 
@@ -289,7 +291,9 @@ std::vector<Completion> scene_completions(Texts& texts, FileId file, std::uint32
                              token->kind == TokenKind::close || token->kind == TokenKind::comma))
         token = nullptr;
     if (token != nullptr && token->kind == TokenKind::text && token->end == offset && !token->unclosed) return {};
-    const Span replaced = token != nullptr ? s.span(*token) : Span{file, offset, offset};
+    Span replaced = token != nullptr ? s.span(*token) : Span{file, offset, offset};
+    if (token != nullptr && token->kind == TokenKind::text && !token->unclosed)
+        replaced.end = std::max(offset, replaced.end - 1);
     const SceneStatement* statement = s.at_statement(offset);
     if (statement == nullptr) return command_completions(replaced);
     const std::span<const Token> tokens = s.tokens_of(*statement);

@@ -134,12 +134,9 @@ private:
         const std::string_view path = texts_.project.path_of(file_);
         const std::size_t slash = path.find_last_of('/');
         constexpr std::array<std::string_view, 3> extensions{"glsl", "inc", "h"};
-        std::vector<Completion> files = file_completions(
-            slash == std::string_view::npos ? "" : path.substr(0, slash + 1),
-            o_.text.substr(directive.name_begin, offset_ - directive.name_begin), replaced_, extensions);
-        for (Completion& one : files)  // the quotes are there
-            if (one.text.starts_with('"')) one.text = one.text.substr(1, one.text.size() - 2);
-        return files;
+        return file_completions(slash == std::string_view::npos ? "" : path.substr(0, slash + 1),
+                                o_.text.substr(directive.name_begin, offset_ - directive.name_begin), replaced_,
+                                extensions, Quotes::never);
     }
 
     // ---- names

@@ -5,7 +5,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/glsl/read/words.h"
-#include "src/language/shader/scopes.h"
+#include "src/language/shader/resolver.h"
 
 namespace snell::language {
 

@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""Every quick fix that is offered on broken scenes is applied: none makes the number of errors larger, and each makes the
+diagnostic go that it is for.
+
+usage: actions.py SNELL
+"""
+import glob
+import os
+import pathlib
+import sys
+import tempfile
+
+from client import Client, path_of
+
+# What else people write, by name: files, of which scene.glib is open, and how many fixes there must be at least.
+VERTEX = "varying vec3 vN;\nvoid main() {\n    vN = gl_Normal;\n    gl_Position = ftransform();\n}\n"
+FRAGMENT = "uniform float uKa;\nvarying vec3 vN;\nvoid main() {\n    gl_FragColor = vec4(uKa * vN, 1.);\n}\n"
+SCENE = "Vertex a.vert\nFragment a.frag\nProgram P uKa <0. .5 1.>\nSphere 1\n"
+
+
+def case(scene=SCENE, vertex=VERTEX, fragment=FRAGMENT, fixes=1, encoding="utf-8", **more):
+    files = {"scene.glib": scene, "a.vert": vertex, "a.frag": fragment, **more}
+    return {name: text.encode(encoding) for name, text in files.items()}, fixes
+
+
+OWN = {
+    "command": case("Spher 1\n"),
+    "command, Windows": case("Perspectiv 50\r\nSphere 1\r\nTorsu 1 .5\r\n", fixes=2),
+    "command, wide characters": case("# 😀 漢字\n/* é😀 */\nSpher 1 # 😀\n"),
+    "command after a mark of UTF-8": case("\ufeffSpher 1\n"),
+    "primitive": case("glBegin gl_triangel\nglVertex 0. 0. 0.\nglVertex 1. 0. 0.\nglVertex 0. 1. 0.\nglEnd\n"),
+    "choice": case("CullFace bakc\nSphere 1\n"),
+    "backslash": case(SCENE.replace(" uKa", "\n    uKa")),
+    "backslashes": case(SCENE.replace("uKa <0. .5 1.>", "\n  uKa <0. .5 1.>\n  uKb 1."), fragment=FRAGMENT.replace(
+        "uniform", "uniform float uKb;\nuniform", 1).replace("uKa *", "uKa * uKb *")),
+    "backslash, Windows": case(SCENE.replace(" uKa", "\n    uKa").replace("\n", "\r\n")),
+    "backslash before a comment": case(SCENE.replace(" uKa", "  # a remark\n    uKa"), fixes=0),
+    "range, maximum before the value": case(SCENE.replace("<0. .5 1.>", "<0. 1. .5>")),
+    "range, value first": case(SCENE.replace("<0. .5 1.>", "<.5 0. 1.>"), fixes=0),
+    "range of whole numbers": case(SCENE.replace("<0. .5 1.>", "<0 10 5>")),
+    "uniform": case(SCENE.replace("uKa", "uKaa")),
+    "uniform of another case": case(SCENE.replace("uKa", "uka")),
+    "file of another case": case(SCENE.replace("a.vert", "A.vert")),
+    "file with another extension": case(SCENE.replace("a.frag", "a.fragment"), fixes=0),
+    "file without extension": case(SCENE.replace("a.frag", "a")),
+    "file": case(SCENE.replace("phong.frag", "phon.frag").replace("a.frag", "phon.frag"), **{"phong.frag": FRAGMENT}),
+    "file in quotes": case(SCENE.replace("a.frag", '"my shadr.frag"'), **{"my shader.frag": FRAGMENT}),
+    "file twice": case(SCENE.replace("a.vert", "A.vert") * 2, fixes=1),
+    "include": case("Include comon.inc\nSphere 1\n", **{"common.inc": "Perspective 50\n"}),
+    "mesh": case("Obj Ball.obj\n", **{"ball.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}),
+    "picture": case("Texture2D 5 Image.bmp\nSphere 1\n", **{"image.bmp": "BM"}, fixes=0),
+    "shader: uniform": case(fragment=FRAGMENT.replace("uKa *", "uKaa *")),
+    "shader: function": case(fragment=FRAGMENT.replace("uKa *", "normalise(vN).x *")),
+    "shader: type": case(fragment=FRAGMENT.replace("uniform float", "uniform flaot")),
+    "shader: semicolon": case(vertex=VERTEX.replace("gl_Normal;", "gl_Normal")),
+    "shader: parenthesis": case(fragment=FRAGMENT.replace("1.);", "1.;")),
+    "shader: main": case(fragment=FRAGMENT.replace("main", "mian")),
+    "shader: macro": case(fragment="#define HALF .5;\n" + FRAGMENT.replace("uKa *", "uKa * HALF *")),
+    "shader, Windows": case(vertex=VERTEX.replace("gl_Normal;", "gl_Normal").replace("\n", "\r\n")),
+    "many": case("Spher 1\nBoxx 1 1 1\nTorsu 1 .5\nCylindr 1 1\nPerspectiv 50\n", fixes=5),
+}
+
+
+def errors(client):
+    return sum(d["severity"] == 1 for p in client.published.values() for d in p["diagnostics"])
+
+
+def every(client):
+    return [(uri, d) for uri, p in client.published.items() for d in p["diagnostics"]]
+
+
+def alike(client, one):
+    return sum(d["code"] == one["code"] and d["message"] == one["message"] for _, d in every(client)) + sum(
+        len(d.get("relatedInformation", [])) for _, d in every(client)
+        if d["code"] == one["code"] and d["message"] == one["message"])
+
+
+def offset(text, place):
+    """The index of a place in the text, whose columns are of UTF-16."""
+    lines = text.replace("\r\n", "\n\0").replace("\r", "\n").split("\n")
+    at = sum(len(line) + 1 for line in lines[:place["line"]])
+    line = lines[place["line"]] if place["line"] < len(lines) else ""
+    skip = 1 if line.startswith("\0") else 0
+    column, i = 0, skip
+    while i < len(line) and column < place["character"]:
+        column += 2 if ord(line[i]) > 0xFFFF else 1
+        i += 1
+    return at + i
+
+
+def applied(text, edits):
+    for edit in sorted(edits, key=lambda e: offset(text, e["range"]["start"]), reverse=True):
+        begin, end = (offset(text, edit["range"][side]) for side in ("start", "end"))
+        text = text[:begin] + edit["newText"] + text[end:]
+    return text
+
+
+class Scene:
+    """A scene that is open with all its texts."""
+
+    def __init__(self, client, folder, driver):
+        self.client, self.driver, self.version, self.uris = client, driver, 1, []
+        for path in sorted(glob.glob(folder + "/*"), key=lambda p: not p.endswith("scene.glib")):
+            if path.endswith((".glib", ".vert", ".frag", ".inc")):
+                self.uris.append(client.open(path))
+        self.versions = {uri: 1 for uri in self.uris}
+        self.texts = {uri: pathlib.Path(path_of(uri)).read_bytes().decode("utf-8", "replace") for uri in self.uris}
+
+    def settle(self):
+        if self.driver:
+            return self.client.rest(1.5)  # until the driver has spoken
+        self.client.wait_for(lambda: all(
+            self.client.published.get(uri, {}).get("version") == self.versions[uri] for uri in self.uris
+            if uri in self.client.published or uri == self.uris[0]))
+
+    def change(self, texts):
+        self.version += 1
+        for uri, text in texts.items():
+            self.versions[uri] = self.version
+            self.client.change(uri, self.version, [{"text": text}])
+        self.settle()
+
+    def close(self):
+        for uri in self.uris:
+            self.client.close(uri)
+        self.client.request("textDocument/none", {}, fails=True)
+        self.client.published.clear()
+
+    def actions(self):
+        found = []
+        for uri, d in every(self.client):
+            if uri not in self.texts:
+                continue
+            for action in self.client.request("textDocument/codeAction", {
+                    "textDocument": {"uri": uri}, "range": d["range"], "context": {"diagnostics": [d]}}):
+                if action not in found:
+                    found.append(action)
+        return found
+
+
+def try_all(client, name, folder, least, driver):
+    scene = Scene(client, folder, driver)
+    scene.settle()
+    actions, wrong = scene.actions(), []
+    if len(actions) < least:
+        wrong.append(f"{name}: {len(actions)} fixes instead of {least}: {every(client)}")
+    for action in actions:
+        before, one = errors(client), action["diagnostics"][0]
+        count = alike(client, one)
+        now = {uri: applied(scene.texts[uri], edits) for uri, edits in action["edit"]["changes"].items()}
+        ends = [text.count("\r\n") for text in now.values()]
+        if ends != [scene.texts[uri].count("\r\n") for uri in now]:
+            wrong.append(f"{name}: {action['title']}: line ends differ")
+        scene.change(now)
+        if errors(client) > before:
+            wrong.append(f"{name}: {action['title']}: {errors(client)} errors instead of {before}: {every(client)}")
+        if alike(client, one) >= count:
+            wrong.append(f"{name}: {action['title']}: it stays: {one['message']}")
+        scene.change({uri: scene.texts[uri] for uri in now})
+    scene.close()
+    return len(actions), wrong
+
+
+def main(snell):
+    clients = {driver: Client(snell, driver=driver) for driver in (False, True)}
+    scenes, fixes, wrong = 0, 0, []
+    with tempfile.TemporaryDirectory() as top:
+        def one(name, files, least):
+            nonlocal scenes, fixes, wrong
+            folder = os.path.join(top, str(scenes))
+            os.mkdir(folder)
+            for file, text in files.items():
+                pathlib.Path(folder, file).write_bytes(text)
+            driver = name.startswith("shader")
+            count, more = try_all(clients[driver], name, folder, least, driver)
+            scenes, fixes, wrong = scenes + 1, fixes + count, wrong + more
+            for line in more:
+                print(line, flush=True)
+        for name, (files, least) in OWN.items():
+            one(name, files, least)
+        for path in sorted(glob.glob("tests/bad/*.glib") + glob.glob("tests/odd/*.glib")):
+            one(path, {"scene.glib": pathlib.Path(path).read_bytes()}, 0)
+    print(f"{fixes} fixes of {scenes} scenes")
+    return 1 if wrong or any(client.end() != 0 for client in clients.values()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(os.path.abspath(sys.argv[1])))
