@@ -74,9 +74,8 @@ std::string without_effect_text(const ExplainReport& report) {
     for (const WithoutEffect::Row& row : found.rows) {
         text += fmt::format("  {:<61}{:>10}{:>11}\n", row.what, milliseconds(chosen(row.frame, report)),
                             bytes_text(static_cast<std::uint64_t>(std::max<std::int64_t>(row.gpu_bytes, 0))));
-        text +=
-            fmt::format("      {}: found rung {}{}\n", row.place, row.rung,
-                        row.load_ms.value_or(0) > 0 ? fmt::format(", {:.3g} ms of loading", *row.load_ms) : "");
+        text += fmt::format("      {}: found rung {}{}\n", row.place, row.rung,
+                            row.load_ms.value_or(0) > 0 ? fmt::format(", {:.3g} ms of loading", *row.load_ms) : "");
     }
     text += found.tried == 0
                 ? "  nothing can be left out\n\n"
