@@ -86,10 +86,10 @@ public:
         for (std::size_t changed = 1; changed > 0;) changed = pass_uses_on();
     }
 
-    void translate(Known* known) {
+    void translate() {
         const std::vector<glsl::Options> options = options_of(project_.plan, shader_includes(*project_.files));
         for (Index program = 0; program < project_.plan.programs.size(); ++program)
-            project_.translations.push_back(translate_program(project_, program, options[program], known));
+            project_.translations.push_back(translate_program(project_, program, options[program]));
         report_values(project_);
         report_lints();
     }
@@ -191,13 +191,13 @@ Diagnostics without_others(const Diagnostics& all) {
 
 }  // namespace
 
-Project read_project(const std::string& scene_path, const Access& access, Depth depth, Known* known) {
+Project read_project(const std::string& scene_path, const Access& access, Depth depth) {
     Project project;
     project.path = scene_path;
     Reader reader(project, access);
     reader.read_scene();
     reader.list_shaders();
-    if (depth == Depth::translated) reader.translate(known);
+    if (depth == Depth::translated) reader.translate();
     project.diagnostics.sort();
     return project;
 }
@@ -211,7 +211,7 @@ Project read_shader(const std::string& shader_path, const Access& access, Depth 
     const std::optional<Stage> stage = stage_of(shader_path, text);
     reader.read_alone(std::move(text), stage);
     reader.list_shaders();
-    if (depth == Depth::translated) reader.translate(nullptr);
+    if (depth == Depth::translated) reader.translate();
     project.diagnostics = without_others(project.diagnostics);
     project.diagnostics.sort();
     return project;

@@ -60,12 +60,8 @@ enum class Depth : std::uint8_t {
     translated  // with `translations`, lints and all diagnostics
 };
 
-// What was translated before, so that programs whose texts are as they were are not translated again.
-class Known;
-
 // Reads a scene. Never throws; if the scene cannot be read, `diagnostics` says why, and `plan` is empty.
-Project read_project(const std::string& scene_path, const Access& access, Depth depth = Depth::translated,
-                     Known* known = nullptr);
+Project read_project(const std::string& scene_path, const Access& access, Depth depth = Depth::translated);
 // Reads a shader as a program of itself; its stage goes by its extension and its text.
 Project read_shader(const std::string& shader_path, const Access& access, Depth depth = Depth::translated);
 

@@ -34,7 +34,7 @@ std::vector<glsl::Options> options_of(const Plan& plan, const glsl::IncludeReade
     return all;
 }
 
-glsl::Translation translate_program(Project& project, Index program, const glsl::Options& options, Known*) {
+glsl::Translation translate_program(Project& project, Index program, const glsl::Options& options) {
     const PlannedProgram& planned = project.plan.programs[program];
     if (!planned.readable || planned.stages.empty()) return {};
     return glsl::translate(planned.stages, project.sources, options, project.diagnostics);

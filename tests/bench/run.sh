@@ -27,7 +27,7 @@ if [ "$mode" != quick ] && command -v valgrind >/dev/null; then
   done
 fi
 slow=0
-python3 tests/bench/lsp.py "$bin/snell" "$([ "$mode" = quick ] && echo 1 || echo 10)" >"$out/lsp.txt" || slow=$?
+python3 -B tests/bench/lsp.py "$bin/snell" "$([ "$mode" = quick ] && echo 1 || echo 10)" >"$out/lsp.txt" || slow=$?
 [ "$mode" = quick ] || [ "$status" != 0 ] || status=$slow
 python3 tests/bench/report.py "$out" "$page"
 # Above the limits: for who measures to know, not for who only tries whether it runs.

@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 SUBCOMMANDS = {"render", "sweep", "check", "save", "accuracy", "explain", "commands", "info", "web", "help",
-               "complete", "format"}
+               "complete", "format", "lsp"}
 # What `snell web` fills in, in the place of the browser's part, which need not be built.
 PAGE = """<title>snell</title><script type="application/json" id="scene">null</script>
 <script type="text/plain" id="archive"></script>"""

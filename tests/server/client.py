@@ -56,7 +56,9 @@ class Client:
                     length = int(line.split(b":")[1])
                 else:
                     self.garbage += line
-            self.messages.put(json.loads(out.read(length)))
+            body = out.read(length)
+            came = time.perf_counter()
+            self.messages.put((came, json.loads(body)))
 
     def raw(self, data):
         self.process.stdin.write(data)
@@ -82,6 +84,7 @@ class Client:
         if message is None:
             self.messages.put(None)
             raise EOFError("the server ended")
+        came, message = message
         if isinstance(message, dict) and "method" in message:
             if "id" in message:
                 self.asked.append(message)
@@ -93,6 +96,7 @@ class Client:
                 self.notes.append(message)
         else:
             self.waiting[message.get("id") if isinstance(message, dict) else "batch"] = message
+            self.came = came  # the last byte of it
         return True
 
     def wait_for(self, wanted, seconds=30):

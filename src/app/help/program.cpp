@@ -57,7 +57,7 @@ constexpr auto table = std::to_array<Subcommand>({
      "  snell info\n"
      "  snell info --context es3.0                                 # of another version"},
     {"lsp", "serve editors by the Language Server Protocol", add_lsp,
-     "  snell lsp                                                  # editors start it, and end it"},
+     "  snell lsp </dev/null                                       # editors start it; without one: status 1"},
     {"help", "explain a subcommand, a command of the language or the code of a message", add_help,
      "  snell help render\n"
      "  snell help pow-of-negative                                 # the code at the end of a message\n"

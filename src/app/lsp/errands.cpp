@@ -97,7 +97,7 @@ std::string milliseconds(const Json& frame) {
     if (!frame.is_object()) return {};
     for (const char* clock : {"gpu_ms", "wall_ms", "cpu_ms"})
         if (frame.contains(clock) && frame[clock].is_number())
-            return fmt::format("{:.2f} ms of a frame", frame[clock].get<double>());
+            return fmt::format("{:.2f} ms", frame[clock].get<double>());
     return {};
 }
 
@@ -114,15 +114,17 @@ std::string costs(const Json& report, int line) {
         if (line >= 0 && !(at.is_object() && at.value("line", 0) == line + 1)) continue;
         if (line < 0 && paid.value("kind", "") != "pass") continue;
         std::string parts;
+        const std::string time = milliseconds(paid.value("frame", Json()));
         for (const std::string& part :
-             {milliseconds(paid.value("frame", Json())), bytes_text(paid.value("bytes", Json())),
+             {time.empty() ? time : time + " of each frame", bytes_text(paid.value("bytes", Json())),
               paid.contains("triangles") ? fmt::format("{} triangles", paid["triangles"].dump()) : std::string()})
             if (!part.empty()) parts += (parts.empty() ? "" : ", ") + part;
         text += fmt::format("{} {}: {}. ", paid.value("kind", ""), paid.value("name", ""),
                             parts.empty() ? "less than can be measured" : parts);
     }
     if (line >= 0 && text.empty()) text = "This statement costs nothing by itself. ";
-    return fmt::format("{}A frame takes {}.", text, milliseconds(report.value("frame", Json())));
+    const std::string frame = milliseconds(report.value("frame", Json()));
+    return text + (frame.empty() ? "Frames were not timed." : fmt::format("A frame takes {}.", frame));
 }
 
 server::Outcome cost(const std::string& scene, int line) {

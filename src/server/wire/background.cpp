@@ -19,7 +19,8 @@ bool Background::start(const std::function<std::string()>& work, Clock::duration
     child_ = fork();
     if (child_ == 0) {
         close(ends[0]);
-        setpgid(0, 0);  // so that end() reaches what it starts itself
+        setpgid(0, 0);                                  // so that end() reaches what it starts itself
+        [[maybe_unused]] const int priority = nice(5);  // answers come first
         std::string result;
         try {
             result = work();
