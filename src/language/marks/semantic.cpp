@@ -104,12 +104,7 @@ private:
 class ShaderTokens {
 public:
     ShaderTokens(Texts& texts, FileId file) : o_(texts.outline(file)) {
-        files_.push_back(&o_);
-        for (const ShaderUse& use : texts.uses(file))
-            for (const FileId other : texts.files(use)) {
-                const Outline* outline = &texts.outline(other);
-                if (std::find(files_.begin(), files_.end(), outline) == files_.end()) files_.push_back(outline);
-            }
+        for (const FileId one : texts.together(file)) files_.push_back(&texts.outline(one));
         for (const Ladder& ladder : texts.project.scene().ladders) ladders_.push_back(ladder.name);
     }
 

@@ -55,10 +55,7 @@ std::vector<Span> of_global(Texts& texts, const Named& named) {
 
 std::vector<Span> of_member(Texts& texts, const Named& named) {
     std::vector<Span> found;
-    std::vector<FileId> files{named.span.file};
-    for (const ShaderUse& use : texts.uses(named.span.file))
-        for (const FileId file : texts.files(use)) files.push_back(file);
-    for (const FileId file : files) {
+    for (const FileId file : texts.together(named.span.file)) {
         const Outline& outline = texts.outline(file);
         for (const ShaderDeclaration& d : outline.declarations)
             if (d.kind == Kind::member && d.name == named.name) add(found, outline.span(outline.tokens[d.token]));

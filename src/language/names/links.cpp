@@ -184,9 +184,11 @@ std::vector<Place> places(Texts& texts, const Named& named) {
     return found;
 }
 
-std::vector<DeclaredPlace> declarations(Texts& texts, const ShaderUse& use, std::string_view name) {
+namespace {
+
+std::vector<DeclaredPlace> declared_in(Texts& texts, const std::vector<FileId>& files, std::string_view name) {
     std::vector<DeclaredPlace> found;
-    for (const FileId file : texts.files(use)) {
+    for (const FileId file : files) {
         const Outline& outline = texts.outline(file);
         for (const std::uint32_t at : outline.uses(name))
             if (outline.tokens[at].declares)
@@ -196,18 +198,14 @@ std::vector<DeclaredPlace> declarations(Texts& texts, const ShaderUse& use, std:
     return found;
 }
 
+}  // namespace
+
+std::vector<DeclaredPlace> declarations(Texts& texts, const ShaderUse& use, std::string_view name) {
+    return declared_in(texts, texts.files(use), name);
+}
+
 std::vector<DeclaredPlace> declarations(Texts& texts, FileId file, std::string_view name) {
-    std::vector<DeclaredPlace> found;
-    std::set<FileId> files{file};
-    for (const ShaderUse& use : texts.uses(file))
-        for (const FileId other : texts.files(use)) files.insert(other);
-    for (const FileId one : files) {
-        const Outline& outline = texts.outline(one);
-        for (const std::uint32_t at : outline.uses(name))
-            if (outline.tokens[at].declares)
-                found.push_back({one, &outline.declarations[static_cast<std::size_t>(outline.tokens[at].declaration)]});
-    }
-    return found;
+    return declared_in(texts, texts.together(file), name);
 }
 
 Index program_at(Texts& texts, FileId file, std::uint32_t offset) {

@@ -42,4 +42,12 @@ std::vector<FileId> Texts::files(const ShaderUse& use) const {
     return found;
 }
 
+std::vector<FileId> Texts::together(FileId file) const {
+    std::vector<FileId> found{file};
+    for (const ShaderUse& use : uses(file))
+        for (const FileId other : files(use))
+            if (ranges::find(found, other) == found.end()) found.push_back(other);
+    return found;
+}
+
 }  // namespace snell::language

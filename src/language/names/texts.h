@@ -28,6 +28,8 @@ public:
     std::vector<ShaderUse> uses(FileId file) const;
     // The files of a stage: what the scene names, and what that includes.
     std::vector<FileId> files(const ShaderUse& use) const;
+    // The file, and those of all stages that it is a part of; each once, the file first.
+    std::vector<FileId> together(FileId file) const;
 
 private:
     std::map<FileId, Outline> outlines_;

@@ -14,18 +14,10 @@ using Role = ShaderToken::Role;
 
 std::string element_of(std::string_view type) { return std::string(type.substr(0, type.find_first_of("[ ("))); }
 
-std::vector<FileId> files_of_stages(Texts& texts, FileId file) {
-    std::vector<FileId> files{file};
-    for (const ShaderUse& use : texts.uses(file))
-        for (const FileId other : texts.files(use))
-            if (other != file) files.push_back(other);
-    return files;
-}
-
 // The member declarations of a structure or block; of all if `owner` is empty.
 template <class Each>
 void for_members(Texts& texts, FileId file, std::string_view owner, Each each) {
-    for (const FileId one : files_of_stages(texts, file))
+    for (const FileId one : texts.together(file))
         for (const ShaderDeclaration& d : texts.outline(one).declarations)
             if (d.kind == Kind::member && (owner.empty() || d.owner == owner)) each(d);
 }

@@ -34,6 +34,8 @@ std::string command_text(const Command& command);
 
 // "The uniform is set by program 'Glass' (scene.glib:12): <0. .2 1.>", a line for each program.
 std::string where_set(Texts& texts, std::string_view uniform, const std::vector<Index>& programs);
+// A ladder with its rungs, the current one in angle brackets.
+std::string ladder_text(const Ladder& ladder);
 // A declaration as it is written, without its initialiser.
 std::string declaration_text(const Outline& outline, const ShaderDeclaration& declaration);
 

@@ -12,14 +12,10 @@ namespace {
 
 using What = Named::What;
 
-std::string ladder_text(const Ladder& ladder, std::optional<std::size_t> rung) {
-    std::string text = fmt::format("Ladder **{}**, from cheap to exact:", ladder.name);
-    for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
-        text += i == ladder.current ? fmt::format(" **<{}>**", ladder.rungs[i]) : " " + ladder.rungs[i];
-    if (rung)
-        text += fmt::format("\n\nShaders know this rung as `{0}_{1}`: `#if {0} == {0}_{1}`.", ladder.name,
-                            ladder.rungs[*rung]);
-    return text;
+std::string rung_text(const Ladder& ladder, std::optional<std::size_t> rung) {
+    if (!rung) return ladder_text(ladder);
+    return fmt::format("{0}\n\nShaders know this rung as `{1}_{2}`: `#if {1} == {1}_{2}`.", ladder_text(ladder),
+                       ladder.name, ladder.rungs[*rung]);
 }
 
 class SceneHover {
@@ -36,7 +32,7 @@ public:
             case What::uniform:
                 return uniform(named);
             case What::ladder:
-                return Hover{named.span, ladder_text(texts_.project.scene().ladders[named.ladder], named.rung)};
+                return Hover{named.span, rung_text(texts_.project.scene().ladders[named.ladder], named.rung)};
             case What::file:
                 return file(named, *statement, *token);
             default:
@@ -116,6 +112,13 @@ private:
 };
 
 }  // namespace
+
+std::string ladder_text(const Ladder& ladder) {
+    std::string text = fmt::format("Ladder **{}**, from cheap to exact:", ladder.name);
+    for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
+        text += i == ladder.current ? fmt::format(" **<{}>**", ladder.rungs[i]) : " " + ladder.rungs[i];
+    return text;
+}
 
 std::string where_set(Texts& texts, std::string_view uniform, const std::vector<Index>& programs) {
     std::string text;

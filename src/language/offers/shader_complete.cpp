@@ -149,10 +149,7 @@ private:
     }
 
     void globals() {
-        std::set<FileId> files{file_};
-        for (const ShaderUse& use : uses_)
-            for (const FileId file : texts_.files(use)) files.insert(file);
-        for (const FileId file : files) {
+        for (const FileId file : texts_.together(file_)) {
             const Outline& outline = texts_.outline(file);
             for (const ShaderDeclaration& d : outline.declarations) {
                 if (d.local || d.kind == Kind::member || d.kind == Kind::block || d.name == "main") continue;
@@ -175,19 +172,12 @@ private:
 
     void ladders() {
         for (const Ladder& ladder : texts_.project.scene().ladders) {
-            const std::string rungs = text_of_rungs(ladder);
+            const std::string rungs = ladder_text(ladder);
             add(ladder.name, Offer::constant, "ladder", rungs).rank = 2;
             for (const std::string& rung : ladder.rungs)
                 add(ladder.name + "_" + rung, Offer::constant, "rung of " + ladder.name, rungs).rank = 2;
         }
     }
-    static std::string text_of_rungs(const Ladder& ladder) {
-        std::string text;
-        for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
-            text += (i > 0 ? " " : "") + (i == ladder.current ? "**" + ladder.rungs[i] + "**" : ladder.rungs[i]);
-        return text;
-    }
-
     void locals() {
         for (const ShaderDeclaration& d : o_.declarations) {
             if (!d.local || d.visible_from > offset_ || d.visible_to < offset_) continue;

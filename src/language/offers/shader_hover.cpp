@@ -49,7 +49,7 @@ public:
                 text = global(named);
                 break;
             case What::ladder:
-                text = ladder(named);
+                text = ladder_text(texts_.project.scene().ladders[named.ladder]);
                 break;
             case What::language:
                 text = language(named.name);
@@ -79,14 +79,6 @@ private:
         const std::size_t token = o_.before(named.span.begin);
         const std::string type = type_of_name(texts_, file_, token, stage_);
         return type.empty() ? std::string() : code(fmt::format("{} {}", type, named.name));
-    }
-
-    std::string ladder(const Named& named) const {
-        const Ladder& ladder = texts_.project.scene().ladders[named.ladder];
-        std::string text = fmt::format("Ladder **{}** of the scene:", ladder.name);
-        for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
-            text += i == ladder.current ? fmt::format(" **<{}>**", ladder.rungs[i]) : " " + ladder.rungs[i];
-        return text;
     }
 
     std::string global(const Named& named) {
