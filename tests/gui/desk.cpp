@@ -278,8 +278,8 @@ bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double 
 // An event is on its way while the server or the window has something to do, however long it waits for a processor.
 void Desk::settle() const {
     std::string last = bytes("out/state.json");
-    const auto until = Clock::now() + std::chrono::duration<double>(2 * patience);  // some are never quiet
-    for (int quiet = 0; quiet < 5 && Clock::now() < until;) {
+    const Deadline deadline(1, window_, server_);  // some are never quiet
+    for (int quiet = 0; quiet < 5 && !deadline.over();) {
         sleep(.01);
         std::string now = bytes("out/state.json");
         const bool sharp = now.find("\"grain\":0") != now.npos;

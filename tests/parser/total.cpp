@@ -90,7 +90,7 @@ TEST(Total, RandomPieces) {
                                     "Translate 1 2 3\n"};
     for (const std::string_view name : command_names()) pieces.emplace_back(name);
     std::mt19937 random(2);
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < 8'000; ++i) {
         std::string text;
         for (std::size_t n = random() % 40; n > 0; --n) {
             text += pieces[random() % pieces.size()];
