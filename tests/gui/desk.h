@@ -55,7 +55,7 @@ protected:
     nlohmann::json state() const;
     // False: not within that time.
     bool wait(const std::function<bool(const nlohmann::json&)>& holds, double seconds = 5) const;
-    // Until neither the window nor its display has anything to do; no longer than a second that they have a processor.
+    // Until neither the window nor its display has anything to do; no longer than two seconds.
     void settle() const;
 
     // xdotool's words.
