@@ -7,7 +7,7 @@
 
 namespace snell {
 
-// Empty where nobody asked for them; `./dev test` and `./dev guide` do.
+// Empty where nobody asked for them; `./dev guide` does.
 inline std::string screens_folder() {
     const char* folder = std::getenv("SNELL_SCREENS");
     if (folder == nullptr || *folder == '\0') return {};

@@ -1,6 +1,6 @@
 // What was drawn before reaches no picture: scenes in shuffled orders, in one process and in many, and what ended one.
 //
-//   SNELL_ORDERS   how many pictures are compared (30)
+//   SNELL_ORDERS   how many pictures are compared (20)
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -112,7 +112,7 @@ protected:
 };
 
 TEST_F(Orders, ChangeNoPicture) {
-    const unsigned wanted = torture::number_of("SNELL_ORDERS", 30);
+    const unsigned wanted = torture::number_of("SNELL_ORDERS", 20);
     write_traps();
     std::mt19937 random(7);
     const std::vector<std::string> all = scenes(),
@@ -175,7 +175,7 @@ TEST_F(Orders, NoConstantThatIsNaNEndsTheProcess) {
                  "uniform samplerCube t;\nin vec3 vN;\nvoid main() { gl_FragColor = texture(t, normalize(vN)); }\n");
     names += " " + folder.write("bare.glib", "Fragment bare.frag\nProgram P\nSphere 1\n");
     // The others compile the same; ./dev torture has them all.
-    const bool all = torture::number_of("SNELL_ORDERS", 30) > 30;
+    const bool all = torture::number_of("SNELL_ORDERS", 20) > 20;
     for (const char* context : {"4.5", "es3.2", "3.3", "es3.0"}) {
         if (!all && context != std::string_view("4.5") && context != std::string_view("es3.2")) continue;
         const Outcome outcome = snell("render -q" + names + " --size 16x16 --context " + std::string(context) +

@@ -64,15 +64,20 @@ def lessons(root):
 
 def small(command):
     """The same command without a window, and with less to draw and to measure."""
-    words = command.partition("#")[0].split()
+    # The gallery of all scenes is tests/commands/web_gallery.cpp's, and what all scenes look like is tests/pictures'.
+    words = command.partition("#")[0].replace("scenes/light/*/", "scenes/light/m*/").split()
+    if "--gallery" in words:
+        words = [word.replace("scenes/light", "scenes/light/mirror") for word in words]
     if words[1] not in SUBCOMMANDS:
         return "snell check " + next(word for word in words if word.endswith(".glib"))
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
-            "accuracy": {"--size": "48x36", "--no-time": "", "--budget": "3"}}.get(words[1], {})
+            "accuracy": {"--size": "48x36", "--no-time": "", "--budget": "1"}}.get(words[1], {})
     if {"--list-found", "--apply", "--as-ladder"} & set(words):
         less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):
-        less = {"--size": "48x36", "--reps": "3", "--budget": "4"}
+        less = {"--size": "48x36", "--reps": "3", "--budget": "2"}
+    if "--baked" in words:
+        less = {"--size": "48x36"}
     if "--frames" in words:
         less |= {"--frames": "3"}
     for option in less:

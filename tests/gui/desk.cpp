@@ -278,8 +278,18 @@ bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double 
 // An event is on its way while the server or the window has something to do, however long it waits for a processor.
 void Desk::settle() const {
     std::string last = bytes("out/state.json");
-    const auto until = Clock::now() + std::chrono::duration<double>(2 * patience);  // some are never quiet
-    for (int quiet = 0; quiet < 5 && Clock::now() < until;) {
+    const auto begin = Clock::now();
+    const auto passed = [&](double seconds) {
+        return Clock::now() > begin + std::chrono::duration<double>(seconds * patience);
+    };
+    // Some are never quiet. Those show what was done in the next of their pictures.
+    const auto presents = [&] {
+        const nlohmann::json now = state();
+        return now.is_object() ? now.value("presents", -1) : -1;
+    };
+    const int first = presents();
+    for (int quiet = 0; quiet < 5 && !passed(2);) {
+        if (first >= 0 && passed(.4) && presents() > first + 20) break;
         sleep(.01);
         std::string now = bytes("out/state.json");
         const bool sharp = now.find("\"grain\":0") != now.npos;

@@ -43,7 +43,7 @@ protected:
         save("scene.glib", loop_scene);
         save("paint.vert", loop_vertex);
         save("paint.frag", loop_fragment);
-        open("scene.glib", {"--size", "820x740"});
+        open("scene.glib", {"--size", "640x740"});
         user("key a");
         settle();
     }
@@ -286,7 +286,7 @@ TEST_F(FoundWindow, RungsAreSoughtAtTheChosenOnes) {
          "  for (int i = 0; i < 24; ++i) a += .04 * sin(float(i) + vAt.x);\n#else\n"
          "  for (int i = 0; i < 16; ++i) a += .04 * cos(float(i) + vAt.x);\n#endif\n  gl_FragColor = vec4(a);\n}\n");
     end_window();
-    open("ways.glib", {"--size", "820x740", "--ladder", "WAY=long"});
+    open("ways.glib", {"--size", "640x740", "--ladder", "WAY=long"});
     user("key a");
     settle();
     const std::string name = fewer_rounds();

@@ -38,18 +38,26 @@ glm::dvec3 window(const glm::dvec3& d) {
 }
 
 // Root mean square over normals, relative to the mean irradiance.
-template <class F>
-double error(const Radiance& radiance, F approximation) {
-    double squares = 0, mean = 0;
-    const auto normals = directions(150);
-    for (const glm::dvec3& n : normals) {
-        const glm::dvec3 truth = irradiance(radiance, n, 64), off = approximation(n) - truth;
-        squares += glm::dot(off, off);
-        mean += truth.x + truth.y + truth.z;
+class Truth {
+public:
+    explicit Truth(const Radiance& radiance) {
+        for (const glm::dvec3& n : normals_) truth_.push_back(irradiance(radiance, n, 64));
     }
-    const double count = 3.0 * static_cast<double>(normals.size());
-    return std::sqrt(squares / count) / (mean / count);
-}
+    template <class F>
+    double error(F approximation) const {
+        double squares = 0, mean = 0;
+        for (std::size_t i = 0; i < normals_.size(); ++i) {
+            const glm::dvec3 off = approximation(normals_[i]) - truth_[i];
+            squares += glm::dot(off, off);
+            mean += truth_[i].x + truth_[i].y + truth_[i].z;
+        }
+        const double count = 3.0 * static_cast<double>(normals_.size());
+        return std::sqrt(squares / count) / (mean / count);
+    }
+
+private:
+    std::vector<glm::dvec3> normals_ = directions(150), truth_;
+};
 
 TEST(TexelSolidAngle, SumsToTheWholeSphere) {
     for (int size : {1, 2, 7, 64}) {
@@ -92,9 +100,10 @@ TEST(IrradianceLadder, HasTheErrorsItPrints) {
         {sky, .466, {.367, .0285, .0011}}, {walls, .319, {.259, .0351, .0009}}, {window, 4.41, {.769, .291, .0606}}};
     for (const auto& p : printed) {
         const Harmonics9 c = project(p.radiance, 64);
-        EXPECT_NEAR(error(p.radiance, p.radiance) / p.by_normal, 1, 0.1);
+        const Truth truth(p.radiance);
+        EXPECT_NEAR(truth.error(p.radiance) / p.by_normal, 1, 0.1);
         for (int order = 0; order <= 2; ++order) {
-            const double off = error(p.radiance, [&](const glm::dvec3& n) { return irradiance(c, n, order); });
+            const double off = truth.error([&](const glm::dvec3& n) { return irradiance(c, n, order); });
             EXPECT_NEAR(off / p.order[order], 1, 0.1) << order;
         }
     }
@@ -110,8 +119,9 @@ TEST(IrradianceLadder, ForgottenSolidAnglesShowInTheRoomWithAWindow) {
     };
     flat = project(scaled, size);
     const Harmonics9 right = project(window, size);
-    const double wrong_error = error(window, [&](const glm::dvec3& n) { return irradiance(flat, n); });
-    const double right_error = error(window, [&](const glm::dvec3& n) { return irradiance(right, n); });
+    const Truth truth(window);
+    const double wrong_error = truth.error([&](const glm::dvec3& n) { return irradiance(flat, n); });
+    const double right_error = truth.error([&](const glm::dvec3& n) { return irradiance(right, n); });
     EXPECT_GT(wrong_error, 3 * right_error);
     test::hard_case({"A22", "spherical harmonics of a room with a window; naive: texels without their solid angles",
                      "relative", .15, right_error, wrong_error});

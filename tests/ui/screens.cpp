@@ -1,5 +1,5 @@
 // Every panel, as large and as full as scenes make it: nothing overlaps, nothing is cut off, in any size of letters and
-// in all themes. Pictures of them are left in screens/ of the build folder, for people to look at.
+// in all themes. `./dev guide` leaves pictures of them for people to look at.
 #include "src/ui/loading.h"
 #include "tests/ui/full_panels.h"
 
