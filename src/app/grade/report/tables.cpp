@@ -40,8 +40,12 @@ std::string results_csv(const Grades& grades) {
 
 std::string results_json(const Grades& grades, const std::vector<AlikePair>& pairs) {
     using Json = nlohmann::ordered_json;
-    Json json{{"schema", 1}, {"title", grades.rubric.title}, {"points", grades.rubric.points()},
-              {"items", Json::array()},    {"submissions", Json::array()}, {"similar", Json::array()}};
+    Json json{{"schema", 1},
+              {"title", grades.rubric.title},
+              {"points", grades.rubric.points()},
+              {"items", Json::array()},
+              {"submissions", Json::array()},
+              {"similar", Json::array()}};
     for (const RubricItem& item : grades.rubric.items)
         json["items"].push_back({{"name", item.name}, {"points", item.points}});
     for (const GradedSubmission& graded : grades.all) {
