@@ -211,6 +211,83 @@ TEST_F(Outputs, OfPicturesAreLookedAtBeforeAnythingIsDrawn) {
     EXPECT_TRUE(there("out/0.png") && there("r.json") && there("r.png") && there("r.txt"));
 }
 
+class StandardOutput : public CommandTest {
+protected:
+    std::string out(const std::string& arguments) const {
+        return run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + arguments + " 2> said").output;
+    }
+};
+
+TEST_F(StandardOutput, IsADashWhereOneFileIsWritten) {
+    folder.write("s.glib", "Sphere 1\n");
+    EXPECT_EQ(out("render s.glib -o - --size 8x8").substr(1, 3), "PNG");
+    EXPECT_EQ(out("render s.glib --output=- --size 8x8").substr(1, 3), "PNG");
+    EXPECT_EQ(out("render s.glib -o p.png --size 8x8 --sheet -").substr(1, 3), "PNG");
+    EXPECT_EQ(out("render s.glib -o p.png --size 8x8 --stats -").front(), '{');
+    EXPECT_FALSE(std::filesystem::exists(at("-")));
+}
+
+TEST_F(StandardOutput, JsonTakesAFileOrNothing) {
+    folder.write("s.glib", "Sphere 1\n");
+    for (const std::string command : {"check s.glib", "render s.glib -o p.png --size 8x8", "explain s.glib --no-time",
+                                      "commands", "compare s.glib s.glib --size 8x8"}) {
+        const std::string printed = out(command + " --json");
+        EXPECT_TRUE(printed.starts_with("{") || printed.starts_with("[")) << command << ": " << printed;
+        EXPECT_TRUE(out(command + " --json -").starts_with(printed.substr(0, 1))) << command;
+        for (const std::string file : {" --json f.json", " --json=f.json"}) {
+            std::filesystem::remove(at("f.json"));
+            out(command + file);
+            EXPECT_EQ(bytes_of(at("f.json")).substr(0, 1), printed.substr(0, 1)) << command << file;
+        }
+    }
+    const std::string scene = bytes_of(at("s.glib"));
+    EXPECT_EQ(out("check --json s.glib").front(), '[') << "a scene is no file to write";
+    EXPECT_EQ(run(SNELL_BIN "/snell check " + at("s.glib") + " --json=" + at("s.glib")).status, 2);
+    EXPECT_EQ(bytes_of(at("s.glib")), scene);
+}
+
+TEST_F(StandardOutput, ChecksForServices) {
+    folder.write("good.glib", "Sphere 1\n");
+    folder.write("warns.glib", "Sphere 1 9 9 9\n");
+    folder.write("bad.glib", "Sphre 1\n");
+    EXPECT_EQ(run(SNELL_BIN "/snell check --werror " + at("good.glib")).status, 0);
+    EXPECT_EQ(run(SNELL_BIN "/snell check " + at("warns.glib")).status, 0);
+    EXPECT_EQ(run(SNELL_BIN "/snell check --werror " + at("warns.glib")).status, 1);
+    const std::string lines = out("check --lines warns.glib bad.glib");
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 2) << lines;
+    EXPECT_NE(lines.find("bad.glib:1:1: error: "), std::string::npos) << lines;
+    EXPECT_TRUE(lines.ends_with("[unknown-command]\n")) << lines;
+    const auto log = nlohmann::json::parse(out("check --sarif warns.glib bad.glib"), nullptr, false);
+    ASSERT_TRUE(log.is_object());
+    EXPECT_EQ(log["version"], "2.1.0");
+    const auto found = log["runs"][0]["results"];
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0]["level"], "warning");
+    EXPECT_EQ(found[1]["ruleId"], "unknown-command");
+    const auto place = found[1]["locations"][0]["physicalLocation"];
+    EXPECT_EQ(place["artifactLocation"]["uri"], "bad.glib");
+    EXPECT_EQ(place["region"]["startColumn"], 1);
+    EXPECT_EQ(place["region"]["endColumn"], 6);
+}
+
+TEST_F(StandardOutput, ScenesOfOneNameAreToldApart) {
+    for (const std::string who : {"ann", "bob"}) folder.write("class/" + who + "/work/project.glib", "Sphere 1\n");
+    const std::string scenes = "render class/*/work/project.glib --size 8x8 --json=r.json ";
+    out(scenes + "-o 'p-{path}.png'");
+    for (const char* file : {"p-ann.png", "p-bob.png"}) EXPECT_TRUE(std::filesystem::exists(at(file))) << file;
+    out(scenes + "-o 'q-{parent}-{dir}.png'");
+    EXPECT_TRUE(std::filesystem::exists(at("q-bob-work.png")));
+    EXPECT_TRUE(run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + scenes + "-o '{stem}.png'").says("{path}"));
+    folder.write("class/eve/work/project.glib", "Sphre 1\n");
+    const Outcome outcome =
+        run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + scenes + "-o 'r-{path}.png' --set uNone=1");
+    EXPECT_TRUE(outcome.says("class/ann/work/project.glib: error: ")) << outcome.output;
+    const auto json = nlohmann::json::parse(bytes_of(at("r.json")), nullptr, false);
+    ASSERT_EQ(json["results"].size(), 3u);
+    EXPECT_EQ(json["results"][0]["status"], "not drawn");
+    EXPECT_EQ(json["results"][2]["errors"], 2);
+}
+
 }  // namespace
 
 }  // namespace snell::test

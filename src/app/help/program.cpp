@@ -138,6 +138,7 @@ bool json_is_file(std::string_view subcommand) {
 }
 
 bool names_json(std::string_view word, std::string_view subcommand) {
+    if (word.empty()) return false;
     if (word == "-" || word.ends_with(".json") || word.starts_with("/dev/") || word.starts_with("/proc/")) return true;
     return json_is_file(subcommand) && !word.starts_with('-') && !word.ends_with(".glib");
 }
@@ -161,7 +162,7 @@ std::vector<std::string> meant_words(int count, const char* const* words) {
         if (word == "--json" && names_json(next, subcommand)) {
             word += "=" + (next == "-" ? std::string(standard_output) : next);
             meant.erase(meant.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-        } else if (word == "--json" && json_is_file(subcommand) && (next.empty() || next.starts_with('-'))) {
+        } else if (word == "--json" && json_is_file(subcommand) && (i + 1 == meant.size() || next.starts_with('-'))) {
             word += std::string("=") + standard_output;
         } else if (names_output(word) && next == "-") {
             meant[++i] = standard_output;

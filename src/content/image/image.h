@@ -81,7 +81,7 @@ std::uint16_t float_to_half(float value);  // rounds to nearest even; overflow b
 
 // Writes a file in the format of its extension: .png through libpng, everything else through the OpenImageIO module.
 // The file appears whole or not at all (a temporary file next to it is renamed). Returns an empty string, or what went
-// wrong. Both row orders are accepted; the file has the top row first. f32 images are written unchanged to float
+// wrong. Streams, such as /dev/stdout, get PNG. Both row orders are accepted; the file has the top row first. f32 images are written unchanged to float
 // formats, and clamped and rounded for 8-bit ones.
 std::string write_image(const std::string& path, const Image& image);
 // Returns the bytes of a PNG file, as write_image writes it; empty if the image has no pixels.

@@ -2,6 +2,7 @@
 #include "src/content/image/formats.h"
 #include "src/content/image/png_write.h"
 #include "src/content/image/rows.h"
+#include "src/content/replace.h"
 
 namespace snell::content {
 
@@ -23,6 +24,8 @@ bool writes_without_module(std::string_view path) { return extension_of(path) ==
 std::string write_image(const std::string& path, const Image& image) {
     if (image.pixels.size() != image.bytes()) return "the picture is empty";
     if (image.depth > 1) return "cannot write a 3D texture as an image";
+    // What cannot be renamed is written at once, and has no extension that would tell its format.
+    if (is_stream(path) && extension_of(path).empty()) return replace_file(path, encode_png(image));
     RowWriter file(path, image);
     if (image.bottom_first)
         file.add(flipped(image).pixels);
