@@ -139,12 +139,11 @@ class Files(unittest.TestCase):
         self.assertTrue(os.path.exists(path_of(found[0]["codeDescription"]["href"].split("#")[0])))
 
     def test_columns_are_of_utf_16(self):
-        scene = self.write("wide.glib", "")
-        uri = self.client.open(scene, "MessageBox \"😀é\" Sphere\n")
-        found = self.until(uri, ["surplus-arguments"]) if False else self.client.diagnostics(uri)
-        self.client.change(uri, 2, [{"text": "/* 😀 */ Spher 1\n"}])
-        found = self.client.diagnostics(uri, 2)
-        self.assertTrue(all(d["range"]["start"]["line"] == 0 for d in found))
+        scene = self.write_scene()
+        uri = self.client.open(scene, 'Texture2D 5 "😀é.png" surplus\nSphere 1\n')
+        found = {d["code"]: d["range"] for d in self.client.diagnostics(uri)}
+        self.assertEqual(found["file-not-found"]["end"], {"line": 0, "character": 12 + 9})
+        self.assertEqual(found["surplus-arguments"]["start"], {"line": 0, "character": 22})
 
     def test_folders_with_anything_in_their_names(self):
         for folder in ("with blank", "per%cent%20", "ha#sh?", "Übung 漢字 😀", "plus+and&amp;=;,"):
@@ -218,6 +217,17 @@ class Files(unittest.TestCase):
         self.assertEqual(found[0]["range"]["start"]["line"], 2)
         self.assertIn("uKaa", found[0]["message"])
         self.assertEqual(found[0]["data"]["fixes"][0]["newText"], "uKa")
+
+    def test_without_a_driver_nothing_is_missed(self):
+        scene = self.write_scene(fragment=FRAGMENT.replace("uKa * vN", "uKaa * vN"))
+        other = Client(SNELL, environment={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nowhere.json"})
+        uri = other.open(scene)
+        self.assertEqual(other.diagnostics(uri), [])
+        other.rest(1.5)
+        self.assertEqual({uri: p["diagnostics"] for uri, p in other.published.items()}, {uri: []})
+        self.assertEqual([n["method"] for n in other.notes], ["textDocument/publishDiagnostics"])
+        self.assertEqual(other.garbage, b"")
+        self.assertEqual(other.end(), 0)
 
 
 if __name__ == "__main__":
