@@ -44,6 +44,23 @@ TEST(Names, CommentsMembersAndHidingLocalsStay) {
               "    gl_FragColor = vec4(uNew); /* uKa */\n}\n");
 }
 
+TEST(Names, HidingEndsWithLoopsBlocksAndStatements) {
+    const Editor editor(scene,
+                        files("uniform float u@Ka;\nvoid f(float uKa);\nvoid main() {\n"
+                              "    for (int uKa = 0; uKa < 1; ++uKa) for (;;) uKa;\n    uKa;\n"
+                              "    while (bool uKa = false) { uKa; } uKa;\n    do { float uKa; } while (uKa > 0.);\n"
+                              "    if (uKa > 0.) { float uKa; uKa; } else uKa;\n"
+                              "    { struct T { float uKa; } t = T(uKa); t.uKa; }\n"
+                              "    float x = uKa, uKa = x, y = uKa;\n}\n"));
+    EXPECT_EQ(editor.renamed("uN", "a.frag"),
+              "uniform float uN;\nvoid f(float uKa);\nvoid main() {\n"
+              "    for (int uKa = 0; uKa < 1; ++uKa) for (;;) uKa;\n    uN;\n"
+              "    while (bool uKa = false) { uKa; } uN;\n    do { float uKa; } while (uN > 0.);\n"
+              "    if (uN > 0.) { float uKa; uKa; } else uN;\n"
+              "    { struct T { float uKa; } t = T(uN); t.uKa; }\n"
+              "    float x = uN, uKa = x, y = uKa;\n}\n");
+}
+
 TEST(Names, MacrosAndEveryBranchAreRenamed) {
     const Editor editor(scene, files("uniform float uKa;\n#define LIT(k) (k * uKa)\n#define SQUARE(uKa) (uKa * uKa)\n"
                                      "#if 0\nfloat f() { return uKa; }\n#else\nfloat f() { return 2. * uKa; }\n#endif\n"

@@ -15,7 +15,7 @@ using Role = ShaderToken::Role;
 void Resolver::identifier(ShaderToken& token) {
     const std::string_view text = o_.word(token);
     if (text == "struct") return struct_word();
-    if (text == "for") for_ = true;
+    if (text == "for" || text == "while") for_ = true;
     if (token.role == Role::word) return qualifier(text);
     if (previous() == ".") {
         token.role = Role::member;

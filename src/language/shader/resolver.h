@@ -120,8 +120,8 @@ private:
     Declaring declaring_;
     std::vector<int> pending_;
     std::vector<Saved> conditionals_;
-    int function_ = -1;  // whose parentheses come next
-    bool for_ = false;
+    int function_ = -1;     // whose parentheses come next
+    bool for_ = false;      // or while: a loop's parentheses come next
     bool another_ = false;  // a comma: another name of the same type comes next
     enum class Opening : std::uint8_t { none, structure, block };
     Opening structure_ = Opening::none;  // what the next brace opens
