@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -19,6 +20,8 @@ namespace snell {
 namespace {
 
 constexpr double patience = 120;  // seconds that a search draws; the user may stop it
+// Short steps are taken together, because the window is drawn after them.
+constexpr std::chrono::milliseconds at_once{50};
 
 // Without what the numbers of found rungs do not depend on.
 Stand circumstances(Stand stand) {
@@ -98,7 +101,9 @@ bool FoundView::busy() const { return sought_ && sought_->search && !facts_.wait
 bool FoundView::step(const std::function<void()>& alive) {
     if (!busy()) return false;
     sought_->alive = &alive;
-    const bool more = sought_->search->step();
+    const auto start = std::chrono::steady_clock::now();
+    bool more = true;
+    while (more && std::chrono::steady_clock::now() - start < at_once) more = sought_->search->step();
     sought_->alive = nullptr;
     if (!more) {
         end("");
