@@ -130,13 +130,13 @@ TEST(Total, HugeStatementsAndDeepNesting) {
     expect_well("Program Foo uA " + std::string(100'000, '['));
     expect_well(std::string(100'000, '\\'));
     std::string backslashes;
-    for (int i = 0; i < 20'000; ++i) backslashes += "\\ ";
+    for (int i = 0; i < 30'000; ++i) backslashes += "\\ ";
     expect_well(backslashes);
     std::string values = "Program Foo uA [";
-    for (int i = 0; i < 20'000; ++i) values += "1 ";
+    for (int i = 0; i < 50'000; ++i) values += "1 ";
     expect_well(values + "]");
     std::string words = "Program Foo";
-    for (int i = 0; i < 8'000; ++i) words += " uA";
+    for (int i = 0; i < 20'000; ++i) words += " uA";
     expect_well(words);
 }
 
