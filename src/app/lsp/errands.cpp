@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -80,12 +81,21 @@ Said said_by(const std::vector<std::string>& arguments, bool messages) {
 
 server::Outcome failed(std::string message) { return {{}, std::move(message), true}; }
 
-server::Outcome render(const std::string& scene) {
+// A folder of this user for pictures; empty if there is none. Others could have made one of that name.
+std::string pictures_folder() {
     std::error_code none;
-    const std::filesystem::path folder = std::filesystem::temp_directory_path(none) / fmt::format("snell-{}", getuid());
-    std::filesystem::create_directory(folder, none);
-    std::filesystem::permissions(folder, std::filesystem::perms::owner_all, none);
-    const std::string picture = named_by(folder.string(), scene, "png");
+    const std::string folder =
+        (std::filesystem::temp_directory_path(none) / fmt::format("snell-{}", getuid())).string();
+    mkdir(folder.c_str(), 0700);
+    struct stat status {};
+    const bool own = lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == getuid();
+    return own && chmod(folder.c_str(), 0700) == 0 ? folder : std::string();
+}
+
+server::Outcome render(const std::string& scene) {
+    const std::string folder = pictures_folder();
+    if (folder.empty()) return failed("The scene was not drawn: there is no folder for its picture.");
+    const std::string picture = named_by(folder, scene, "png");
     const Said said = said_by({"render", scene, "-o", picture, "--color", "never"}, true);
     if (said.status == 0) return {picture, "The picture is in " + picture, false};
     const std::size_t at = said.output.find("error: ");
