@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <cstdio>
 #include <cstring>
 
 namespace snell::content {
@@ -85,6 +87,21 @@ std::string write_all(int file, std::string_view bytes) {
     return {};
 }
 
+// A descriptor of this process is written to where it stands, so that whoever shares it goes on behind what is written.
+int open_stream(const std::string& path) {
+    std::string_view number;
+    if (path == "/dev/stdout") number = "1";
+    if (path == "/dev/stderr") number = "2";
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"})
+        if (path.starts_with(folder)) number = std::string_view(path).substr(folder.size());
+    int descriptor = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+    if (number.empty() || error != std::errc() || end != number.data() + number.size())
+        return open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    std::fflush(nullptr);  // what was printed before
+    return fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+}
+
 // A link that exists under the temporary name is removed, not followed.
 int new_file(const fs::path& path) {
     unlink(path.c_str());
@@ -130,7 +147,7 @@ std::string write_file(const fs::path& path, std::string_view bytes) { return wr
 
 std::string replace_file(const std::string& path, std::string_view bytes) {
     if (is_stream(path)) {
-        const std::string wrong = write_and_close(open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC), bytes);
+        const std::string wrong = write_and_close(open_stream(path), bytes);
         return wrong.empty() ? "" : path + ": " + wrong;
     }
     Replacement replacement(path);

@@ -246,6 +246,17 @@ TEST_F(StandardOutput, JsonTakesAFileOrNothing) {
     EXPECT_EQ(bytes_of(at("s.glib")), scene);
 }
 
+// A shell that writes into one file before and after.
+TEST_F(StandardOutput, OfAFileIsWrittenWhereItStands) {
+    folder.write("s.glib", "Sphere 1\n");
+    for (const std::string command : {"check s.glib --json", "render s.glib --size 8x8 -o -"}) {
+        const std::string alone = out(command);
+        run("cd '" + folder.path() + "' && (echo before; " SNELL_BIN "/snell " + command +
+            "; echo after) > log 2> said");
+        EXPECT_TRUE(bytes_of(at("log")) == "before\n" + alone + "after\n") << command;
+    }
+}
+
 TEST_F(StandardOutput, ChecksForServices) {
     folder.write("good.glib", "Sphere 1\n");
     folder.write("warns.glib", "Sphere 1 9 9 9\n");
