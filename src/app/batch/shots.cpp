@@ -123,7 +123,8 @@ std::vector<std::string> distinguishing_paths(const std::vector<std::string>& pa
     std::vector<std::vector<std::string>> parts;
     for (const std::string& path : paths) {
         parts.emplace_back();
-        for (const auto& part : std::filesystem::path(path).lexically_normal().replace_extension())
+        const std::filesystem::path whole = std::filesystem::path(path).lexically_normal().replace_extension();
+        for (const auto& part : whole)
             if (part != "/") parts.back().push_back(part.string());
     }
     const auto all_share = [&](auto end) {
