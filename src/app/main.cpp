@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
     std::set_new_handler(out_of_memory);
     CLI::App program;
     Request request;
-    const std::string_view first = argc > 1 ? argv[1] : "";
+    const std::string_view first = first_word(argc, argv);
     describe(program, request, first);
     if (const std::string_view meant = meant_subcommand(first); !meant.empty()) {
         choose_colors(request.color);
@@ -79,6 +79,11 @@ int main(int argc, char** argv) {
         program.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+        if (const auto misspelt = misspelt_option(program, first, argc, argv)) {
+            fmt::print(stderr, "snell: error: there is no option '{}'\n   help: did you mean '{}'?\n",
+                       utf8::printable(misspelt->word), misspelt->meant);
+            return exit_usage;
+        }
         print_usage_error(program, error);
         return exit_usage;
     }

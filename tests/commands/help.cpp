@@ -26,6 +26,40 @@ TEST(Help, AWrongSubcommandIsAnErrorThatNamesTheRightOne) {
     EXPECT_EQ(app::meant_subcommand("--rendr"), "");
 }
 
+TEST(Help, ColorsMayStandAheadOfASubcommand) {
+    const Outcome outcome = snell("--color never rendr x.glib");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(outcome.says("did you mean 'render'?")) << outcome.output;
+    EXPECT_EQ(snell("--color=never commands Sphere").output, snell("commands Sphere").output);
+}
+
+TEST(Help, AMisspeltOptionIsNamedAheadOfOneThatIsMissing) {
+    const Outcome outcome = snell("render scenes/light/glass/glass.glib --outptu x.png");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(outcome.says("'--outptu'")) << outcome.output;
+    EXPECT_TRUE(outcome.says("did you mean '--output'?")) << outcome.output;
+    EXPECT_TRUE(snell("render scenes/light/glass/glass.glib --sizze=8x8 -o x.png").says("did you mean '--size'?"));
+    EXPECT_TRUE(snell("render scenes/light/glass/glass.glib").says("--output")) << "the one that is missing";
+}
+
+TEST(Help, NamesThatGlslCannotHaveAreNotOffered) {
+    const Scratch folder;
+    const std::string scene =
+        folder.write("odd.glib",
+                     "Perspective 60\nVertex a\nFragment a\nProgram B ux`touch$IFS/x`y 3 uGood 4 u.A 1 2u 3 u\x1b"
+                     "b 3 uB[2] 3\n");
+    const std::string found = snell("complete uniforms " + scene).output;
+    EXPECT_NE(found.find("uGood=\t"), std::string::npos) << found;
+    EXPECT_NE(found.find("uB[2]="), std::string::npos) << found;
+    for (const char* odd : {"`", "\x1b", "2u", "$"}) EXPECT_EQ(found.find(odd), std::string::npos) << found;
+}
+
+TEST(Help, LaddersAreOfferedBehindAComma) {
+    const std::string scene = "scenes/light/glass/glass.glib ";
+    EXPECT_EQ(snell("complete ladders " + scene + "BEND,RAT").output, "BEND,RATIO\tladder\n");
+    EXPECT_EQ(snell("complete ladders " + scene + "BEND,BE").output, "") << "it is listed already";
+}
+
 TEST(Help, EverySubcommandHasAPageWithExamplesOfItsOwn) {
     for (const app::Subcommand& row : app::subcommands()) {
         const Outcome outcome = snell(std::string("help ") + row.name);

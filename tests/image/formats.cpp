@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <regex>
 #include <thread>
 
 #include "src/content/image/decoded.h"
@@ -247,6 +248,15 @@ TEST_F(ImageFormats, ClaimsAreNotBelievedByReadersThatTakeMemoryAtOnce) {
         const auto result = decode_image(name, bytes + rest);
         EXPECT_FALSE(result.image) << name;
         EXPECT_TRUE(has_issue(result, "image-too-large")) << name << ": " << describe(result);
+    }
+}
+
+// Otherwise the same picture would differ from second to second.
+TEST_F(ImageFormats, NoDateIsWritten) {
+    for (const char* name : {"a.tif", "a.exr", "a.png", "a.jpg", "a.hdr"}) {
+        ASSERT_EQ(write_image(file(name), checkerboard(8)), "") << name;
+        const std::string bytes = bytes_of(file(name));
+        EXPECT_FALSE(std::regex_search(bytes, std::regex("[0-9]{4}[:-][0-9]{2}[:-][0-9]{2}[ T]"))) << name;
     }
 }
 

@@ -69,6 +69,21 @@ offers_not scenes/refraction-room/glass.vert snell render scenes/refraction-room
 offers Sphere snell commands Sph
 offers glsl-syntax snell help glsl-s
 offers render snell help ren
+offers render snell --color never rend
+offers render snell --color = never rend
+offers_not render snell --color never render re
+offers --output snell --color never render --ou
+offers RATIO,BEND snell accuracy scenes/light/glass/glass.glib --ladders RATIO,BE
+offers_not BEND,BEND snell accuracy scenes/light/glass/glass.glib --ladders BEND,BE
+# What a scene is called, and what it names, is quoted and never run.
+odd=$(mktemp -d)
+trap 'rm -rf "$odd"' EXIT
+printf 'Perspective 60\nVertex a\nFragment a\nProgram B ux`touch$IFS%s/run`y 3 uGood 4 uA[2] 5\nSphere 1\n' "$odd" >"$odd/it's.glib"
+[ -z "$(snell complete uniforms "$odd/it's.glib" 'ux')" ] || fail "a name that GLSL cannot have is offered"
+offers uGood= snell render "$odd/it\\'s.glib" --set uG
+offers uGood= snell render "\"$odd/it's.glib\"" --set uG
+offers 'uA\[2\]=' snell render "$odd/it\\'s.glib" --set uA
+[ ! -e "$odd/run" ] || fail "a completion ran a name of the scene"
 [ -z "$(complete_bash snell render $scene --size 8)" ] || fail "bash offers sizes"
 
 # With a real Tab on a terminal.
@@ -80,6 +95,8 @@ for shell in bash zsh fish; do
   python3 tests/install/tab.py "$shell" "$manual" "snell render $scene --set uI" "uIndex="
   python3 tests/install/tab.py "$shell" "$manual" "snell render scenes/light/glass/glass.glib --ladder BEND=si" "BEND=single"
   python3 tests/install/tab.py "$shell" "$manual" "snell ren" "render "
+  python3 tests/install/tab.py "$shell" "$manual" "snell --color never ren" "render "
+  python3 tests/install/tab.py "$shell" "$manual" "snell accuracy scenes/light/glass/glass.glib --ladders RATIO,BEN" "RATIO,BEND"
   python3 tests/install/tab.py "$shell" "$manual" "snell check --js" "--json "
   python3 tests/install/tab.py "$shell" "$manual" "snell render scenes/refraction-room/ref" "refraction-room.glib"
 done

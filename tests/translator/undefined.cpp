@@ -49,6 +49,29 @@ TEST(GlslUndefined, NumbersOfTheTextAreNotMarked) {
         EXPECT_EQ(text.find(mark), std::string::npos) << text;
 }
 
+// In every program, asked for or not.
+TEST(GlslUndefined, DivisorsThatTheTextMakesZeroAreMarked) {
+    for (const char* zero :
+         {"float w = 0.;\nx = x / w;", "x = x / 0.;", "x = mod(x, 0.);", "const float w = 0.;\nx /= w;",
+          "vec2 w = vec2(0., 2.);\nx = (vec2(x) / w).x;", "float w = 3.;\nw -= 3.;\nx = x / w;",
+          "float w = 0.;\nx = x / (w * 2.);\nw = a;", "x = x / k;", "x = x / sin(0.);", "x = x / f(0.);",
+          "x = float(int(x) / 0);", "mat2 m = mat2(x) / 0.;\nx = m[0].x;"}) {
+        const Texts texts = program(zero, "const float k = 0.;\nfloat f(float y) { return 2. * y; }\n");
+        EXPECT_TRUE(translated(texts).has(Stage::fragment, "snell_divisor(")) << zero;
+    }
+    const std::string every_target = marked(program("x = x / 0.;\nx = float(int(x) / 0);\nx /= 0.;"));
+    EXPECT_NE(every_target.find("snell_divisor("), std::string::npos) << every_target;
+    // What is not, keeps its text.
+    for (const char* other :
+         {"x = x / (a + 1.);", "float w = 2.;\nx = x / w;", "x = x / tan(radians(30.));", "x = 1. / 2. + x / 3.;",
+          "float w = 0.;\nfor (int i = 0; i < 4; ++i) w += x;\nx = (x * x) / (w);", "float w = 0.;\nw = x;\nx /= w;",
+          "const float k3 = 1. / 0.;\nx = k3;", "x = mod(x, 3.);"}) {
+        const Translated out = translated(program(other));
+        EXPECT_FALSE(out.has(Stage::fragment, "snell_Zero")) << other;
+        EXPECT_TRUE(out.has(Stage::fragment, other)) << other;
+    }
+}
+
 TEST(GlslUndefined, NothingIsMarkedUnlessAskedFor) {
     const Texts texts = program("x = x / a + pow(x, b) + mod(x, a) + atan(a, b) + float(n % 3);");
     EXPECT_FALSE(translated(texts).has(Stage::fragment, "snell_divisor"));

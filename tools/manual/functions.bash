@@ -1,15 +1,38 @@
 
-# _snell_ask KIND WORD: candidates that only snell knows, for the scene on the line.
-_snell_ask() {
-  local kind=$1 word=$2 scene= program=${words[0]/#\~/$HOME} w
-  for w in "${words[@]:1:${#words[@]}-2}"; do
-    [[ $w == *.glib?([\'\"]) ]] && scene=$w && break
+# _snell_unquoted WORD: REPLY is what the shell would make of it, without expanding anything.
+_snell_unquoted() {
+  local quote= c i
+  REPLY=
+  for ((i = 0; i < ${#1}; ++i)); do
+    c=${1:i:1}
+    if [[ -n $quote && $c == "$quote" ]]; then
+      quote=
+    elif [[ -z $quote && $c == [\'\"] ]]; then
+      quote=$c
+    elif [[ $c == \\ && $quote != \' ]]; then
+      REPLY+=${1:++i:1}
+    else
+      REPLY+=$c
+    fi
   done
-  scene=${scene//[\\\"\']/}
+}
+
+# _snell_ask KIND WORD: candidates that only snell knows, for the scene on the line. They are quoted, because their
+# names are those of the scene.
+_snell_ask() {
+  local kind=$1 word=$2 scene= program=${words[0]/#\~/$HOME} w REPLY
+  for w in "${words[@]:1:${#words[@]}-2}"; do
+    _snell_unquoted "$w"
+    [[ $REPLY == *.glib ]] && scene=$REPLY && break
+  done
   type -t -- "$program" >/dev/null || program=snell
   local candidates=()
   mapfile -t candidates < <("$program" complete "$kind" "${scene/#\~/$HOME}" "$word" 2>/dev/null)
-  COMPREPLY=("${candidates[@]%%$'\t'*}")
+  COMPREPLY=()
+  for w in "${candidates[@]%%$'\t'*}"; do
+    printf -v w %q "$w"
+    COMPREPLY+=("$w")
+  done
   [[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace 2>/dev/null
 }
 
@@ -32,6 +55,9 @@ _snell() {
   for w in "${COMP_WORDS[@]:0:COMP_CWORD+1}"; do
     if ((${#words[@]} > 1)) && [[ $w == [=:]* || ${words[-1]} == *[=:] ]]; then words[-1]+=$w; else words+=("$w"); fi
   done
+  # --color may stand ahead of the subcommand.
+  while ((${#words[@]} > 2)) && [[ ${words[1]} == --color=* ]]; do words=("${words[0]}" "${words[@]:2}"); done
+  while ((${#words[@]} > 3)) && [[ ${words[1]} == --color ]]; do words=("${words[0]}" "${words[@]:3}"); done
   cur=${words[-1]} prev=${words[-2]}
   if ((${#words[@]} > 2)) && [[ " $_snell_commands " == *" ${words[1]} "* ]]; then command=${words[1]}; fi
   COMPREPLY=()

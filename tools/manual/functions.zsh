@@ -1,9 +1,10 @@
 
 # Candidates that only snell knows, for the scene on the line. _arguments puts options for compadd before the kind.
 _snell_ask() {
-  local -a scenes=("${(@M)words:#*.glib}") texts shown
-  local scene=${(Q)scenes[1]-} line
-  for line in "${(@f)$(command ${_snell_program:-snell} complete ${@[-1]} "${scene/#\~/$HOME}" 2>/dev/null)}"; do
+  local -a unquoted=("${(@Q)words}") texts shown
+  local -a scenes=("${(@M)unquoted:#*.glib}")
+  local scene=${scenes[1]-} line
+  for line in "${(@f)$(command ${_snell_program:-snell} complete ${@[-1]} "${scene/#\~/$HOME}" "${(Q)PREFIX}" 2>/dev/null)}"; do
     [[ -n $line ]] || continue
     texts+=("${line%%$'\t'*}")
     shown+=("${line/$'\t'/  -- }")

@@ -116,7 +116,10 @@ std::string zsh(const std::vector<Command>& commands) {
            "\n_snell() {\n  local curcontext=$curcontext _snell_program=${words[1]} ret=1\n  local -a line "
            "commands=(\n" +
            rows +
-           "  )\n  if (( CURRENT == 2 )); then _describe -t commands subcommand commands && ret=0; fi\n"
+           "  )\n  # --color may stand ahead of the subcommand.\n"
+           "  while (( CURRENT > 2 )) && [[ ${words[2]} == --color=* ]]; do words[2]=() ; (( CURRENT-- )); done\n"
+           "  while (( CURRENT > 3 )) && [[ ${words[2]} == --color ]]; do words[2,3]=() ; (( CURRENT -= 2 )); done\n"
+           "  if (( CURRENT == 2 )); then _describe -t commands subcommand commands && ret=0; fi\n"
            "  case ${words[2]-} in\n" +
            cases + "    *)\n      " + window + " && ret=0 ;;\n  esac\n  return ret\n}\n\n_snell \"$@\"\n";
 }
@@ -129,8 +132,8 @@ std::string fish(const std::vector<Command>& commands) {
         const std::string when = command.name.empty() ? "'not __fish_seen_subcommand_from" + all + "'"
                                                       : "'__fish_seen_subcommand_from " + command.name + "'";
         if (!command.name.empty())
-            rows += "complete -c snell -n __fish_is_first_token -f -a " + command.name + " -d " +
-                    fish_text(command.doc) + "\n";
+            rows +=
+                "complete -c snell -n __snell_is_first -f -a " + command.name + " -d " + fish_text(command.doc) + "\n";
         for (const Option& option : command.options) {
             rows += "complete -c snell -n " + when;
             for (const std::string& name : option.short_names) rows += " -s " + name.substr(1);
@@ -143,7 +146,13 @@ std::string fish(const std::vector<Command>& commands) {
     return "# Completion of snell for fish. Written by snell_manual from the options of the program.\n\n"
            "# Candidates that only snell knows, for the scene on the line.\nfunction __snell_ask\n"
            "    set -l words (commandline -opc)\n    set -l scene (string match -r '.*\\.glib$' -- $words)[1]\n"
-           "    command $words[1] complete $argv[1] \"$scene\" 2>/dev/null\nend\n\ncomplete -c snell -f\n" +
+           "    set -l word (string replace -r -- '^--[a-z-]+=' '' (commandline -ct))\n"
+           "    command $words[1] complete $argv[1] \"$scene\" \"$word\" 2>/dev/null\nend\n\n"
+           "# Whether the subcommand is next: --color may stand ahead of it.\nfunction __snell_is_first\n"
+           "    set -l words (commandline -opc)[2..]\n"
+           "    while string match -q -- '--color*' $words[1]\n"
+           "        if test \"$words[1]\" = --color; set -e words[1]; end\n        set -e words[1]\n    end\n"
+           "    test (count $words) -eq 0\nend\n\ncomplete -c snell -f\n" +
            rows;
 }
 

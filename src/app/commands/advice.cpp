@@ -109,6 +109,27 @@ bool advise_ladders(const AccuracyOptions& options, const std::string& path, Ben
     return met;
 }
 
+// Whether a rung of the knob is what was wished for; prints it.
+bool tell_knob(const SweepResult& result, const Wish& wish) {
+    const auto best = choose(result, wish);
+    if (!best || !fulfils(result, result.rungs[*best], wish)) return false;
+    const RungResult& rung = result.rungs[*best];
+    fmt::print("\n{}: of the knob {} it is '{}'\n  RMSE {:.3g}{}, {} times\n", wish_text(wish), result.sweep.name,
+               rung.name, rung.own.light.rmse,
+               wish.error && result.residual != 0 ? residual_text(result, wish) : " from the reference",
+               ratio_text(rung.ratio));
+    return true;
+}
+
+// Of the knobs that the options name, which were measured already.
+bool advise_named_knobs(const std::string& path, const Wish& wish, const Report& report) {
+    bool met = false;
+    for (const SweepResult& result : report.sweeps)
+        if (result.scene == path) met = tell_knob(result, wish) || met;
+    if (!met) fmt::print("\n{}: no rung of these knobs is known to be; others were not tried\n", wish_text(wish));
+    return met;
+}
+
 // Each knob alone, as they change what no ladder does.
 bool advise_knobs(const std::string& path, Bench& bench, const Rungs& now, const Wish& wish,
                   const MeasureOptions& measuring, Report& report) {
@@ -123,14 +144,7 @@ bool advise_knobs(const std::string& path, Bench& bench, const Rungs& now, const
         SweepResult result = measure(bench, sweep, one);
         result.scene = path;
         fmt::print("{}", table_text(result));
-        if (const auto best = choose(result, wish); best && fulfils(result, result.rungs[*best], wish)) {
-            const RungResult& rung = result.rungs[*best];
-            fmt::print("\n{}: of the knob {} it is '{}'\n  RMSE {:.3g}{}, {} times\n", wish_text(wish), sweep.name,
-                       rung.name, rung.own.light.rmse,
-                       wish.error && result.residual != 0 ? residual_text(result, wish) : " from the reference",
-                       ratio_text(rung.ratio));
-            met = true;
-        }
+        met = tell_knob(result, wish) || met;
         report.sweeps.push_back(std::move(result));
     }
     return met;
@@ -210,17 +224,18 @@ bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench
 }
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
-bool explain_presets(const std::string& path, const AccuracyOptions& options, const FoundResult& found) {
+bool explain_presets(const std::string& path, const AccuracyOptions& options, const FoundResult* found) {
     fmt::print(
         stderr,
         "snell: error: '{}' has no ladders, so no presets were written: a preset names a rung of each ladder\n   "
         "help: write a scene with found rung N as a ladder by: {} --as-ladder N -o FOLDER\n",
         utf8::printable(path), utf8::printable(accuracy_command(path, options.choices)));
+    if (!found) return false;
     const std::array<Wish, 3> wishes = quality_wishes();
     for (std::size_t i = 0; i < wishes.size(); ++i)
-        if (const auto best = choose(found.timed, wishes[i]))
+        if (const auto best = choose(found->timed, wishes[i]))
             fmt::print("{}{:<8}  {}", i == 0 ? "\nof the found rungs these would be\n" : "", quality_names[i],
-                       found_choice_text(path, options, found, *best));
+                       found_choice_text(path, options, *found, *best));
     return false;
 }
 
@@ -247,12 +262,11 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
     if (limited && found) half.seconds /= 2;
     if (!bench.scene().ladders.empty()) {
         met = advise_ladders(options, path, bench, now, half, report, saved);
-    } else if (!found) {
-        fmt::print(stderr, "snell: error: '{}' has no ladders: there is nothing to choose\n", utf8::printable(path));
-        return false;
     } else {
-        saved = !options.save_quality || explain_presets(path, options, *found);
-        if (limited) met = advise_knobs(path, bench, now, wish, half, report);
+        saved = !options.save_quality || explain_presets(path, options, found);
+        if (limited)
+            met = options.knobs.empty() ? advise_knobs(path, bench, now, wish, half, report)
+                                        : advise_named_knobs(path, wish, report);
     }
     if (limited && found) {
         met = advise_found(path, options, *found, wish, !bench.scene().ladders.empty()) || met;

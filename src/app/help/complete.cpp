@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -28,6 +29,24 @@ struct Candidate {
 };
 using Candidates = std::set<Candidate>;
 
+// A name that GLSL can have, or a part of such a variable: a[2].b. Others would only reach the command line, where a
+// shell may take them for something else.
+bool glsl_name(std::string_view name) {
+    char before = '.';
+    for (const char c : name) {
+        const bool digit = c >= '0' && c <= '9', letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+        const bool begins = before == '.', ends = before == ']';
+        if (begins ? !letter : !letter && !digit && c != '.' && c != '[' && c != ']') return false;
+        if (ends && c != '.' && c != '[') return false;
+        before = c;
+    }
+    return before != '.' && before != '[';
+}
+
+bool has_controls(std::string_view text) {
+    return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+}
+
 // The scene as far as it can be read.
 struct Reading {
     explicit Reading(const std::string& path) : files(scene_folder(path)) {
@@ -47,7 +66,7 @@ std::string written_value(const UniformValue& value, const Sources& sources) {
     if (value.span.end > text.size() || value.name_span.end > value.span.end) return {};
     std::string remark(text.substr(value.name_span.end, value.span.end - value.name_span.end));
     for (char& c : remark)
-        if (c == '\n' || c == '\t' || c == '\\') c = ' ';
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\') c = ' ';
     remark.erase(0, std::min(remark.find_first_not_of(' '), remark.size()));
     return remark;
 }
@@ -55,8 +74,10 @@ std::string written_value(const UniformValue& value, const Sources& sources) {
 void add_uniforms(Candidates& found, Reading& reading, std::string_view end) {
     const Scene& scene = reading.plan.scene;
     const auto add = [&](const Program& program, const std::string& name, const std::string& remark) {
+        if (!glsl_name(name)) return;
         found.insert({fmt::format("{}{}", name, end), remark});
-        if (scene.programs.size() > 1) found.insert({fmt::format("{}.{}{}", program.name, name, end), remark});
+        if (glsl_name(program.name) && scene.programs.size() > 1)
+            found.insert({fmt::format("{}.{}{}", program.name, name, end), remark});
     };
     for (const PlannedProgram& planned : reading.plan.programs) {
         const Program& program = scene.programs[planned.program];
@@ -76,6 +97,15 @@ void add_rungs(Candidates& found, const Reading& reading) {
     for (const Ladder& ladder : reading.plan.scene.ladders)
         for (const std::string& rung : ladder.rungs)
             found.insert({ladder.name + "=" + rung, rung == ladder.rungs[ladder.current] ? "as the scene says" : ""});
+}
+
+// Behind the names that the word lists already, with commas.
+void add_more_ladders(Candidates& found, const Reading& reading, std::string_view word) {
+    const std::string_view listed = word.substr(0, word.rfind(',') + 1);
+    const std::string all = "," + std::string(listed);
+    for (const Ladder& ladder : reading.plan.scene.ladders)
+        if (all.find("," + ladder.name + ",") == std::string::npos)
+            found.insert({fmt::format("{}{}", listed, ladder.name), "ladder"});
 }
 
 void add_ladders(Candidates& found, const Reading& reading, std::string_view end) {
@@ -98,7 +128,7 @@ Exit complete(const Question& question) {
         Reading reading(question.scene);
         if (question.kind == "uniforms") add_uniforms(found, reading, "=");
         if (question.kind == "rungs") add_rungs(found, reading);
-        if (question.kind == "ladders") add_ladders(found, reading, "");
+        if (question.kind == "ladders") add_more_ladders(found, reading, question.word);
         if (question.kind == "axes") {
             add_uniforms(found, reading, "=");
             add_ladders(found, reading, "=");
@@ -106,7 +136,7 @@ Exit complete(const Question& question) {
         }
     }
     for (const Candidate& candidate : found)
-        if (candidate.text.starts_with(question.word))
+        if (candidate.text.starts_with(question.word) && !has_controls(candidate.text))
             fmt::print("{}{}{}\n", candidate.text, candidate.remark.empty() ? "" : "\t", candidate.remark);
     return exit_fine;
 }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
 #include "src/app/create/create.h"
 #include "src/app/help/help.h"
@@ -157,10 +158,34 @@ bool names_output(std::string_view option) {
 
 }  // namespace
 
+std::string_view first_word(int count, const char* const* words) {
+    int at = 1;
+    while (at < count && std::string_view(words[at]).starts_with("--color"))
+        at += std::string_view(words[at]) == "--color" ? 2 : 1;
+    return at < count ? words[at] : std::string_view();
+}
+
+std::optional<Misspelt> misspelt_option(CLI::App& program, std::string_view first, int count,
+                                        const char* const* words) {
+    const auto commands = program.get_subcommands([&](CLI::App* command) { return command->get_name() == first; });
+    std::vector<std::string> known = {"--help"};
+    for (const CLI::Option* option : (commands.empty() ? &program : commands.front())->get_options())
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    for (int at = 1; at < count; ++at) {
+        const std::string_view word = words[at], name = word.substr(0, word.find('='));
+        if (word == "--") break;
+        if (!word.starts_with("--") || ranges::find(names, name) != names.end()) continue;
+        if (const std::string_view meant = nearest(name, names); !meant.empty())
+            return Misspelt{std::string(name), std::string(meant)};
+    }
+    return std::nullopt;
+}
+
 std::vector<std::string> meant_words(int count, const char* const* words) {
     constexpr const char* standard_output = "/dev/stdout";
     std::vector<std::string> meant(words, words + count);
-    const std::string_view subcommand = count > 1 ? words[1] : "";
+    const std::string_view subcommand = first_word(count, words);
     for (std::size_t i = 1; i < meant.size(); ++i) {
         std::string& word = meant[i];
         const std::string next = i + 1 < meant.size() ? meant[i + 1] : "";

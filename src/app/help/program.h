@@ -2,6 +2,7 @@
 // completions from it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,15 @@ struct Request {
 // the next word if it ends with .json or is a stream, and for subcommands that write nothing else to it any name that
 // is no option and no scene. A single dash for a file that is written is standard output.
 std::vector<std::string> meant_words(int count, const char* const* words);
+
+// The first word of the command line behind --color: a subcommand, if it is the name of one; "" if there is none.
+std::string_view first_word(int count, const char* const* words);
+
+// The first word that begins with -- and is no option of the subcommand, or of the window, but nearly one.
+struct Misspelt {
+    std::string word, meant;
+};
+std::optional<Misspelt> misspelt_option(CLI::App& program, std::string_view first, int count, const char* const* words);
 
 // Adds the options of the window and the subcommands; if `first`, the first word of a command line, names one, only of
 // that one. `request` must live as long as `program`.

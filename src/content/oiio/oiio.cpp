@@ -199,6 +199,7 @@ std::unique_ptr<Picture> begin(const char* path, const char* format, const Snell
     OIIO::ImageSpec spec = spec_of(stored);
     if (shape.type == snell_oiio_u8 && std::string(output->format_name()) == "openexr")
         spec.set_format(OIIO::TypeDesc::HALF);
+    spec.attribute("DateTime", "");  // otherwise it is now, and the same picture differs from second to second
     if (output->supports("ioproxy")) {
         picture->file = std::make_unique<OutputFile>(path);
         if (!output->set_ioproxy(picture->file.get())) picture->file.reset();

@@ -110,6 +110,7 @@ private:
     // Marks operands whose result is undefined for some constants. `a` is null where the dividend is assigned.
     // `step`: the instruction whose operand it is.
     void mark(const Expression& e, std::string_view function, int step, int operand, bool both);
+    void mark_divisor(const Expression& e, int step);
     void mark_division(const Expression* a, const Expression& b, std::string_view op, int step);
     void mark_call(const Expression& call, std::string_view name, const std::vector<Expression>& given);
     void note_write(const Expression& target, const Expression* value, std::string_view op);

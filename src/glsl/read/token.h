@@ -187,6 +187,9 @@ struct Mark {
     int step = 0, operand = 0;  // of Code::steps; of its operands
     int call = -1;              // the token of a call whose operands are both marked
     bool both = false;          // it matters, too, where the other operand is constant
+    int last = -1;              // the token that the parenthesis follows
+    bool number = false;        // made of numbers of the text only
+    bool known = false;         // and their value is known: a component is 0
 };
 
 struct Node;

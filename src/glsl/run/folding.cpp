@@ -80,6 +80,22 @@ public:
             for (std::size_t step = 0; step < u_.code.steps.size(); ++step) take(u_.code.steps[step], step);
         } while (changed_);
     }
+    // Once more, with regard to the order: what a variable was last given in the text. Parameters keep what all calls
+    // give them.
+    void follow_in_order() {
+        std::vector<Fold> first(variables_.size());
+        const auto keep = [&](int variable) {
+            if (variable >= 0) first[at(variable)] = variables_[at(variable)];
+        };
+        for (const Function& f : u_.functions)
+            for (const Parameter& parameter : f.parameters) keep(parameter.variable);
+        for (const Global& g : u_.globals)
+            if (g.qualifiers.storage == Storage::uniform || g.qualifiers.storage == Storage::in) keep(g.variable);
+        variables_ = std::move(first);
+        in_order_ = true;
+        stack_.clear();
+        for (std::size_t step = 0; step < u_.code.steps.size(); ++step) take(u_.code.steps[step], step);
+    }
     // Uniforms in places where nearly the same number gives another result.
     std::uint64_t touchy() const { return touchy_; }
     // Of an instruction with two operands.
@@ -95,6 +111,13 @@ private:
         changed_ = changed_ || now.kind != known.kind || now.zero != known.zero || !same || now.from != known.from ||
                    now.gain != known.gain;
         known = now;
+    }
+    // What a variable is given as a whole takes the place of what it was.
+    void give(const Item& target, const Fold& fold) {
+        if (in_order_ && target.whole && target.variable >= 0)
+            variables_[at(target.variable)] = fold;
+        else
+            know(target.variable, fold);
     }
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
@@ -118,11 +141,11 @@ private:
                 operands_[step] = {target.fold, given.fold};
                 const Fold fold =
                     i.text.size() == 1 ? given.fold : of_operator(i.text.substr(0, 1), target.fold, given.fold);
-                know(target.variable, fold);
+                give(target, fold);
                 return push(fold);
             }
             case Op::declare:
-                if (i.b == 1) know(i.a, pop().fold);
+                if (i.b == 1) give({{}, i.a}, pop().fold);
                 return;
             case Op::drop:
             case Op::unless:
@@ -245,7 +268,32 @@ private:
         constexpr std::string_view keep_zero[] = {"abs", "sqrt", "min",     "max",    "clamp",
                                                   "mix", "sign", "radians", "degrees"};
         result.zero = !is_live(result) && (result.zero || ranges::count(keep_zero, i.text) == 0);
+        if (!is_live(result) && given.size() == 1 && !std::isnan(given[0].fold.value))
+            compute(i.text, given[0], result);
         push(result);
+    }
+
+    // Of a number, where the result is surely not 0.
+    static void compute(std::string_view name, const Item& given, Fold& result) {
+        constexpr std::pair<std::string_view, double (*)(double)> rows[] = {
+            {"sin", std::sin},
+            {"cos", std::cos},
+            {"tan", std::tan},
+            {"asin", std::asin},
+            {"acos", std::acos},
+            {"exp", std::exp},
+            {"exp2", std::exp2},
+            {"log", std::log},
+            {"log2", std::log2},
+            {"sqrt", std::sqrt},
+            {"radians", [](double x) { return x * 0.017453292519943295; }},
+            {"degrees", [](double x) { return x / 0.017453292519943295; }}};
+        const auto* row = ranges::find(rows, name, [](const auto& r) { return r.first; });
+        if (row == std::end(rows)) return;
+        const double value = row->second(given.fold.value);
+        if (!std::isfinite(value) || std::abs(value) < 1e-5) return;
+        result.value = value;
+        result.zero = false;
     }
 
     void call(const Instruction& i) {
@@ -277,7 +325,7 @@ private:
     std::map<std::size_t, std::array<Fold, 2>> operands_;  // by instruction, as of the last round
     std::map<std::size_t, Fold> results_;                  // by Unit::functions
     std::uint64_t touchy_ = 0;
-    bool changed_ = false;
+    bool changed_ = false, in_order_ = false;
 };
 
 }  // namespace
@@ -313,9 +361,11 @@ std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_v
                                   std::map<std::string_view, Fold>& passed) {
     if (!unit.code.whole) {
         passed.clear();
-        return std::vector<bool>(unit.marks.size(), true);
+        std::vector<bool> stay;
+        for (const Mark& mark : unit.marks) stay.push_back(mark.number ? mark.known : !settled.empty());
+        return stay;
     }
-    const Follower follower = followed(unit, settled, passed);
+    Follower follower = followed(unit, settled, passed);
     const auto stays = [&](const Mark& mark) {
         const Fold fold = follower.operand(mark.step, mark.operand),
                    other = follower.operand(mark.step, 1 - mark.operand);
@@ -324,6 +374,12 @@ std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_v
     };
     std::vector<bool> stay;
     ranges::transform(unit.marks, std::back_inserter(stay), stays);
+    if (ranges::count(unit.marks, divisor_mark, &Mark::function) == 0) return stay;
+    follower.follow_in_order();
+    for (std::size_t n = 0; n < stay.size(); ++n) {
+        const Fold fold = follower.operand(unit.marks[n].step, unit.marks[n].operand);
+        if (unit.marks[n].function == divisor_mark && fold.kind == Kind::constant && fold.zero) stay[n] = true;
+    }
     return stay;
 }
 

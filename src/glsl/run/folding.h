@@ -31,8 +31,8 @@ struct Fold {
 std::uint64_t touchy(const Unit& unit, const std::map<std::string_view, Fold>& settled,
                      std::map<std::string_view, Fold>& passed);
 
-// By Unit::marks, whether the mark stays. `passed`: what is known of the stage's inputs; of its outputs when this
-// returns.
+// By Unit::marks, whether the mark stays: for divisors that the text alone makes 0, and where settled uniforms count.
+// `passed`: what is known of the stage's inputs; of its outputs when this returns.
 std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, Fold>& settled,
                                   std::map<std::string_view, Fold>& passed);
 

@@ -137,7 +137,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     if (Unit* vertex = program.find(Stage::vertex)) assign_attributes(program, *vertex);
     program.declared = declared_uniforms(program);
     choose_settled(program);
-    if (options.undefined_at_run_time) resolve_marks(program);
+    resolve_marks(program);
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);
     replace_legacy(program);
     if (options.target.es && program.units.size() == 2) give_point_size(program.units.front());

@@ -268,16 +268,27 @@ void choose_settled(Program& program) {
 }
 
 void resolve_marks(Program& program) {
-    const std::map<std::string_view, run::Fold> settled = folds(program);
+    const bool at_run_time = program.options.undefined_at_run_time;
+    const std::map<std::string_view, run::Fold> settled = at_run_time ? folds(program) : decltype(folds(program)){};
     std::map<std::string_view, run::Fold> passed;
     for (Unit& u : program.units) {
+        if (!at_run_time && u.marks.empty()) {
+            passed.clear();
+            continue;
+        }
         const std::vector<bool> stay = run::marks_that_stay(u, settled, passed);
         for (Edit& edit : u.edits)
             for (std::size_t at = edit.before.find(mark_name); at != std::string::npos;
-                 at = edit.before.find(mark_name, at + 1)) {
+                 at = edit.before.find(mark_name, at)) {
                 const std::size_t end = edit.before.find('(', at);
                 const auto n = static_cast<std::size_t>(std::stoi(edit.before.substr(at + mark_name.size())));
-                edit.before.replace(at, end - at, stay[n] ? u.marks[n].function : std::string_view());
+                if (stay[n]) {
+                    edit.before.replace(at, end - at, u.marks[n].function);
+                    continue;
+                }
+                edit.before.erase(at, end + 1 - at);
+                std::string& after = u.edit(u.marks[n].last).after;
+                after.erase(after.find(')'), 1);
             }
         for (std::size_t n = 0; n < stay.size(); ++n)
             if (stay[n] && u.marks[n].call >= 0) u.replace(u.marks[n].call, u.marks[n].function);
