@@ -31,7 +31,7 @@ _snell_ask() {
   COMPREPLY=()
   for w in "${candidates[@]%%$'\t'*}"; do
     printf -v w %q "$w"
-    COMPREPLY+=("$w")
+    COMPREPLY+=("${w//\\,/,}")  # a comma means nothing outside of braces, which are quoted
   done
   [[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace 2>/dev/null
 }
