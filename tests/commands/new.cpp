@@ -63,7 +63,7 @@ TEST_F(New, WordsOfTheNameChooseTheKind) {
     EXPECT_TRUE(make("mirror --kind noise").says("kind noise\n"));
     EXPECT_EQ(make("--kind image").status, 0);
     EXPECT_TRUE(fs::exists(folder.path("image/image.glib"))) << "named after its kind";
-    EXPECT_EQ(make("").status, 0);
+    EXPECT_TRUE(make("").says("kind blank\n")) << "no name was given that could have chosen it";
     EXPECT_TRUE(fs::exists(folder.path("blank/blank.glib")));
 }
 

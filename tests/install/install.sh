@@ -18,7 +18,7 @@ DESTDIR=$work/staged cmake --install "$build" --prefix /opt/snell >"$work/log" |
 diff "$work/plain" "$work/destdir" || fail "DESTDIR gives other files"
 [ "$(ls "$work/staged")" = opt ] || fail "files outside of DESTDIR/prefix"
 
-for file in bin/snell lib/snell/snell_oiio.so lib/snell/snell_archive.so share/snell/scenes/light/glass/glass.glib share/snell/shaders/snell/fresnel.glsl \
+for file in bin/snell lib/snell/snell_oiio.so lib/snell/snell_archive.so lib/snell/snell_cairo.so share/snell/scenes/light/glass/glass.glib share/snell/shaders/snell/fresnel.glsl \
   share/doc/snell/README.md share/doc/snell/CHANGELOG.md share/doc/snell/copyright share/doc/snell/docs/language.md \
   share/doc/snell/scenes/light/glass/glass.glib share/applications/snell.desktop share/man/man1/snell.1 share/man/man1/snell-render.1 \
   share/bash-completion/completions/snell share/zsh/vendor-completions/_snell share/fish/vendor_completions.d/snell.fish \
@@ -33,6 +33,7 @@ done
 (cd "$work/first/share/doc/snell" && grep -oHE '\]\([^):#]+' README.md docs/*.md docs/teaching/*.md docs/teaching/*/*.md | sort -u) |
   while IFS=: read -r page link; do
     target=${link#](}
+    [[ $target != http* ]] || continue
     [ -e "$work/first/share/doc/snell/$(dirname "$page")/$target" ] || fail "$page: $target is not installed"
   done
 

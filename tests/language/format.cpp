@@ -158,7 +158,7 @@ TEST(Format, ScenesStayTheSame) {
 }
 
 TEST(Format, TheShippedScenesAreFormatted) {
-    for (const char* folder : {"scenes", "examples"})
+    for (const char* folder : {"scenes", "examples", "templates", "docs/teaching"})
         for (const auto& entry : fs::recursive_directory_iterator(SNELL_ROOT "/" + std::string(folder)))
             if (const auto type = entry.path().extension(); type == ".glib" || type == ".inc") {
                 EXPECT_EQ(bytes_of(entry.path()), formatted(bytes_of(entry.path()))) << entry.path();

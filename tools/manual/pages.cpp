@@ -45,7 +45,7 @@ std::string entry(const Option& option) {
         names.empty() ? "\\fI" + roff(option.argument) + "\\fR" : "\\fB" + roff(joined(names, ", ")) + "\\fR";
     if (!names.empty() && !option.argument.empty()) head += " \\fI" + roff(option.argument) + "\\fR";
     std::string out = ".TP\n" + head + "\n" + roff(option.doc);
-    if (!option.choices.empty() && option.choices.size() < 8) out += ": " + roff(joined(option.choices, ", "));
+    if (!option.choices.empty() && option.choices.size() < 8) out += " (" + roff(joined(option.choices, ", ")) + ")";
     return out + "\n";
 }
 

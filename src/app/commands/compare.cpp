@@ -305,18 +305,20 @@ Run add_compare(CLI::App& command) {
     auto options = std::make_shared<CompareOptions>();
     command.add_option("PICTURE", options->picture, "a picture, a scene, or a folder of them")->required();
     command
-        .add_option("REFERENCE", options->references,
-                    "what it is compared with; of several, the nearest counts. A folder is compared by names")
+        .add_option(
+            "REFERENCE", options->references,
+            "picture, scene or folder to compare with; of several, the nearest counts. Names pair the files of folders")
         ->required();
     command
-        .add_option("-o,--output", options->output, "write FLIP's map of the differences; of folders, into a folder")
+        .add_option("-o,--output", options->output,
+                    "write FLIP's map of the differences; for folders, a folder of maps")
         ->check(check_file_name);
-    add_json(command, options->json, "print the figures as JSON, or write them");
-    command.add_option("--max-rmse", options->max_rmse, "different if the RMSE of displayed values (0 to 1) is larger")
+    add_json(command, options->json, "print the figures as JSON");
+    command.add_option("--max-rmse", options->max_rmse, "fail if the RMSE of displayed values (0 to 1) is larger")
         ->check(CLI::Range(0., 1e9));
-    command.add_option("--max-flip", options->max_flip, "different if the mean of FLIP (0 to 1) is larger")
+    command.add_option("--max-flip", options->max_flip, "fail if the mean of FLIP (0 to 1) is larger")
         ->check(CLI::Range(0., 1.));
-    command.add_option("--max-pixels", options->max_pixels, "different if more per cent of the pixels differ")
+    command.add_option("--max-pixels", options->max_pixels, "fail if more per cent of the pixels differ")
         ->check(CLI::Range(0., 100.));
     command
         .add_option("--threshold", options->threshold,

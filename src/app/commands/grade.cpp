@@ -101,14 +101,14 @@ Run add_grade_command(CLI::App& command) {
     GradeOptions& grade = options->grade;
     command.add_option("RUBRIC", grade.rubric, "the rubric (TOML); with --new, a scene")->required();
     command.add_option("SUBMISSION", grade.submissions,
-                       "folders, archives or scenes; one folder without a scene holds submissions");
-    command.add_option("-o,--output", grade.output, "the folder of the report; with --new, the rubric")
+                       "folders, archives or scenes, each a submission; or one folder that holds them");
+    command.add_option("-o,--output", grade.output, "the folder of the report; with --new, the file of the rubric")
         ->check(check_file_name);
     command.add_flag("--new", options->make_new, "write a rubric for a scene, to start from");
     command.add_option("--shard", options->shard, "I/N: judge part I of N, and write no report")->check(check_part);
     command.add_option("--jobs", grade.jobs, "processes at a time (default: one for each core)")
         ->check(CLI::Range(1, 1024));
-    command.add_flag("--again", grade.again, "judge everything again, also what an earlier run has judged");
+    command.add_flag("--again", grade.again, "judge everything again, even if nothing has changed");
     command.add_flag("-q,--quiet", options->quiet, "print no line for each submission");
     command.footer(
         "What was judged is kept in the folder of the report: a second run judges only what has changed.\n"

@@ -85,6 +85,7 @@ Exit make_new(const NewOptions& options) {
 
     const std::string stem = folder.filename().string();
     Choice choice = kind_for(stem);
+    if (options.name.empty()) choice.word = {};  // no name was given that could choose
     if (!options.kind.empty()) choice = {&*ranges::find(kinds(), options.kind, &Kind::name), ""};
 
     std::error_code none;
@@ -109,8 +110,8 @@ std::string notes() {
     std::string text = "Kinds, each with the words that choose it:\n";
     for (const Kind& kind : kinds()) text += fmt::format("  {:<9} {} ({})\n", kind.name, kind.summary, kind.words);
     return text +
-           "Without --kind, the words of NAME choose: 'glass-1' is of kind refract. If none of them does, or several\n"
-           "disagree, the kind is blank.";
+           "\nWithout --kind, the words of NAME choose: 'glass-1' is of kind refract. If none of them does, or\n"
+           "several disagree, the kind is blank.";
 }
 
 }  // namespace

@@ -40,11 +40,11 @@ constexpr auto table = std::to_array<Subcommand>({
      "  snell check scenes/light/*/*.glib --json --confine scenes  # for scripts that grade homework"},
     {"compare", "measure how far pictures or scenes are from each other", add_compare,
      "  snell compare scenes/light/glass/glass.glib scenes/light/glass/glass.glib --max-rmse 0.01"},
-    {"grade", "grade submissions by a rubric, and make a page of each", add_grade_command,
+    {"grade", "grade submissions by a rubric, and make a page for each", add_grade_command,
      "  snell grade --new scenes/light/glass/glass.glib            # print a rubric to start from"},
     {"explain", "report what a scene costs, and why", add_explain,
      "  snell explain scenes/light/glass/glass.glib --size 800x600\n"
-     "  snell explain scenes/light/glass/glass.glib --set uMix=0   # what this value switches off"},
+     "  snell explain scenes/light/ambient/ambient.glib --no-time  # also what its values switch off"},
     {"accuracy", "measure the error and the cost of each rung", add_accuracy,
      "  snell accuracy scenes/light/glass/glass.glib -o report.html --ladders all\n"
      "  snell accuracy scenes/light/mirror/mirror.glib --within 16ms   # the most exact rungs for 16 ms"},
@@ -65,8 +65,8 @@ constexpr auto table = std::to_array<Subcommand>({
     {"info", "print the OpenGL version and renderer", add_info,
      "  snell info\n"
      "  snell info --context es3.0                                 # of another version"},
-    {"lsp", "serve editors by the Language Server Protocol", add_lsp,
-     "  snell lsp </dev/null                                       # editors start it; without one: status 1"},
+    {"lsp", "run the language server, which editors start", add_lsp,
+     "  snell lsp </dev/null                                       # without an editor it ends with status 1"},
     {"help", "explain a subcommand, a command of the language or the code of a message", add_help,
      "  snell help render\n"
      "  snell help pow-of-negative                                 # the code at the end of a message\n"
@@ -83,17 +83,18 @@ struct ValueName {
     const char* value;
 };
 constexpr auto value_names = std::to_array<ValueName>({
-    {"allow", "FOLDER"},       {"baked", "UNIFORM"},     {"budget", "SECONDS"},     {"color", "WHEN"},
-    {"confine", "FOLDER"},     {"context", "VERSION"},   {"csv", "FILE"},           {"dump", "STAGE"},
-    {"error", "RMSE"},         {"fps", "RATE"},          {"frames", "COUNT"},       {"from", "RUNGS"},
-    {"jobs", "COUNT"},         {"json", "FILE"},         {"kind", "KIND"},          {"knobs", "KNOB,…"},
-    {"ladder", "LADDER=RUNG"}, {"ladders", "LADDER,…"},  {"limit", "LIMIT=VALUE"},  {"link", "URL"},
-    {"markdown", "FILE"},      {"max-flip", "FLIP"},     {"max-pixels", "PERCENT"}, {"max-rmse", "RMSE"},
-    {"merge", "FILE"},         {"output", "FILE"},       {"over", "NAME=VALUES"},   {"quality", "PRESET"},
-    {"reps", "COUNT"},         {"samples", "COUNT"},     {"set", "UNIFORM=VALUE"},  {"shard", "I/N"},
-    {"sheet", "FILE"},         {"size", "WIDTHxHEIGHT"}, {"stats", "FILE"},         {"steps", "COUNT"},
-    {"svg", "FILE"},           {"threshold", "VALUE"},   {"tile", "PIXELS"},        {"time", "SECONDS"},
-    {"timeout", "SECONDS"},    {"title", "TEXT"},        {"view", "VIEW"},          {"within", "TIME"},
+    {"allow", "FOLDER"},       {"apply", "NUMBERS"},  {"as-ladder", "NUMBERS"},  {"baked", "UNIFORM"},
+    {"budget", "SECONDS"},     {"color", "WHEN"},     {"confine", "FOLDER"},     {"context", "VERSION"},
+    {"csv", "FILE"},           {"dump", "STAGE"},     {"error", "RMSE"},         {"fps", "RATE"},
+    {"frames", "COUNT"},       {"from", "RUNGS"},     {"jobs", "COUNT"},         {"json", "FILE"},
+    {"kind", "KIND"},          {"knobs", "KNOB,…"},   {"ladder", "LADDER=RUNG"}, {"ladders", "LADDER,…"},
+    {"limit", "LIMIT=VALUE"},  {"link", "URL"},       {"markdown", "FILE"},      {"max-flip", "FLIP"},
+    {"max-pixels", "PERCENT"}, {"max-rmse", "RMSE"},  {"merge", "FILE"},         {"output", "FILE"},
+    {"over", "NAME=VALUES"},   {"quality", "PRESET"}, {"reps", "COUNT"},         {"samples", "COUNT"},
+    {"set", "UNIFORM=VALUE"},  {"shard", "I/N"},      {"sheet", "FILE"},         {"size", "WIDTHxHEIGHT"},
+    {"slide", "FILE"},         {"stats", "FILE"},     {"steps", "COUNT"},        {"svg", "FILE"},
+    {"threshold", "VALUE"},    {"tile", "PIXELS"},    {"time", "SECONDS"},       {"timeout", "SECONDS"},
+    {"title", "TEXT"},         {"view", "VIEW"},      {"within", "TIME"},
 });
 
 // Flags have no type.

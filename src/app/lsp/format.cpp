@@ -87,10 +87,11 @@ Exit format_one(const std::string& path, bool check) {
 Run add_format(CLI::App& command) {
     auto options = std::make_shared<FormatOptions>();
     command
-        .add_option("SCENE", options->files, "scenes, which are replaced; '-': from standard input to standard output")
+        .add_option("SCENE", options->files,
+                    "scenes, whose files are replaced; '-': from standard input to standard output")
         ->required();
     command.add_flag("--check", options->check,
-                     "replace nothing; list what would change, and end with 1 if there is any");
+                     "replace nothing; list files that would change, and end with status 1 if there are any");
     command.footer(
         "Statements between PushMatrix and PopMatrix, glBegin and glEnd, and in passes to textures are indented,\n"
         "and continued lines are aligned. Nothing else changes.");

@@ -81,9 +81,10 @@ int serve() {
 }  // namespace
 
 Run add_lsp(CLI::App& command) {
-    command.footer("Editors start it: see docs/lsp.md. It reads and writes messages of the protocol only.");
+    command.footer(
+        "An editor starts it and talks to it through standard input and output; docs/lsp.md lists what it offers.");
     auto stdio = std::make_shared<bool>();
-    command.add_flag("--stdio", *stdio, "as some editors ask for: it is always so");
+    command.add_flag("--stdio", *stdio, "accepted because some editors pass it; it changes nothing");
     return [stdio] { return serve(); };
 }
 
