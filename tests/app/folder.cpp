@@ -63,6 +63,21 @@ TEST(Folder, NamesThatNoTerminalShouldSeeAreEscaped) {
     EXPECT_TRUE(std::filesystem::exists(listing.entries[0].path)) << "and opened under their own";
 }
 
+TEST(Folder, TheOnlySceneStandsForItsFolder) {
+    const Scratch folder;
+    EXPECT_EQ(only_scene(folder.path("none")), folder.path("none"));
+    folder.write("inner/x.glib", "");
+    folder.write("ball.frag", "");
+    EXPECT_EQ(only_scene(folder.path()), folder.path()) << "no scene directly in it";
+    const std::string scene = folder.write("ball.glib", "");
+    EXPECT_EQ(only_scene(folder.path()), scene);
+    EXPECT_EQ(only_scene(folder.path() + "/"), scene);
+    EXPECT_EQ(only_scene(scene), scene);
+    EXPECT_EQ(only_scene(""), "") << "not the folder where the program runs";
+    folder.write("ball2.glib", "");
+    EXPECT_EQ(only_scene(folder.path()), folder.path());
+}
+
 TEST(Folder, SaysWhyThereIsNothing) {
     const Scratch folder;
     EXPECT_NE(list_folder(folder.path("none"), false).error, "");

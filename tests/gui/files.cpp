@@ -154,6 +154,7 @@ TEST_F(FilesWindow, AFolderIsLookedIntoAndRecentScenesAreThereAsTheyWereLeft) {
     ASSERT_TRUE(close_windows(display_));
     EXPECT_TRUE(wait([&](const json&) { return !alive(); }));
     end_window();
+    save("other/three.glib", "Background 0 0 0\n");
     open("other");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.entry.two.glib"); }));
     settle();
@@ -174,6 +175,12 @@ TEST_F(FilesWindow, AFolderIsLookedIntoAndRecentScenesAreThereAsTheyWereLeft) {
     click("browser.recent.one.glib");
     ASSERT_TRUE(shows("one.glib"));
     EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+TEST_F(FilesWindow, AFolderWithOneSceneOpensIt) {
+    open("other");
+    EXPECT_TRUE(shows("other/two.glib"));
+    EXPECT_FALSE(state()["widgets"].contains("browser.cancel"));
 }
 
 TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {

@@ -10,7 +10,8 @@ namespace snell::app {
 
 Run add_window(CLI::App& command) {
     auto window = std::make_shared<WindowOptions>();
-    command.add_option("SCENE", window->scene, "the scene to open in a window, or a folder to choose one from");
+    command.add_option("SCENE", window->scene,
+                       "the scene to open in a window, or a folder: its only scene, or a list to choose from");
     add_size(command, window->size, "size of the window, WIDTHxHEIGHT");
     add_repeated(command, "--ladder", window->ladders, "ladder=rung to begin with; may be repeated");
     add_quality(command, window->quality);

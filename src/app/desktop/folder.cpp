@@ -134,4 +134,12 @@ ui::Listing list_folder(const std::string& folder, bool all) {
     return listing;
 }
 
+std::string only_scene(const std::string& path) {
+    if (!is_folder(path)) return path;
+    const ui::Listing listing = list_folder(path, false);
+    const auto scene = ranges::find(listing.entries, false, &ui::Entry::folder);  // folders come first
+    if (listing.entries.end() - scene != 1) return path;
+    return (fs::path(path) / fs::path(scene->path).filename()).string();
+}
+
 }  // namespace snell

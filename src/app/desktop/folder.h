@@ -14,6 +14,9 @@ ui::Listing list_folder(const std::string& folder, bool all);
 
 bool is_folder(const std::string& path);
 
+// The scene of a folder that has exactly one directly in it, as of `snell new`; otherwise the path itself.
+std::string only_scene(const std::string& path);
+
 // Replaces a leading "~" or "~/" by the home folder.
 std::string without_tilde(const std::string& path);
 

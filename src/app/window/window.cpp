@@ -33,6 +33,7 @@ void begin_with(Carried& carried, WindowOptions& options) {
 int run_window(const WindowOptions& options) {
     Restart restart(options.after);
     WindowOptions now = options;
+    now.scene = only_scene(now.scene);
     std::optional<Carried> carried = restart.carried();
     if (carried) begin_with(*carried, now);
     std::error_code none;
