@@ -97,7 +97,7 @@ public:
     Vec3 normal{0, 0, 1}, texcoord{0, 0, 0};
 
     // Parses another text at this place. Set by the parser.
-    std::function<void(std::string_view name, Span span)> include;
+    std::function<void(std::string_view name, Span span, Span name_span)> include;
     std::string from;  // FileName::from for the names that follow
 
     // Tells how many bytes have been read, from which the final size of lists is estimated.

@@ -70,7 +70,7 @@ void message_box(Builder& b, const Arguments& a) {
 void verbose(Builder& b, const Arguments&) { b.scene().verbose = true; }
 
 void include(Builder& b, const Arguments& a) {
-    if (b.include) b.include(a.text(0), a.span());
+    if (b.include) b.include(a.text(0), a.span(), a.span(0));
 }
 
 }  // namespace snell::handle

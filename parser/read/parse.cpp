@@ -36,7 +36,7 @@ public:
           limits_(limits),
           report_(limits.diagnostics),
           builder_(scene, report_, limits, text_bytes) {
-        builder_.include = [this](std::string_view name, Span span) { include(name, span); };
+        builder_.include = [this](std::string_view name, Span span, Span name_span) { include(name, span, name_span); };
     }
 
     Diagnostics run(FileId file) {
@@ -183,7 +183,7 @@ private:
         }
     }
 
-    void include(std::string_view name, Span span) {
+    void include(std::string_view name, Span span, Span name_span) {
         if (!reader_) {
             report_.error("include-unavailable", span, "other files cannot be read here");
             return;
@@ -207,7 +207,7 @@ private:
             const std::string near = included ? suggested(included->nearest) : std::string();
             Diagnostic& said = report_.error("include-not-found", span, "'" + std::string(name) + "' cannot be read",
                                              near.empty() ? near : "did you mean '" + near + "'?");
-            if (!near.empty()) said.fixes.push_back({span, text_of::name(near)});
+            if (!near.empty()) said.fixes.push_back({name_span, text_of::name(near)});
             return;
         }
         const auto same =

@@ -15,8 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int levels_above = 3;
-constexpr std::size_t most_entries = 2'000;  // of a folder that are looked at
-constexpr std::size_t most_scenes = 100;
+constexpr std::size_t most_entries = 10'000;     // of a folder that are looked at
+constexpr std::size_t most_scenes = 4'000;       // whose texts are searched for the shader's name
+constexpr std::size_t most_others = 100;         // that are read because what they include may name it
 constexpr std::uintmax_t most_bytes = 1u << 20;  // of a scene
 
 bool ends_with_any_case(std::string_view text, std::string_view end) {
@@ -76,10 +77,11 @@ std::string find_scene(const std::string& shader_path, const Access& access) {
     const std::string stem = fs::path(shader_path).stem().string();
     std::vector<std::string> others;
     for (const std::string& scene : scenes_around(shader_path)) {
-        if (!names(scene, stem, access))
+        if (names(scene, stem, access)) {
+            if (belongs(scene, shader_path, access)) return scene;
+        } else if (others.size() < most_others) {
             others.push_back(scene);
-        else if (belongs(scene, shader_path, access))
-            return scene;
+        }
     }
     for (const std::string& scene : others)
         if (belongs(scene, shader_path, access)) return scene;

@@ -62,6 +62,8 @@ TEST(Colors, EditsKeepTheAuthorsStyle) {
     EXPECT_EQ(recolored(Editor("Color [1.0, 1.0, 1.0]\n"), 0, {0, .5, 1, 1}), "Color [0.0, 0.5, 1.0]\n");
     EXPECT_EQ(recolored(Editor("Color 1. 1. 1.\n"), 0, {1, 1, 1, .5}), "Color 1. 1. 1. 0.5\n");
     EXPECT_EQ(recolored(Editor("Color .1234 .5 .5\n"), 0, {.1234, .5, .5, 1}), "Color .1234 .5 .5\n");
+    EXPECT_EQ(recolored(Editor("Program A uC {2. -1 5}\n"), 0, {.25, .5, 1, 1}), "Program A uC {0.25 .5 1}\n");
+    EXPECT_EQ(recolored(Editor("Color 255 0 0\n"), 0, {1, .5, 0, 1}), "Color 1 .5 0\n");
     EXPECT_EQ(recolored(Editor("Program A uC {1 1 1}\n"), 0, {1, 1, 1, 0}), "Program A uC {1 1 1 0}\n");
 }
 

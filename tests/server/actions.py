@@ -43,7 +43,7 @@ OWN = {
     "uniform that is there already": case(SCENE.replace("<0. .5 1.>", "1. uKaa 2."), fixes=None),
     "backslash behind a blank line": case(SCENE.replace(" uKa", "\n\n  uKb 1."), fixes=None),
     "shader: function like a variable": case(fragment=FRAGMENT.replace("gl_Frag", "float x = .5; gl_Frag").replace(
-        "uKa *", "mx(uKa, x, .5) *"), fixes=None),
+        "uKa *", "mx(uKa, x) *")),
     "range of whole numbers": case(SCENE.replace("<0. .5 1.>", "<0 10 5>")),
     "uniform": case(SCENE.replace("uKa", "uKaa")),
     "uniform of another case": case(SCENE.replace("uKa", "uka")),

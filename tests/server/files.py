@@ -100,6 +100,16 @@ class Files(unittest.TestCase):
         self.client.open(near)
         self.until(uri_of(os.path.join(self.folder, "scenes/c.glib")), ["unknown-uniform"])
 
+    def test_a_scene_is_found_among_many(self):
+        for i in range(300):
+            self.write(f"up/in/{i}.glib", "Sphere 1\n")
+        self.write_scene("up", SCENE.replace("a.frag", "in/b.frag"))
+        uri = self.client.open(self.write("up/in/b.frag", FRAGMENT))
+        found = self.client.request("textDocument/references", {
+            "textDocument": {"uri": uri}, "position": {"line": 0, "character": 15},
+            "context": {"includeDeclaration": True}})
+        self.assertIn(uri_of(os.path.join(self.folder, "up/a.glib")), {place["uri"] for place in found})
+
     def test_an_included_text_finds_its_scene(self):
         self.write_scene(fragment='#include "lib/light.glsl"\n' + FRAGMENT.replace("uKa *", "uKa * light() *"))
         part = self.write("lib/light.glsl", "float light() { return 1.; }\n")

@@ -44,10 +44,11 @@ std::string conversion_help(std::string_view from, std::string_view to) {
 Span span_of(FileId file, const Declared& d) { return {file, d.begin, d.end}; }
 
 // The declaration whose name is nearest to `name`: equal but for capitals first, then uniforms that nothing uses.
-const Declared* nearest_declared(std::string_view name, const std::vector<Declared>& all) {
+// Variables can't be called.
+const Declared* nearest_declared(std::string_view name, const std::vector<Declared>& all, bool called = false) {
     std::vector<std::string_view> names, unused;
     for (const Declared& d : all) {
-        if (d.name == name) continue;
+        if (d.name == name || (called && !d.function && !d.type.empty())) continue;
         if (equal_but_case(d.name, name)) return &d;
         names.push_back(d.name);
         if (d.qualifier == "uniform" && d.uses == 0) unused.push_back(d.name);
@@ -102,7 +103,8 @@ void suggest(Diagnostic& diagnostic, std::string_view word, std::string_view mea
     if (found) diagnostic.fixes.push_back({{span.file, found->begin, found->end}, std::string(meant)});
 }
 
-void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
+void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic,
+                     bool called = false) {
     if (!place.known) return;
     const std::vector<Declared>& all = context.texts.declared(place.file);
     for (const Declared& d : all) {
@@ -118,7 +120,7 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
         return;
     }
-    if (const Declared* d = nearest_declared(name, all)) {
+    if (const Declared* d = nearest_declared(name, all, called)) {
         const bool unused = d->qualifier == "uniform" && d->uses == 0;
         diagnostic.help = fmt::format("did you mean '{}'?", d->name);
         suggest(diagnostic, name, d->name, context);
@@ -168,7 +170,7 @@ void hint_call(const Entry& entry, std::string_view name, const Place& place, co
         diagnostic.notes.push_back({span_of(place.file, d), "this one is declared here"});
         known = true;
     }
-    if (!known) hint_undeclared(name, place, context, diagnostic);
+    if (!known) hint_undeclared(name, place, context, diagnostic, true);
     if (diagnostic.help.starts_with("a name holds"))
         diagnostic.help = fmt::format("'{}' is a variable, not a function", name);
 }

@@ -91,7 +91,7 @@ std::vector<Edit> color_edits(const Project& project, const Span& span, const st
     constexpr double step = .5 / 255;  // editors know a colour by its bytes
     for (std::size_t i = 0; i < numbers.tokens.size(); ++i) {
         const double value = std::clamp(rgba[i], 0., 1.);
-        if (std::abs(value - std::clamp(numbers.values[i], 0., 1.)) < step) continue;
+        if (std::abs(value - numbers.values[i]) < step) continue;
         edits.push_back({s.span(*numbers.tokens[i]), styled(value, s.word(*numbers.tokens[i]))});
     }
     if (numbers.tokens.size() == 3 && rgba[3] < 1 - step) {
