@@ -1,8 +1,11 @@
 #include "src/language/project.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "parser/text/ranges.h"
@@ -75,14 +78,15 @@ public:
     }
 
     void list_shaders() {
+        for (FileId file = 0; file < project_.sources.size(); ++file) know(file);
         for (Index i = 0; i < project_.plan.programs.size(); ++i)
             for (const glsl::StageInput& stage : project_.plan.programs[i].stages) {
-                Shader& shader = shader_named(std::string(project_.sources.name(stage.file)), stage.file);
+                Shader& shader = shader_of(stage.file);
                 shader.included = false;
                 add(shader.uses, {i, stage.stage});
             }
         // The list grows: what is included includes more.
-        for (std::size_t i = 0; i < project_.shaders.size(); ++i) list_included(i);
+        for (std::size_t i = 0; i < listed_.size(); ++i) list_included(listed_[i]);
         for (std::size_t changed = 1; changed > 0;) changed = pass_uses_on();
     }
 
@@ -101,32 +105,43 @@ private:
         return true;
     }
 
-    Shader& shader_named(std::string name, FileId file) {
-        const auto found =
-            ranges::find_if(project_.shaders, [&](const Shader& s) { return project_.sources.name(s.file) == name; });
-        if (found != project_.shaders.end()) return *found;
-        return project_.shaders.emplace_back(Shader{std::move(name), file, {}, true});
+    // Remembers which file the source is. Texts of snell's library, and those that were never written, have no file.
+    FileId know(FileId file, bool on_disk = true) {
+        std::string name(project_.sources.name(file));
+        const auto [known, added] = project_.firsts.try_emplace(name, file);
+        struct stat status {};
+        if (added && on_disk && stat(name.c_str(), &status) == 0)
+            known->second = on_disk_.try_emplace({status.st_dev, status.st_ino}, file).first->second;
+        return known->second;
     }
 
-    void list_included(std::size_t from) {
+    // The shader whose text the source is, in the list.
+    Shader& shader_of(FileId source) {
+        if (names_.emplace(project_.sources.name(source)).second) listed_.push_back(source);
+        const FileId file = project_.first(source);
+        const auto found = ranges::find_if(project_.shaders, [&](const Shader& s) { return s.file == file; });
+        if (found != project_.shaders.end()) return *found;
+        return project_.shaders.emplace_back(Shader{std::string(project_.sources.name(file)), file, {}, true});
+    }
+
+    // By another name of the same file, other files may be beside it.
+    void list_included(FileId file) {
         const glsl::IncludeReader read = shader_includes(*project_.files);
-        const FileId file = project_.shaders[from].file;
         const std::string name(project_.sources.name(file));
+        const auto place = [&](const Shader& shader) {
+            return static_cast<std::size_t>(&shader - project_.shaders.data());
+        };
+        const std::size_t from = place(shader_of(file));
         for (const Include& include : includes_of(project_.sources.text(file))) {
             auto text = read(name, include.name, include.angle);
             if (!text) continue;
-            const std::string included = text->name;
-            if (!files_.contains(included) && !listed(included))
-                files_.emplace(included, project_.sources.add(included, std::move(text->text)));
-            const auto known = files_.find(included);
-            Shader& shader = shader_named(included, known == files_.end() ? 0 : known->second);
+            const auto known = project_.firsts.find(text->name);
+            Shader& shader = shader_of(known != project_.firsts.end()
+                                           ? known->second
+                                           : know(project_.sources.add(text->name, text->text), !include.angle));
             if (include.angle) shader.path.clear();
-            inclusions_.emplace_back(from, static_cast<std::size_t>(&shader - project_.shaders.data()));
+            inclusions_.emplace_back(from, place(shader));
         }
-    }
-
-    bool listed(std::string_view name) const {
-        return ranges::any_of(project_.shaders, [&](const Shader& s) { return project_.sources.name(s.file) == name; });
     }
 
     // An included text is compiled where the text that includes it is. Returns how many uses were new.
@@ -145,7 +160,9 @@ private:
     }
 
     Project& project_;
-    std::map<std::string, FileId> files_;                          // of included texts, by name
+    std::vector<FileId> listed_;                                   // texts of shaders, once for each name
+    std::set<std::string, std::less<>> names_;                     // of these
+    std::map<std::pair<dev_t, ino_t>, FileId> on_disk_;            // the first source of each file
     std::vector<std::pair<std::size_t, std::size_t>> inclusions_;  // from one of the shaders to another
 };
 
@@ -159,21 +176,26 @@ std::string_view Project::path_of(FileId file) const {
 }
 
 std::optional<FileId> Project::file_of(std::string_view wanted) const {
-    const std::string tidy = normal(wanted);
-    for (FileId file = 0; file < sources.size(); ++file)
-        if (const std::string_view name = path_of(file); name == wanted || (!name.empty() && normal(name) == tidy))
-            return file;
+    const auto found = [&](const auto& same) -> std::optional<FileId> {
+        for (FileId file = 0; file < sources.size(); ++file)
+            if (const std::string_view name = path_of(file); !name.empty() && same(name)) return first(file);
+        return std::nullopt;
+    };
+    if (const auto exact = found([&](std::string_view name) { return name == wanted; })) return exact;
     std::error_code error;
-    for (FileId file = 0; file < sources.size(); ++file)
-        if (const std::string_view name = path_of(file);
-            !name.empty() && std::filesystem::equivalent(name, wanted, error) && !error)
-            return file;
-    return std::nullopt;
+    if (std::filesystem::exists(wanted, error))
+        return found([&](std::string_view name) { return std::filesystem::equivalent(name, wanted, error) && !error; });
+    return found([&, tidy = normal(wanted)](std::string_view name) { return normal(name) == tidy; });
+}
+
+FileId Project::first(FileId file) const {
+    const auto found = firsts.find(sources.name(file));
+    return found == firsts.end() ? file : found->second;
 }
 
 const Shader* Project::shader_of(FileId file) const {
-    const std::string_view name = sources.name(file);
-    const auto found = ranges::find_if(shaders, [&](const Shader& s) { return sources.name(s.file) == name; });
+    const FileId wanted = first(file);
+    const auto found = ranges::find_if(shaders, [&](const Shader& s) { return s.file == wanted; });
     return found == shaders.end() ? nullptr : &*found;
 }
 

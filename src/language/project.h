@@ -2,6 +2,8 @@
 // driver, no protocol.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,12 +45,16 @@ struct Project {
     std::vector<glsl::Translation> translations;
     Diagnostics diagnostics;  // of parser, plan, translator and lints, sorted
     std::vector<Shader> shaders;
+    // By the name of a source: the one that was read first from the same file, by whatever links and ".." lead there.
+    std::map<std::string, FileId, std::less<>> firsts;
 
     const Scene& scene() const { return plan.scene; }
     // The path on disk of a source; empty if it has none (snell's library).
     std::string_view path_of(FileId file) const;
     // The first source that was read from `path`, by whatever links and ".." lead there.
     std::optional<FileId> file_of(std::string_view path) const;
+    // The source that stands for the file in all answers: an editor has it once, however often it is read.
+    FileId first(FileId file) const;
     // Null: a scene.
     const Shader* shader_of(FileId file) const;
     bool is_scene(FileId file) const { return !alone && shader_of(file) == nullptr; }

@@ -15,6 +15,19 @@ std::string scene_of(State& state, const std::string& uri) {
     return scene.path;
 }
 
+// The window reads files, and follows them.
+void tell_of_unsaved(State& state, const std::string& scene) {
+    for (const Scene& open : state.workspace.scenes())
+        for (const auto& [uri, document] : state.documents.all()) {
+            if (open.path != scene || document.saved || !open.project || !open.project->file_of(document.path))
+                continue;
+            state.notify(
+                "window/showMessage",
+                {{"type", 3}, {"message", "The window shows the scene as it was saved, and again when you save."}});
+            return;
+        }
+}
+
 }  // namespace
 
 Json execute(State& state, const Json& params) {
@@ -26,6 +39,7 @@ Json execute(State& state, const Json& params) {
     if (command == command_names[0] && state.services.open) {
         const std::string wrong = state.services.open(scene);
         if (!wrong.empty()) throw Failure{Failure::request_failed, wrong};
+        tell_of_unsaved(state, scene);
         return nullptr;
     }
     if (command == command_names[1])

@@ -25,7 +25,7 @@ public:
           }) {}
 
     int run() {
-        while (!ended_ && !session_.over()) {
+        while (!ended_ && !session_.over() && !session_.editor_is_gone()) {
             wait();
             // What has arrived meanwhile may cancel what waits.
             while (!session_.idle() && !session_.over()) {
@@ -42,10 +42,10 @@ private:
     // Until a message, a result or a deadline.
     void wait() {
         const auto due = std::min(checks_.due(), errands_.due());
-        int most = -1;
+        int most = 3'000;  // then the editor may be gone
         if (due != Clock::time_point::max()) {
             const auto left = std::chrono::ceil<std::chrono::milliseconds>(due - Clock::now()).count();
-            most = static_cast<int>(std::clamp<std::int64_t>(left, 0, 60'000));
+            most = static_cast<int>(std::clamp<std::int64_t>(left, 0, most));
         }
         std::array<pollfd, 3> ends{
             {{in_, POLLIN, 0}, {checks_.descriptor(), POLLIN, 0}, {errands_.descriptor(), POLLIN, 0}}};

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 
 #include "parser/text/ranges.h"
 #include "src/server/capabilities.h"
@@ -105,10 +107,15 @@ Json Session::initialize(const Json& params) {
     if (member(member(params, "initializationOptions"), "driver") == false) state_.services.driver = nullptr;
     const Json& encodings = member(member(state_.client, "general"), "positionEncodings");
     state_.encoding = chosen_encoding(encodings);
+    // A process that was never seen is in a container of its own: it has not ended.
+    if (const Json& editor = member(params, "processId"); editor.is_number_integer()) editor_ = editor.get<pid_t>();
+    if (editor_is_gone()) editor_ = 0;
     life_ = Life::running;
     return {{"capabilities", capabilities(state_.encoding)},
             {"serverInfo", {{"name", "snell"}, {"version", state_.services.version}}}};
 }
+
+bool Session::editor_is_gone() const { return editor_ > 0 && kill(editor_, 0) != 0 && errno == ESRCH; }
 
 std::string Session::result_of(const std::string& method, const Json& params) {
     if (method == "initialize") return text_of(initialize(params));

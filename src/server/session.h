@@ -1,6 +1,8 @@
 // The life of a connection: messages in their order, and their answers.
 #pragma once
 
+#include <sys/types.h>
+
 #include <deque>
 #include <optional>
 #include <string>
@@ -24,6 +26,8 @@ public:
     bool ready() const { return life_ == Life::running; }
     // The exit status once the editor is done.
     std::optional<int> over() const { return over_; }
+    // The process that the editor named has ended, whoever holds its end of the pipe.
+    bool editor_is_gone() const;
     int status_at_end() const { return life_ == Life::shut ? 0 : 1; }
     State& state() { return state_; }
 
@@ -48,6 +52,7 @@ private:
     std::deque<Waiting> queue_;
     Life life_ = Life::fresh;
     std::optional<int> over_;
+    pid_t editor_ = 0;  // 0: it did not say
 };
 
 }  // namespace snell::server

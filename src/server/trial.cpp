@@ -39,6 +39,33 @@ std::ptrdiff_t same(const Diagnostics& all, const Diagnostic& one) {
     return count;
 }
 
+// Where the diagnostic is once it is fixed, if it is there at all.
+std::uint32_t place_after(const Diagnostic& diagnostic) {
+    std::uint32_t at = diagnostic.span.begin;
+    for (const Fix& fix : diagnostic.fixes)
+        if (fix.span.file == diagnostic.span.file && fix.span.begin < diagnostic.span.begin)
+            at += static_cast<std::uint32_t>(fix.text.size()) - (fix.span.end - fix.span.begin);
+    return at;
+}
+
+// How much is said at a place of a file, by whatever code.
+std::ptrdiff_t said_at(const Checked& checked, std::string_view name, std::uint32_t at) {
+    const auto there = [&](const Span& span) { return span.begin == at && checked.sources.name(span.file) == name; };
+    std::ptrdiff_t count = 0;
+    for (const Diagnostic& d : checked.diagnostics.items())
+        if (d.has_span) count += (there(d.span) ? 1 : 0) + ranges::count_if(d.also, there);
+    return count;
+}
+
+bool is_good(const Diagnostic& diagnostic, const Checked& before, const Checked& after) {
+    if (after.diagnostics.errors() > before.diagnostics.errors()) return false;
+    if (same(after.diagnostics, diagnostic) >= same(before.diagnostics, diagnostic)) return false;
+    if (!diagnostic.has_span) return true;
+    // Another message in its place would only be the next one.
+    const std::string_view name = before.sources.name(diagnostic.span.file);
+    return said_at(after, name, place_after(diagnostic)) < said_at(before, name, diagnostic.span.begin);
+}
+
 }  // namespace
 
 void keep_good_fixes(Checked& checked, const Access& access, const std::function<Checked(const Access&)>& check) {
@@ -48,10 +75,7 @@ void keep_good_fixes(Checked& checked, const Access& access, const std::function
         if (!diagnostic.fixes.empty()) {
             const auto with =
                 std::chrono::steady_clock::now() < end ? fixed(diagnostic, checked.sources, access) : std::nullopt;
-            const Checked after = with ? check(*with) : Checked{};
-            if (!with || after.diagnostics.errors() > checked.diagnostics.errors() ||
-                same(after.diagnostics, diagnostic) >= same(checked.diagnostics, diagnostic))
-                diagnostic.fixes.clear();
+            if (!with || !is_good(diagnostic, checked, check(*with))) diagnostic.fixes.clear();
         }
         kept.add(std::move(diagnostic));
     }

@@ -172,12 +172,68 @@ TEST_F(Grade, WhatDidNotChangeIsKept) {
     EXPECT_TRUE(grade("r.toml s -o out --again").says("0 of them judged before"));
 }
 
+TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolder) {
+    folder.write("r.toml", head + "[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n");
+    // One picture takes long enough to end the run while it is drawn.
+    scene("s/ann", with(paint, "float d =",
+                        "float x = n.x;\n  for (int i = 0; i < 3000; ++i) x = fract(sin(x) * 43758.5);\n"
+                        "  float d = min(x, 0.) + "));
+    const std::string start = "cd '" + folder.path() + "' && { " SNELL_BIN "/snell grade r.toml s -o out ";
+    const std::string drawing =
+        "i=0; while [ ! -e out/students/ann/result.json ] && [ $i -lt 1000 ]; do sleep .01; "
+        "i=$((i + 1)); done; ";
+    const Outcome killed =
+        run(start + ">first 2>&1 & }; " + drawing + "kill -KILL $!; wait $! 2>first; cat out/students/ann/result.json");
+    EXPECT_TRUE(killed.says("judging ended before")) << "it was too late to kill it";
+    const Outcome two = run(start + ">first 2>&1 & }; sleep .1; " + drawing +
+                            SNELL_BIN "/snell grade r.toml s -o out 2>&1; echo status $?; wait; cat first");
+    EXPECT_TRUE(two.says("error: another run of 'snell grade' writes into 'out'")) << two.output;
+    EXPECT_TRUE(two.says("status 1")) << two.output;
+    EXPECT_TRUE(two.says("1 submissions, 0 of them judged before")) << two.output;
+    EXPECT_EQ(result("ann")["points"], 1) << two.output;
+}
+
+TEST_F(Grade, FoldersOfStudentsKeepTheirNamesAndGoWithThem) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("s/ann");
+    scene("s/bob");
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    const auto folders = [&] {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(at("out/students"))) names.push_back(entry.path().filename());
+        std::sort(names.begin(), names.end());
+        return names;
+    };
+    scene("t/bob", "broken");
+    ASSERT_EQ(grade("r.toml s/* t/bob -o out").status, 0);
+    const std::vector<std::string> three = folders();
+    ASSERT_EQ(three.size(), 3u);
+    EXPECT_EQ(three[1], "bob") << "another of that name renames no folder";
+    EXPECT_TRUE(three[2].starts_with("bob-")) << three[2];
+    ASSERT_EQ(grade("r.toml s/ann t/bob -o out").status, 0);
+    EXPECT_EQ(folders(), (std::vector<std::string>{"ann", three[2]}));
+    EXPECT_TRUE(grade("r.toml s/ann t/bob -o out").says("2 of them judged before"));
+    // What grading did not make stays.
+    folder.write("out/students/" + three[2] + "/letter.txt", "x");
+    folder.write("out/students/mine/index.html", "x");
+    fs::create_directory_symlink(at("out/students/ann"), at("out/students/link"));
+    ASSERT_EQ(grade("r.toml s/ann -o out").status, 0);
+    EXPECT_EQ(folders(), (std::vector<std::string>{"ann", three[2], "link", "mine"}));
+    EXPECT_FALSE(fs::exists(at("out/students/" + three[2] + "/index.html")));
+    EXPECT_TRUE(fs::exists(at("out/students/mine/index.html")));
+    EXPECT_EQ(result("ann")["points"], 1);
+    EXPECT_TRUE(fs::exists(at("out/students/ann/index.html")));
+}
+
 TEST_F(Grade, PartsTogetherAreTheWhole) {
     folder.write("r.toml",
                  head + "[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n[[item]]\nexpect = \"reference\"\n");
     for (const std::string name : {"ann", "bob", "eve", "kim", "zoe"}) scene("s/" + name);
     ASSERT_EQ(grade("r.toml s -o whole").status, 0);
-    for (const std::string part : {"1/2", "0/2"}) ASSERT_EQ(grade("r.toml s -o parts --shard " + part).status, 0);
+    const std::string part = SNELL_BIN "/snell grade r.toml s -o parts --shard ";
+    const Outcome parts =
+        run("cd '" + folder.path() + "' && { " + part + "0/2 & " + part + "1/2; echo status $?; wait; }");
+    EXPECT_TRUE(parts.says("status 0") && parts.says("part 0 of 2: 3 submissions")) << parts.output;
     EXPECT_FALSE(fs::exists(at("parts/index.html")));
     EXPECT_TRUE(grade("r.toml s -o parts").says("5 of them judged before"));
     for (const std::string file : {"results.json", "results.csv", "junit.xml", "index.html"})

@@ -71,11 +71,11 @@ def small(command):
     if words[1] not in SUBCOMMANDS:
         return "snell check " + next(word for word in words if word.endswith(".glib"))
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
-            "accuracy": {"--size": "48x36", "--no-time": "", "--budget": "1"}}.get(words[1], {})
+            "accuracy": {"--size": "48x36", "--no-time": "", "--budget": "3"}}.get(words[1], {})
     if {"--list-found", "--apply", "--as-ladder"} & set(words):
         less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):
-        less = {"--size": "48x36", "--reps": "3", "--budget": "2"}
+        less = {"--size": "48x36", "--reps": "3", "--budget": "4"}
     if "--baked" in words:
         less = {"--size": "48x36"}
     if "--frames" in words:

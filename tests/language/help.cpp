@@ -15,9 +15,11 @@ std::string Editor::written(std::string_view name, std::string_view text) {
     return folder_.write(name, clean);
 }
 
-Editor::Editor(std::string_view scene, const std::map<std::string, std::string>& others) {
+Editor::Editor(std::string_view scene, const std::map<std::string, std::string>& others,
+               const std::map<std::string, std::string>& links) {
     const std::string path = written("scene.glib", scene);
     for (const auto& [name, text] : others) written(name, text);
+    for (const auto& [name, target] : links) std::filesystem::create_symlink(target, folder_.path(name));
     project_ = read_project(path, {}, Depth::plan);
     file_ = cursor_.empty() ? project_.scene_file : file(cursor_);
 }

@@ -15,8 +15,9 @@ namespace snell::language {
 
 class Editor {
 public:
-    // The scene is "scene.glib". '@' marks the cursor and is not written.
-    Editor(std::string_view scene, const std::map<std::string, std::string>& others = {});
+    // The scene is "scene.glib". '@' marks the cursor and is not written. `links` are symbolic, by name.
+    Editor(std::string_view scene, const std::map<std::string, std::string>& others = {},
+           const std::map<std::string, std::string>& links = {});
 
     const Project& project() const { return project_; }
     FileId file() const { return file_; }

@@ -165,6 +165,17 @@ TEST(Names, RefusedRenames) {
     EXPECT_NE(refused("void main() { bl@ah; }"), "");
     EXPECT_NE(refused("float rou@nd(float x) { return x; }\nvoid main() { round(vec3(1.)); }"), "");
     EXPECT_EQ(refused("uniform float u@X; void main() { uX; }"), "");
+    EXPECT_NE(refused("uniform float u\\\nX; void main() { u@X; }"), "");
+    EXPECT_NE(refused("uniform float u@X; void main() { u\\\r\nX; }"), "");
+    EXPECT_NE(refused("void main() { float lo@cal = 1.; lo\\\ncal; }"), "");
+    EXPECT_EQ(refused("#define F(a) \\\n    a\nuniform float u@X; void main() { F(uX); }"), "");
+    // In another text of the program.
+    for (const std::string_view text : {"#define J(a) u ## a\nvoid main() { J(Ka); }", "void main() { u\\\nKa; }"})
+        EXPECT_NE(Editor("Vertex b.vert\nFragment a.frag\nProgram A u@Ka 1.\n",
+                         {{"b.vert", std::string(text)}, {"a.frag", "uniform float uKa; void main() { uKa; }"}})
+                      .rename("uNew")
+                      .refused,
+                  "");
     const Editor vertices(
         "Vertex b.vert\nProgram A\n",
         {{"b.vert", "#version 330\nin vec3 my@Pos;\nvoid main() { gl_Position = vec4(myPos, 1.); }"}});

@@ -18,6 +18,7 @@ FRAGMENT = "uniform float uKa;\nvarying vec3 vN;\nvoid main() {\n    gl_FragColo
 SCENE = "Vertex a.vert\nFragment a.frag\nProgram P uKa <0. .5 1.>\nSphere 1\n"
 
 
+# `fixes`: at least so many; None: none at all
 def case(scene=SCENE, vertex=VERTEX, fragment=FRAGMENT, fixes=1, encoding="utf-8", **more):
     files = {"scene.glib": scene, "a.vert": vertex, "a.frag": fragment, **more}
     return {name: text.encode(encoding) for name, text in files.items()}, fixes
@@ -37,6 +38,12 @@ OWN = {
     "backslash before a comment": case(SCENE.replace(" uKa", "  # a remark\n    uKa"), fixes=0),
     "range, maximum before the value": case(SCENE.replace("<0. .5 1.>", "<0. 1. .5>")),
     "range, value first": case(SCENE.replace("<0. .5 1.>", "<.5 0. 1.>"), fixes=0),
+    "range, reversed": case(SCENE.replace("<0. .5 1.>", "<1. .5 0.>")),
+    "range, reversed whole numbers": case(SCENE.replace("<0. .5 1.>", "<3 2 1>")),
+    "uniform that is there already": case(SCENE.replace("<0. .5 1.>", "1. uKaa 2."), fixes=None),
+    "backslash behind a blank line": case(SCENE.replace(" uKa", "\n\n  uKb 1."), fixes=None),
+    "shader: function like a variable": case(fragment=FRAGMENT.replace("gl_Frag", "float x = .5; gl_Frag").replace(
+        "uKa *", "mx(uKa, x, .5) *"), fixes=None),
     "range of whole numbers": case(SCENE.replace("<0. .5 1.>", "<0 10 5>")),
     "uniform": case(SCENE.replace("uKa", "uKaa")),
     "uniform of another case": case(SCENE.replace("uKa", "uka")),
@@ -142,7 +149,7 @@ def try_all(client, name, folder, least, driver):
     scene = Scene(client, folder, driver)
     scene.settle()
     actions, wrong = scene.actions(), []
-    if len(actions) < least:
+    if len(actions) < (least or 0) or (least is None and actions):
         wrong.append(f"{name}: {len(actions)} fixes instead of {least}: {every(client)}")
     for action in actions:
         before, one = errors(client), action["diagnostics"][0]

@@ -24,9 +24,12 @@ def frame(message):
 
 
 class Client:
-    def __init__(self, program, capabilities=None, initialize=True, environment=None, driver=True):
+    def __init__(self, program, capabilities=None, initialize=True, environment=None, driver=True,
+                 without=()):
         self.process = subprocess.Popen([program, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                        stderr=subprocess.DEVNULL, env={**os.environ, **(environment or {})})
+                                        stderr=subprocess.DEVNULL,
+                                        env={name: value for name, value in {**os.environ, **(environment or {})}.items()
+                                             if name not in without})
         self.messages = queue.Queue()
         self.garbage = b""
         self.waiting = {}

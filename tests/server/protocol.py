@@ -46,6 +46,19 @@ def code(message):
 
 
 class Life(unittest.TestCase):
+    def test_ends_with_its_editor(self):
+        # The pipe stays open: a process that the editor started may hold it.
+        editor = subprocess.Popen(["sleep", "60"])
+        server = subprocess.Popen([SNELL, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
+        server.stdin.write(frame(request(1, "initialize", {"processId": editor.pid, "capabilities": {}})))
+        server.stdin.flush()
+        with self.assertRaises(subprocess.TimeoutExpired):
+            server.wait(.5)
+        editor.kill()
+        editor.wait()
+        self.assertEqual(server.wait(20), 1)
+        server.stdin.close()
+
     def test_ends_with_0_after_shutdown(self):
         messages, status = conversation(INITIALIZE + END)
         self.assertEqual([m["id"] for m in messages], [1, 2])

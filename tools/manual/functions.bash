@@ -10,7 +10,8 @@ _snell_unquoted() {
     elif [[ -z $quote && $c == [\'\"] ]]; then
       quote=$c
     elif [[ $c == \\ && $quote != \' ]]; then
-      REPLY+=${1:++i:1}
+      ((++i))
+      REPLY+=${1:i:1}
     else
       REPLY+=$c
     fi
@@ -30,8 +31,8 @@ _snell_ask() {
   mapfile -t candidates < <("$program" complete "$kind" "${scene/#\~/$HOME}" "$word" 2>/dev/null)
   COMPREPLY=()
   for w in "${candidates[@]%%$'\t'*}"; do
-    printf -v w %q "$w"
-    COMPREPLY+=("${w//\\,/,}")  # a comma means nothing outside of braces, which are quoted
+    [[ $w != *[^[:alnum:]_./:=,+-]* ]] || printf -v w %q "$w"
+    COMPREPLY+=("$w")
   done
   [[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace 2>/dev/null
 }

@@ -75,11 +75,30 @@ std::string change_place(const Change& change, const Sources& sources) {
     return fmt::format("{}:{}:{}", utf8::printable(sources.name(change.where.file)), at.line, at.column);
 }
 
+std::vector<std::string> other_edits(const Change& change, const Sources& sources) {
+    std::vector<std::string> lines;
+    for (const Edit& edit : change.edits) {
+        const Span &where = change.where, &at = edit.span;
+        if (at.file == where.file && where.begin <= at.begin && at.end <= where.end) continue;
+        const auto shown = [](std::string_view text) {
+            return text.empty() ? std::string("(nothing)") : utf8::printable(excerpt(text));
+        };
+        const Position place = sources.position(at.file, at.begin);
+        lines.push_back(fmt::format("{}:{}:{}: {} → {}", utf8::printable(sources.name(at.file)), place.line,
+                                    place.column, shown(sources.text(at.file).substr(at.begin, at.end - at.begin)),
+                                    shown(edit.text)));
+    }
+    return lines;
+}
+
 std::string change_line(const Change& change, const Sources& sources) {
     const auto shown = [](const std::string& text) {
         return text.empty() ? std::string("(nothing)") : utf8::printable(text);
     };
-    return fmt::format("{}: {} → {}", change_place(change, sources), shown(change.before), shown(change.after));
+    std::string line =
+        fmt::format("{}: {} → {}", change_place(change, sources), shown(change.before), shown(change.after));
+    for (const std::string& other : other_edits(change, sources)) line += "\n    and " + other;
+    return line;
 }
 
 std::string_view line_end_of(std::string_view text) {

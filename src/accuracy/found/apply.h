@@ -30,7 +30,10 @@ std::string chosen_name(const Chosen& chosen, std::string_view separator = "+");
 // Such as "glass.frag:12:5".
 std::string change_place(const Change& change, const Sources& sources);
 
-// Such as "glass.frag:12:5: i < 8 → i < 4".
+// Edits at other places than the first, such as "glass.frag:14:12: 8. → 4.".
+std::vector<std::string> other_edits(const Change& change, const Sources& sources);
+
+// Such as "glass.frag:12:5: i < 8 → i < 4". Other edits follow on lines of their own.
 std::string change_line(const Change& change, const Sources& sources);
 
 // The line end of a text: that of its first line, "\n" if it has only one line.

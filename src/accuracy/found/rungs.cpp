@@ -81,6 +81,7 @@ FoundResult untried(const Original& original, std::vector<Change> changes, const
     for (std::size_t i = 0; i < result.changes.size(); ++i) {
         const Change& change = result.changes[i];
         result.positions.push_back(change_place(change, original.sources));
+        result.others.push_back(other_edits(change, original.sources));
         result.rungs.push_back({.name = std::to_string(i + 1), .changes = {i}, .aim = facts(change.kind).aim});
     }
     int width = result.width = settings.width, height = result.height = settings.height;

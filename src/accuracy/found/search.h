@@ -73,10 +73,11 @@ struct FoundResult {
     std::string cannot_say;
     std::optional<BrokenPlace> broken;  // the first such place
     std::uint64_t seed = 1;
-    std::vector<Change> changes;         // as find_changes lists them
-    std::vector<std::string> positions;  // file:line:column of each change
-    std::vector<Place> places;           // the scene's own first
-    std::size_t searched = 0;            // how many of the places were searched on; the others are held out
+    std::vector<Change> changes;                   // as find_changes lists them
+    std::vector<std::string> positions;            // file:line:column of each change
+    std::vector<std::vector<std::string>> others;  // edits of each change at other places: other_edits
+    std::vector<Place> places;                     // the scene's own first
+    std::size_t searched = 0;                      // how many of the places were searched on; the others are held out
     // One for each change, in their order, then combinations. Of Aim::unused, those that change any pixel have the
     // places up to the first where they do so.
     std::vector<FoundRung> rungs;

@@ -205,8 +205,11 @@ std::string place_of(const FoundResult& found, const FoundRung& rung) {
 
 std::string change_of(const FoundResult& found, const FoundRung& rung) {
     const auto shown = [](const std::string& text) { return text.empty() ? "(nothing)" : text; };
-    return of_changes(found, rung, "; ", [&](const Change& change, std::size_t) {
-        return shown(change.before) + " → " + shown(change.after);
+    return of_changes(found, rung, "; ", [&](const Change& change, std::size_t i) {
+        std::string text = shown(change.before) + " → " + shown(change.after);
+        if (i < found.others.size())
+            for (const std::string& other : found.others[i]) text += ", " + other;
+        return text;
     });
 }
 

@@ -91,6 +91,7 @@ std::string list_json(const std::string& scene, const Found& found) {
                                  {"column", at.column},
                                  {"before", change.before},
                                  {"after", change.after}});
+        if (const auto more = other_edits(change, found.sources); !more.empty()) json["found"].back()["more"] = more;
     }
     return content::json_text(json) + "\n";
 }

@@ -40,7 +40,7 @@ bool may_hold_report(const std::string& folder) {
     if (!fs::exists(folder, error) || fs::is_empty(folder, error)) return true;
     const fs::path index = fs::path(folder) / "index.html";
     if (!fs::exists(index, error)) return fs::is_directory(fs::path(folder) / "students", error);
-    return content::whole_file(index.string()).find("content=\"snell grade\"") != std::string::npos;
+    return is_report_page(content::whole_file(index.string()));
 }
 
 void print_grades(const Grades& grades) {

@@ -5,8 +5,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
 
 #include "src/app/open/headless.h"
+#include "src/content/json.h"
 
 namespace snell::app {
 
@@ -39,6 +45,17 @@ std::string check_finite_number(const std::string& text) {
 std::string check_context(const std::string& text) {
     ContextRequest request;
     return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
+}
+
+// Texts by path, as JSON.
+std::shared_ptr<const std::map<std::string, std::string>> texts_in(const std::string& file) {
+    auto texts = std::make_shared<std::map<std::string, std::string>>();
+    std::ifstream stream(file, std::ios::binary);
+    const auto json = content::parse_json(std::string{std::istreambuf_iterator<char>(stream), {}});
+    if (!json.is_object()) throw CLI::ValidationError("--instead", fmt::format("'{}' is not a JSON object", file));
+    for (const auto& [path, text] : json.items())
+        if (text.is_string()) texts->emplace(path, text.get<std::string>());
+    return texts;
 }
 
 }  // namespace
@@ -85,6 +102,11 @@ void add_access(CLI::App& command, Access& access) {
         ->check(CLI::ExistingDirectory);
     add_repeated(command, "--allow", access.allow, "with --confine or --grade: read this folder, too; may be repeated")
         ->check(CLI::ExistingDirectory);
+    // For editors, whose texts are not written yet (src/app/lsp).
+    command
+        .add_option_function<std::string>("--instead",
+                                          [&access](const std::string& file) { access.instead = texts_in(file); })
+        ->group("");
 }
 
 void add_grade(CLI::App& command, bool& grade) {

@@ -42,8 +42,7 @@ std::string check_page_name(const std::string& name) {
     const std::string ending = path.extension().string();
     if (same_word(ending, ".html") || same_word(ending, ".htm") || content::is_stream(name)) return "";
     const std::string better =
-        name == "-" ? "/dev/stdout"
-                    : (same_word(ending, ".glib") ? (path.parent_path() / path.stem()).string() : name) + ".html";
+        (same_word(ending, ".glib") ? (path.parent_path() / path.stem()).string() : name) + ".html";
     return fmt::format("the name of a page ends with .html or .htm, but '{}' does not\n   help: -o '{}'",
                        utf8::printable(name), utf8::printable(better));
 }

@@ -64,14 +64,29 @@ private:
         std::error_code error;
         fs::create_directories(output_ / "students", error);
         if (!error) fs::create_directories(output_ / "reference", error);
-        return !error || trouble(fmt::format("cannot make the folder '{}': {}", utf8::printable(options_.output),
-                                             error.message()));
+        if (error)
+            return trouble(
+                fmt::format("cannot make the folder '{}': {}", utf8::printable(options_.output), error.message()));
+        grades_.lock = lock_part(output_.string(), options_.shard, options_.shards);
+        return grades_.lock ||
+               trouble(
+                   fmt::format("another run of 'snell grade' writes into '{}'\n   help: wait until it has ended, or "
+                               "choose another folder",
+                               utf8::printable(options_.output)));
     }
+
+    // What a process has written so far does not count as judged, not even if this process is killed.
+    static std::string unfinished(const std::string& key) { return "unfinished " + key; }
 
     ToJudge work_on(const std::string& key, const std::string& path, const std::string& folder,
                     const std::string& reference) const {
-        return {&grades_.rubric, key, path, folder, (output_ / ".unpacked" / fs::path(folder).filename()).string(),
-                reference};
+        return {&grades_.rubric,
+                unfinished(key),
+                path,
+                folder,
+                (output_ / ".unpacked" / fs::path(folder).filename()).string(),
+                reference,
+                grades_.reference ? grades_.reference->milliseconds : 0};
     }
 
     // The whole time of a submission: that of each picture is kept by the process itself.
@@ -93,23 +108,25 @@ private:
     bool judge_reference(const std::string& common) {
         if (grades_.rubric.reference.empty()) return true;
         const std::string folder = reference_folder(output_.string()), key = common + "-reference";
+        const FolderLock lock = lock_reference(output_.string());
         grades_.reference = read_record(folder, grades_.rubric);
         if (grades_.reference->key == key && !options_.again) return true;
-        clear(folder);
+        if (grades_.reference->key != key) clear(folder);  // otherwise other parts may be reading its pictures
         const ToJudge work = work_on(key, grades_.rubric.reference, folder, "");
         bool graphics = true;
         run_apart(
             1, 1, most_seconds(), [&](std::size_t) { return judge(work); },
             [&](std::size_t, const EndedProcess& ended) {
                 graphics = ended.status != exit_graphics;
-                grades_.reference = result_of(ended, folder, key);
+                grades_.reference = result_of(ended, folder, key, "");
                 if (!graphics) fmt::print(stderr, "{}", ended.output);
             });
         return graphics;
     }
 
     // What a process has left, and why it ended if it was not by itself.
-    Record result_of(const EndedProcess& ended, const std::string& folder, const std::string& key) const {
+    Record result_of(const EndedProcess& ended, const std::string& folder, const std::string& key,
+                     const std::string& submission) const {
         Record record = read_record(folder, grades_.rubric);
         std::string problem;
         if (ended.too_long || ended.signal == SIGXCPU || ended.status == exit_timeout)
@@ -119,8 +136,10 @@ private:
                                   strsignal(ended.signal));
         else if (ended.status != exit_fine)
             problem = fmt::format("it ends the program that draws it{}", said(ended));
-        if (record.key != key) record = unjudged(grades_.rubric, problem.empty() ? "there is no result" : problem);
+        if (record.key != unfinished(key))
+            record = unjudged(grades_.rubric, problem.empty() ? "there is no result" : problem);
         record.key = key;
+        record.submission = submission;
         if (!problem.empty()) record.problem = problem;
         if (ended.again && ended.signal == 0)
             record.notes.push_back("the program that draws it ended by a signal once; the second time it did not");
@@ -148,14 +167,17 @@ private:
                 const GradedSubmission& graded = grades_.all[open[k]];
                 const std::string folder = folder_of(graded.submission);
                 clear(folder);
-                return judge(work_on(graded.record.key, graded.submission.path, folder,
-                                     grades_.reference ? reference_folder(output_.string()) : ""));
+                const ToJudge work = work_on(graded.record.key, graded.submission.path, folder,
+                                             grades_.reference ? reference_folder(output_.string()) : "");
+                std::error_code error;
+                fs::remove_all(work.unpacked, error);  // of a process or run that was killed
+                return judge(work);
             },
             [&](std::size_t k, const EndedProcess& ended) {
                 GradedSubmission& graded = grades_.all[open[k]];
                 const std::string folder = folder_of(graded.submission);
                 graphics = graphics && ended.status != exit_graphics;
-                graded.record = result_of(ended, folder, graded.record.key);
+                graded.record = result_of(ended, folder, graded.record.key, graded.submission.id);
                 std::error_code error;
                 fs::remove_all(output_ / ".unpacked" / fs::path(folder).filename(), error);
                 if (shows) fmt::print(stderr, "\r{} of {}", ++ready, open.size());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/app/grade/record.h"
+#include "src/app/grade/report_folder.h"
 #include "src/app/grade/rubric.h"
 #include "src/app/grade/submissions.h"
 #include "src/app/open/exit_status.h"
@@ -28,6 +29,7 @@ struct GradedSubmission {
 };
 
 struct Grades {
+    FolderLock lock;  // of the folder of the report
     Rubric rubric;
     std::optional<Record> reference;
     std::vector<GradedSubmission> all;  // of the shard

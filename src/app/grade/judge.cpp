@@ -253,8 +253,7 @@ private:
     }
 
     Judged judge_time(const RubricItem& item) const {
-        const double reference =
-            work_.reference.empty() ? record_.milliseconds : read_record(work_.reference, rubric_).milliseconds;
+        const double reference = work_.reference.empty() ? record_.milliseconds : work_.reference_milliseconds;
         if (record_.milliseconds == 0 || reference == 0) return {0, false, "there is no time to compare"};
         const double ratio = record_.milliseconds / reference;
         return {0, ratio <= item.ratio,

@@ -12,10 +12,11 @@ namespace snell::app {
 struct ToJudge {
     const Rubric* rubric = nullptr;
     std::string key;
-    std::string path;       // the submission's folder, archive or scene: absolute
-    std::string output;     // an existing folder, for record and pictures: absolute
-    std::string unpacked;   // where archives are unpacked: absolute; made if it is needed
-    std::string reference;  // the folder of the reference's record and pictures; "": this is the reference
+    std::string path;                   // the submission's folder, archive or scene: absolute
+    std::string output;                 // an existing folder, for record and pictures: absolute
+    std::string unpacked;               // where archives are unpacked: absolute; made if it is needed
+    std::string reference;              // the folder of the reference's record and pictures; "": this is the reference
+    double reference_milliseconds = 0;  // of the reference's frame
 };
 
 // Writes a record into `output`, more than once: what is known so far, as if judging ended there. Ends the process if

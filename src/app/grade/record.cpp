@@ -32,6 +32,7 @@ Print read_print(const Json& json) {
 Json record_json(const Record& record) {
     Json json{{"schema", 1},
               {"key", record.key},
+              {"submission", record.submission},
               {"scene", record.scene},
               {"problem", record.problem},
               {"notes", record.notes},
@@ -53,6 +54,7 @@ Json record_json(const Record& record) {
 Record from_json(const Json& json) {
     Record record;
     record.key = json.at("key");
+    record.submission = json.at("submission");
     record.scene = json.at("scene");
     record.problem = json.at("problem");
     record.notes = json.at("notes").get<std::vector<std::string>>();

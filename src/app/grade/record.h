@@ -25,9 +25,10 @@ struct SourceText {
 };
 
 struct Record {
-    std::string key;      // tells whether it still holds
-    std::string scene;    // the scene's path in the submission; "" if none was found
-    std::string problem;  // why it could not be judged to the end; ""
+    std::string key;         // tells whether it still holds
+    std::string submission;  // its id, see submissions.h; "" for the reference
+    std::string scene;       // the scene's path in the submission; "" if none was found
+    std::string problem;     // why it could not be judged to the end; ""
     std::vector<std::string> notes;
     std::string messages;  // errors and warnings with their excerpts
     std::size_t errors = 0, warnings = 0;

@@ -9,6 +9,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
+#include "src/app/grade/report_folder.h"
 #include "src/app/grade/unpack.h"
 #include "src/app/open/version.h"
 #include "src/app/picture/sha256.h"
@@ -59,10 +60,9 @@ std::string safe_name(const std::string& name) {
     return safe.empty() ? "_" : safe;
 }
 
-// Of names that are equal, all but the first get a part of a hash of their path: another submission more or less does
-// not change them. Names that differ only in case would be one folder on some systems.
-void name_folders(std::vector<Submission>& submissions) {
-    std::map<std::string, std::size_t> taken;
+// Of names that are equal, each gets its id. A folder of an earlier run keeps its name: another submission more or less
+// does not change it. Names that differ only in case would be one folder on some systems.
+void name_folders(std::vector<Submission>& submissions, const fs::path& students) {
     const auto key = [](std::string name) {
         for (char& c : name) c = lower(c);
         return name;
@@ -71,8 +71,12 @@ void name_folders(std::vector<Submission>& submissions) {
     for (const Submission& submission : submissions) ++names[key(safe_name(submission.name))];
     for (Submission& submission : submissions) {
         submission.folder = safe_name(submission.name);
-        if (names[key(submission.folder)] > 1 || submission.folder != submission.name)
-            submission.folder += "-" + sha256(submission.path).substr(0, 6);
+        const std::string longer = submission.folder + "-" + submission.id;
+        const bool several = names[key(submission.folder)] > 1 &&
+                             submission_in((students / submission.folder).string()) != submission.id;
+        if (several || submission.folder != submission.name ||
+            submission_in((students / longer).string()) == submission.id)
+            submission.folder = longer;
     }
 }
 
@@ -121,7 +125,7 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
     for (const fs::path& path : paths) {
         const fs::path absolute = fs::weakly_canonical(fs::absolute(path, error), error);
         if (absolute == report) continue;
-        submissions.push_back({absolute.string(), shown_name(path), {}});
+        submissions.push_back({absolute.string(), shown_name(path), {}, sha256(absolute.string()).substr(0, 6)});
     }
     if (submissions.empty()) {
         fmt::print(stderr,
@@ -132,7 +136,7 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
     std::sort(submissions.begin(), submissions.end(), [](const Submission& a, const Submission& b) {
         return std::tie(a.name, a.path) < std::tie(b.name, b.path);
     });
-    name_folders(submissions);
+    name_folders(submissions, report / "students");
     return submissions;
 }
 

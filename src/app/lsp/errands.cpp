@@ -3,12 +3,14 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -16,6 +18,7 @@
 #include "parser/text/utf8.h"
 #include "src/app/desktop/named_by.h"
 #include "src/content/json.h"
+#include "src/server/wire/pipes.h"
 
 extern char** environ;
 
@@ -79,6 +82,25 @@ Said said_by(const std::vector<std::string>& arguments, bool messages) {
     return said;
 }
 
+// The texts that are open, in a file without a name that the processes inherit.
+class OpenTexts {
+public:
+    explicit OpenTexts(const Access& access) : file_(memfd_create("texts", 0)) {
+        Json texts = Json::object();
+        if (access.instead)
+            for (const auto& [path, text] : *access.instead) texts[path] = text;
+        server::write_all(file_, content::json_text(texts));
+    }
+    ~OpenTexts() { close(file_); }
+    OpenTexts(const OpenTexts&) = delete;
+    OpenTexts& operator=(const OpenTexts&) = delete;
+
+    std::string option() const { return fmt::format("--instead=/proc/self/fd/{}", file_); }
+
+private:
+    int file_;
+};
+
 server::Outcome failed(std::string message) { return {{}, std::move(message), true}; }
 
 // A folder of this user for pictures; empty if there is none. Others could have made one of that name.
@@ -92,11 +114,11 @@ std::string pictures_folder() {
     return own && chmod(folder.c_str(), 0700) == 0 ? folder : std::string();
 }
 
-server::Outcome render(const std::string& scene) {
+server::Outcome render(const std::string& scene, const OpenTexts& texts) {
     const std::string folder = pictures_folder();
     if (folder.empty()) return failed("The scene was not drawn: there is no folder for its picture.");
     const std::string picture = named_by(folder, scene, "png");
-    const Said said = said_by({"render", scene, "-o", picture, "--color", "never"}, true);
+    const Said said = said_by({"render", scene, "-o", picture, "--color", "never", texts.option()}, true);
     if (said.status == 0) return {picture, "The picture is in " + picture, false};
     const std::size_t at = said.output.find("error: ");
     const std::string line = at == said.output.npos ? "" : said.output.substr(at, said.output.find('\n', at) - at);
@@ -137,8 +159,8 @@ std::string costs(const Json& report, int line) {
     return text + (frame.empty() ? "Frames were not timed." : fmt::format("A frame takes {}.", frame));
 }
 
-server::Outcome cost(const std::string& scene, int line) {
-    const Said said = said_by({"explain", scene, "--json", "--timeout", "6", "--reps", "7"}, false);
+server::Outcome cost(const std::string& scene, int line, const OpenTexts& texts) {
+    const Said said = said_by({"explain", scene, "--json", "--timeout", "6", "--reps", "7", texts.option()}, false);
     const Json report = content::parse_json(said.output);
     if (!report.is_object()) return failed("The scene was not drawn: its errors come first.");
     return {{}, costs(report, line), false};
@@ -147,13 +169,17 @@ server::Outcome cost(const std::string& scene, int line) {
 }  // namespace
 
 std::string open_window(const std::string& scene) {
+    if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
+        return "snell has no window here: neither DISPLAY nor WAYLAND_DISPLAY is set";
     pid_t process = 0;
     const int error = spawn(process, {"--", scene}, STDERR_FILENO, STDERR_FILENO, POSIX_SPAWN_SETSID);
     return error == 0 ? "" : fmt::format("snell cannot be started: {}", std::strerror(error));
 }
 
-server::Outcome run_errand(const server::Errand& errand, const Access&) {
-    return errand.kind == server::Errand::Kind::render ? render(errand.scene) : cost(errand.scene, errand.line);
+server::Outcome run_errand(const server::Errand& errand, const Access& access) {
+    const OpenTexts texts(access);
+    return errand.kind == server::Errand::Kind::render ? render(errand.scene, texts)
+                                                       : cost(errand.scene, errand.line, texts);
 }
 
 }  // namespace snell::app

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "parser/commands/commands.h"
@@ -84,12 +85,7 @@ public:
         if (!linked_.programs.empty() && find_command(name) != nullptr)
             return fmt::format("'{}' is a command: at the start of a line it would be read as one", name);
         // What the other stages call so could become linked with it.
-        std::set<FileId> near = files_;
-        for (const Index program : programs())
-            for (const Shader& shader : texts_.project.shaders)
-                if (ranges::any_of(shader.uses, [&](const ShaderUse& use) { return use.program == program; }))
-                    near.insert(shader.file);
-        for (const FileId file : near)
+        for (const FileId file : texts_of_programs())
             if (has_word(texts_.outline(file), name, 0, ~std::uint32_t{0}))
                 return fmt::format("'{}' is already in {}", name, texts_.project.sources.name(file));
         for (const Index program : programs())
@@ -110,6 +106,22 @@ private:
         return all;
     }
 
+    std::set<FileId> texts_of_programs() const {
+        std::set<FileId> all = files_;
+        for (const Index program : programs())
+            for (const Shader& shader : texts_.project.shaders)
+                if (ranges::any_of(shader.uses, [&](const ShaderUse& use) { return use.program == program; }))
+                    all.insert(shader.file);
+        return all;
+    }
+
+    std::string short_name(FileId file) const {
+        return std::filesystem::path(texts_.project.sources.name(file)).filename().string();
+    }
+    std::string split(FileId file) const {
+        return fmt::format("a name in {} goes on in the next line, behind a '\\'", short_name(file));
+    }
+
     static bool has_word(const Outline& outline, std::string_view name, std::uint32_t begin, std::uint32_t end) {
         return ranges::any_of(outline.tokens, [&](const ShaderToken& token) {
             return token.kind == glsl::Kind::identifier && token.role != ShaderToken::Role::member &&
@@ -119,6 +131,7 @@ private:
 
     std::string refused_local() {
         const Outline& outline = texts_.outline(named_.span.file);
+        if (outline.splits) return split(named_.span.file);
         for (const std::uint32_t at : outline.uses(named_.name))
             if (outline.tokens[at].in_directive)
                 return fmt::format("a macro names '{}', which may be this variable", named_.name);
@@ -130,12 +143,16 @@ private:
         if (named_.name == "main") return "every shader starts at 'main'";
         if (glsl::is_language_word(named_.name))
             return fmt::format("calls of '{}' may mean the function of GLSL", named_.name);
+        for (const FileId file : texts_of_programs()) {
+            const Outline& outline = texts_.outline(file);
+            if (outline.splits) return split(file);
+            if (outline.pastes) return fmt::format("a macro in {} joins names by '##'", short_name(file));
+        }
         bool macro = false, other = false;
         for (const FileId file : files_) {
             const Outline& outline = texts_.outline(file);
             if (outline.uses(named_.name).empty()) continue;
             if (std::string why = not_ours(file); !why.empty()) return why;
-            if (outline.pastes) return "a macro joins names by '##'";
             for (const std::uint32_t at : outline.uses(named_.name)) {
                 if (!outline.tokens[at].declares) continue;
                 const bool is_macro = kind_of(outline, at) == Kind::macro;

@@ -16,13 +16,6 @@ const Statements& Texts::statements(FileId file) {
     return statements_.emplace(file, read_statements(file, project.sources.text(file))).first->second;
 }
 
-FileId Texts::first(FileId file) {
-    if (first_.empty())
-        for (FileId id = 0; id < project.sources.size(); ++id) first_.emplace(project.sources.name(id), id);
-    const auto found = first_.find(project.sources.name(file));
-    return found == first_.end() ? file : found->second;
-}
-
 std::vector<FileId> Texts::scenes() {
     std::vector<FileId> found;
     for (FileId id = 0; id < project.sources.size(); ++id)

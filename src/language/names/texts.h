@@ -19,9 +19,9 @@ public:
     const Outline& outline(FileId file);
     const Statements& statements(FileId file);
     bool is_scene(FileId file) const { return project.is_scene(file); }
-    // The source of the same name that was read first: the one that editors have open.
-    FileId first(FileId file);
-    Span first(Span span) { return {first(span.file), span.begin, span.end}; }
+    // The source of the same file that was read first: the one that editors have open.
+    FileId first(FileId file) const { return project.first(file); }
+    Span first(Span span) const { return {first(span.file), span.begin, span.end}; }
     // The scene and those that it includes.
     std::vector<FileId> scenes();
     // The stages whose text the file is a part of.
@@ -34,7 +34,6 @@ public:
 private:
     std::map<FileId, Outline> outlines_;
     std::map<FileId, Statements> statements_;
-    std::map<std::string_view, FileId> first_;
 };
 
 }  // namespace snell::language

@@ -69,8 +69,20 @@ private:
             token.role = is_word(lexeme.text) ? Role::word : Role::global;
         }
         if (in_directive && lexeme.text == "##") outline_.pastes = true;
+        if (lexeme.kind == glsl::Kind::identifier && goes_on(token.end)) outline_.splits = true;
         outline_.tokens.push_back(token);
         return token.end;
+    }
+
+    // Drivers drop a backslash with the line end behind it, even in a name.
+    bool goes_on(std::size_t at) const {
+        const std::size_t before = at;
+        while (at < text_.size() && text_[at] == '\\') {
+            at += at + 1 < text_.size() && text_[at + 1] == '\r' ? 2 : 1;
+            if (at >= text_.size() || text_[at] != '\n') return false;
+            ++at;
+        }
+        return at > before && at < text_.size() && glsl::identifier_part(text_[at]);
     }
 
     // Texts have few words, many times.

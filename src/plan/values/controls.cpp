@@ -281,7 +281,10 @@ private:
         const bool reversed = range.min > range.max;
         if (reversed) {
             std::swap(range.min, range.max);
-            warn_range("range-reversed", written, "the minimum is above the maximum; they are swapped");
+            UniformValue meant = written;
+            meant.values = {range.min, range.current, range.max};
+            warn_range("range-reversed", written, "the minimum is above the maximum; they are swapped")
+                .fixes.push_back({written.span, text_of::uniform(meant)});
         }
         if (range.current < range.min || range.current > range.max) {
             if (!reversed) warn_order(written, range);
@@ -319,8 +322,8 @@ private:
         said.fixes.push_back({written.span, text_of::uniform(meant)});
     }
 
-    void warn_range(std::string_view code, const UniformValue& written, const std::string& what) {
-        diagnostics_.warning(code, written.span, fmt::format("range of '{}': {}", written.name, what));
+    Diagnostic& warn_range(std::string_view code, const UniformValue& written, const std::string& what) {
+        return diagnostics_.warning(code, written.span, fmt::format("range of '{}': {}", written.name, what));
     }
 
     void add_unlisted(Index program, const std::vector<ActiveUniform>& active) {

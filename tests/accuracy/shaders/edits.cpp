@@ -1,4 +1,5 @@
 // Cheaper changes of shaders: for each kind the exact edit, and what must be left alone.
+#include "src/accuracy/found/apply.h"
 #include "tests/accuracy/shaders/help.h"
 
 namespace snell::accuracy::test {
@@ -110,6 +111,39 @@ TEST_F(Rounds, AMeanStaysAMean) {
     const std::string half = found.changed(*found.of(fewer_rounds)[0], "a.frag");
     EXPECT_NE(half.find("i < 8;"), std::string::npos);
     EXPECT_NE(half.find("color /= 8.;"), std::string::npos) << half;
+}
+
+// What follows the rounds is what divides the loop's own sum, and nothing else.
+TEST_F(Rounds, OtherDivisorsOfTheSameValueStay) {
+    const auto half = [&](const std::string& statements) {
+        Found& found = shaders(in_main(statements));
+        return found.of(fewer_rounds).empty() ? "" : found.changed(*found.of(fewer_rounds)[0], "a.frag");
+    };
+    const std::string loop = "for (int i = 0; i < 4; i++) color += vN;\n";
+    for (const char* mean : {"color = color / 4.;", "color *= 1. / 4.;", "color = vP * (color / 4.);",
+                             "color.xy /= 4.;", "color = (color * 2.) / 4.;"}) {
+        const std::string text = half(loop + mean);
+        EXPECT_EQ(text.find("4."), std::string::npos) << text;
+        EXPECT_NE(text.find("2."), std::string::npos) << text;
+    }
+    EXPECT_NE(half("for (int i = 0; i < 4; i++) color += vN / 4.;").find("vN / 2."), std::string::npos);
+    for (const char* other :
+         {"color = floor(color * 4.) / 4.;", "color = vP / 4.;", "color = vN; color /= 4.;", "color += vN / 4.;",
+          "for (int k = 0; k < 2; k++) color += vP * (1. / 4.);", "color = vec3(4.);", "vec3 d = vN; d /= 4.;"}) {
+        const std::string text = half(loop + other);
+        EXPECT_NE(text.find("i < 2;"), std::string::npos) << text;
+        EXPECT_NE(text.find(other), std::string::npos) << text;
+    }
+    EXPECT_NE(half("color = vN / 4.;\n" + loop).find("color = vN / 4.;"), std::string::npos);
+}
+
+// The first edit is on the line of the change, and each other one on its own.
+TEST_F(Rounds, EveryEditIsPrintedWithItsPlace) {
+    Found& found = shaders(in_main("for (int i = 0; i < 16; i++) color += vN;\ncolor /= 16.;"));
+    ASSERT_FALSE(found.of(fewer_rounds).empty());
+    const std::string line = change_line(*found.of(fewer_rounds)[0], found.sources);
+    EXPECT_NE(line.find("i < 16 → i < 8\n    and "), std::string::npos) << line;
+    EXPECT_NE(line.find(": 16. → 8."), std::string::npos) << line;
 }
 
 TEST_F(Rounds, CallsDecideOnTheRoundsOfLibraryFunctions) {

@@ -167,14 +167,72 @@ private:
         if (!value || !s_.own(bound.node) || !s_.own(bound.where)) return;
         std::vector<Edit> edits{{s_.span(bound.node), literal(*value, n.type)}};
         // A sum that is divided by the number of rounds stays a mean.
-        const int function = s_.function_of(n.first);
-        for (int k = 0; k < s_.nodes() && n.value.front() >= 4 && !offers_.full(); ++k) {
+        int loop = bound.where;
+        while (loop >= 0 && s_.at(loop).form != Form::loop) loop = s_.parent(loop);
+        const std::set<int> summed = loop < 0 ? std::set<int>() : sums(loop);
+        for (int k = 0; k < s_.nodes() && !summed.empty() && n.value.front() >= 4 && !offers_.full(); ++k) {
             const Node& other = s_.at(k);
             if (other.form == Form::number && other.type.base == glsl::Base::real && other.value == n.value &&
-                k != bound.node && s_.function_of(other.first) == function && s_.own(k))
+                k != bound.node && s_.own(k) && divides(k, loop, summed))
                 edits.push_back({s_.span(k), literal(*value, other.type)});
         }
         offers_.add(ChangeKind::fewer_rounds, s_.span(bound.where), std::move(edits));
+    }
+
+    // Variables from outside of the loop that it adds to.
+    std::set<int> sums(int loop) const {
+        std::set<int> found;
+        for (int n = s_.at(loop).begin; n < loop; ++n) {
+            if (s_.at(n).form != Form::assign || s_.at(n).text != "+=") continue;
+            const Node& root = s_.at(s_.at(s_.parts(n)[0]).begin);
+            if (root.form != Form::name || root.variable < 0) continue;
+            const int declared = s_.declarator(root.variable);
+            if (declared < s_.at(loop).begin || declared > loop) found.insert(root.variable);
+        }
+        return found;
+    }
+
+    // The sum that the value is, or a multiple of it; -1: none.
+    int sum_of(int node, const std::set<int>& summed) const {
+        const Node& n = s_.at(s_.bare(node));
+        const std::vector<int> inside = s_.parts(s_.bare(node));
+        if (n.form == Form::name) return summed.contains(n.variable) ? n.variable : -1;
+        if (n.form == Form::select || n.form == Form::index) return sum_of(inside[0], summed);
+        if (n.form != Form::infix || (n.text != "*" && n.text != "/")) return -1;
+        const int left = sum_of(inside[0], summed);
+        return left >= 0 || n.text == "/" ? left : sum_of(inside[1], summed);
+    }
+
+    // Whether the number divides a sum of the loop: behind it, where nothing else was stored in the sum since, or what
+    // the loop adds to it.
+    bool divides(int number, int loop, const std::set<int>& summed) const {
+        const auto outside = [&](int node) {
+            int up = s_.parent(node);
+            while (up >= 0 && s_.at(up).form == Form::group) up = s_.parent(up);
+            return up;
+        };
+        const auto is = [&](int node, Form form, std::string_view a, std::string_view b) {
+            return node >= 0 && s_.at(node).form == form && (s_.at(node).text == a || s_.at(node).text == b);
+        };
+        const int division = outside(number);
+        if (!is(division, Form::infix, "/", "/") && !is(division, Form::assign, "/=", "/=")) return false;
+        const std::vector<int> sides = s_.parts(division);
+        if (s_.bare(sides[1]) != number) return false;
+        int sum = sum_of(sides[0], summed), top = division;
+        while (is(outside(top), Form::infix, "*", "/")) {  // s * (1. / 16.)
+            top = outside(top);
+            if (sum < 0) sum = sum_of(s_.parts(top)[0], summed);
+        }
+        const int stored = outside(top);
+        const bool plain = s_.at(division).form == Form::infix;
+        if (s_.at(loop).begin <= division && division < loop)
+            return plain && is(stored, Form::assign, "+=", "+=") && sum_of(s_.parts(stored)[0], summed) >= 0;
+        if (sum < 0 && is(stored, Form::assign, "*=", "*=")) sum = sum_of(s_.parts(stored)[0], summed);
+        const int first = s_.at(stored >= 0 && s_.at(stored).form == Form::assign ? stored : top).first;
+        if (sum < 0 || first <= s_.at(loop).last) return false;
+        return std::none_of(s_.uses(sum).begin(), s_.uses(sum).end(), [&](int use) {
+            return s_.written(use) && s_.at(use).first > s_.at(loop).last && s_.at(use).first < first;
+        });
     }
 
     // A constant: where it is declared, so that the size of a step shrinks with the number of steps.

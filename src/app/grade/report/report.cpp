@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
 
 #include "src/content/replace.h"
 
@@ -25,6 +26,9 @@ std::string write_report(const Grades& grades, const std::string& output) {
     const std::vector<AlikePair> pairs = pairs_of_all(grades);
     std::error_code error;
     fs::remove_all(folder / "similar", error);  // of an earlier run
+    std::set<std::string> students;
+    for (const GradedSubmission& graded : grades.all) students.insert(graded.submission.folder);
+    remove_former_students(output, students);
     if (!pairs.empty()) fs::create_directories(folder / "similar", error);
     std::string wrong;
     const auto write = [&](const fs::path& file, const std::string& text) {

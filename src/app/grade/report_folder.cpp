@@ -1,0 +1,113 @@
+#include "src/app/grade/report_folder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "src/app/grade/record.h"
+#include "src/content/json.h"
+#include "src/content/whole_file.h"
+
+namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_parts = std::size_t{1} << 20;
+
+// Locks bytes of one file, which need not exist: one for each part, and one for the reference. Such locks are those of
+// the open file, so that they end with the process and hold between machines that share the folder.
+FolderLock lock_bytes(const std::string& output, std::size_t first, std::size_t count, bool wait) {
+    const FolderLock lock(new int(open((fs::path(output) / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)),
+                          [](const int* file) {
+                              if (*file >= 0) close(*file);
+                              delete file;
+                          });
+    struct flock bytes {};
+    bytes.l_type = F_WRLCK;
+    bytes.l_whence = SEEK_SET;
+    bytes.l_start = static_cast<off_t>(first);
+    bytes.l_len = static_cast<off_t>(count);
+    // The processes of a run that was killed end a moment after it.
+    for (int tries = 0; *lock >= 0 && fcntl(*lock, wait ? F_OFD_SETLKW : F_OFD_SETLK, &bytes) != 0; ++tries) {
+        if (errno == EINTR) continue;
+        if (errno != EAGAIN && errno != EACCES) break;
+        if (tries >= 20) return nullptr;
+        usleep(50'000);
+    }
+    return lock;
+}
+
+Json record_in(const fs::path& folder) {
+    std::error_code error;
+    const std::string file = record_file(folder.string());
+    if (!fs::is_regular_file(file, error)) return {};
+    try {
+        Json json = content::parse_json(content::whole_file(file));
+        return json.is_object() && json.contains("schema") && json.contains("key") ? json : Json{};
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    }
+}
+
+bool is_made_by_grading(const std::string& name) {
+    if (name == "index.html" || name == "result.json") return true;
+    const std::size_t dash = name.find('-'), dot = name.rfind('.');
+    const std::string kind = name.substr(0, dash);
+    if (dash == name.npos || dot == name.npos || dot <= dash + 1 || name.substr(dot) != ".png") return false;
+    return (kind == "picture" || kind == "reference" || kind == "map") &&
+           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(dash) + 1,
+                       name.begin() + static_cast<std::ptrdiff_t>(dot), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// A run that was killed has removed the record before it writes another, but not the page.
+bool is_of_a_submission(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::is_directory(fs::symlink_status(folder, error))) return false;
+    if (!record_in(folder).is_null()) return true;
+    const fs::path page = folder / "index.html";
+    return fs::is_regular_file(page, error) && is_report_page(content::whole_file(page.string()));
+}
+
+std::vector<fs::path> entries(const fs::path& folder) {
+    std::vector<fs::path> paths;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        paths.push_back(entry->path());
+    return paths;
+}
+
+}  // namespace
+
+FolderLock lock_part(const std::string& output, std::size_t part, std::size_t parts) {
+    return parts > 1 ? lock_bytes(output, std::min(part, most_parts - 1), 1, false)
+                     : lock_bytes(output, 0, most_parts, false);
+}
+
+FolderLock lock_reference(const std::string& output) { return lock_bytes(output, most_parts, 1, true); }
+
+bool is_report_page(const std::string& text) { return text.find("content=\"snell grade\"") != std::string::npos; }
+
+std::string submission_in(const std::string& folder) {
+    const Json json = record_in(folder);
+    return json.is_object() && json.contains("submission") && json["submission"].is_string() ? json["submission"] : "";
+}
+
+void remove_former_students(const std::string& output, const std::set<std::string>& folders) {
+    std::error_code error;
+    for (const fs::path& folder : entries(fs::path(output) / "students")) {
+        if (folders.contains(folder.filename().string()) || !is_of_a_submission(folder)) continue;
+        for (const fs::path& file : entries(folder))
+            if (is_made_by_grading(file.filename().string())) fs::remove(file, error);
+        fs::remove(folder, error);  // if it is empty
+    }
+}
+
+}  // namespace snell::app
