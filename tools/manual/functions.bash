@@ -31,8 +31,8 @@ _snell_ask() {
   mapfile -t candidates < <("$program" complete "$kind" "${scene/#\~/$HOME}" "$word" 2>/dev/null)
   COMPREPLY=()
   for w in "${candidates[@]%%$'\t'*}"; do
-    [[ $w != *[^[:alnum:]_./:=,+-]* ]] || printf -v w %q "$w"
-    COMPREPLY+=("$w")
+    printf -v w %q "$w"
+    COMPREPLY+=("${w//\\,/,}")  # a comma means nothing outside of braces, which are quoted
   done
   [[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace 2>/dev/null
 }
