@@ -23,6 +23,7 @@ if man -l "$manual/man1/snell.1" >/dev/null 2>&1; then
     told=$(LC_ALL=C.UTF-8 man -l --warnings "$page" 2>&1 >/dev/null)
     [ -z "$told" ] || fail "$page: $told"
   done
+  LC_ALL=C.UTF-8 man -l "$manual/man1/snell-new.1" | grep -qE '^ +displace  waves.* waves\)$' || fail "lists in notes are filled"
 else
   echo "man is not installed: the pages are not read"
 fi
