@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # package.sh PACKAGE.deb: installs the package in a minimal Debian 12, and there, as a user without rights: renders a scene,
-# opens a window under Xvfb, reads a manual page, and completes a word.
+# makes a scene of the user's own, opens it in a window under Xvfb, grades a lesson, reads manual pages, and completes words.
 # Mirrors, proxies and keys are those of this machine's apt.
 set -euo pipefail
 package=$(realpath "$1")
@@ -37,17 +37,42 @@ user '[ "$(head -c 4 room.png | tail -c 3)" = PNG ] && [ "$(stat -c %s room.png)
 
 echo "== a window under Xvfb" >&2
 inside apt-get install -y -qq --no-install-recommends xvfb xauth xdotool x11-utils man-db >"$work/install.log" 2>&1
-user 'xvfb-run -a bash -c "
-  snell /usr/share/snell/scenes/refraction-room/refraction-room.glib >log 2>&1 & window=\$!
-  for i in \$(seq 60); do
-    id=\$(xdotool search --onlyvisible --class snell 2>/dev/null | head -1) && [ -n \"\$id\" ] && break
-    kill -0 \$window || { cat log; exit 1; }
+user 'snell new glass | tee new && snell check --grade glass/glass.glib && snell format --check glass/glass.glib'
+user 'grep -q "^open it: snell glass/glass.glib$" new'
+# Each opens a window that has the name of the scene in its title, and does not end by itself.
+cat >"$machine/tmp/windows.sh" <<'END'
+for scene in glass/glass.glib glass /usr/share/snell/scenes/refraction-room/refraction-room.glib; do
+  snell "$scene" >log 2>&1 & window=$!
+  for i in $(seq 60); do
+    id=$(xdotool search --onlyvisible --class snell 2>/dev/null | head -1) && [ -n "$id" ] && break
+    kill -0 $window || { cat log; exit 1; }
     sleep 1
   done
-  [ -n \"\$id\" ] && xprop -id \$id WM_CLASS WM_NAME && sleep 3 && kill -0 \$window && kill \$window"'
-user 'man snell-render | head -4 | grep -q snell-render' || echo "no manual page: man pages are left out of this Debian" >&2
-user 'source /usr/share/bash-completion/completions/snell; COMP_WORDS=(snell render /usr/share/snell/scenes/refraction-room/refraction-room.glib --set uI) COMP_CWORD=4
-  _snell; [ "${COMPREPLY[*]}" = uIndex= ]'
+  name=${scene##*/}
+  sleep 3
+  xprop -id "$id" WM_CLASS WM_NAME | tee title
+  grep -q "${name%.glib}.glib" title && kill -0 $window || { cat log; exit 1; }
+  kill $window
+  wait $window || true
+done
+END
+user 'xvfb-run -a bash -e /tmp/windows.sh'
+
+echo "== a lesson, with a submission in an archive" >&2
+user 'cp -r /usr/share/doc/snell/docs/teaching/01-colour lesson && cd lesson/submissions && tar czf late.tar.gz passing &&
+  cd .. && snell grade rubric.toml submissions -o out/report && [ "$(grep -c ,10, out/report/results.csv)" = 2 ]'
+
+echo "== manual pages and completion" >&2
+for page in snell snell-render snell-new snell-lsp; do
+  user "man $page >page && grep -q ^NAME page && grep -q '$page - ' page"
+done
+# As bash does it for a Tab behind --set uI.
+user 'source /usr/share/bash-completion/completions/snell
+  for scene in /usr/share/snell/scenes/refraction-room/refraction-room.glib glass/glass.glib; do
+    COMP_WORDS=(snell render $scene --set uI) COMP_CWORD=4 COMPREPLY=()
+    _snell
+    [ "${COMPREPLY[*]}" = uIndex= ] || { echo "$scene: ${COMPREPLY[*]}"; exit 1; }
+  done'
 inside apt-get remove -y -qq snell >"$work/install.log" 2>&1
 ! inside ls /usr/lib/snell /usr/share/snell 2>/dev/null || { echo "files stay behind" >&2; exit 1; }
 echo "$(basename "$package") installs, renders, opens a window and is removed without a rest"

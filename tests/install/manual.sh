@@ -23,6 +23,7 @@ if man -l "$manual/man1/snell.1" >/dev/null 2>&1; then
     told=$(LC_ALL=C.UTF-8 man -l --warnings "$page" 2>&1 >/dev/null)
     [ -z "$told" ] || fail "$page: $told"
   done
+  LC_ALL=C.UTF-8 man -l "$manual/man1/snell-new.1" | grep -qE '^ +displace  waves.* waves\)$' || fail "lists in notes are filled"
 else
   echo "man is not installed: the pages are not read"
 fi
@@ -87,16 +88,22 @@ offers 'uA\[2\]=' snell render "$odd/it\\'s.glib" --set uA
 [ -z "$(complete_bash snell render $scene --size 8)" ] || fail "bash offers sizes"
 
 # With a real Tab on a terminal.
+tab() {
+  python3 tests/install/tab.py "$shell" "$manual" "$@" &
+  running+=($!)
+}
 for shell in bash zsh fish; do
   if ! command -v "$shell" >/dev/null; then
     echo "$shell is not installed: its completion is not tried"
     continue
   fi
-  python3 tests/install/tab.py "$shell" "$manual" "snell render $scene --set uI" "uIndex="
-  python3 tests/install/tab.py "$shell" "$manual" "snell render scenes/light/glass/glass.glib --ladder BEND=si" "BEND=single"
-  python3 tests/install/tab.py "$shell" "$manual" "snell ren" "render "
-  python3 tests/install/tab.py "$shell" "$manual" "snell --color never ren" "render "
-  python3 tests/install/tab.py "$shell" "$manual" "snell accuracy scenes/light/glass/glass.glib --ladders RATIO,BEN" "RATIO,BEND"
-  python3 tests/install/tab.py "$shell" "$manual" "snell check --js" "--json "
-  python3 tests/install/tab.py "$shell" "$manual" "snell render scenes/refraction-room/ref" "refraction-room.glib"
+  running=()
+  tab "snell render $scene --set uI" "uIndex="
+  tab "snell render scenes/light/glass/glass.glib --ladder BEND=si" "BEND=single"
+  tab "snell ren" "render "
+  tab "snell --color never ren" "render "
+  tab "snell accuracy scenes/light/glass/glass.glib --ladders RATIO,BEN" "RATIO,BEND"
+  tab "snell check --js" "--json "
+  tab "snell render scenes/refraction-room/ref" "refraction-room.glib"
+  for one in "${running[@]}"; do wait "$one"; done  # they mostly wait for the shell
 done

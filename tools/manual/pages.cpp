@@ -1,5 +1,6 @@
 // snell(1), and snell-SUBCOMMAND(1) for each subcommand, in the man macros.
 #include <cctype>
+#include <sstream>
 
 #include "tools/manual/manual.h"
 
@@ -49,12 +50,27 @@ std::string entry(const Option& option) {
     return out + "\n";
 }
 
+// Indented lines are lists: each stays a line of its own.
+std::string paragraphs(const std::string& text) {
+    std::string out, line;
+    bool list = false;
+    std::istringstream lines(text);
+    while (std::getline(lines, line)) {
+        if (const bool indented = line.starts_with(' '); indented != list) {
+            out += indented ? ".nf\n" : ".fi\n";
+            list = indented;
+        }
+        out += roff(line) + "\n";
+    }
+    return list ? out + ".fi\n" : out;
+}
+
 // The text after the options: paragraphs, and examples as they are.
 std::string notes(const std::string& text) {
     std::string out;
     const std::size_t examples = text.find("Examples");
     if (examples != 0 && !text.empty())
-        out += ".SH NOTES\n" + roff(text.substr(0, examples == text.npos ? text.size() : examples - 2)) + "\n";
+        out += ".SH NOTES\n" + paragraphs(text.substr(0, examples == text.npos ? text.size() : examples - 2));
     if (examples == text.npos) return out;
     std::size_t end = text.find("\n\n", examples);
     if (end == text.npos) end = text.size();
