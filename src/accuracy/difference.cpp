@@ -25,10 +25,10 @@ Bytes bytes_of(const Picture& picture, std::size_t pixel) {
     return bytes;
 }
 
-// The largest difference of the channels of a pixel.
+// The largest difference of the channels of a pixel, of which alpha is one.
 double most_apart(const Picture& a, const Picture& b, std::size_t pixel) {
     double most = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 4; ++c) {
         const float x = a.rgba[4 * pixel + c], y = b.rgba[4 * pixel + c];
         if (x == y || (std::isnan(x) && std::isnan(y))) continue;
         const double d = std::abs(static_cast<double>(x) - static_cast<double>(y));

@@ -96,6 +96,56 @@ TEST_F(Compare, ScenesAreDrawn) {
     EXPECT_EQ(compare("broken.glib p.png").status, 1);
 }
 
+TEST_F(Compare, TransparencyCounts) {
+    const auto png = [&](const std::string& name, std::array<int, 4> left, std::array<int, 4> right) {
+        content::Image image;
+        image.width = 16;
+        image.height = 8;
+        for (int i = 0; i < 16 * 8; ++i)
+            for (const int value : i % 16 < 4 ? left : right) image.pixels.push_back(static_cast<std::byte>(value));
+        folder.write(name, content::encode_png(image));
+    };
+    png("opaque.png", {200, 100, 50, 255}, {200, 100, 50, 255});
+    png("quarter.png", {200, 100, 50, 0}, {200, 100, 50, 255});
+    png("red.png", {255, 0, 0, 0}, {255, 0, 0, 0});
+    png("green.png", {0, 255, 0, 0}, {0, 255, 0, 0});
+    png("black.png", {0, 0, 0, 255}, {0, 0, 0, 255});
+    const json quarter = figures("quarter.png opaque.png");
+    EXPECT_EQ(quarter["pixels_percent"], 25);
+    EXPECT_NEAR(quarter["display"]["max"], 200. / 255, 1e-6);
+    EXPECT_EQ(quarter["largest_at"], json::array({0, 0}));
+    EXPECT_EQ(compare("quarter.png opaque.png --max-rmse 0").status, 1);
+    EXPECT_EQ(compare("red.png green.png --max-rmse 0 --max-flip 0 --max-pixels 0").status, 0) << "both show nothing";
+    EXPECT_EQ(figures("red.png black.png")["pixels_percent"], 100) << "one covers what is behind it";
+}
+
+TEST_F(Compare, NaNIsDifferentFromAllButNaN) {
+    const auto quarter = [&](const std::string& name, float value) {
+        std::string bytes = "PF\n20 10\n-1.0\n";
+        for (int i = 0; i < 20 * 10 * 3; ++i) {
+            const float held = i / 3 % 20 < 5 ? value : .5f;
+            bytes.append(reinterpret_cast<const char*>(&held), sizeof held);
+        }
+        folder.write(name, bytes);
+    };
+    quarter("nan.pfm", std::nanf(""));
+    quarter("none.pfm", .5f);
+    folder.write("nan.glib",
+                 "##OpenGL GLIB\nVertex nan.vert\nFragment nan.frag\nProgram Nan uZero <0. 0. 1.>\nSphere 9\n");
+    folder.write("nan.vert", "void main() { gl_Position = ftransform(); }\n");
+    folder.write("nan.frag",
+                 "uniform float uZero;\nvoid main() { gl_FragColor = vec4(vec3(gl_FragCoord.x < 5. ? uZero / uZero : "
+                 ".5), 1.); }\n");
+    for (const std::string name : {"nan.glib", "nan.pfm"}) {
+        EXPECT_EQ(compare(name + " none.pfm --max-rmse 1e9").status, 1) << name;
+        EXPECT_EQ(compare(name + " none.pfm --max-pixels 24").status, 1) << name;
+        EXPECT_EQ(compare("none.pfm " + name + " --max-flip 1e-3").status, 1) << name;
+    }
+    for (const std::string two : {"nan.glib nan.pfm", "nan.glib nan.glib --size 20x10"})
+        EXPECT_TRUE(compare(two).says("NaN       in 50 pixels")) << two;
+    EXPECT_EQ(compare("nan.glib nan.glib --size 20x10 --max-rmse 0 --max-pixels 0").status, 0);
+}
+
 TEST_F(Compare, FoldersAreComparedByNames) {
     for (const std::string name : {"a/1.bmp", "a/deep/2.bmp", "b/1.bmp", "b/deep/2.bmp"}) {
         fs::create_directories(fs::path(at(name)).parent_path());

@@ -128,6 +128,18 @@ TEST_F(Grade, MistakesInTheRubricHavePlacesAndSuggestions) {
     says("", "no items");
     folder.write("r.toml", "reference = \"nothere.glib\"\n[[item]]\nno_errors = true\n");
     EXPECT_TRUE(grade("r.toml s -o out").says("r.toml:1:13: error: there is no scene 'nothere.glib'"));
+    const auto shares = [&](const std::string& path, const std::string& text) {
+        folder.write("r.toml", "shared = [\"" + path + "\"]\n[[item]]\nno_errors = true\n");
+        const Outcome made = grade("r.toml s -o out");
+        EXPECT_TRUE(made.says("r.toml:1:10: error: 'shared' names '" + path + "', which " + text)) << made.output;
+        EXPECT_EQ(made.status, 1);
+    };
+    shares("nothere", "is not there");
+    shares("/", "holds more than 20000 files and folders");
+    fs::create_directories(at("large"));
+    folder.write("large/zeros", "");
+    fs::resize_file(at("large/zeros"), std::uintmax_t{3} << 30);
+    shares("large", "holds more than 2 GB");
     EXPECT_EQ(grade("nothere.toml s -o out").status, 1);
     EXPECT_EQ(grade("r.toml -o out").status, 2);
     EXPECT_EQ(grade("r.toml s").status, 2);

@@ -191,6 +191,8 @@ TEST_F(HostileSubmission, NamesInAnyEncodingAndTwoOfOneName) {
     EXPECT_EQ(all.size(), 6u);
     EXPECT_EQ(folders.size(), 6u);
     EXPECT_TRUE(names.contains("Jos\u00e9"));
+    const std::string table = bytes_of(at("out/results.csv"));
+    for (const std::string& one : folders) EXPECT_NE(table.find("," + one + "\n"), table.npos) << table;
 }
 
 TEST_F(HostileSubmission, WhichSceneIsMeant) {
@@ -213,6 +215,54 @@ TEST_F(HostileSubmission, WhichSceneIsMeant) {
     ASSERT_EQ(grade("r.toml s -o out").status, 0);
     EXPECT_EQ(result("named")["scene"], "old.glib");
     EXPECT_EQ(result("ann")["points"], 0);
+}
+
+TEST_F(HostileSubmission, ScenesNextToFoldersOfStudentsAreSubmissionsEach) {
+    const auto names = [&](const std::string& where) {
+        said = grade("r.toml " + where + " -o out-" + where).output;
+        std::string all;
+        const json made = results("out-" + where);
+        for (const json& one : made["submissions"])
+            all += one["name"].get<std::string>() + std::to_string(one["points"].get<int>()) + " ";
+        return all;
+    };
+    scene("stray/ann");
+    scene("stray/bob");
+    scene("stray", "broken");
+    fs::create_directories(at("stray/empty"));
+    EXPECT_EQ(names("stray"), "ann2 ball0 bob2 ") << said;
+    EXPECT_NE(said.find("warning: 'stray' holds 1 scene and 2 folders or archives with scenes"), said.npos) << said;
+    scene("flat", paint, ball, "ann.glib");
+    scene("flat", paint, ball, "bob.glib");
+    EXPECT_EQ(names("flat"), "ann2 bob2 ") << said;
+    // A shader that changes is no longer what was judged.
+    folder.write("flat/ball.frag", "broken");
+    EXPECT_EQ(names("flat"), "ann0 bob0 ") << said;
+    scene("one");
+    folder.write("one/textures/readme.txt", "x");
+    folder.write("one/old.glib", ball);
+    EXPECT_EQ(names("one"), "one2 ") << said;
+    EXPECT_EQ(said.find("warning"), said.npos) << said;
+}
+
+TEST_F(HostileSubmission, NaNAndEmptyScenesGetNoPoints) {
+    folder.write("r.toml",
+                 head +
+                     "[[item]]\nno_errors = true\n[[item]]\nno_lints = [\"never-read\"]\n[[item]]\n"
+                     "forbids = [\"Torus\"]\n[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n"
+                     "[[item]]\nset = { uRed = 0 }\nthan = { uRed = 0, uKd = 0.1 }\nexpect = \"different\"\n");
+    scene("s/eve", paint, "##OpenGL GLIB\n");
+    scene("s/kim");
+    fs::remove(at("s/kim/ball.frag"));
+    std::string undefined = paint;
+    undefined.replace(undefined.find("(uRed,"), 6, "(uRed / uRed * uRed,");
+    scene("s/zoe", undefined);
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    EXPECT_EQ(result("ann")["points"], 5) << result("ann").dump(1);
+    EXPECT_EQ(result("eve")["points"], 0) << result("eve").dump(1);
+    EXPECT_EQ(result("kim")["items"][1]["points"], 0) << result("kim").dump(1);
+    EXPECT_EQ(result("zoe")["points"], 4) << result("zoe").dump(1);
+    EXPECT_NE(page("zoe").find("NaN, whose colour is undefined"), std::string::npos) << page("zoe");
 }
 
 TEST_F(HostileSubmission, SixtyAreGradedBeforeLunch) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
@@ -57,34 +58,52 @@ public:
     // Scenes are drawn in the size that is given. Prints why there is no picture.
     std::optional<Picture> of(const std::string& path, std::optional<std::pair<int, int>> size) {
         deadline_.begin(fmt::format("reading '{}'", path));
-        auto image = is_scene(path) ? drawn(path, size) : read(path);
+        const content::ImageResult read_image = is_scene(path) ? drawn(path, size) : read(path);
         deadline_.rest();
-        if (!image) return std::nullopt;
-        return accuracy::displayed_picture(*image, image->light && !options_.displayed);
+        if (!read_image.image) return std::nullopt;
+        const content::Image& image = *read_image.image;
+        Picture picture = accuracy::displayed_picture(image, image.light && !options_.displayed);
+        if (!image.light) put_over_black(picture);  // the colours of EXR are multiplied by alpha already
+        for (const std::size_t index : read_image.replaced) unrepair(picture, image, index);
+        return picture;
     }
     Exit status() const { return status_; }
 
 private:
-    std::optional<content::Image> drawn(const std::string& path, std::optional<std::pair<int, int>> size) {
+    static void put_over_black(Picture& picture) {
+        for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+            if (i % 4 < 3) picture.rgba[i] *= picture.rgba[i - i % 4 + 3];
+    }
+
+    // What was not finite was repaired for textures; as a picture, it differs from all that is finite.
+    static void unrepair(Picture& picture, const content::Image& image, std::size_t index) {
+        const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+        const std::size_t pixel = index / static_cast<std::size_t>(image.channels), y = pixel / width;
+        const std::size_t from_top = image.bottom_first ? height - 1 - y : y;
+        for (std::size_t c = 0; c < 3; ++c)
+            picture.rgba[4 * (from_top * width + pixel % width) + c] = std::numeric_limits<float>::quiet_NaN();
+    }
+
+    content::ImageResult drawn(const std::string& path, std::optional<std::pair<int, int>> size) {
         if (!context_) context_ = headless_context("");
         if (!context_) {
             status_ = exit_graphics;
-            return std::nullopt;
+            return {};
         }
         ScenePicture wanted = options_.scene;
         if (!wanted.size) wanted.size = size;
         std::string messages;
-        auto image = scene_picture(path, wanted, gl::query_caps(), messages);
+        auto result = scene_picture(path, wanted, gl::query_caps(), messages);
         fmt::print(stderr, "{}", messages);
-        return image;
+        return result;
     }
 
-    static std::optional<content::Image> read(const std::string& path) {
+    static content::ImageResult read(const std::string& path) {
         std::string error;
         const auto bytes = content::read_regular_file(path, Limits{}.file_bytes, nullptr, error);
         if (!bytes) {
             no_comparison(fmt::format("cannot read '{}': {}", utf8::printable(path), error));
-            return std::nullopt;
+            return {};
         }
         auto decoded = content::decode_image(path, *bytes);
         for (const content::ImageIssue& issue : decoded.issues)
@@ -92,9 +111,9 @@ private:
                        utf8::printable(path), utf8::printable(issue.message), issue.code, issue.help);
         if (decoded.image && decoded.image->depth > 1) {
             no_comparison(fmt::format("'{}' is a volume, not a picture", utf8::printable(path)));
-            return std::nullopt;
+            return {};
         }
-        return std::move(decoded.image);
+        return decoded;
     }
 
     const CompareOptions& options_;
@@ -182,6 +201,7 @@ void print_compared(const Compared& c, const CompareOptions& options) {
         fmt::print("  largest   {:.6g} of displayed values at {},{} from the top left\n", d.largest, d.x, d.y);
     fmt::print("  FLIP      {:.6g}\n", d.flip);
     fmt::print("  pixels    {:.4g} % differ by more than {:.4g}\n", 100 * d.share, options.threshold);
+    if (d.error.nonfinite > 0) fmt::print("  NaN       in {} pixels, or infinite\n", d.error.nonfinite);
     fmt::print("  coverage  {:.4g} % and {:.4g} %\n", 100 * d.cover[0], 100 * d.cover[1]);
 }
 

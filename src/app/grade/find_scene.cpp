@@ -88,7 +88,8 @@ FoundScene find_scene(const std::string& folder, const std::string& pattern, con
         return s.preferred == scenes.front().preferred && s.depth == scenes.front().depth;
     };
     std::erase_if(scenes, [&](const SceneFile& s) { return !same(s); });
-    if (scenes.size() > 1)
+    found.several = scenes.size() > 1;
+    if (found.several)
         found.error = fmt::format("it is not clear which scene is meant: {}", listed(scenes));
     else
         found.scene = scenes.front().path;

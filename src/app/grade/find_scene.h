@@ -9,6 +9,7 @@ namespace snell::app {
 struct FoundScene {
     std::string scene;  // path relative to the folder; "" if there is an error
     std::string error;
+    bool several = false;               // it is not clear which one is meant
     std::vector<std::string> archives;  // paths of archives in the folder, if it has no scene
 };
 

@@ -205,7 +205,7 @@ Exit grade(const GradeOptions& options, Grades& grades) {
     auto rubric = rubric_of(options.rubric);
     if (!rubric) return exit_input;
     grades.rubric = std::move(*rubric);
-    const auto submissions = find_submissions(options.submissions, options.output);
+    const auto submissions = find_submissions(options.submissions, options.output, grades.rubric);
     if (!submissions) return exit_usage;
     for (std::size_t i = 0; i < submissions->size(); ++i)
         if (i % options.shards == options.shard) grades.all.push_back({(*submissions)[i], {}, false});

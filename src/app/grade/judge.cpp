@@ -15,6 +15,7 @@
 #include "src/app/grade/unpack.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/headless.h"
+#include "src/app/picture/non_finite.h"
 #include "src/app/picture/picture.h"
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
@@ -133,9 +134,11 @@ private:
         const auto planned = [this](const Plan& plan, Document& document) {
             document.diagnostics.append(lint::check(plan, document.sources, shader_includes(*document.files)));
             Files reader(document.files->folder(), access_);
-            for (const PlannedProgram& program : plan.programs)
+            for (const PlannedProgram& program : plan.programs) {
+                shaders_read_ = shaders_read_ && program.readable;
                 for (const auto& [path, text] : shader_texts(program, document.sources, reader))
                     add_prints(record_, path, text);
+            }
         };
         document_ = open_document(record_.scene, caps_, nullptr, planned, {}, access_);
         const bool sliders = std::any_of(rubric_.items.begin(), rubric_.items.end(), [](const RubricItem& item) {
@@ -154,9 +157,16 @@ private:
         }
         const std::set<std::string> commands = used_commands(record_.scene, access_);
         for (std::size_t i = 0; i < rubric_.items.size(); ++i)
-            if (!needs_pictures(rubric_.items[i]))
-                record_.items[i] = judge_text(rubric_.items[i], rubric_, *document_, commands);
+            if (!needs_pictures(rubric_.items[i])) record_.items[i] = judge_scene(rubric_.items[i], commands);
         return true;
+    }
+
+    // Nothing is wrong with a scene that holds nothing, but nothing is solved either.
+    Judged judge_scene(const RubricItem& item, const std::set<std::string>& commands) const {
+        const bool absence = item.kind == Kind::no_errors || item.kind == Kind::no_lints || item.kind == Kind::forbids;
+        if (absence && document_->scene().draws.empty()) return {0, false, "the scene draws nothing"};
+        if (item.kind == Kind::no_lints && !shaders_read_) return {0, false, "not all shaders can be read"};
+        return judge_text(item, rubric_, *document_, commands);
     }
 
     void draw_pictures() {
@@ -168,7 +178,6 @@ private:
         for (std::size_t i = 0; i < pictures_.size(); ++i) {
             if (!target.framebuffer) wrong_[i] = "this OpenGL gives no picture of this size";
             if (target.framebuffer) draw(i, target);
-            if (i == 0) counters_ = runtime.counters();
         }
         if (target.framebuffer && (rubric_.judges(Kind::time))) measure_time(target);
     }
@@ -187,11 +196,19 @@ private:
         View view;
         parse_view(shown.view, view);
         deadline_.begin(fmt::format("the picture '{}'", shown.label()));
-        const content::Image image = draw_picture(*document_->runtime, {shown.time, view, controls}, target,
-                                                  {.width = rubric_.width, .height = rubric_.height}, {});
+        Frame frame{shown.time, view, controls};
+        const content::Image image =
+            draw_picture(*document_->runtime, frame, target, {.width = rubric_.width, .height = rubric_.height}, {});
+        if (index == 0) counters_ = document_->runtime->counters();
         pictures_[index] = accuracy::displayed_picture(image, false);
         record_.drawn[index] = fmt::format("picture-{}.png", index);
         write(record_.drawn[index], content::encode_png(image));
+        frame.standing = true;
+        deadline_.begin(fmt::format("looking for NaN in the picture '{}'", shown.label()));
+        const auto found = count_non_finite(*document_->runtime, frame, rubric_.width, rubric_.height);
+        if (found && found->nan > 0)
+            wrong_[index] = fmt::format("{} pixel{} of the picture '{}' {} NaN, whose colour is undefined", found->nan,
+                                        found->nan == 1 ? "" : "s", shown.label(), found->nan == 1 ? "is" : "are");
     }
 
     void write(const std::string& name, const std::string& bytes) const {
@@ -236,7 +253,7 @@ private:
 
     Judged judge_picture(const RubricItem& item) {
         for (const std::size_t index : {item.picture, item.than})
-            if (!pictures_[index]) return {0, false, wrong_[index]};
+            if (!wrong_[index].empty()) return {0, false, wrong_[index]};
         const Picture& picture = *pictures_[item.picture];
         const bool against = item.expect == Expect::reference;
         const auto other = against ? reference_picture(item.picture) : pictures_[item.than];
@@ -288,6 +305,7 @@ private:
     std::vector<std::optional<Picture>> pictures_;
     std::vector<std::string> wrong_;  // why there is no such picture
     Counters counters_;
+    bool shaders_read_ = true;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "parser/text/real.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
+#include "src/app/grade/submissions.h"
 #include "src/app/grade/toml.h"
 #include "src/content/whole_file.h"
 #include "src/document/view_text.h"
@@ -171,9 +172,8 @@ private:
         std::vector<std::string> found;
         for (const std::string& path : table.texts(name)) {
             found.push_back(absolute(path));
-            std::error_code error;
-            if (!fs::exists(found.back(), error))
-                wrong(table.find(name)->span, fmt::format("'{}' names '{}', which is not there", name, path));
+            if (const std::string why = unusable(found.back()); !why.empty())
+                wrong(table.find(name)->span, fmt::format("'{}' names '{}', which {}", name, path, why));
         }
         return found;
     }

@@ -9,6 +9,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
+#include "src/app/grade/find_scene.h"
 #include "src/app/grade/report_folder.h"
 #include "src/app/grade/unpack.h"
 #include "src/app/open/version.h"
@@ -32,11 +33,33 @@ bool may_be_submission(const fs::path& path) {
            (fs::is_regular_file(path, error) && (is_scene(path) || is_archive(path.string())));
 }
 
-bool has_scene(const fs::path& folder) {
+bool holds_work(const fs::path& path, const Rubric& rubric) {
     std::error_code error;
+    if (!fs::is_directory(path, error)) return is_archive(path.string());
+    const FoundScene found = find_scene(path.string(), rubric.scene, {});
+    return !found.scene.empty() || !found.archives.empty() || found.several;
+}
+
+// What a folder holds if it is not a submission itself. Where scenes are next to folders, nobody can tell for certain,
+// so it is told.
+std::vector<fs::path> submissions_of(const fs::path& folder, const Rubric& rubric) {
+    std::error_code error;
+    std::vector<fs::path> scenes, others, working;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (is_scene(entry->path())) return true;
-    return false;
+        if (may_be_submission(entry->path()))
+            (is_scene(entry->path()) && !fs::is_directory(entry->path(), error) ? scenes : others)
+                .push_back(entry->path());
+    if (scenes.empty()) return others;
+    for (const fs::path& other : others)
+        if (holds_work(other, rubric)) working.push_back(other);
+    const std::string preferred = fs::path(rubric.reference).filename().string();
+    if (working.empty() && !find_scene(folder.string(), rubric.scene, preferred).scene.empty()) return {folder};
+    fmt::print(stderr,
+               "snell: warning: '{}' holds {} scene{} and {} folders or archives with scenes: each is a submission "
+               "[several-submissions]\n   help: to grade one scene with the files next to it, name the scene\n",
+               utf8::printable(folder.string()), scenes.size(), scenes.size() == 1 ? "" : "s", working.size());
+    working.insert(working.end(), scenes.begin(), scenes.end());
+    return working;
 }
 
 std::string shown_name(const fs::path& path) {
@@ -104,7 +127,7 @@ void add_files(const fs::path& path, std::string& all) {
 }  // namespace
 
 std::optional<std::vector<Submission>> find_submissions(const std::vector<std::string>& arguments,
-                                                        const std::string& output) {
+                                                        const std::string& output, const Rubric& rubric) {
     std::vector<fs::path> paths;
     std::error_code error;
     for (const std::string& argument : arguments) {
@@ -114,12 +137,7 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
         }
         paths.emplace_back(argument);
     }
-    if (paths.size() == 1 && fs::is_directory(paths.front(), error) && !has_scene(paths.front())) {
-        const fs::path folder = paths.front();
-        paths.clear();
-        for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-            if (may_be_submission(entry->path())) paths.push_back(entry->path());
-    }
+    if (paths.size() == 1 && fs::is_directory(paths.front(), error)) paths = submissions_of(paths.front(), rubric);
     std::vector<Submission> submissions;
     const fs::path report = fs::weakly_canonical(fs::absolute(output, error), error);
     for (const fs::path& path : paths) {
@@ -140,9 +158,30 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
     return submissions;
 }
 
+std::string unusable(const std::string& path) {
+    constexpr std::size_t most_entries = 20'000;
+    constexpr std::uint64_t most_bytes = std::uint64_t{2} << 30;
+    std::error_code error;
+    if (!fs::exists(path, error)) return "is not there";
+    std::size_t entries = 0;
+    std::uint64_t bytes = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
+    fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end;
+    for (; !error && entry != end && entries <= most_entries && bytes <= most_bytes; entry.increment(error)) {
+        ++entries;
+        std::error_code unknown_size;
+        if (!fs::is_regular_file(entry->symlink_status(unknown_size))) continue;
+        const std::uintmax_t size = entry->file_size(unknown_size);
+        if (!unknown_size) bytes += size;
+    }
+    if (entries > most_entries) return fmt::format("holds more than {} files and folders", most_entries);
+    return bytes > most_bytes ? "holds more than 2 GB" : "";
+}
+
 std::string key_of(const Submission& submission, const std::string& rest) {
     std::string all = rest;
-    add_files(submission.path, all);
+    const fs::path path = submission.path;
+    if (is_scene(path)) all += path.filename().string() + '\0';
+    add_files(is_scene(path) && fs::is_regular_file(path) ? path.parent_path() : path, all);
     return sha256(all);
 }
 

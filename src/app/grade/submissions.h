@@ -16,11 +16,15 @@ struct Submission {
     std::string id;      // a part of a hash of its path, which tells those of one name apart
 };
 
-// One argument that is a folder without a scene of its own holds submissions; otherwise each argument is one. Sorted by
-// name. A submission whose folder is in the report `output` keeps it. Reports what is missing; nullopt if there is
-// nothing to grade.
+// Several arguments are a submission each, and so is one that is no folder, or a folder that directly holds the one
+// scene that is meant (find_scene.h), and neither archives nor folders with scenes. Another folder holds submissions.
+// Sorted by name. A submission whose folder is in the report `output` keeps it. Reports what is missing; nullopt if
+// there is nothing to grade.
 std::optional<std::vector<Submission>> find_submissions(const std::vector<std::string>& arguments,
-                                                        const std::string& output);
+                                                        const std::string& output, const Rubric& rubric);
+
+// Why a file or folder that a rubric names cannot be read as a whole: it "is not there", or it is too large; or "".
+std::string unusable(const std::string& path);
 
 // A hash of everything that the result depends on: all files of the submission, and `rest`.
 std::string key_of(const Submission& submission, const std::string& rest);

@@ -22,8 +22,9 @@ struct ScenePicture {
 };
 
 // Draws the scene as `snell render` does to a file of bytes, and adds its errors and warnings to `messages`, as text.
-// Needs a current context. Returns nullopt if the scene has errors or a value does not fit.
-std::optional<content::Image> scene_picture(const std::string& scene, const ScenePicture& wanted, const gl::Caps& caps,
-                                            std::string& messages);
+// Needs a current context. There is no image if the scene has errors or a value does not fit. NaN, which bytes cannot
+// hold, is in `replaced`.
+content::ImageResult scene_picture(const std::string& scene, const ScenePicture& wanted, const gl::Caps& caps,
+                                   std::string& messages);
 
 }  // namespace snell::app

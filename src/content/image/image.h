@@ -48,6 +48,7 @@ struct ImageIssue {
 struct ImageResult {
     std::optional<Image> image;  // nullopt if an issue is an error
     std::vector<ImageIssue> issues;
+    std::vector<std::size_t> replaced;  // indices of the channels, as for value_at(), that were not finite
 };
 
 // Decodes an image file, whose format is recognised by its content, otherwise by its extension. `bytes` is the whole

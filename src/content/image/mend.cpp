@@ -41,13 +41,14 @@ private:
 };
 
 // Fills each hole from its edge inwards, one ring per round, so that the result does not depend on the order in which
-// texels are visited. An image without any finite value becomes 0. Returns the number of values that were replaced.
-std::size_t mend(const Image& shape, std::vector<float>& values) {
+// texels are visited. An image without any finite value becomes 0. Returns the indices of the values that were
+// replaced.
+std::vector<std::size_t> mend(const Image& shape, std::vector<float>& values) {
     std::vector<std::size_t> holes;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i])) holes.push_back(i);
     }
-    const std::size_t count = holes.size();
+    const std::vector<std::size_t> all = holes;
     const Grid grid(shape, values);
     while (!holes.empty()) {
         std::vector<std::pair<std::size_t, float>> found;
@@ -67,7 +68,7 @@ std::size_t mend(const Image& shape, std::vector<float>& values) {
         for (const auto& [i, value] : found) values[i] = value;
         holes = std::move(left);
     }
-    return count;
+    return all;
 }
 
 std::string plural(std::size_t count, const char* what) {
@@ -78,7 +79,8 @@ std::string plural(std::size_t count, const char* what) {
 
 ImageResult half_image(Image shape, std::vector<float> values) {
     ImageResult result;
-    if (const std::size_t count = mend(shape, values); count > 0) {
+    result.replaced = mend(shape, values);
+    if (const std::size_t count = result.replaced.size(); count > 0) {
         result.issues.push_back(
             {false, "image-non-finite",
              plural(count, "value") + " of the image " + (count == 1 ? "is" : "are") +

@@ -29,11 +29,12 @@ std::string xml(std::string_view text) { return html_text(utf8::printable(text))
 std::string results_csv(const Grades& grades) {
     std::string text = "submission,points";
     for (const RubricItem& item : grades.rubric.items) text += "," + field(item.name);
-    text += ",errors,warnings,problem\n";
+    text += ",errors,warnings,problem,folder\n";
     for (const GradedSubmission& graded : grades.all) {
         text += fmt::format("{},{}", field(graded.submission.name), points_text(graded.record.points()));
         for (const Judged& item : graded.record.items) text += "," + points_text(item.points);
-        text += fmt::format(",{},{},{}\n", graded.record.errors, graded.record.warnings, field(graded.record.problem));
+        text += fmt::format(",{},{},{},{}\n", graded.record.errors, graded.record.warnings,
+                            field(graded.record.problem), field("students/" + graded.submission.folder));
     }
     return text;
 }
