@@ -56,6 +56,7 @@ Fold of_operator(std::string_view op, const Fold& a, const Fold& b) {
 
 // One of them, nobody knows which.
 Fold either(const Fold& a, const Fold& b) {
+    if (is_live(a) && is_live(b)) return with({}, a, b);  // nothing else is known, so that rounds come to an end
     if (is_live(a) || is_live(b)) return with(is_live(a) ? b : a, a, b);
     Fold one{std::max(a.kind, b.kind), a.zero || b.zero};
     if (a.value == b.value) one.value = a.value;
