@@ -188,7 +188,7 @@ TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolde
     folder.write("r.toml", head + "[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n");
     // One picture takes long enough to end the run while it is drawn.
     scene("s/ann", with(paint, "float d =",
-                        "float x = n.x;\n  for (int i = 0; i < 3000; ++i) x = fract(sin(x) * 43758.5);\n"
+                        "float x = n.x;\n  for (int i = 0; i < 20000; ++i) x = fract(sin(x) * 43758.5);\n"
                         "  float d = min(x, 0.) + "));
     const std::string start = "cd '" + folder.path() + "' && { " SNELL_BIN "/snell grade r.toml s -o out ";
     const std::string drawing =
@@ -197,7 +197,7 @@ TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolde
     const Outcome killed =
         run(start + ">first 2>&1 & }; " + drawing + "kill -KILL $!; wait $! 2>first; cat out/students/ann/result.json");
     EXPECT_TRUE(killed.says("judging ended before")) << "it was too late to kill it";
-    const Outcome two = run(start + ">first 2>&1 & }; sleep .1; " + drawing +
+    const Outcome two = run(start + ">first 2>&1 & }; sleep .3; " + drawing +
                             SNELL_BIN "/snell grade r.toml s -o out 2>&1; echo status $?; wait; cat first");
     EXPECT_TRUE(two.says("error: another run of 'snell grade' writes into 'out'")) << two.output;
     EXPECT_TRUE(two.says("status 1")) << two.output;
