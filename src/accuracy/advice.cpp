@@ -24,9 +24,9 @@ bool exact_enough(const SweepResult& sweep, const RungResult& rung, const Wish& 
 bool quick_enough(const RungResult& rung, const Wish& wish) {
     return !wish.milliseconds || rung.high <= *wish.milliseconds;
 }
-// If the intervals overlap, which one is cheaper is chance.
+// If the intervals overlap, which one is cheaper is chance; so it is if there is none, for lack of common rounds.
 bool cost_the_same(const RungResult& a, const RungResult& b) {
-    return a.ratio.low <= b.ratio.high && b.ratio.low <= a.ratio.high;
+    return !(a.ratio.low > b.ratio.high || b.ratio.low > a.ratio.high);
 }
 
 std::size_t combinations(const Scene& scene) {
@@ -167,7 +167,7 @@ std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish) {
     // Of those whose errors are equal, the one that is nearest to the last rungs: a picture may hide what they do.
     const auto most_exact = [&](const Places& of) {
         const double least = error(*ranges::min_element(of, {}, error));
-        const Places alike = those(of, [&](std::size_t i) { return error(i) <= least * as_exact; });
+        const Places alike = those(of, [&](std::size_t i) { return !(error(i) > least * as_exact); });
         return *ranges::max_element(
             alike, {}, [&](std::size_t i) { return std::reduce(rung(i).steps.begin(), rung(i).steps.end()); });
     };
@@ -181,7 +181,7 @@ std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish) {
     Places wanted = good;
     if (wish.milliseconds) {
         const double least = error(*ranges::min_element(good, {}, error));
-        wanted = those(good, [&](std::size_t i) { return error(i) <= least * as_exact; });
+        wanted = those(good, [&](std::size_t i) { return !(error(i) > least * as_exact); });
     }
     const RungResult& cheapest = rung(*ranges::min_element(wanted, {}, cost));
     return most_exact(those(wanted, [&](std::size_t i) { return cost_the_same(rung(i), cheapest); }));

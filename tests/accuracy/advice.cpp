@@ -74,6 +74,17 @@ TEST(Advice, WhatWasNotTimedIsNotChosen) {
     EXPECT_EQ(choose(result, {}), std::nullopt);
 }
 
+// Rungs that were timed, but never in a round with the scene.
+TEST(Advice, RatiosThatAreUnknownAreNoReasonAgainstARung) {
+    SweepResult result = sweep();
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (RungResult& r : result.rungs) r.ratio = {unknown, unknown, unknown};
+    EXPECT_EQ(choose(result, {.milliseconds = 1000}), 4U);
+    EXPECT_TRUE(choose(result, {}).has_value());
+    for (RungResult& r : result.rungs) r.alone.rmse = unknown;
+    EXPECT_TRUE(choose(result, {.milliseconds = 1000}).has_value());
+}
+
 TEST(Advice, PictureThatIsNotFiniteIsNeverChosen) {
     SweepResult result = sweep();
     result.rungs[0].own.light.rmse = std::numeric_limits<double>::infinity();
