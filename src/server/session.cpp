@@ -68,7 +68,7 @@ std::optional<std::string> Session::answer(const Json& message, bool cancelled) 
     const std::string method = method_of(message);
     if (method.empty()) {
         const bool reply = message.is_object() && (message.contains("result") || message.contains("error"));
-        if (reply) return std::nullopt;  // to a request of ours
+        if (reply) return std::nullopt;  // to what the server asked
         return failure_text(is_id(id) ? id : Json(), Failure::invalid_request, "the message is no request");
     }
     const bool request = message.contains("id");

@@ -36,7 +36,7 @@ struct State {
     Workspace workspace{documents};
     Encoding encoding = Encoding::utf16;
     Json client = Json::object();  // the capabilities of the editor
-    int asked = 0;                 // requests of ours to the editor
+    int asked = 0;                 // how many requests the server sent to the editor
     std::deque<Errand> wanted = {};
 
     State(Services given, std::function<void(const std::string&)> out)
