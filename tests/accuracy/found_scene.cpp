@@ -135,33 +135,56 @@ protected:
 TEST_F(FoundScene, SlicesOfRoundShapes) {
     const Found two = found("Sphere 1. 24 12 # round\nTorus\n");
     EXPECT_EQ(two.after(ChangeKind::fewer_slices),
-              (Afters{"Sphere 1. 12 6", "Sphere 1. 8 4", "Torus 1. 0.5 10 20", "Torus 1. 0.5 7 13"}));
+              (Afters{"Sphere 1. 18 9", "Sphere 1. 12 6", "Sphere 1. 8 4", "Torus 1. 0.5 15 30", "Torus 1. 0.5 10 20",
+                      "Torus 1. 0.5 7 13"}));
     EXPECT_EQ(two.after(ChangeKind::more_slices), (Afters{"Sphere 1. 48 24", "Torus 1. 0.5 40 80"}));
-    EXPECT_EQ(two.text(ChangeKind::fewer_slices, 0, "scene.glib"), "Sphere 1. 12 6 # round\nTorus\n");
+    EXPECT_EQ(two.text(ChangeKind::fewer_slices, 0, "scene.glib"), "Sphere 1. 18 9 # round\nTorus\n");
     EXPECT_EQ(two.text(ChangeKind::more_slices, 1, "scene.glib"), "Sphere 1. 24 12 # round\nTorus 1. 0.5 40 80\n");
-    EXPECT_EQ(found("cone 1 2 5").after(ChangeKind::fewer_slices), Afters{"cone 1 2 3"}) << "not below three";
+    EXPECT_EQ(found("cone 1 2 5").after(ChangeKind::fewer_slices), (Afters{"cone 1 2 4", "cone 1 2 3"}))
+        << "not below three";
     EXPECT_TRUE(found("Teapot\nBox 1 2 3\nSphere 1 2000 2000").after(ChangeKind::more_slices).empty());
 }
 
 TEST_F(FoundScene, CellsOfQuads) {
     const Found grid = found("Vertex waves.vert\nFragment a.frag\nProgram P\nQuadXZ -1. 5. 100 40\nQuadXY\n");
-    EXPECT_EQ(grid.after(ChangeKind::fewer_cells), (Afters{"QuadXZ -1. 5. 50 20", "QuadXZ -1. 5. 25 10"}));
+    EXPECT_EQ(grid.after(ChangeKind::fewer_cells),
+              (Afters{"QuadXZ -1. 5. 75 30", "QuadXZ -1. 5. 50 20", "QuadXZ -1. 5. 25 10"}));
     EXPECT_EQ(grid.after(ChangeKind::finer_cells),
               (Afters{"QuadXZ -1. 5. 200 80", "QuadXZ -1. 5. 400 160", "QuadXY 0. 1. 2 2", "QuadXY 0. 1. 4 4"}));
     // Where the shader is linear in the vertex, more cells show nothing else.
     const Found flat = found("Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1 3 3\n");
     EXPECT_TRUE(flat.after(ChangeKind::finer_cells).empty());
     EXPECT_EQ(flat.after(ChangeKind::fewer_cells), (Afters{"QuadXY 0 1 2 2", "QuadXY 0 1 1 1"}));
+    EXPECT_EQ(found("Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1 80 8\n").after(ChangeKind::fewer_cells),
+              (Afters{"QuadXY 0 1 60 6", "QuadXY 0 1 40 4", "QuadXY 0 1 20 2", "QuadXY 0 1 1 1"}));
 }
 
 TEST_F(FoundScene, ContinuedStatementsAndIncludedTextsChangeAtTheirPlace) {
     const Found continued = found("Sphere 1. \\\n  # how many\n  24 \\\r\n  12\r\n");
     EXPECT_EQ(continued.text(ChangeKind::fewer_slices, 0, "scene.glib"),
-              "Sphere 1. \\\n  # how many\n  12 \\\r\n  6\r\n");
+              "Sphere 1. \\\n  # how many\n  18 \\\r\n  9\r\n");
     folder_.write("ball.inc", "Sphere 1 20 10\n");
     const Found included = found("Include ball.inc\nTranslate 1 0 0\nInclude ball.inc\n");
     EXPECT_EQ(included.after(ChangeKind::more_slices), Afters{"Sphere 1 40 20"}) << "one text, one change";
     EXPECT_EQ(included.text(ChangeKind::more_slices, 0, "ball.inc"), "Sphere 1 40 20\n");
+}
+
+TEST_F(FoundScene, SolidsAreCulledAloneAndTogether) {
+    const std::string scene = "QuadXY # floor\nSphere 2 # ball\nTranslate 1 0 0\nTorus\nDiskXY\nTeapot";
+    const Found all = found(scene);
+    ASSERT_EQ(all.after(ChangeKind::culled).size(), 4u);
+    EXPECT_EQ(all.text(ChangeKind::culled, 0, "scene.glib"),
+              "QuadXY # floor\nCullFace back\nSphere 2 # ball\nCullFace none\nTranslate 1 0 0\nTorus\nDiskXY\nTeapot");
+    EXPECT_EQ(all.text(ChangeKind::culled, 2, "scene.glib"),
+              "QuadXY # floor\nSphere 2 # ball\nTranslate 1 0 0\nTorus\nDiskXY\nCullFace back\nTeapot")
+        << "nothing is drawn behind it";
+    EXPECT_EQ(all.text(ChangeKind::culled, 3, "scene.glib"),
+              "QuadXY # floor\nCullFace back\nSphere 2 # ball\nTranslate 1 0 0\nTorus\nCullFace none\nDiskXY\nCullFace "
+              "back\nTeapot");
+    EXPECT_EQ(found("Sphere\r\nQuadXY\r\n").text(ChangeKind::culled, 0, "scene.glib"),
+              "CullFace back\r\nSphere\r\nCullFace none\r\nQuadXY\r\n");
+    for (const std::string_view none : {"CullFace front\nSphere\n", "WireSphere\nQuadXY\nDiskXY\nPointCloud\n"})
+        EXPECT_TRUE(found(none).after(ChangeKind::culled).empty()) << none;
 }
 
 TEST_F(FoundScene, NoiseThatIsRead) {
@@ -193,7 +216,15 @@ TEST_F(FoundScene, FiltersByWhatTheLanguageHas) {
               (Afters{"Filter linear", "Filter mipmap"}));
     const Found unsaid = found("Perspective 50\nTexture2D 0 p.png\n");
     EXPECT_EQ(unsaid.text(ChangeKind::filtered, 0, "scene.glib"), "Perspective 50\nFilter mipmap\nTexture2D 0 p.png\n");
-    EXPECT_TRUE(found("Filter anisotropic 4\nTexture2D 0 p.png\n").after(ChangeKind::filtered).empty());
+    EXPECT_EQ(unsaid.text(ChangeKind::less_filtered, 0, "scene.glib"),
+              "Perspective 50\nFilter nearest\nTexture2D 0 p.png\n");
+    const Found anisotropic = found("Filter anisotropic 4 # fine\nTexture2D 0 p.png\n");
+    EXPECT_TRUE(anisotropic.after(ChangeKind::filtered).empty());
+    EXPECT_EQ(anisotropic.after(ChangeKind::less_filtered),
+              (Afters{"Filter nearest", "Filter linear", "Filter mipmap"}));
+    EXPECT_EQ(anisotropic.text(ChangeKind::less_filtered, 2, "scene.glib"),
+              "Filter mipmap # fine\nTexture2D 0 p.png\n");
+    EXPECT_EQ(found("Filter\nTexture2D 0 p.png\n").after(ChangeKind::less_filtered), Afters{"Filter nearest"});
     EXPECT_TRUE(found("Texture2D 0 64 64\n").after(ChangeKind::filtered).empty());
 }
 

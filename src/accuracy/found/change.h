@@ -31,11 +31,14 @@ enum class ChangeKind : std::uint8_t {
     per_vertex,
     per_frame,
     half_precision,
+    lower_levels,
     // cheaper, in the scene
     smaller_noise,
     fewer_texels,
     fewer_cells,
     fewer_slices,
+    culled,
+    less_filtered,
     // better, in shaders
     unit_length,
     derivatives_outside,

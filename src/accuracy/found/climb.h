@@ -11,19 +11,21 @@
 namespace snell::accuracy {
 
 // Adds one change after the other while the error of the picture stays below a limit. Each climb has another limit, or
-// another order: by error first, then as a generator with that seed shuffles. Which combinations these are depends on
-// the errors alone.
+// another order: by error first, then by time, then as a generator with that seed shuffles.
 class Climbs {
 public:
     struct Single {
         std::size_t change = 0;
-        double error = 0;
+        double error = 0;  // mean FLIP
+        double ratio = 1;  // of its time to the scene's
     };
     // `singles` are those that save time.
     Climbs(std::vector<Single> singles, std::span<const Change> changes, std::uint64_t seed);
 
     // The next combination whose error is wanted, of at least two changes, ascending; nullopt: there is none left.
     std::optional<std::vector<std::size_t>> next();
+    // What next() added a change to.
+    const std::vector<std::size_t>& before() const { return chosen_; }
     // Tells the error of the last one; infinite: it is of no use.
     void tell(double error);
 

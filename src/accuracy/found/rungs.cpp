@@ -14,9 +14,8 @@ namespace snell::accuracy {
 
 namespace {
 
-// RMSE of light: invisible, at the limit of eight bits, visible if one looks for it, plain to see.
-constexpr std::array<double, 4> error_limits{.001, 1 / 255.0, .016, .06};
-constexpr std::size_t shuffles = 2;  // of each limit, besides the order by error
+// Mean FLIP: invisible, visible for someone who looks for it, visible, plain to see, another picture.
+constexpr std::array<double, 5> error_limits{.005, .02, .06, .2, .5};
 
 }  // namespace
 
@@ -144,9 +143,14 @@ Climbs::Climbs(std::vector<Single> singles, std::span<const Change> changes, std
                         [&](const Single& single) { return single.error <= limit; });
         climbs_.push_back(std::move(climb));
     }
+    for (std::size_t i = 0; i < error_limits.size(); ++i) {
+        Climb climb = climbs_[i];
+        ranges::stable_sort(climb.order, {}, [](const Single& single) { return single.ratio; });
+        climbs_.push_back(std::move(climb));
+    }
     std::mt19937_64 random(seed);
-    for (std::size_t i = 0; i < shuffles * error_limits.size(); ++i) {
-        Climb climb = climbs_[i % error_limits.size()];
+    for (std::size_t i = 0; i < error_limits.size(); ++i) {
+        Climb climb = climbs_[i];
         for (std::size_t k = climb.order.size(); k > 1; --k) std::swap(climb.order[k - 1], climb.order[random() % k]);
         climbs_.push_back(std::move(climb));
     }

@@ -14,8 +14,9 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr double visible_error = 1 / 255.0;
-constexpr double saves = .97;  // of the scene's time, by a few frames: less is noise
+constexpr double visible_error = .016;  // RMSE of light, for someone who looks for it
+constexpr double least_saving = .97;    // ratio of times, by a few frames: less is noise
+constexpr double least_saving_more = .98;
 constexpr std::size_t most_held_out = 16, most_kept = 32, few_finalists = 4;
 
 }  // namespace
@@ -179,7 +180,12 @@ void Search::Impl::try_rung(std::size_t i, double part, std::function<void()> th
             const auto warm = timed ? trial->bench->warm_up(trials->variant(), clock) : std::nullopt;
             soon([this, i, trial, then, warm] {
                 FoundRung& done = result.rungs[i];
-                if (warm) done.quick_ratio = trials->quick_ratio(*trial, *warm, clock, [this] { return stopped(); });
+                if (warm) {
+                    const auto quick = trials->quick_ratio(*trial, *warm, clock, [this] { return stopped(); });
+                    done.quick_ratio = quick.middle;
+                    done.saves = quick.middle > 0 && quick.middle < least_saving && quick.high < 1;
+                }
+                if (useful(done)) find_flip(*trial, done, done.worst_searched);
                 // What compiled once need not compile again, as long as there are few of them.
                 if (kept.size() < most_kept && useful(done)) kept.emplace(i, std::move(*trial));
                 then();
@@ -193,14 +199,15 @@ void Search::Impl::try_rung(std::size_t i, double part, std::function<void()> th
 // Cheaper, drawn, with an error that is a number; and it saves time, as far as that is known.
 bool Search::Impl::useful(const FoundRung& rung) const {
     return rung.aim == Aim::cheaper && rung.outcome == Outcome::tried && std::isfinite(rmse_of(rung)) &&
-           (!options.times || (rung.quick_ratio > 0 && rung.quick_ratio < saves));
+           (!options.times || rung.saves);
 }
 
 void Search::Impl::begin_combinations() {
     doing = "trying combinations";
     std::vector<Climbs::Single> singles;
     for (std::size_t i = 0; i < result.rungs.size() && options.times; ++i)
-        if (useful(result.rungs[i])) singles.push_back({i, rmse_of(result.rungs[i])});
+        if (const FoundRung& rung = result.rungs[i]; useful(rung))
+            singles.push_back({i, flip_of(rung), rung.quick_ratio});
     climbs.emplace(std::move(singles), result.changes, options.places.seed);
 }
 
@@ -212,8 +219,11 @@ void Search::Impl::combine() {
     const std::size_t i = result.rungs.size();
     result.rungs.push_back({.name = rung_name(*changes), .changes = std::move(*changes)});
     try_rung(i, combinations_end, [this, i] {
-        const bool drawn = result.rungs[i].outcome == Outcome::tried;
-        climbs->tell(drawn ? rmse_of(result.rungs[i]) : std::numeric_limits<double>::infinity());
+        FoundRung& rung = result.rungs[i];
+        // A change that adds an error and saves nothing more is none to go on with.
+        const std::string less = rung_name(climbs->before());
+        rung.saves = rung.saves && rung.quick_ratio < least_saving_more * result.find(less)->quick_ratio;
+        climbs->tell(useful(rung) ? flip_of(rung) : std::numeric_limits<double>::infinity());
         soon([this] { combine(); });
     });
 }
@@ -246,22 +256,22 @@ void Search::Impl::hold_out(std::size_t i) {
         rung.held_out = result.places.size() > result.searched;
         const double seen = rung.searched()->own.light.rmse;
         const double unseen = rung.held_out ? rung.unseen()->own.light.rmse : seen;
-        rung.only_where_tried = rung.aim == Aim::cheaper && !(unseen <= 2 * seen) && !(unseen <= visible_error);
+        rung.only_where_tried =
+            rung.aim == Aim::cheaper && seen <= visible_error && !(unseen <= visible_error) && !(unseen <= 2 * seen);
         const auto held = std::make_shared<Attempt>(std::move(drawn));
         soon([this, held] {
             if (!rung_of(*held).only_where_tried) finalists.emplace(held->rung, std::move(held->trial));
         });
         for (const std::size_t place : {rung.worst_place(), std::size_t{0}})
             soon([this, held, place, end] {
-                if (!over(end)) find_flip(*held, place);
+                if (!over(end)) find_flip(held->trial, rung_of(*held), place);
             });
     });
 }
 
-void Search::Impl::find_flip(Attempt& attempt, std::size_t place) {
-    FoundRung& rung = rung_of(attempt);
+void Search::Impl::find_flip(Trial& trial, FoundRung& rung, std::size_t place) {
     if (rung.at[place].flip) return;
-    if (const auto picture = trials->picture(attempt.trial, place))
+    if (const auto picture = trials->picture(trial, place))
         rung.at[place].flip = trials->compare(*picture, place, rung.changes, true).flip;
 }
 

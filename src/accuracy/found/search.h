@@ -44,11 +44,12 @@ struct FoundRung {
     std::size_t pixels_changed = 0;                      // at all places together
     int width = 0, height = 0;                           // of the pictures that were compared
     bool held_out = false;                               // it was drawn at the places that are held out, too
-    // It was harmless only where it was searched: its error at a place that is held out is visible, and more than twice
-    // as large. Such a rung is never on the front.
+    // It was harmless only where it was searched: its error is not visible there, but at a place that is held out, and
+    // more than twice as large. Such a rung is never on the front.
     bool only_where_tried = false;
 
     double quick_ratio = 0;            // of its time to the scene's, by a few frames; 0: not known
+    bool saves = false;                // time, as far as these frames tell; a combination: more than what it adds to
     std::optional<std::size_t> timed;  // index into FoundResult::timed (cheaper) or costs (better, unused)
     // Unused only: what the scene would not need without it.
     std::int64_t gpu_bytes = 0, bytes_decoded = 0;
@@ -125,7 +126,7 @@ struct SearchOptions {
     // is granted, not by what is left of it, so that errors do not depend on the machine.
     std::size_t pixels = 131072;
     double at_least = 20;           // minimum milliseconds of a sample
-    std::size_t combinations = 24;  // at most so many are tried
+    std::size_t combinations = 32;  // at most so many are tried
     Stop stop = {};
     std::function<void(const Progress&)> report = {};
 };

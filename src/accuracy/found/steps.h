@@ -63,7 +63,7 @@ struct Search::Impl {
     void combine();
     void begin_hold_out();
     void hold_out(std::size_t i);
-    void find_flip(Attempt& attempt, std::size_t place);
+    void find_flip(Trial& trial, FoundRung& rung, std::size_t place);
 
     // ---- timing.cpp: times, and what may be left out -------------------------------------------------------------
     void begin_times();
@@ -93,5 +93,6 @@ struct Search::Impl {
 };
 
 inline double rmse_of(const FoundRung& rung) { return rung.worst()->own.light.rmse; }
+inline double flip_of(const FoundRung& rung) { return rung.searched()->flip.value_or(1); }
 
 }  // namespace snell::accuracy

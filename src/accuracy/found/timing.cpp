@@ -9,7 +9,7 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr std::size_t most_timed = 12, most_costs = 10, load_pairs = 3;
+constexpr std::size_t most_timed = 16, most_costs = 10, load_pairs = 3;
 constexpr double least_loading = 1;  // milliseconds: less is noise
 
 }  // namespace
@@ -19,9 +19,10 @@ void Search::Impl::begin_times() {
     std::vector<std::size_t> cheaper;
     for (const auto& [i, trial] : finalists)
         if (result.rungs[i].aim == Aim::cheaper) cheaper.push_back(i);
-    ranges::stable_sort(cheaper, {}, [&](std::size_t i) { return rmse_of(result.rungs[i]); });
     const std::size_t most = fitting(std::min(most_timed, cheaper.size()), times_end, result.timed_size);
-    begin_rounds(result.timed, spread(cheaper, most), times_end, result.timed_size);
+    cheaper = in_layers(result, std::move(cheaper), most);
+    ranges::stable_sort(cheaper, {}, [&](std::size_t i) { return rmse_of(result.rungs[i]); });
+    begin_rounds(result.timed, cheaper, times_end, result.timed_size);
 }
 
 // How many rungs can be timed in as many rounds as a front needs: in smaller pictures if frames are slow, and fewer

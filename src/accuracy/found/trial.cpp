@@ -18,8 +18,8 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr double quick_sample = 6, slow_frame = 30;  // milliseconds
-constexpr int quick_pairs = 3;
+constexpr double quick_sample = 8, slow_frame = 30;  // milliseconds
+constexpr int quick_pairs = 5;
 
 bool overlap(const Span& a, const Span& b) { return a.file == b.file && a.begin <= b.end && b.begin <= a.end; }
 
@@ -226,15 +226,20 @@ const Region& Trials::region(std::size_t place, const std::vector<bool>& draws) 
     return kept;
 }
 
-double Trials::quick_ratio(Trial& trial, double warm, ClockKind clock, const Stop& stop) {
-    if (warm > slow_frame) return warm / std::max(scene().warm_up(variant(), clock).value_or(0), 1e-3);
+Trials::Quick Trials::quick_ratio(Trial& trial, double warm, ClockKind clock, const Stop& stop) {
+    if (warm > slow_frame) {
+        const double ratio = warm / std::max(scene().warm_up(variant(), clock).value_or(0), 1e-3);
+        return {ratio, ratio};
+    }
     std::vector<double> ratios;
     for (int i = 0; i < quick_pairs && !(stop && stop()); ++i) {
         const double changed = chosen(trial.bench->time(variant(), quick_sample), clock);
         const double unchanged = chosen(scene().time(variant(), quick_sample), clock);
         if (unchanged > 0) ratios.push_back(changed / unchanged);
     }
-    return ratios.empty() ? 0 : median(ratios);
+    if (ratios.empty()) return {};
+    ranges::sort(ratios);
+    return {median(ratios), ratios[ratios.size() - std::min<std::size_t>(ratios.size(), 2)]};
 }
 
 Entrant Trials::entrant(Bench& bench, std::array<int, 2> size) const {

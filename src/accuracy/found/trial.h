@@ -54,9 +54,12 @@ public:
     // over those that differ. `flip`: with FLIP.
     Difference compare(const Picture& picture, std::size_t place, std::span<const std::size_t> changes, bool flip);
 
-    // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known. `warm`: the
-    // milliseconds of its frames.
-    double quick_ratio(Trial& trial, double warm, ClockKind clock, const Stop& stop);
+    // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known. `high`: the second
+    // largest of them. `warm`: the milliseconds of its frames.
+    struct Quick {
+        double middle = 0, high = 0;
+    };
+    Quick quick_ratio(Trial& trial, double warm, ClockKind clock, const Stop& stop);
     // Times frames of that size.
     Entrant entrant(Bench& bench, std::array<int, 2> size) const;
     // What plots and tables show: the error of the worst place, and the picture of the scene's own.

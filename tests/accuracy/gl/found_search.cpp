@@ -74,6 +74,17 @@ TEST_F(FoundSearch, TheWholePictureHasTheSameErrorOverMorePixels) {
     EXPECT_NEAR(worst.whole.light.mean, .25, 1e-6);
 }
 
+TEST_F(FoundSearch, FacesThatFaceAwayAreNotSeenFromOutsideAndAllThatIsSeenFromInside) {
+    read_scene("Background 0 0 0\nOrtho -2 2 -2 2\nSphere 1 24 24\n");
+    const auto worst = [&](const FoundResult& found) { return found.rungs[0].worst()->whole.light.rmse; };
+    // At the rim, a fragment of the far side may be as near as one of the near side.
+    EXPECT_LT(worst(search({change(ChangeKind::culled, "Sphere", "CullFace back\nSphere")})), .02);
+    EXPECT_GT(worst(search({change(ChangeKind::culled, "Sphere", "CullFace front\nSphere")})), .02);
+    read_scene("Background 0 0 0\nPerspective 60\nLookAt 0 0 0  0 0 1  0 1 0\nSphere 9 24 24\n");
+    const FoundResult inside = search({change(ChangeKind::culled, "Sphere", "CullFace back\nSphere")});
+    EXPECT_EQ(inside.rungs[0].worst()->pixels_changed, 32u * 32u);
+}
+
 TEST_F(FoundSearch, WhatIsHarmlessOnlyAtTheScenesOwnValuesIsFoundOut) {
     write_full("uniform float uMix;\nvoid main() { gl_FragColor = vec4(vec3(.5 + .4 * uMix), 1.); }\n");
     read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uMix <0. 0. 1.>\nQuadXY 0 1\n");

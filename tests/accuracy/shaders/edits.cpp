@@ -47,6 +47,30 @@ TEST_F(Rounds, ALoopThatCountsDownBeginsLower) {
     EXPECT_EQ(lines("int i; for (i = 8; i > 0; i--) color += vN;"), (Lines{"i = 8 → i = 4", "i = 8 → i = 2"}));
 }
 
+TEST_F(Rounds, LevelsOfTessellationShrinkTogether) {
+    const std::string body =
+        "layout(vertices = 3) out;\nuniform float uLevel;\nvoid main() {\n"
+        "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = uLevel;\n"
+        "    gl_TessLevelOuter[2] = uLevel + 1.;\n    gl_TessLevelInner[0] = 8.; // inside\n"
+        "    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n}\n";
+    Found& found = scene(
+        "Vertex a.vert\nTessControl a.tcs\nTessEvaluation a.tes\nFragment a.frag\nProgram P uLevel <1. 4. 9.>\n"
+        "NumPatchVertices 3\nglBegin gl_patches\nglVertex 0 0\nglVertex 1 0\nglVertex 0 1\nglEnd\n",
+        {{"a.vert", "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n"},
+         {"a.tcs", "#version 400 compatibility\n" + body},
+         {"a.tes",
+          "#version 400 compatibility\nlayout(triangles) in;\nvoid main() { gl_Position = "
+          "gl_in[0].gl_Position * gl_TessCoord.x; }\n"},
+         {"a.frag", "#version 400 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n"}});
+    ASSERT_EQ(found.of(lower_levels).size(), 3U);
+    const std::string half = found.changed(*found.of(lower_levels)[1], "a.tcs");
+    for (const std::string_view line :
+         {"= gl_TessLevelOuter[1] = 0.5*uLevel;", "gl_TessLevelOuter[2] = 0.5*(uLevel + 1.);",
+          "gl_TessLevelInner[0] = 0.5*8.; // inside"})
+        EXPECT_NE(half.find(line), std::string::npos) << half;
+    EXPECT_EQ(translation_errors(found, found.of(lower_levels)), "");
+}
+
 TEST_F(Rounds, AConstantIsChangedWhereItIsDefined) {
     EXPECT_EQ(lines("for (int i = 0; i < N; i++) color += vN / float(N);", "const int N = 64;\n"),
               (Lines{"N = 64 → N = 32", "N = 64 → N = 16"}));

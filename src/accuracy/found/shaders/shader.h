@@ -131,6 +131,7 @@ private:
 };
 
 void add_fewer_rounds(const Shader& shader, Offers& offers);
+void add_lower_levels(const Shader& control, Offers& offers);
 void add_shorter_sums(const Shader& fragment, Offers& offers);
 // `elsewhere`: files that stages other than the fragment stage read, too.
 void add_lookups(const Shader& fragment, const std::set<FileId>& elsewhere, Means& means, Offers& offers);

@@ -88,6 +88,7 @@ void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::v
         if (ranges::any_of(stages, large)) continue;
         for (const auto& shader : stages) {
             add_fewer_rounds(*shader, offers);
+            if (shader->unit.stage == Stage::tess_control) add_lower_levels(*shader, offers);
             if (!shader->fragment()) continue;
             add_shorter_sums(*shader, offers);
             add_lookups(*shader, reader.elsewhere, means, offers);

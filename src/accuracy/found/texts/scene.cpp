@@ -1,5 +1,6 @@
 // Changes of the scene's own text: numbers of cells, slices and texels, filters and encodings.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parser/text/number.h"
@@ -77,10 +78,11 @@ public:
 
     void run() {
         for (const Draw& draw : scene_.draws)
-            if (draw.program == none || plan_.programs[draw.program].readable) change_shape(draw);
+            if (readable(draw)) change_shape(draw);
         change_noise("Noise2D", scene_.noise2d, TextureTarget::d2, 2, {"Noise2", "uNoise2"});
         change_noise("Noise3D", scene_.noise3d, TextureTarget::d3, 3, {"Noise3", "uNoise3"});
         for (const Pass& pass : scene_.passes) change_texels(pass);
+        cull();
         change_filters();
         decode();
     }
@@ -140,14 +142,16 @@ private:
         const std::vector<Field> fields = fields_of(draw.shape);
         if (std::holds_alternative<Quad>(draw.shape)) {
             const auto cells = [](const Field& field) { return field.count; };
-            for (const double factor : {.5, .25}) scale(ChangeKind::fewer_cells, *at, fields, factor, 1, cells);
-            if (!cells_matter(draw)) return;
+            const bool matter = cells_matter(draw);
+            for (const double factor : {.75, .5, .25, matter ? .25 : 0})
+                scale(ChangeKind::fewer_cells, *at, fields, factor, 1, cells);
+            if (!matter) return;
             for (const double factor : {2., 4.}) scale(ChangeKind::finer_cells, *at, fields, factor, 1, cells);
             return;
         }
         const auto round = [](const Field& field) { return field.round; };
         if (ranges::none_of(fields, round)) return;
-        for (const double factor : {1. / 2, 1. / 3})
+        for (const double factor : {3. / 4, 1. / 2, 1. / 3})
             scale(ChangeKind::fewer_slices, *at, fields, factor, fewest_slices, round);
         scale(ChangeKind::more_slices, *at, fields, 2, fewest_slices, round);
     }
@@ -163,6 +167,46 @@ private:
             edits.push_back({at->arguments[i], text_of::number(std::floor(size.value / part), true)});
         }
         return edits;
+    }
+
+    // Solids, whose outside alone is seen from outside. Files of triangles mostly are.
+    static bool solid(const Draw& draw) {
+        return !draw.wire && std::visit(
+                                 [](const auto& shape) {
+                                     using S = std::decay_t<decltype(shape)>;
+                                     return std::is_same_v<S, Sphere> || std::is_same_v<S, Torus> ||
+                                            std::is_same_v<S, Cone> || std::is_same_v<S, Cylinder> ||
+                                            std::is_same_v<S, Box> || std::is_same_v<S, Teapot> ||
+                                            std::is_same_v<S, Soccerball> || std::is_same_v<S, ObjFile>;
+                                 },
+                                 draw.shape);
+    }
+
+    bool readable(const Draw& draw) const { return draw.program == none || plan_.programs[draw.program].readable; }
+
+    // Culls each solid alone, and all of them: they have no inside that shows, unless they are transparent, or the eye
+    // is in them.
+    void cull() {
+        if (ranges::any_of(all_, [](const Statement& at) { return at.command == "CullFace"; })) return;
+        std::vector<Edit> all;
+        std::size_t solids = 0;
+        bool culled = false;
+        for (const Draw& draw : scene_.draws) {
+            const Statement* at = statement(draw.span);
+            if (!at || !readable(draw)) continue;
+            if (solid(draw) != culled) {
+                culled = !culled;
+                all.push_back(line_before(at->span, culled ? "CullFace back" : "CullFace none"));
+            }
+            if (!solid(draw)) continue;
+            ++solids;
+            std::vector<Edit> alone{line_before(at->span, "CullFace back")};
+            if (&draw != &scene_.draws.back()) alone.push_back(line_after(at->span, "CullFace none"));
+            to_.add(ChangeKind::culled, at->span, std::move(alone));
+        }
+        if (solids < 2) return;
+        const Span where = all.front().span;
+        to_.add(ChangeKind::culled, where, std::move(all));
     }
 
     // The textures of one pass keep one size.
@@ -211,6 +255,16 @@ private:
         const Span at{statement.file, statement.begin, statement.begin};
         return {at, std::string(line) + std::string(line_end(sources_.text(at.file)))};
     }
+    // Behind the line that the statement ends in, with its comment.
+    Edit line_after(Span statement, std::string_view line) const {
+        const std::string_view all = sources_.text(statement.file);
+        const std::size_t end = all.find('\n', statement.end);
+        const std::string_view next = line_end(all);
+        const auto at = static_cast<std::uint32_t>(end == all.npos ? all.size() : end + 1);
+        std::string text =
+            end == all.npos ? std::string(next) + std::string(line) : std::string(line) + std::string(next);
+        return {{statement.file, at, at}, std::move(text)};
+    }
     void insert_line(ChangeKind kind, Span before, std::string_view line) {
         const Edit edit = line_before(before, line);
         to_.add(kind, edit.span, {edit});
@@ -230,16 +284,26 @@ private:
             if (at.command != "Filter") continue;
             said = true;
             if (at.arguments.empty()) {
-                to_.add(ChangeKind::filtered, at.span, {{{at.span.file, at.span.end, at.span.end}, " mipmap"}});
+                const Span end{at.span.file, at.span.end, at.span.end};
+                to_.add(ChangeKind::less_filtered, at.span, {{end, " nearest"}});
+                to_.add(ChangeKind::filtered, at.span, {{end, " mipmap"}});
                 continue;
             }
-            const std::string_view mode = to_.text(at.arguments[0]);
-            if (mode == "nearest") to_.add(ChangeKind::filtered, at.span, {{at.arguments[0], "linear"}});
-            if (mode == "nearest" || mode == "linear")
-                to_.add(ChangeKind::filtered, at.span, {{at.arguments[0], "mipmap"}});
+            constexpr std::array<std::string_view, 4> modes{"nearest", "linear", "mipmap", "anisotropic"};
+            const auto mode = std::find(modes.begin(), modes.end(), to_.text(at.arguments[0]));
+            if (mode == modes.end()) continue;
+            // An anisotropic filter is no better than mipmaps where a surface faces the eye, and has a second argument.
+            for (auto other = modes.begin(); other != modes.end() - 1; ++other)
+                if (other != mode)
+                    to_.add(
+                        other < mode ? ChangeKind::less_filtered : ChangeKind::filtered, at.span,
+                        {{{at.span.file, at.arguments.front().begin, at.arguments.back().end}, std::string(*other)}});
         }
         if (said || !first) return;
-        if (const Statement* at = statement(first->span)) insert_line(ChangeKind::filtered, at->span, "Filter mipmap");
+        if (const Statement* at = statement(first->span)) {
+            insert_line(ChangeKind::less_filtered, at->span, "Filter nearest");
+            insert_line(ChangeKind::filtered, at->span, "Filter mipmap");
+        }
     }
 
     // Files of floats hold light already, others hold no colours.
