@@ -75,12 +75,16 @@ TEST_F(FoundSearch, TheWholePictureHasTheSameErrorOverMorePixels) {
 }
 
 TEST_F(FoundSearch, FacesThatFaceAwayAreNotSeenFromOutsideAndAllThatIsSeenFromInside) {
-    read_scene("Background 0 0 0\nOrtho -2 2 -2 2\nSphere 1 24 24\n");
+    folder.write("a.vert", "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n");
+    folder.write("a.frag",
+                 "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(gl_FrontFacing ? .9 : .1); }\n");
+    const std::string program = "Background 0 0 0\nVertex a.vert\nFragment a.frag\nProgram A\n";
+    read_scene(program + "Ortho -2 2 -2 2\nSphere 1 24 24\n");
     const auto worst = [&](const FoundResult& found) { return found.rungs[0].worst()->whole.light.rmse; };
     // At the rim, a fragment of the far side may be as near as one of the near side.
     EXPECT_LT(worst(search({change(ChangeKind::culled, "Sphere", "CullFace back\nSphere")})), .02);
     EXPECT_GT(worst(search({change(ChangeKind::culled, "Sphere", "CullFace front\nSphere")})), .02);
-    read_scene("Background 0 0 0\nPerspective 60\nLookAt 0 0 0  0 0 1  0 1 0\nSphere 9 24 24\n");
+    read_scene(program + "Perspective 60\nLookAt 0 0 0  0 0 1  0 1 0\nSphere 9 24 24\n");
     const FoundResult inside = search({change(ChangeKind::culled, "Sphere", "CullFace back\nSphere")});
     EXPECT_EQ(inside.rungs[0].worst()->pixels_changed, 32u * 32u);
 }
