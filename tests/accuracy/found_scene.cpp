@@ -183,6 +183,8 @@ TEST_F(FoundScene, SolidsAreCulledAloneAndTogether) {
               "back\nTeapot");
     EXPECT_EQ(found("Sphere\r\nQuadXY\r\n").text(ChangeKind::culled, 0, "scene.glib"),
               "CullFace back\r\nSphere\r\nCullFace none\r\nQuadXY\r\n");
+    EXPECT_EQ(found("Sphere 2 \\\n\nQuadXY\n").text(ChangeKind::culled, 0, "scene.glib"),
+              "CullFace back\nSphere 2 \\\n\nCullFace none\nQuadXY\n");
     for (const std::string_view none : {"CullFace front\nSphere\n", "WireSphere\nQuadXY\nDiskXY\nPointCloud\n"})
         EXPECT_TRUE(found(none).after(ChangeKind::culled).empty()) << none;
 }

@@ -15,6 +15,12 @@ namespace {
 constexpr std::size_t most_scene_changes = 200;
 constexpr int fewest_slices = 3, most_parts = 2048, smallest_noise = 8, fewest_texels = 8;
 
+// Whether the statement of the last line goes on in the next one, of which it may have nothing.
+bool continued(std::string_view lines) {
+    const std::size_t last = lines.find_last_not_of(" \t\r");
+    return last != lines.npos && lines[last] == '\\';
+}
+
 // A number of a shape's statement, with the value that a missing one has.
 struct Field {
     double value = 0;
@@ -258,7 +264,8 @@ private:
     // Behind the line that the statement ends in, with its comment.
     Edit line_after(Span statement, std::string_view line) const {
         const std::string_view all = sources_.text(statement.file);
-        const std::size_t end = all.find('\n', statement.end);
+        std::size_t end = all.find('\n', statement.end);
+        while (end != all.npos && continued(all.substr(0, end))) end = all.find('\n', end + 1);
         const std::string_view next = line_end(all);
         const auto at = static_cast<std::uint32_t>(end == all.npos ? all.size() : end + 1);
         std::string text =
