@@ -101,10 +101,6 @@ class Document {
     find(word, behind = 0) {
         return this.positionAt(this.text.indexOf(word) + behind);
     }
-    async save() {
-        writeFileSync(this.fileName, this.text);
-        return true;
-    }
 }
 
 function matches(selector, document) {
@@ -178,7 +174,6 @@ function createEditor(folder, settings, findFiles) {
             workspaceFolders, textDocuments: editor.documents, notebookDocuments: [], isTrusted: true, fs: {},
             getConfiguration: () => configuration, createFileSystemWatcher: watcher, findFiles,
             getWorkspaceFolder: (uri) => (uri.fsPath.startsWith(`${folder}/`) ? workspaceFolders[0] : undefined),
-            saveAll: async () => (await Promise.all(editor.documents.map((document) => document.save()))).every(Boolean),
             asRelativePath: (path) => String(path), applyEdit: async () => true,
         },
         languages: {
