@@ -1,7 +1,7 @@
 // As much of VS Code as vscode-languageclient needs, without a window: documents, events, what extensions register, and
 // what they show. The library itself and the extension are the real ones.
 const Module = require('node:module');
-const { readFileSync, writeFileSync } = require('node:fs');
+const { readFileSync } = require('node:fs');
 const { basename } = require('node:path');
 const minimatch = require('minimatch');
 const { URI, Utils } = require('vscode-uri');
