@@ -24,18 +24,6 @@ std::string usage(const Command& command) {
 
 }  // namespace
 
-std::array<double, 3> Arguments::vec3(std::size_t i) const {
-    std::array<double, 3> v{};
-    const std::span<const double> all = numbers(i);
-    std::copy_n(all.begin(), std::min<std::size_t>(3, all.size()), v.begin());
-    return v;
-}
-
-std::span<const double> Arguments::numbers(std::size_t i) const {
-    const Argument& a = (*this)[i];
-    return std::span(numbers_).subspan(a.first, a.count);
-}
-
 // Walks the tokens of one statement along the parameters of one alternative. A dry walk only tells whether it
 // fits; `loose` lets a dry walk pass over brackets, as the real one does with a warning.
 class Matcher {

@@ -31,8 +31,13 @@ public:
     double number(std::size_t i) const { return (*this)[i].number; }
     int integer(std::size_t i) const { return static_cast<int>((*this)[i].number); }
     std::string_view text(std::size_t i) const { return (*this)[i].text; }
-    std::array<double, 3> vec3(std::size_t i) const;
-    std::span<const double> numbers(std::size_t i) const;
+    std::span<const double> numbers(std::size_t i) const {
+        return std::span(numbers_).subspan((*this)[i].first, (*this)[i].count);
+    }
+    std::array<double, 3> vec3(std::size_t i) const {
+        const std::span<const double> all = numbers(i);
+        return {all.size() > 0 ? all[0] : 0, all.size() > 1 ? all[1] : 0, all.size() > 2 ? all[2] : 0};
+    }
     bool given(std::size_t i) const { return (*this)[i].given; }
     Span span() const { return span_; }
     Span span(std::size_t i) const { return (*this)[i].span; }

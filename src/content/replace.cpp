@@ -117,6 +117,25 @@ std::string write_and_close(int file, std::string_view bytes) {
 
 }  // namespace
 
+std::string Replacement::write_through(std::string_view bytes) {
+    const int file = open(target_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (file < 0) return target_.string() + ": " + std::strerror(errno);
+    const auto size = static_cast<off_t>(bytes.size());
+    const off_t before = lseek(file, 0, SEEK_END);
+    lseek(file, 0, SEEK_SET);
+    // A full disk is noticed before anything is overwritten.
+    if (const int error = size > before ? posix_fallocate(file, 0, size) : 0; error != 0) {
+        [[maybe_unused]] const int shortened = ftruncate(file, before);
+        close(file);
+        return target_.string() + ": " + std::strerror(error);
+    }
+    std::string wrong = write_all(file, bytes);
+    if (wrong.empty() && ftruncate(file, size) != 0) wrong = std::strerror(errno);
+    if (close(file) != 0 && wrong.empty()) wrong = std::strerror(errno);
+    kept_ = !wrong.empty();
+    return kept_ ? target_.string() + ": " + wrong + "; the new text is in " + path_.string() : "";
+}
+
 PartFile::PartFile(const fs::path& path) : file_(new_file(path)) {
     if (file_ < 0) wrong_ = std::strerror(errno);
 }
@@ -145,15 +164,32 @@ std::string PartFile::close() {
 
 std::string write_file(const fs::path& path, std::string_view bytes) { return write_and_close(new_file(path), bytes); }
 
-std::string replace_file(const std::string& path, std::string_view bytes) {
+namespace {
+
+// How new bytes get into the place of a file.
+enum class Place { renamed, written };
+
+std::string put_file(const std::string& path, std::string_view bytes, Place place) {
     if (is_stream(path)) {
         const std::string wrong = write_and_close(open_stream(path), bytes);
         return wrong.empty() ? "" : path + ": " + wrong;
     }
     Replacement replacement(path);
     if (std::string wrong = replacement.check(); !wrong.empty()) return wrong;
-    const std::string wrong = write_file(replacement.path(), bytes);
-    return wrong.empty() ? replacement.take_place() : path + ": " + wrong;
+    if (const std::string wrong = write_file(replacement.path(), bytes); !wrong.empty()) return path + ": " + wrong;
+    return place == Place::renamed ? replacement.take_place() : replacement.write_through(bytes);
+}
+
+}  // namespace
+
+std::string replace_file(const std::string& path, std::string_view bytes) {
+    return put_file(path, bytes, Place::renamed);
+}
+
+std::string rewrite_file(const std::string& path, std::string_view bytes) {
+    std::error_code error;
+    const auto names = fs::hard_link_count(without_links(path), error);
+    return put_file(path, bytes, !error && names > 1 ? Place::written : Place::renamed);
 }
 
 }  // namespace snell::content

@@ -26,6 +26,9 @@ public:
     const std::filesystem::path& path() const { return path_; }
     // Replaces the target and keeps its permissions. Returns "" or what went wrong.
     std::string take_place();
+    // Writes the same bytes into the target itself. Returns "" or what went wrong; if the target was damaged, the
+    // temporary file stays.
+    std::string write_through(std::string_view bytes);
 
 private:
     std::filesystem::path target_, path_;
@@ -55,6 +58,10 @@ std::string write_file(const std::filesystem::path& path, std::string_view bytes
 // Replaces a file by one with these bytes; returns "", or the error, after which the file is unchanged. Pipes,
 // devices and open files, such as /dev/stdout, are written to directly.
 std::string replace_file(const std::string& path, std::string_view bytes);
+
+// As replace_file(), for files that are edited: one that has several names (hard links) keeps them, because it is
+// written in place.
+std::string rewrite_file(const std::string& path, std::string_view bytes);
 
 // Checks, before any work, whether replace_file() could write there, by making its temporary file. Returns an empty
 // string, or why not.

@@ -8,6 +8,7 @@
 #include "parser/read/parse.h"
 #include "parser/text/ranges.h"
 #include "src/content/whole_file.h"
+#include "src/plan/locate.h"
 
 namespace snell {
 
@@ -22,7 +23,7 @@ Scene read_again(const Document& document, const std::vector<SavedFile>& files) 
         texts.emplace(document.sources.name(file), document.sources.text(file));
     for (const SavedFile& file : files) texts[file.path] = file.after;
     const auto include = [&](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
-        const std::string path = document.files->resolve_beside(from, name, {"glib"}).path;
+        const std::string path = document.files->resolve_beside(from, name, scene_extensions()).path;
         const auto text = texts.find(path);
         if (text == texts.end()) return std::nullopt;
         return IncludedText{path, std::string(text->second)};

@@ -43,7 +43,8 @@ struct Completion {
 struct Hover {
     Span span;                  // of what it explains
     std::string documentation;  // Markdown
-    std::string picture = {};   // a file in docs/, such as "images/Sphere.png"; empty: none. It may not be installed
+    // A file in docs/, such as "images/Sphere.png", which may not be installed, or a path; empty: none.
+    std::string picture = {};
 };
 
 struct Signature {

@@ -101,6 +101,11 @@ const Extensions& stage_extensions(Stage stage) {
     return all[static_cast<std::size_t>(stage)];
 }
 
+const Extensions& scene_extensions() {
+    static const Extensions all{"glib", "inc"};
+    return all;
+}
+
 const Extensions& mesh_extensions(const Shape& shape) {
     static const Extensions obj{"obj"}, shp{"shp"};
     return std::holds_alternative<ShpFile>(shape) ? shp : obj;

@@ -13,6 +13,7 @@ namespace snell {
 
 // The extensions that are tried for a name without one.
 const std::vector<std::string_view>& stage_extensions(Stage stage);
+const std::vector<std::string_view>& scene_extensions();  // of included ones
 const std::vector<std::string_view>& mesh_extensions(const Shape& shape);
 const std::vector<std::string_view>& image_extensions();
 

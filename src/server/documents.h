@@ -20,7 +20,6 @@ struct Document {
     std::string language;
     std::int64_t version = 0;
     std::string text;
-    bool saved = true;  // as far as the editor told
 
     bool is_scene() const;
 };

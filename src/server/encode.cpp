@@ -105,8 +105,9 @@ Json Encoder::completions(const std::vector<Completion>& items) const {
 
 Json Encoder::hover(const Hover& hover) const {
     std::string text = hover.documentation;
-    const std::string picture =
-        hover.picture.empty() || !state_.services.doc_file ? "" : state_.services.doc_file(hover.picture);
+    std::string picture = hover.picture;
+    if (!picture.empty() && !picture.starts_with('/'))
+        picture = state_.services.doc_file ? state_.services.doc_file(picture) : "";
     if (!picture.empty()) text += fmt::format("\n\n![]({})", uri_of_path(picture));
     return {{"contents", markdown(text)}, {"range", range(hover.span)}};
 }

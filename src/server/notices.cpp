@@ -34,13 +34,11 @@ void did_change(State& state, const Json& params) {
     }
     apply(document.text, changes, state.encoding);
     document.version = params.at("textDocument").value("version", document.version + 1);
-    document.saved = false;
     state.workspace.changed(document.path);
 }
 
 void did_save(State& state, const Json& params) {
     Document& document = state.document(params);
-    document.saved = true;
     if (const auto text = params.find("text"); text != params.end() && text->is_string() && *text != document.text) {
         document.text = text->get<std::string>();
         state.workspace.changed(document.path);

@@ -9,6 +9,7 @@
 #include <csignal>
 
 #include "src/server/checks.h"
+#include "src/server/commands.h"
 #include "src/server/errands.h"
 #include "src/server/session.h"
 #include "src/server/wire/pipes.h"
@@ -34,6 +35,7 @@ public:
             }
             checks_.go_on();
             errands_.go_on();
+            look_after_windows(session_.state());
         }
         return session_.over().value_or(session_.status_at_end());
     }
@@ -42,7 +44,8 @@ private:
     // Until a message, a result or a deadline.
     void wait() {
         const auto due = std::min(checks_.due(), errands_.due());
-        int most = 3'000;  // then the editor may be gone
+        // Nothing else tells that a window has failed, or that the editor is gone.
+        int most = session_.state().windows.empty() ? 3'000 : 300;
         if (due != Clock::time_point::max()) {
             const auto left = std::chrono::ceil<std::chrono::milliseconds>(due - Clock::now()).count();
             most = static_cast<int>(std::clamp<std::int64_t>(left, 0, most));

@@ -31,6 +31,10 @@ struct Outcome {
     bool failed = false;
 };
 
+// A window that was opened, and outlives the server. Returns nothing while it is open, and afterwards why it failed, or
+// "" if it did not.
+using Window = std::function<std::optional<std::string>()>;
+
 struct Services {
     // Says all that is wrong with a scene.
     using Checker = std::function<Checked(const std::string& scene, const Access& access)>;
@@ -38,8 +42,8 @@ struct Services {
     std::function<Checker()> driver = nullptr;
     // Called in a process of its own.
     std::function<Outcome(const Errand& errand, const Access& access)> run = nullptr;
-    // Opens the scene in snell's window. Returns "" or the error.
-    std::function<std::string(const std::string& scene)> open = nullptr;
+    // Opens the scene in snell's window, with the texts of `access` in place of files until those are saved.
+    std::function<Window(const std::string& scene, const Access& access)> open = nullptr;
     // The URI of the page that explains a diagnostic's code; empty if it is not installed.
     std::function<std::string(std::string_view code)> page_of = nullptr;
     // The path of a file in docs/, such as "images/light-glass.jpg"; empty if it is not installed.

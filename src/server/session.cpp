@@ -107,9 +107,7 @@ Json Session::initialize(const Json& params) {
     if (member(member(params, "initializationOptions"), "driver") == false) state_.services.driver = nullptr;
     const Json& encodings = member(member(state_.client, "general"), "positionEncodings");
     state_.encoding = chosen_encoding(encodings);
-    // A process that was never seen is in a container of its own: it has not ended.
     if (const Json& editor = member(params, "processId"); editor.is_number_integer()) editor_ = editor.get<pid_t>();
-    if (editor_is_gone()) editor_ = 0;
     life_ = Life::running;
     return {{"capabilities", capabilities(state_.encoding)},
             {"serverInfo", {{"name", "snell"}, {"version", state_.services.version}}}};

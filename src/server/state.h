@@ -38,6 +38,7 @@ struct State {
     Json client = Json::object();  // the capabilities of the editor
     int asked = 0;                 // how many requests the server sent to the editor
     std::deque<Errand> wanted = {};
+    std::vector<Window> windows = {};  // that are open
 
     State(Services given, std::function<void(const std::string&)> out)
         : services(std::move(given)), send(std::move(out)) {}

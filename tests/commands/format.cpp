@@ -26,6 +26,15 @@ TEST(FormatCommand, FilesAreReplaced) {
     EXPECT_EQ(folder.entries(), 2u);
 }
 
+TEST(FormatCommand, AFileOfSeveralNamesKeepsThem) {
+    const Scratch folder;
+    const std::string file = folder.write("a.glib", crooked), other = folder.path("b.glib");
+    std::filesystem::create_hard_link(file, other);
+    EXPECT_EQ(format(file).status, 0);
+    EXPECT_EQ(bytes_of(other), straight);
+    EXPECT_EQ(std::filesystem::hard_link_count(file), 2u);
+}
+
 TEST(FormatCommand, WhatIsFormattedIsNotWritten) {
     const Scratch folder;
     const std::string file = folder.write("a.glib", straight);

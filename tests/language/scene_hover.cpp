@@ -46,6 +46,17 @@ TEST(HoverScene, LaddersAndFiles) {
     EXPECT_EQ(Editor("Sphere\n@\nBox").hover(), "");
 }
 
+TEST(HoverScene, PicturesAreShown) {
+    const auto shown = [](const Editor& editor) {
+        return hover(editor.project(), editor.file(), editor.offset())->picture;
+    };
+    const std::map<std::string, std::string> files{{"Wood one.BMP", "BM"}, {"room.exr", "v"}};
+    const std::string wood = shown(Editor("Texture2D 5 \"wood @one.bmp\"\nSphere\n", files));
+    EXPECT_TRUE(wood.starts_with('/') && wood.ends_with("/Wood one.BMP")) << wood;
+    EXPECT_EQ(shown(Editor("Texture2D 5 room@.exr\nSphere\n", files)), "") << "editors do not know the format";
+    EXPECT_EQ(shown(Editor("Texture2D 5 gone@.png\nSphere\n", files)), "");
+}
+
 TEST(SignatureScene, TheCurrentParameterAndAlternative) {
     const SignatureHelp scale = Editor("Scale 1 @").signature();
     ASSERT_EQ(scale.signatures.size(), 2u);

@@ -253,6 +253,8 @@ TEST(Controls, NumbersOfARangeInAnotherOrder) {
     }
     const Case both = make(value_of("u", Kind::range, {5, 9, 1}), active("float"));
     EXPECT_EQ(both.codes(), (Codes{"range-reversed", "range-widened"}));
+    EXPECT_EQ(both.diagnostics.items()[0].fixes.at(0).text, "u <1. 5. 9.>")
+        << "not <1. 9. 5.>, which is no range either";
 }
 
 // What a user interface can take without overflow: half of the type's range, in its own arithmetic.

@@ -15,6 +15,8 @@ from client import Client, path_of
 # What else people write, by name: files, of which scene.glib is open, and how many fixes there must be at least.
 VERTEX = "varying vec3 vN;\nvoid main() {\n    vN = gl_Normal;\n    gl_Position = ftransform();\n}\n"
 FRAGMENT = "uniform float uKa;\nvarying vec3 vN;\nvoid main() {\n    gl_FragColor = vec4(uKa * vN, 1.);\n}\n"
+# A picture of one pixel, in ASCII.
+RED = "BM\x3a" + "\0" * 7 + "\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18" + "\0" * 27 + "\x7f\0"
 SCENE = "Vertex a.vert\nFragment a.frag\nProgram P uKa <0. .5 1.>\nSphere 1\n"
 
 
@@ -35,10 +37,12 @@ OWN = {
     "backslashes": case(SCENE.replace("uKa <0. .5 1.>", "\n  uKa <0. .5 1.>\n  uKb 1."), fragment=FRAGMENT.replace(
         "uniform", "uniform float uKb;\nuniform", 1).replace("uKa *", "uKa * uKb *")),
     "backslash, Windows": case(SCENE.replace(" uKa", "\n    uKa").replace("\n", "\r\n")),
-    "backslash before a comment": case(SCENE.replace(" uKa", "  # a remark\n    uKa"), fixes=0),
+    "backslash before a comment": case(SCENE.replace(" uKa", "  # a remark\n    uKa")),
+    "backslash before a line of comment": case(SCENE.replace(" uKa", "\n  // a remark\n    uKa")),
     "range, maximum before the value": case(SCENE.replace("<0. .5 1.>", "<0. 1. .5>")),
-    "range, value first": case(SCENE.replace("<0. .5 1.>", "<.5 0. 1.>"), fixes=0),
+    "range, value first": case(SCENE.replace("<0. .5 1.>", "<.5 0. 1.>")),
     "range, reversed": case(SCENE.replace("<0. .5 1.>", "<1. .5 0.>")),
+    "range, maximum, minimum, value": case(SCENE.replace("<0. .5 1.>", "<10. -1. 5.>")),
     "range, reversed whole numbers": case(SCENE.replace("<0. .5 1.>", "<3 2 1>")),
     "uniform that is there already": case(SCENE.replace("<0. .5 1.>", "1. uKaa 2."), fixes=None),
     "backslash behind a blank line": case(SCENE.replace(" uKa", "\n\n  uKb 1."), fixes=None),
@@ -48,11 +52,15 @@ OWN = {
     "uniform": case(SCENE.replace("uKa", "uKaa")),
     "uniform of another case": case(SCENE.replace("uKa", "uka")),
     "file of another case": case(SCENE.replace("a.vert", "A.vert")),
-    "file with another extension": case(SCENE.replace("a.frag", "a.fragment"), fixes=0),
+    "file with another extension": case(SCENE.replace("a.frag", "a.fragment")),
+    "picture with another extension": case("Texture2D 5 red.bpm\nTexture2D 6 red.png\nSphere 1\n", fixes=2,
+                                           **{"red.bmp": RED}),
+    "mesh with another extension": case("Obj ball.oj\n", **{"ball.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}),
     "file without extension": case(SCENE.replace("a.frag", "a")),
     "file": case(SCENE.replace("phong.frag", "phon.frag").replace("a.frag", "phon.frag"), **{"phong.frag": FRAGMENT}),
     "file in quotes": case(SCENE.replace("a.frag", '"my shadr.frag"'), **{"my shader.frag": FRAGMENT}),
     "file twice": case(SCENE.replace("a.vert", "A.vert") * 2, fixes=1),
+    "include with another extension": case("Include common.in\nSphere 1\n", **{"common.inc": "Perspective 50\n"}),
     "include": case("Include comon.inc\nSphere 1\n", **{"common.inc": "Perspective 50\n"}),
     "mesh": case("Obj Ball.obj\n", **{"ball.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}),
     "picture": case("Texture2D 5 Image.bmp\nSphere 1\n", **{"image.bmp": "BM"}, fixes=0),

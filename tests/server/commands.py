@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""What code lenses and menus call: pictures and costs are of the texts that are open; the window needs a display.
+"""What code lenses and menus call: pictures and costs are of the texts that are open, and so is the window until
+they are saved; why it fails is said.
 
 usage: commands.py SNELL
 """
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from client import Client, path_of
@@ -80,10 +83,55 @@ class Commands(unittest.TestCase):
         self.client.change(scene, 2, [{"text": SCENE.replace("Sphere 1", "Torus .4 1")}])
         self.assertIn("Torus", self.said("snell.cost", scene, 4)["message"])
 
-    def test_the_window_needs_a_display(self):
-        scene = self.client.open(self.scene)
-        params = {"command": "snell.open", "arguments": [scene]}
-        self.assertEqual(self.client.error("workspace/executeCommand", params), -32803)
+    def test_a_window_that_fails_says_why(self):
+        said = self.said("snell.open", self.client.open(self.scene))
+        self.assertEqual(said["type"], 1)
+        self.assertRegex(said["message"], r"^The window of a\.glib failed: no window: .*DISPLAY")
+
+    def test_a_display_that_is_not_there_is_reported(self):
+        other = Client(SNELL, environment={"DISPLAY": ":65000"}, without=("WAYLAND_DISPLAY",), driver=False)
+        self.replace_client(other)
+        self.assertIn(":65000", self.said("snell.open", other.open(self.scene))["message"])
+
+    @unittest.skipUnless(shutil.which("Xvfb") and shutil.which("import"), "Xvfb or ImageMagick is not installed")
+    def test_the_window_shows_open_texts_until_they_are_saved(self):
+        ends = os.pipe()
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(ends[1]), "-screen", "0", "640x480x24", "-nolisten", "tcp"],
+                                  pass_fds=ends[1:], stderr=subprocess.DEVNULL)
+        os.close(ends[1])
+        with os.fdopen(ends[0]) as number:
+            display = ":" + number.readline().strip()
+        try:
+            self.replace_client(Client(SNELL, environment={"DISPLAY": display, "XDG_STATE_HOME": str(self.folder)},
+                                       without=("WAYLAND_DISPLAY",), driver=False))
+            shown = "WindowSize 200 200\nBackground %s\n"
+            self.write("a.glib", shown % "0 0 1")
+            scene = self.client.open(self.scene)
+            self.client.change(scene, 2, [{"text": shown % "1 0 0"}])
+            self.client.request("workspace/executeCommand", {"command": "snell.open", "arguments": [scene]})
+            self.until_filled(display, b"\xff\0\0")
+            self.write("a.glib", shown % "0 1 0")
+            self.until_filled(display, b"\0\xff\0")
+        finally:
+            server.terminate()
+            server.wait()
+
+    def until_filled(self, display, color):
+        """Waits until a large part of the screen has this colour."""
+        for _ in range(100):
+            screen = subprocess.run(["import", "-display", display, "-window", "root", "-depth", "8", "rgb:-"],
+                                    capture_output=True).stdout
+            pixels = [screen[i:i + 3] for i in range(0, len(screen), 3 * 97)]
+            if pixels.count(color) > len(pixels) / 20:
+                return
+            time.sleep(.1)
+        self.fail(f"no {color} on the screen")
+
+    def replace_client(self, other):
+        first, self.client = self.client, other
+        self.assertEqual(first.end(), 0)
+        for stream in (first.process.stdin, first.process.stdout):
+            stream.close()
 
 
 if __name__ == "__main__":

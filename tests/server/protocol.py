@@ -59,6 +59,19 @@ class Life(unittest.TestCase):
         self.assertEqual(server.wait(20), 1)
         server.stdin.close()
 
+    def test_ends_if_its_editor_has_ended_already(self):
+        editor = subprocess.Popen(["true"])
+        editor.wait()
+        server = subprocess.Popen([SNELL, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
+        server.stdin.write(frame(request(1, "initialize", {"processId": editor.pid, "capabilities": {}})))
+        server.stdin.flush()
+        self.assertEqual(server.wait(10), 1)
+        server.stdin.close()
+
+    def test_an_editor_need_not_name_its_process(self):
+        messages, status = conversation(frame(request(1, "initialize", {"processId": None, "capabilities": {}})) + END)
+        self.assertEqual([len(messages), status], [2, 0])
+
     def test_ends_with_0_after_shutdown(self):
         messages, status = conversation(INITIALIZE + END)
         self.assertEqual([m["id"] for m in messages], [1, 2])

@@ -29,11 +29,6 @@ async function start(): Promise<void> {
         documentSelector: selector(shaders),
         synchronize: { fileEvents: [workspace.createFileSystemWatcher('**/*.glib'), workspace.createFileSystemWatcher(shaderFiles)] },
         middleware: {
-            // The program reads files, not editors.
-            executeCommand: async (name, words, next) => {
-                await workspace.saveAll(false);
-                return next(name, words);
-            },
             window: {
                 showDocument: async (params, next) =>
                     isPicture(params)

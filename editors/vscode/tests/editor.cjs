@@ -1,7 +1,7 @@
 // As much of VS Code as vscode-languageclient needs, without a window: documents, events, what extensions register, and
 // what they show. The library itself and the extension are the real ones.
 const Module = require('node:module');
-const { readFileSync, writeFileSync } = require('node:fs');
+const { readFileSync } = require('node:fs');
 const { basename } = require('node:path');
 const minimatch = require('minimatch');
 const { URI, Utils } = require('vscode-uri');
@@ -101,10 +101,6 @@ class Document {
     find(word, behind = 0) {
         return this.positionAt(this.text.indexOf(word) + behind);
     }
-    async save() {
-        writeFileSync(this.fileName, this.text);
-        return true;
-    }
 }
 
 function matches(selector, document) {
@@ -178,7 +174,6 @@ function createEditor(folder, settings, findFiles) {
             workspaceFolders, textDocuments: editor.documents, notebookDocuments: [], isTrusted: true, fs: {},
             getConfiguration: () => configuration, createFileSystemWatcher: watcher, findFiles,
             getWorkspaceFolder: (uri) => (uri.fsPath.startsWith(`${folder}/`) ? workspaceFolders[0] : undefined),
-            saveAll: async () => (await Promise.all(editor.documents.map((document) => document.save()))).every(Boolean),
             asRelativePath: (path) => String(path), applyEdit: async () => true,
         },
         languages: {

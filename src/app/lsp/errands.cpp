@@ -10,9 +10,9 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "parser/text/utf8.h"
@@ -101,6 +101,55 @@ private:
     int file_;
 };
 
+// A window's process, and what it says of errors, in a file without a name.
+class WindowProcess {
+public:
+    WindowProcess(std::string scene, const OpenTexts& texts)
+        : scene_(std::move(scene)), messages_(memfd_create("messages", MFD_CLOEXEC)) {
+        error_ = spawn(process_, {texts.option(), "--", scene_}, messages_, messages_, POSIX_SPAWN_SETSID);
+    }
+    ~WindowProcess() { close(messages_); }
+    WindowProcess(const WindowProcess&) = delete;
+    WindowProcess& operator=(const WindowProcess&) = delete;
+
+    // As server::Window.
+    std::optional<std::string> look() {
+        if (error_ != 0) return failure(std::strerror(error_));
+        int status = 0;
+        const pid_t ended = waitpid(process_, &status, WNOHANG);
+        pass_on();
+        if (ended == 0) return std::nullopt;
+        if (WIFSIGNALED(status)) return failure(fmt::format("signal {} ended it", WTERMSIG(status)));
+        constexpr std::string_view begin = "snell: error: ";
+        const std::size_t at = said_.rfind(begin);
+        if (WEXITSTATUS(status) == 0 || at == said_.npos) return "";  // errors of the scene were shown
+        const std::string_view rest = std::string_view(said_).substr(at + begin.size());
+        return failure(utf8::printable(rest.substr(0, rest.find('\n'))));
+    }
+
+private:
+    std::string failure(const std::string& why) const {
+        return fmt::format("The window of {} failed: {}",
+                           utf8::printable(std::filesystem::path(scene_).filename().string()), why);
+    }
+
+    // To the editor's log.
+    void pass_on() {
+        std::array<char, 1 << 12> some{};
+        for (;;) {
+            const ssize_t got = pread(messages_, some.data(), some.size(), static_cast<off_t>(said_.size()));
+            if (got <= 0) return;
+            const std::string_view part(some.data(), static_cast<std::size_t>(got));
+            server::write_all(STDERR_FILENO, part);
+            said_ += part;
+        }
+    }
+
+    std::string scene_, said_;
+    int messages_, error_ = 0;
+    pid_t process_ = 0;
+};
+
 server::Outcome failed(std::string message) { return {{}, std::move(message), true}; }
 
 // A folder of this user for pictures; empty if there is none. Others could have made one of that name.
@@ -168,12 +217,9 @@ server::Outcome cost(const std::string& scene, int line, const OpenTexts& texts)
 
 }  // namespace
 
-std::string open_window(const std::string& scene) {
-    if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
-        return "snell has no window here: neither DISPLAY nor WAYLAND_DISPLAY is set";
-    pid_t process = 0;
-    const int error = spawn(process, {"--", scene}, STDERR_FILENO, STDERR_FILENO, POSIX_SPAWN_SETSID);
-    return error == 0 ? "" : fmt::format("snell cannot be started: {}", std::strerror(error));
+server::Window open_window(const std::string& scene, const Access& access) {
+    const auto window = std::make_shared<WindowProcess>(scene, OpenTexts(access));
+    return [window] { return window->look(); };
 }
 
 server::Outcome run_errand(const server::Errand& errand, const Access& access) {

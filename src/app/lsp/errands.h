@@ -7,10 +7,8 @@
 
 namespace snell::app {
 
-// Opens a scene, as it was saved, in a window of its own, which outlives the editor. Returns "" or the error.
-std::string open_window(const std::string& scene);
-
-// Takes the texts that are open, of `access`, instead of their files.
+// Both take the texts that are open, of `access`, instead of their files.
+server::Window open_window(const std::string& scene, const Access& access);
 server::Outcome run_errand(const server::Errand& errand, const Access& access);
 
 }  // namespace snell::app

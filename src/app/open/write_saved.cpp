@@ -13,10 +13,10 @@ std::string exchange(const std::vector<SavedFile>& files, std::string SavedFile:
         if (content::whole_file(file.path) != file.*now)
             return file.path + " was changed meanwhile: it is left as it is";
     for (std::size_t i = 0; i < files.size(); ++i) {
-        std::string error = content::replace_file(files[i].path, files[i].*next);
+        std::string error = content::rewrite_file(files[i].path, files[i].*next);
         if (error.empty()) continue;
         if (!error.starts_with(files[i].path)) error = files[i].path + ": " + error;
-        while (i-- > 0) content::replace_file(files[i].path, files[i].*now);
+        while (i-- > 0) content::rewrite_file(files[i].path, files[i].*now);
         return error;
     }
     return {};

@@ -33,6 +33,7 @@ Session::Session(std::string path, gl::Caps caps, Access access, FirstRungs firs
     : path_(std::move(path)),
       caps_(std::move(caps)),
       access_(std::move(access)),
+      given_(access_),
       first_(std::move(first)),
       progress_(std::move(progress)),
       memory_(std::move(memory)) {
@@ -52,6 +53,7 @@ std::unique_ptr<Document> Session::read(const std::string& path, const FirstRung
         if (may_go_round(plan, document, caps_)) document.diagnostics.append(too_many_rounds(plan, document));
     };
     const auto chosen = [&](const Scene& scene, Rungs& rungs) { choose(scene, rungs, refused); };
+    given_.remove_saved(access_);
     std::unique_ptr<Document> read = open_document(path, caps_, chosen, planned, options, access_);
     broken_ = read->diagnostics.has_errors();
     read->diagnostics.append(refused);

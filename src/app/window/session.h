@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "src/app/desktop/given_texts.h"
 #include "src/app/desktop/watch.h"
 #include "src/app/window/survive/recovery.h"
 #include "src/document/document.h"
@@ -82,6 +83,7 @@ private:
     std::string path_;
     gl::Caps caps_;
     Access access_;
+    GivenTexts given_;
     FirstRungs first_;
     Watcher progress_;
     std::unique_ptr<Document> shown_;

@@ -47,17 +47,7 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
                 if (u_.at(k).text == "const") u_.replace(k, "");
     }
     if (global && u_.function_names.contains(g.name)) u_.shared_by_kinds.insert(g.name);
-    // Without a value it has what another program left in a register.
-    const bool whole = g.init_first < 0 && (is(";") || is(","));  // else the driver's message is of what is wrong here
-    const bool again = type.dims > 0 && find(g.name);             // an array may only be getting its size
-    const bool color = q.storage == Storage::out && u_.stage == Stage::fragment;
-    bool undefined = global && (q.storage == Storage::plain || color);
-    if (!global && g.init_first < 0) undefined = true;
-    if (!global && whole && !again && q.storage == Storage::plain && u_.at(p_ - 1).macro < 0)
-        if (const std::string value_of = zero_of(u_.structs, type); !value_of.empty()) {
-            u_.edit(p_ - 1).after += " = " + value_of;
-            undefined = false;
-        }
+    const bool undefined = begins_undefined(q, type, g, global);
     g.variable = variable(g.type);
     emit(Op::declare, g.variable, {}, g.init_first >= 0 ? 1 : undefined ? 2 : 0);
     if (u_.tree) {
@@ -83,6 +73,19 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     }
     // NOLINTNEXTLINE(bugprone-use-after-move): moved from only where it is global
     declare(global ? u_.globals.back().name : g.name, std::move(symbol));
+}
+
+// Whether the variable, at the end of its declarator, has what another program left in a register. Local ones get a
+// zero.
+bool Parser::begins_undefined(const Qualifiers& q, const Type& type, const Global& g, bool global) {
+    if (global) return q.storage == Storage::plain || (q.storage == Storage::out && u_.stage == Stage::fragment);
+    if (g.init_first >= 0) return false;
+    const bool whole = is(";") || is(",");             // else the driver's message is of what is wrong here
+    const bool again = type.dims > 0 && find(g.name);  // an array may only be getting its size
+    if (!whole || again || q.storage != Storage::plain || u_.at(p_ - 1).macro >= 0) return true;
+    const std::string zero = zero_of(u_.structs, type);
+    if (!zero.empty()) u_.edit(p_ - 1).after += " = " + zero;
+    return zero.empty();
 }
 
 // An initialiser: an expression, or a list in braces.

@@ -59,6 +59,7 @@ private:
     void function(const Type& result, int first, int name);
     void declarators(const Qualifiers& q, Type type, Group group, bool global);
     void declarator(const Qualifiers& q, Type type, int group, bool global);
+    bool begins_undefined(const Qualifiers& q, const Type& type, const Global& g, bool global);
     Expression initialiser(const Type& due);
     bool starts_declaration() const;
     void give_parameter(int name, const Type& type);

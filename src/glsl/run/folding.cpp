@@ -205,13 +205,8 @@ private:
                 if (i.text == "==" || i.text == "!=") touch({{a}, {b}});
                 return push(of_operator(i.text, a, b));
             }
-            case Op::choose: {
-                const Fold b = pop().fold, a = pop().fold, condition = pop().fold;
-                const Fold one = either(a, b);
-                const bool may = is_settled(one) || (is_settled(condition) && !is_live(one));
-                if (may) return push(with({Kind::settled, one.zero}, one, condition));
-                return push(both(both(a, b, one.zero), condition, one.zero));
-            }
+            case Op::choose:
+                return choose();
             case Op::construct: {
                 const std::vector<Item> given = pop(i.a);
                 if (i.type >= 0 && u_.code.types[at(i.type)].integral()) touch(given);
@@ -224,6 +219,14 @@ private:
             default:
                 return;
         }
+    }
+
+    void choose() {
+        const Fold b = pop().fold, a = pop().fold, condition = pop().fold;
+        const Fold one = either(a, b);
+        const bool may = is_settled(one) || (is_settled(condition) && !is_live(one));
+        if (may) return push(with({Kind::settled, one.zero}, one, condition));
+        push(both(both(a, b, one.zero), condition, one.zero));
     }
 
     // Whether the index is known to be one of an element.

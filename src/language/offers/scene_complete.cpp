@@ -150,7 +150,7 @@ private:
                                                                    "Geometry", "Fragment"};
         const auto stage = ranges::find(stages, name);
         if (stage != stages.end()) return stage_extensions(static_cast<Stage>(stage - stages.begin()));
-        if (name == "Include") return {"glib", "inc"};
+        if (name == "Include") return scene_extensions();
         if (name == "Shp") return {"shp"};
         if (contains(name, "obj")) return {"obj"};
         return image_extensions();

@@ -1,6 +1,9 @@
 // What the words of a scene mean.
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
+
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
@@ -102,7 +105,22 @@ private:
             return d.code == "file-not-found" && texts_.first(d.span) == named.span;
         });
         text += known ? ": there is no such file." : ".";
-        return Hover{named.span, text + "\n\n" + std::string(statement.command->doc)};
+        return Hover{named.span, text + "\n\n" + std::string(statement.command->doc), preview(named)};
+    }
+
+    // The file itself, if it is a picture that editors show.
+    std::string preview(const Named& named) const {
+        constexpr std::array<std::string_view, 5> shown{".png", ".jpg", ".jpeg", ".bmp", ".gif"};
+        constexpr std::uintmax_t most = 8 << 20;  // bytes
+        const Project& project = texts_.project;
+        if (project.files == nullptr) return {};
+        const std::filesystem::path path =
+            project.files->resolve_beside(project.path_of(named.span.file), named.name).path;
+        const std::string extension = path.extension().string();
+        std::error_code none;
+        const bool fits = ranges::any_of(shown, [&](std::string_view one) { return same_word(one, extension); }) &&
+                          std::filesystem::file_size(path, none) <= most;
+        return fits ? std::filesystem::absolute(path, none).lexically_normal().string() : "";
     }
 
     Texts& texts_;

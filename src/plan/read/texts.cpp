@@ -4,6 +4,7 @@
 
 #include "parser/read/parse.h"
 #include "shaders/embedded.h"
+#include "src/plan/locate.h"
 
 namespace snell {
 
@@ -11,7 +12,7 @@ namespace {
 
 IncludeReader scene_includes(Files& files) {
     return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
-        const Resolved resolved = files.resolve_beside(from, name, {"glib"});
+        const Resolved resolved = files.resolve_beside(from, name, scene_extensions());
         if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest};
         std::string error;
         auto text = files.read(resolved.path, error);

@@ -283,6 +283,7 @@ private:
             std::swap(range.min, range.max);
             UniformValue meant = written;
             meant.values = {range.min, range.current, range.max};
+            ranges::sort(meant.values);
             warn_range("range-reversed", written, "the minimum is above the maximum; they are swapped")
                 .fixes.push_back({written.span, text_of::uniform(meant)});
         }

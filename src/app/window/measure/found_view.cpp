@@ -176,7 +176,9 @@ void FoundView::show(const std::string& name, Document& scene, std::string& noti
     if (name.empty() || facts_.stale) return;
     std::string error;
     Access access = scene.files->access();
-    access.instead = std::make_shared<const std::map<std::string, std::string>>(texts(name, error));
+    std::map<std::string, std::string> instead = texts(name, error);
+    if (access.instead) instead.insert(access.instead->begin(), access.instead->end());
+    access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(instead));
     RuntimeOptions options;
     options.previous = &*scene.runtime;
     const auto choose = [&](const Scene& changed, Rungs& rungs) {

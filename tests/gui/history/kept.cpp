@@ -1,0 +1,200 @@
+// Each scene is as it was last; snapshots, and scenes under another name.
+#include "tests/gui/history/past.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+TEST_F(Past, AnotherSceneAndBackIsAsItWas) {
+    open("one.glib");
+    slide(.75);
+    turn();
+    choose("view", "axes");
+    const json before = state();
+    show("two.glib");
+    EXPECT_EQ(red(), .2);
+    EXPECT_EQ(view(), "");
+    slide(.5);
+    show("one.glib");
+    EXPECT_EQ(state()["controls"], before["controls"]);
+    EXPECT_EQ(state()["view"], before["view"]);
+    EXPECT_EQ(notice(), "values and view of last time");
+    press("ctrl+z");
+    press("ctrl+z");
+    EXPECT_EQ(view(), "") << "its own steps";
+    EXPECT_EQ(red(), before["controls"]["Paint.uRed"][0]);
+}
+
+TEST_F(Past, AClosedSceneIsAsItWasWhenItIsOpenedAgain) {
+    open("one.glib");
+    slide(.75);
+    turn();
+    choose("view", "axes");
+    const json before = state();
+    ASSERT_TRUE(kept());
+    end_window();
+    std::filesystem::create_symlink(file("one.glib"), file("link.glib"));
+    open("link.glib");
+    EXPECT_EQ(state()["controls"], before["controls"]);
+    EXPECT_EQ(state()["view"], before["view"]);
+    EXPECT_EQ(notice(), "values and view of last time; Ctrl+Z goes back to the scene as written");
+    EXPECT_EQ(title().find("\u2022"), 0U);
+    keep("values-of-last-time");
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2);
+    EXPECT_EQ(view(), "");
+    EXPECT_EQ(shell("snell render one.glib -o plain.png --size 64x64"), 0);
+    const std::string plain = bytes("plain.png");
+    press("ctrl+y");
+    end_window();
+    EXPECT_EQ(shell("snell render one.glib -o again.png --size 64x64"), 0);
+    EXPECT_TRUE(plain == bytes("again.png")) << "commands read nothing of it";
+    // The text that was changed since wins.
+    std::string text = scene("uRed");
+    save("one.glib", text.replace(text.find("<0. .2 1.>"), 10, "<0. .3 1.>"));
+    open("one.glib");
+    EXPECT_EQ(red(), .3);
+    end_window();
+    for (const auto& entry : std::filesystem::directory_iterator(file("state/snell/scenes")))
+        save("state/snell/scenes/" + entry.path().filename().string(), "{\"scene\": [[[");
+    open("one.glib");
+    EXPECT_EQ(state()["errors"], 0) << "damage is as nothing";
+    EXPECT_EQ(notice(), "");
+}
+
+TEST_F(Past, RungsAreKeptAndTheCommandLineWins) {
+    open("one.glib", {"--ladder", "TINT=light"});
+    EXPECT_EQ(notice(), "");
+    slide(.75);
+    const json before = state();
+    ASSERT_EQ(before["rungs"]["TINT"], "light");
+    ASSERT_TRUE(kept());
+    end_window();
+    open("one.glib");
+    EXPECT_EQ(state()["rungs"], before["rungs"]);
+    press("ctrl+z");
+    EXPECT_EQ(state()["rungs"]["TINT"], "dark");
+    EXPECT_EQ(red(), .2);
+    press("ctrl+y");
+    EXPECT_EQ(state()["rungs"]["TINT"], "light");
+    EXPECT_EQ(state()["controls"], before["controls"]);
+    end_window();
+    open("one.glib", {"--ladder", "TINT=dark"});
+    EXPECT_EQ(state()["rungs"]["TINT"], "dark");
+    EXPECT_EQ(state()["controls"], before["controls"]);
+}
+
+TEST_F(Past, AReplacedSnapshotComesBack) {
+    open("one.glib");
+    press("ctrl+1");
+    const std::string old = bytes("one.snapshots.json");
+    slide(.75);
+    press("ctrl+1");
+    EXPECT_NE(bytes("one.snapshots.json"), old);
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "undo: snapshot 1");
+    EXPECT_EQ(bytes("one.snapshots.json"), old);
+    press("1");
+    EXPECT_EQ(red(), .2);
+    press("ctrl+z");
+    EXPECT_NE(red(), .2) << "recalling it is a step, too";
+    const auto button = [&] {
+        const Picture picture = look();
+        const std::array<double, 4> at = state()["widgets"]["snapshot 1"];
+        std::vector<Pixel> pixels;
+        for (int y = 0; y < static_cast<int>(at[3]); ++y)
+            for (int x = 0; x < static_cast<int>(at[2]); ++x) pixels.push_back(picture.at(at[0] + x, at[1] + y));
+        return pixels;
+    };
+    user("mousemove 1 1");
+    settle();
+    const auto lit = button();
+    press("ctrl+z");
+    ASSERT_EQ(notice().find("undo: Paint.uRed"), 0U);
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "undo: snapshot 1");
+    EXPECT_FALSE(std::filesystem::exists(file("one.snapshots.json")));
+    EXPECT_FALSE(button() == lit) << "its button is as before it was stored";
+    press("ctrl+y");
+    EXPECT_TRUE(button() == lit);
+}
+
+TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
+    open("one.glib");
+    slide(.75);
+    turn();
+    const double slid = red();
+    const std::string turned = view(), text = bytes("one.glib");
+    press("ctrl+shift+s");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    settle();
+    keep("save-as");
+    user("key ctrl+a");
+    user("type --delay 8 two");
+    press("Return");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    EXPECT_EQ(bytes("two.glib"), text) << "it is asked first";
+    click("save as save");
+    ASSERT_TRUE(wait([&](const json& s) { return s["file"] == file("two.glib"); }));
+    settle();
+    EXPECT_EQ(bytes("one.glib"), text);
+    EXPECT_EQ(red(), slid);
+    EXPECT_EQ(view(), turned);
+    EXPECT_EQ(notice(), "saved as two.glib");
+    EXPECT_EQ(title().find("\u2022"), std::string::npos) << "everything is saved";
+    EXPECT_EQ(state()["errors"], 0);
+    press("ctrl+shift+s");
+    std::filesystem::create_directory(file("other"));
+    user("key ctrl+a");
+    user("type --delay 8 other/three");
+    press("Return");
+    EXPECT_TRUE(state()["widgets"].contains("save as error")) << "its shaders are not there";
+    type("save as file", ".", Field::text);
+    EXPECT_TRUE(state()["widgets"].contains("save as error")) << "no name";
+    EXPECT_FALSE(std::filesystem::exists(file("..glib")));
+    EXPECT_FALSE(std::filesystem::exists(file("other/three.glib")));
+    press("Escape");
+    EXPECT_FALSE(state()["widgets"].contains("save as save"));
+}
+
+TEST_F(Past, SaveAsHandsOnAValueThatIsGoneForAWhile) {
+    open("one.glib");
+    slide(.75);
+    const double slid = red();
+    save("paint.frag", fragment("uRose"));
+    save("one.glib", scene("uRose"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
+    settle();
+    press("ctrl+shift+s");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    user("key ctrl+a");
+    user("type --delay 8 three");
+    press("Return");
+    ASSERT_TRUE(wait([&](const json& s) { return s["file"] == file("three.glib"); }));
+    settle();
+    save("paint.frag", fragment("uRed"));
+    save("three.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }));
+    settle();
+    EXPECT_EQ(red(), slid);
+}
+
+TEST_F(Past, AxesAreOffForAFlatPictureAndAsTheyWereLeft) {
+    save("two.glib", scene("uRed", "QuadXY 0. 1.\n"));
+    open("one.glib");
+    EXPECT_EQ(state()["view"]["axes"], true);
+    show("two.glib");
+    EXPECT_EQ(state()["view"]["axes"], false);
+    choose("view", "axes");
+    show("one.glib");
+    EXPECT_EQ(state()["view"]["axes"], true);
+    choose("view", "axes");
+    show("two.glib");
+    EXPECT_EQ(state()["view"]["axes"], true);
+    show("one.glib");
+    EXPECT_EQ(state()["view"]["axes"], false);
+}
+
+}  // namespace
+}  // namespace snell::test

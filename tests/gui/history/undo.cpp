@@ -1,0 +1,205 @@
+// Undo and redo, and values of what is gone for a while.
+#include "tests/gui/history/past.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+TEST_F(Past, EveryChangeIsUndoneAndTheFirstPictureIsBackToTheBit) {
+    open("one.glib");
+    const Picture first = look();
+    const std::string plain = title();
+    EXPECT_EQ(plain.find("\u2022"), std::string::npos) << plain;
+    slide(.75);
+    const double slid = red();
+    EXPECT_EQ(title(), "\u2022 " + plain);
+    click("Paint.uGreen", .9);
+    turn();
+    const std::string turned = view();
+    ASSERT_NE(turned, "");
+    user("mousemove 200 300 click --repeat 5 --delay 30 4");
+    settle();
+    choose("view", "axes");
+    press("r");
+    EXPECT_EQ(view(), "");
+    press("ctrl+z");
+    EXPECT_NE(view(), "") << notice();
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "undo: axes hidden \u2192 shown");
+    press("ctrl+z");
+    EXPECT_EQ(view(), turned) << "five steps of the wheel are one";
+    press("ctrl+z");
+    press("ctrl+z");
+    EXPECT_EQ(red(), slid);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2);
+    EXPECT_EQ(notice().find("undo: Paint.uRed "), 0U) << notice();
+    EXPECT_EQ(title(), plain);
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "nothing to undo");
+    user("mousemove 1 1");
+    press("Escape");  // the notice goes
+    const Picture back = look();
+    const std::array<double, 4> area = state()["scene"];
+    int different = 0;
+    for (int py = 0; py < static_cast<int>(area[3]); ++py)
+        for (int px = 0; px < static_cast<int>(area[2]); ++px) different += !(back.at(px, py) == first.at(px, py));
+    EXPECT_EQ(different, 0);
+    press("ctrl+y");
+    EXPECT_EQ(red(), slid);
+    press("ctrl+shift+z");
+    EXPECT_NE(state()["controls"]["Paint.uGreen"][0], .4);
+}
+
+TEST_F(Past, ARangeThatATypedValueWidenedIsUndoneWithIt) {
+    open("one.glib");
+    const std::string text = bytes("one.glib");
+    type("Paint.uRed", "500", Field::number);
+    ASSERT_EQ(red(), 500);
+    press("ctrl+z");
+    if (red() != .2) press("ctrl+z");  // the click that opened the field had moved the slider
+    EXPECT_EQ(red(), .2);
+    slide(.75);
+    EXPECT_LT(red(), 1) << "the range is the scene's again";
+    press("ctrl+s");
+    EXPECT_NE(bytes("one.glib").find(" 1.> uGreen <0. .4 1.>"), std::string::npos) << bytes("one.glib");
+    press("ctrl+y");
+    EXPECT_EQ(notice(), "nothing to redo");
+}
+
+TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
+    open("one.glib");
+    animate("uRed");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .3; }));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .5; }));
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << "this ends the motion, too";
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "nothing to undo");
+}
+
+TEST_F(Past, OtherChangesAreStepsWhileASliderMoves) {
+    open("one.glib");
+    animate("uGreen");
+    const auto green = [](const json& s) { return s["controls"]["Paint.uGreen"][0].get<double>(); };
+    ASSERT_TRUE(wait([&](const json& s) { return green(s) > .5; }));
+    slide(.75);
+    const double slid = red();
+    ASSERT_NE(slid, .2);
+    EXPECT_EQ(state()["undo"], 1);
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; }));
+    const double then = green(state());
+    EXPECT_TRUE(wait([&](const json& s) { return green(s) != then; })) << "the motion continues";
+    EXPECT_NE(then, .4);
+    user("key ctrl+y");
+    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == slid; }));
+    end_window();
+    open("one.glib");
+    EXPECT_EQ(red(), slid);
+    EXPECT_NE(green(state()), .4) << "the motion ended with the window";
+}
+
+TEST_F(Past, UndoWaitsForTheEndOfADrag) {
+    open("one.glib");
+    slide(.5);
+    const double half = red();
+    const auto [x, y] = on("Paint.uRed", half);
+    const auto [to, same] = on("Paint.uRed", .9);
+    const std::string at = " " + std::to_string(y);
+    user("mousemove " + std::to_string(x) + at + " mousedown 1 sleep .1 mousemove " + std::to_string(to) + at +
+         " sleep .1 key ctrl+z sleep .1 mousemove " + std::to_string(to + 1) + at + " sleep .1 mouseup 1");
+    settle();
+    EXPECT_EQ(state()["undo"], 2) << notice();
+    press("ctrl+z");
+    EXPECT_EQ(red(), half);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2);
+}
+
+TEST_F(Past, AValueThatIsGoneForAWhileOutlivesALoss) {
+    open("one.glib", {"--lose-file", file("lose")});
+    slide(.75);
+    const double slid = red();
+    save("paint.frag", fragment("uRose"));
+    save("one.glib", scene("uRose"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
+    settle();
+    save("lose", "");
+    turn();
+    ASSERT_TRUE(
+        wait([](const json& s) { return s["problems"].get<std::string>().find("context") != std::string::npos; }));
+    settle();
+    save("paint.frag", fragment("uRed"));
+    save("one.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }, 20));
+    settle();
+    EXPECT_EQ(red(), slid);
+}
+
+TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
+    open("one.glib");
+    slide(.75);
+    const double slid = red();
+    save("paint.frag", fragment("uRose"));
+    save("one.glib", scene("uRose"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
+    settle();
+    EXPECT_EQ(state()["controls"]["Paint.uRose"][0], .2);
+    save("paint.frag", fragment("uRed"));
+    save("one.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }));
+    settle();
+    EXPECT_EQ(red(), slid);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << "steps outlive edits";
+    press("ctrl+y");
+    press("F5");
+    EXPECT_EQ(red(), slid);
+}
+
+TEST_F(Past, ALadderThatIsGoneAndBackHasItsRung) {
+    open("one.glib");
+    save("one.snapshots.json", R"({"1": {"values": {}, "ladders": {"TINT": "light"}}})");
+    press("F5");
+    press("1");
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"]["TINT"] == "light"; }));
+    std::string text = scene("uRed");
+    save("paint.frag", "#define TINT 0\n" + fragment("uRed"));
+    save("one.glib", text.replace(text.find("Ladder TINT"), 11, "Ladder OTHER"));
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("OTHER"); }));
+    save("one.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("TINT"); }));
+    settle();
+    EXPECT_EQ(state()["rungs"]["TINT"], "light");
+}
+
+TEST_F(Past, WhatWasSetWhileAShaderIsBrokenOutlivesALossAndIsSaved) {
+    open("one.glib", {"--lose-file", file("lose")});
+    save("paint.frag", "void main() { broken }\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    settle();
+    slide(.75);
+    const double slid = red();
+    ASSERT_NE(slid, .2);
+    save("lose", "");
+    turn();
+    ASSERT_TRUE(
+        wait([](const json& s) { return s["problems"].get<std::string>().find("context") != std::string::npos; }));
+    settle();
+    EXPECT_EQ(red(), slid);
+    save("paint.frag", fragment("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }, 20));
+    settle();
+    EXPECT_EQ(red(), slid);
+    press("ctrl+z");
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << "and so do the steps";
+    press("ctrl+y");
+    press("ctrl+s");
+    EXPECT_NE(bytes("one.glib"), scene("uRed")) << notice();
+}
+
+}  // namespace
+}  // namespace snell::test
