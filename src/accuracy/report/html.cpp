@@ -65,10 +65,7 @@ std::string base64(std::string_view bytes) {
 template <class Value>
 std::string thumbnail(int width, int height, const Value& value) {
     const int step = std::max(1, (width + thumbnail_width - 1) / thumbnail_width);
-    content::Image image;
-    image.width = width / step;
-    image.height = height / step;
-    image.channels = 3;
+    content::Image image{.width = width / step, .height = height / step, .channels = 3};
     image.pixels.resize(image.bytes());
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)

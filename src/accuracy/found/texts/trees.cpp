@@ -191,13 +191,11 @@ private:
     }
 
     int add(Piece::Kind kind, int first, int last, int value) {
-        Piece piece;
-        piece.kind = kind;
-        piece.first = first;
-        piece.last = last;
-        piece.depth = depth_;
-        piece.value = expression(u_, expressions_, value);
-        body_.pieces.push_back(std::move(piece));
+        body_.pieces.push_back({.kind = kind,
+                                .first = first,
+                                .last = last,
+                                .value = expression(u_, expressions_, value),
+                                .depth = depth_});
         return last + 1;
     }
 
@@ -243,14 +241,8 @@ private:
         if (text(k) == "[") k = matching(k) + 1;
         const std::size_t begin = body_.pieces.size();
         while (k < last && u_.at(k).kind == glsl::Kind::identifier) {
-            Piece piece;
-            piece.kind = Piece::Kind::declaration;
-            piece.first = first;
-            piece.last = last;
+            Piece piece{Piece::Kind::declaration, first, last, type, text(k), k++};
             piece.depth = depth_;
-            piece.type = type;
-            piece.name = text(k);
-            piece.name_token = k++;
             if (text(k) == "[") k = matching(k) + 1, piece.type = "";
             if (text(k) == "=") {
                 piece.value = expression(u_, expressions_, k + 1);
