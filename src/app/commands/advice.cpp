@@ -12,8 +12,8 @@
 #include "src/accuracy/found/together.h"
 #include "src/accuracy/report/quality.h"
 #include "src/app/open/command_text.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/quality.h"
-#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -68,17 +68,11 @@ std::string advice_text(const std::string& path, const Scene& scene, const Advic
 }
 
 bool save_presets(const std::string& path, const Scene& scene, const Counsel& counsel, const Circumstances& where) {
-    if (!ranges::all_of(counsel.advice, &Advice::known)) {
-        fmt::print(stderr, "snell: error: there are no presets for '{}': nothing can be said of its rungs\n",
-                   utf8::printable(path));
-        return false;
-    }
+    if (!ranges::all_of(counsel.advice, &Advice::known))
+        return complain(fmt::format("there are no presets for '{}': nothing can be said of its rungs", path));
     const std::vector<Preset> presets = presets_of(scene, counsel);
     const std::string file = quality_path(path);
-    if (const std::string wrong = content::replace_file(file, quality_json(where, presets)); !wrong.empty()) {
-        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(file), wrong);
-        return false;
-    }
+    if (!write_output(file, quality_json(where, presets))) return false;
     fmt::print("\npresets for --quality, in {}\n", utf8::printable(file));
     for (const Preset& preset : presets)
         fmt::print("  {:<8}  {}: RMSE {:.2g}, {:.2g} from the last rungs, {} times\n", preset.name,
@@ -225,11 +219,9 @@ bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
 bool explain_presets(const std::string& path, const AccuracyOptions& options, const FoundResult* found) {
-    fmt::print(
-        stderr,
-        "snell: error: '{}' has no ladders, so no presets were written: a preset names a rung of each ladder\n   "
-        "help: write a scene with found rung N as a ladder by: {} --as-ladder N -o FOLDER\n",
-        utf8::printable(path), utf8::printable(accuracy_command(path, options.choices)));
+    complain(fmt::format("'{}' has no ladders, so no presets were written: a preset names a rung of each ladder", path),
+             fmt::format("write a scene with found rung N as a ladder by: {} --as-ladder N -o FOLDER",
+                         accuracy_command(path, options.choices)));
     if (!found) return false;
     const std::array<Wish, 3> wishes = quality_wishes();
     for (std::size_t i = 0; i < wishes.size(); ++i)
