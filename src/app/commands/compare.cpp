@@ -68,7 +68,7 @@ private:
             if (i % 4 < 3) picture.rgba[i] *= picture.rgba[i - i % 4 + 3];
     }
 
-    // What was not finite was repaired for textures; as a picture, it differs from all that is finite.
+    // What was not finite was repaired for textures; as a picture, it differs from every finite value.
     static void unrepair(Picture& picture, const content::Image& image, std::size_t index) {
         const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
         const std::size_t pixel = index / static_cast<std::size_t>(image.channels), y = pixel / width;
@@ -230,22 +230,19 @@ std::optional<std::vector<Pair>> pairs_of(const CompareOptions& options, bool& d
     const auto own = names_in(options.picture), others = names_in(other);
     if (!own || !others) return std::nullopt;
     std::vector<Pair> pairs;
+    const auto lacks = [&](const std::vector<std::string>& names, const std::string& name, const std::string& folder) {
+        if (ranges::find(names, name) != names.end()) return false;
+        fmt::print("only in {}: {}\n", utf8::printable(folder), utf8::printable(name));
+        return different = true;
+    };
     for (const std::string& name : *own) {
-        if (ranges::find(*others, name) == others->end()) {
-            different = true;
-            fmt::print("only in {}: {}\n", utf8::printable(options.picture), utf8::printable(name));
-            continue;
-        }
+        if (lacks(*others, name, options.picture)) continue;
         const std::string map = options.output.empty()
                                     ? ""
                                     : (fs::path(options.output) / fs::path(name).replace_extension(".png")).string();
         pairs.push_back({(fs::path(options.picture) / name).string(), {(fs::path(other) / name).string()}, map});
     }
-    for (const std::string& name : *others)
-        if (ranges::find(*own, name) == own->end()) {
-            different = true;
-            fmt::print("only in {}: {}\n", utf8::printable(other), utf8::printable(name));
-        }
+    for (const std::string& name : *others) lacks(*own, name, other);
     if (pairs.empty() && !different) different = !complain("there are neither pictures nor scenes in these folders");
     return pairs;
 }

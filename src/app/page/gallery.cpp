@@ -18,6 +18,7 @@
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
+#include "src/content/base64.h"
 #include "src/content/image/open_module.h"
 #include "src/content/replace.h"
 #include "src/content/whole_file.h"
@@ -67,7 +68,7 @@ std::string small_picture(const OpenedScene& opened) {
         thumbnail(draw_picture(runtime, frame, target, {.width = w, .height = h}, {}), false);
     EncodedPicture made = encoded(picture, false);
     if (!made.error.empty()) made = encoded(picture, true);  // without OpenImageIO
-    return fmt::format("data:image/{};base64,{}", made.extension, base64(made.bytes));
+    return fmt::format("data:image/{};base64,{}", made.extension, content::base64(made.bytes));
 }
 
 // Makes the page of one scene and its row of the index, in a process of its own: scenes of a class may take forever,

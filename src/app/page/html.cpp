@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/utf8.h"
-#include "src/app/page/pack.h"
 #include "src/app/picture/sha256.h"
+#include "src/content/base64.h"
 #include "src/content/whole_file.h"
 
 namespace snell::app {
@@ -54,7 +54,7 @@ std::string policy_hash(std::string_view text) {
     std::string bytes;
     for (std::size_t at = 0; at < hex.size(); at += 2)
         bytes += static_cast<char>(std::strtol(hex.substr(at, 2).c_str(), nullptr, 16));
-    return base64(bytes);
+    return content::base64(bytes);
 }
 
 std::string html_text(std::string_view text) {

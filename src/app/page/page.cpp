@@ -13,6 +13,7 @@
 #include "src/app/page/html.h"
 #include "src/app/page/scene_files.h"
 #include "src/app/picture/outputs.h"
+#include "src/content/base64.h"
 #include "src/plan/identity.h"
 #include "src/plan/plan.h"
 
@@ -68,7 +69,7 @@ PageParts baked_parts(const PageOptions& options, const gl::Caps& caps, OpenedSc
     Json json = scene_json(name, parts.title, options.link, {});
     json["baked"] = std::move(pictures.json);
     parts.scene = script_json(json);
-    parts.archive = base64(gzipped(archive(pictures.pictures)));
+    parts.archive = content::base64(gzipped(archive(pictures.pictures)));
     return parts;
 }
 
@@ -165,7 +166,7 @@ PageParts page_parts(const std::string& scene, const std::string& title, const s
     PageParts parts{title_for(scene, title), {}, {}, sizes_of(files.files), files.error};
     if (!parts.error.empty()) return parts;
     parts.scene = script_json(scene_json(files.scene, parts.title, link, start_texts(*opened.document, opened.view)));
-    parts.archive = base64(gzipped(archive(files.files)));
+    parts.archive = content::base64(gzipped(archive(files.files)));
     return parts;
 }
 
