@@ -100,7 +100,7 @@ Exit list_found(const AccuracyOptions& options, const Found& found) {
     return error.empty() ? exit_fine : complain(exit_input, error);
 }
 
-// What is to be written.
+// What --apply and --as-ladder write.
 struct Texts {
     std::vector<Chosen> chosen;
     std::vector<std::string> statements;  // of ladders

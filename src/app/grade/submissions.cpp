@@ -43,8 +43,8 @@ bool holds_work(const fs::path& path, const Rubric& rubric) {
     return !found.scene.empty() || !found.archives.empty() || found.several;
 }
 
-// What a folder holds if it is not a submission itself. Where scenes are next to folders, nobody can tell for certain,
-// so it is told.
+// What a folder holds if it is not a submission itself. Where scenes are next to folders, the choice is not certain,
+// so it is printed.
 std::vector<fs::path> submissions_of(const fs::path& folder, const Rubric& rubric) {
     std::error_code error;
     std::vector<fs::path> scenes, others, working;

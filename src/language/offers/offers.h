@@ -28,8 +28,7 @@ inline Completion& add_offer(std::vector<Completion>& offers, std::string_view l
     return offers.emplace_back(Completion{text, kind, std::move(detail), std::move(documentation), replaced, text});
 }
 
-// The files and folders beside the file `path` that `written`, the beginning of a name, may go on with; `extensions`
-// without their points.
+// The files and folders next to the file `path` whose names begin with `written`; `extensions` without their points.
 std::vector<Completion> file_completions(std::string_view path, std::string_view written, Span replaced,
                                          std::span<const std::string_view> extensions, Quotes quotes);
 

@@ -80,7 +80,7 @@ private:
         const ShaderToken* token = before(back);
         return token == nullptr ? std::string_view() : o_.word(*token);
     }
-    // The name of something new stands behind its type.
+    // A new name follows its type.
     bool declares_name() const {
         const ShaderToken* type = before(0);
         return type != nullptr && type->kind == glsl::Kind::identifier && glsl::builtin_type(o_.word(*type)) &&

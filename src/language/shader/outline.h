@@ -75,7 +75,7 @@ struct Outline {
     std::vector<ShaderDeclaration> declarations;
     std::vector<Span> braces;  // of { … } of several lines
     bool pastes = false;       // a macro joins names by ##
-    bool splits = false;       // a name goes on in the next line
+    bool splits = false;       // a name continues on the next line
 
     std::string_view word(const ShaderToken& token) const { return text.substr(token.begin, token.end - token.begin); }
     Span span(const ShaderToken& token) const { return {file, token.begin, token.end}; }

@@ -70,7 +70,7 @@ std::string documented(std::string_view doc, std::string_view space, std::string
     return text;
 }
 
-// A row of one of snell's tables; where it stands for a name of old dialects, under that name.
+// A row of one of snell's tables. What replaces a name of old dialects is listed under that name.
 template <class Facts>
 VariableDoc documented_name(std::string_view name, const Facts& facts, std::string_view qualifier, Stage stage) {
     VariableDoc doc{std::string(name), std::string(facts.type), documented(facts.doc, facts.space, facts.range)};

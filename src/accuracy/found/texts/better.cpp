@@ -321,7 +321,7 @@ private:
         return {};
     }
 
-    // The token behind which all that the coordinate is made of has its value, outside of all branches; nothing if
+    // The token behind which everything in the coordinate has its value, outside of all branches; nothing if
     // there is none before the first branch.
     static std::optional<int> defined_from(const glsl::Unit& unit, const Body& body, const Tree& coordinate) {
         int from = body.function->open;

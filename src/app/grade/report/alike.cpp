@@ -1,4 +1,4 @@
-// Two submissions beside each other, with what they have in common.
+// Two submissions side by side, with what they have in common.
 #include <fmt/format.h>
 
 #include <algorithm>
