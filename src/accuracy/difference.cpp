@@ -132,10 +132,7 @@ content::Image map_image(const std::vector<float>& map, int width, int height) {
     // The map "magma" of matplotlib at five places, between which it is nearly straight.
     constexpr std::array<std::array<double, 3>, 5> ramp{
         {{0, 0, 4}, {81, 18, 124}, {183, 55, 121}, {252, 137, 97}, {252, 253, 191}}};
-    content::Image image;
-    image.width = width;
-    image.height = height;
-    image.channels = 3;
+    content::Image image{.width = width, .height = height, .channels = 3};
     image.pixels.reserve(map.size() * 3);
     for (const float value : map) {
         const double at = std::clamp(static_cast<double>(value), 0., 1.) * 4;

@@ -18,6 +18,7 @@
 #include "src/app/help/help.h"
 #include "src/app/help/program.h"
 #include "src/app/open/color.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
 
 namespace {
@@ -68,9 +69,8 @@ int main(int argc, char** argv) {
     describe(program, request, first);
     if (const std::string_view meant = meant_subcommand(first); !meant.empty()) {
         choose_colors(request.color);
-        fmt::print(stderr, "snell: error: there is neither a subcommand nor a file '{}'\n   help: did you mean '{}'?\n",
-                   utf8::printable(first), meant);
-        return exit_usage;
+        return complain(exit_usage, fmt::format("there is neither a subcommand nor a file '{}'", first),
+                        fmt::format("did you mean '{}'?", meant));
     }
     std::vector<std::string> words = meant_words(argc, argv);
     try {
@@ -80,9 +80,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
         if (const auto misspelt = misspelt_option(program, first, argc, argv)) {
-            fmt::print(stderr, "snell: error: there is no option '{}'\n   help: did you mean '{}'?\n",
-                       utf8::printable(misspelt->word), misspelt->meant);
-            return exit_usage;
+            return complain(exit_usage, fmt::format("there is no option '{}'", misspelt->word),
+                            fmt::format("did you mean '{}'?", misspelt->meant));
         }
         print_usage_error(program, error);
         return exit_usage;
@@ -91,7 +90,6 @@ int main(int argc, char** argv) {
     try {
         return printed(request.run());
     } catch (const std::exception& error) {
-        fmt::print(stderr, "snell: error: {}\n", utf8::printable(error.what()));
-        return exit_input;
+        return complain(exit_input, error.what());
     }
 }

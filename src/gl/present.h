@@ -18,8 +18,6 @@ public:
     int samples() const { return drawn_.samples; }
     // Resolves the multisampled picture. Call it after drawing.
     void resolve();
-    // The framebuffer of the resolved picture, to read from.
-    unsigned resolved() const { return (resolved_.framebuffer ? resolved_ : drawn_).framebuffer.get(); }
     // Reads the resolved picture: RGBA bytes, top row first.
     std::vector<std::byte> read() const;
     // Copies the resolved picture into a framebuffer of bytes, the default one if none is named, with its bottom left

@@ -36,7 +36,7 @@ struct Completion {
     std::string text;
     bool snippet = false;         // `text` has the placeholders of LSP: $1, ${1:radius}, $0; \ $ } are escaped
     int rank = 1;                 // smaller ones first; of equal ones by label
-    bool more = false;            // completion goes on behind it: a folder
+    bool more = false;            // completion continues after it: a folder
     std::vector<Edit> also = {};  // elsewhere in the text, such as the declaration of the uniform
 };
 

@@ -20,10 +20,6 @@ constexpr std::size_t most_scenes = 4'000;       // whose texts are searched for
 constexpr std::size_t most_others = 100;         // that are read because what they include may name it
 constexpr std::uintmax_t most_bytes = 1u << 20;  // of a scene
 
-bool ends_with_any_case(std::string_view text, std::string_view end) {
-    return text.size() >= end.size() && same_word(text.substr(text.size() - end.size()), end);
-}
-
 // The scenes of a folder, sorted; its folders are added to `below`.
 std::vector<std::string> scenes_in(const fs::path& folder, std::vector<fs::path>* below) {
     std::vector<std::string> scenes;
@@ -32,7 +28,7 @@ std::vector<std::string> scenes_in(const fs::path& folder, std::vector<fs::path>
     for (fs::directory_iterator it(folder, error), end; !error && it != end && seen < most_entries;
          it.increment(error), ++seen) {
         std::error_code none;
-        if (ends_with_any_case(it->path().native(), ".glib") && it->is_regular_file(none) &&
+        if (has_extension(it->path().native(), "glib") && it->is_regular_file(none) &&
             it->file_size(none) <= most_bytes)
             scenes.push_back(it->path().string());
         if (below && it->is_directory(none)) below->push_back(it->path());
@@ -89,13 +85,10 @@ std::string find_scene(const std::string& shader_path, const Access& access) {
 }
 
 std::optional<Stage> stage_of(std::string_view path, std::string_view text) {
-    const std::string_view name = path.substr(path.rfind('/') + 1);
     for (int i = 0; i < stage_count; ++i) {
         const auto stage = static_cast<Stage>(i);
         for (const std::string_view extension : stage_extensions(stage))
-            if (extension != "glsl" && name.size() > extension.size() &&
-                ends_with_any_case(name, "." + std::string(extension)))
-                return stage;
+            if (extension != "glsl" && has_extension(path, extension)) return stage;
     }
     const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
     if (!has("main")) return std::nullopt;

@@ -19,7 +19,7 @@ namespace {
 
 std::string normal(std::string_view path) { return std::filesystem::path(path).lexically_normal().string(); }
 
-// A name behind #include, in whatever branch or comment it stands.
+// A name behind #include, in any branch or comment.
 struct Include {
     std::string_view name;
     bool angle = false;
@@ -124,7 +124,7 @@ private:
         return project_.shaders.emplace_back(Shader{std::string(project_.sources.name(file)), file, {}, true});
     }
 
-    // By another name of the same file, other files may be beside it.
+    // Under another name, the same file may be next to other files.
     void list_included(FileId file) {
         const glsl::IncludeReader read = shader_includes(*project_.files);
         const std::string name(project_.sources.name(file));

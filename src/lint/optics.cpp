@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
+#include "parser/text/tidy.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
@@ -17,15 +18,8 @@ namespace {
 // A dot product of unit vectors exceeds 1 by roundings of float.
 constexpr double rounding = 4e-7;
 
-std::string lower(std::string_view text) {
-    std::string out(text);
-    for (char& c : out)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-    return out;
-}
-
 bool names_index(std::string_view name) {
-    const std::string n = lower(name);
+    const std::string n = lowered(name);
     return n.find("eta") != std::string::npos || n.find("ior") != std::string::npos ||
            n.find("index") != std::string::npos || n.find("refrac") != std::string::npos;
 }

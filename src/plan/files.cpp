@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "parser/text/diagnostic.h"
-#include "parser/text/words.h"
+#include "parser/text/tidy.h"
 #include "src/content/regular_file.h"
 #include "src/plan/similar.h"
 
@@ -31,12 +31,6 @@ std::string real_path(const std::string& path) {
 
 bool below(std::string_view path, std::string_view root) {
     return path == root || root == "/" || (path.starts_with(root) && path[root.size()] == '/');
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return result;
 }
 
 std::string join(std::string_view folder, std::string_view name) {
@@ -118,9 +112,9 @@ struct Finder {
             return is_folder(path) ? match_case(path, rest.substr(slash + 1), want_folder) : "";
         };
         if (std::string found = follow(part); !found.empty() || part == "..") return found;
-        const std::string wanted = lower(part);
+        const std::string wanted = lowered(part);
         for (const std::string& entry : list(folder)) {
-            if (entry == part || lower(entry) != wanted) continue;
+            if (entry == part || lowered(entry) != wanted) continue;
             if (std::string found = follow(entry); !found.empty()) return found;
         }
         return {};

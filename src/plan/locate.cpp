@@ -5,6 +5,7 @@
 #include <array>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/content/cube/cubemap.h"
 
@@ -114,6 +115,19 @@ const Extensions& mesh_extensions(const Shape& shape) {
 const Extensions& image_extensions() {
     static const Extensions all{"bmp", "tex", "png", "jpg", "jpeg", "hdr", "exr", "tif", "tiff", "tga"};
     return all;
+}
+
+bool has_extension(std::string_view path, std::string_view extension) {
+    if (path.size() < extension.size() + 2) return false;
+    const std::size_t dot = path.size() - extension.size() - 1;
+    return path[dot] == '.' && path[dot - 1] != '/' && same_word(path.substr(dot + 1), extension);
+}
+
+bool is_shader_name(std::string_view path) {
+    for (int stage = 0; stage < stage_count; ++stage)
+        for (const std::string_view extension : stage_extensions(static_cast<Stage>(stage)))
+            if (has_extension(path, extension)) return true;
+    return false;
 }
 
 std::string locate(const FileName& file, const Extensions& extensions, const Files& files, Diagnostics& diagnostics) {

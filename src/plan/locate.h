@@ -1,4 +1,4 @@
-// Resolves the file names of a scene to paths and reports what is wrong with them. For use in src/plan only.
+// Resolves the file names of a scene to paths and reports what is wrong with them.
 #pragma once
 
 #include <string>
@@ -16,6 +16,11 @@ const std::vector<std::string_view>& stage_extensions(Stage stage);
 const std::vector<std::string_view>& scene_extensions();  // of included ones
 const std::vector<std::string_view>& mesh_extensions(const Shape& shape);
 const std::vector<std::string_view>& image_extensions();
+
+// Without regard to case: true for "light.VERT" and "vert".
+bool has_extension(std::string_view path, std::string_view extension);
+// True for a file with an extension of a shader, of whatever stage.
+bool is_shader_name(std::string_view path);
 
 // Returns the path. Returns an empty string and reports file-not-found if there is none; reports file-inexact if the
 // name on disk differs. Each is reported once per place in the text.

@@ -3,14 +3,11 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "parser/text/words.h"
+#include "src/plan/locate.h"
 
 namespace snell::server {
 
-bool Document::is_scene() const {
-    const std::string_view name = path;
-    return language == "glib" || (name.size() > 5 && same_word(name.substr(name.size() - 5), ".glib"));
-}
+bool Document::is_scene() const { return language == "glib" || has_extension(path, "glib"); }
 
 void apply(std::string& text, const std::vector<Change>& changes, Encoding encoding) {
     for (const Change& change : changes) {

@@ -56,8 +56,6 @@ constexpr std::array completion_kinds{3, 20, 12, 17, 19, 10, 9, 3, 6, 21, 7, 14,
 // SymbolKind, in the order of Symbol::Kind.
 constexpr std::array symbol_kinds{3, 5, 7, 10, 22, 19, 20, 17, 12, 13, 14, 23, 8, 21};
 
-bool at(const Json& json, const Json::json_pointer& place) { return json.contains(place) && json[place] == true; }
-
 // A snippet for editors that know none.
 std::string plain_text(const std::string& snippet) {
     std::string plain;
@@ -81,7 +79,7 @@ std::string plain_text(const std::string& snippet) {
 }  // namespace
 
 Json Encoder::completions(const std::vector<Completion>& items) const {
-    const bool snippets = at(state_.client, "/textDocument/completion/completionItem/snippetSupport"_json_pointer);
+    const bool snippets = state_.can("/textDocument/completion/completionItem/snippetSupport");
     Json all = Json::array();
     for (const Completion& item : items) {
         const bool snippet = item.snippet && snippets;

@@ -22,10 +22,7 @@ void Errands::report(const std::string& result) {
     const bool read = outcome.is_object();
     const std::string file = read ? string_at(outcome, "file") : "";
     const std::string message = read ? string_at(outcome, "message") : "snell ended before it was done";
-    const bool shows = state_.client.is_object() &&
-                       state_.client.contains("/window/showDocument/support"_json_pointer) &&
-                       state_.client["/window/showDocument/support"_json_pointer] == true;
-    if (!file.empty() && shows)
+    if (!file.empty() && state_.can("/window/showDocument/support"))
         state_.ask("window/showDocument", {{"uri", uri_of_path(file)}, {"external", false}, {"takeFocus", false}});
     else if (!message.empty())
         state_.notify("window/showMessage",

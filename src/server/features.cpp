@@ -80,7 +80,7 @@ Json color_presentation(Asked& a, Params params) {
     const Span span{a.file(), a.offset_of(range.at("start")), a.offset_of(range.at("end"))};
     const auto edits = language::color_edits(a.project, span, rgba);
     if (edits.empty()) return Json::array();
-    // The editor takes one edit, and others beside it.
+    // The editor takes one edit, and a list of further ones.
     const Json all = a.encode.edits(edits);
     Json more = Json::array();
     for (std::size_t i = 1; i < all.size(); ++i) more.push_back(all[i]);

@@ -9,13 +9,9 @@ namespace {
 
 void did_open(State& state, const Json& params) {
     const Json& item = params.at("textDocument");
-    Document document;
-    document.uri = string_at(item, "uri");
-    document.path = path_of_uri(document.uri);
-    document.language = item.value("languageId", "");
-    document.version = item.value("version", std::int64_t{0});
-    document.text = string_at(item, "text");
-    const Document& opened = state.documents.open(std::move(document));
+    const std::string uri = string_at(item, "uri");
+    const Document& opened = state.documents.open({uri, path_of_uri(uri), item.value("languageId", ""),
+                                                   item.value("version", std::int64_t{0}), string_at(item, "text")});
     state.workspace.rearranged();
     state.workspace.arrange();
     state.workspace.scene_of(opened);
@@ -64,9 +60,7 @@ void did_change_files(State& state, const Json& params) {
 }
 
 void initialized(State& state, const Json&) {
-    const Json& workspace = state.client.is_object() ? state.client.value("workspace", Json::object()) : Json::object();
-    const Json watched = workspace.is_object() ? workspace.value("didChangeWatchedFiles", Json::object()) : Json();
-    if (watched.is_object() && watched.value("dynamicRegistration", false))
+    if (state.can("/workspace/didChangeWatchedFiles/dynamicRegistration"))
         state.ask("client/registerCapability", watched_files());
 }
 

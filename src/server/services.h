@@ -36,7 +36,7 @@ struct Outcome {
 using Window = std::function<std::optional<std::string>()>;
 
 struct Services {
-    // Says all that is wrong with a scene.
+    // Returns the errors and warnings of a scene.
     using Checker = std::function<Checked(const std::string& scene, const Access& access)>;
     // A checker that asks the driver too; null if there is none. It is called in a process of its own.
     std::function<Checker()> driver = nullptr;

@@ -23,7 +23,6 @@ public:
     // Answers the message that came first.
     void step();
 
-    bool ready() const { return life_ == Life::running; }
     // The exit status once the editor is done.
     std::optional<int> over() const { return over_; }
     // The process that the editor named has ended, whoever holds its end of the pipe.

@@ -45,6 +45,11 @@ struct State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
+    // Whether the editor says that it can; `capability` is a path in JSON.
+    bool can(const char* capability) const {
+        const Json::json_pointer at(capability);
+        return client.contains(at) && client[at] == true;
+    }
     void notify(std::string_view method, Json params) {
         send(text_of({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
     }

@@ -1,9 +1,9 @@
 #include "src/server/trial.h"
 
-#include <algorithm>
 #include <chrono>
 
 #include "parser/text/ranges.h"
+#include "src/plan/values/write_back.h"
 #include "src/server/documents.h"
 
 namespace snell::server {
@@ -14,18 +14,15 @@ constexpr std::chrono::milliseconds most_time{1500};  // for all fixes of a scen
 
 // What is read with the fixes applied; nullopt if one is in no file of the user's.
 std::optional<Access> fixed(const Diagnostic& diagnostic, const Sources& sources, const Access& access) {
-    std::map<FileId, std::vector<Fix>> by_file;
+    std::map<FileId, std::vector<Edit>> by_file;
     for (const Fix& fix : diagnostic.fixes) by_file[fix.span.file].push_back(fix);
     auto texts = std::make_shared<std::map<std::string, std::string>>();
     if (access.instead) *texts = *access.instead;
     for (auto& [file, fixes] : by_file) {
         const std::string name(sources.name(file));
         if (name.empty() || name.starts_with('<')) return std::nullopt;
-        std::string text(sources.text(file));
-        std::stable_sort(fixes.begin(), fixes.end(),
-                         [](const Fix& a, const Fix& b) { return a.span.begin > b.span.begin; });
-        for (const Fix& fix : fixes) text.replace(fix.span.begin, fix.span.end - fix.span.begin, fix.text);
-        texts->insert_or_assign(real_path(name), std::move(text));
+        ranges::stable_sort(fixes, {}, [](const Edit& fix) { return fix.span.begin; });
+        texts->insert_or_assign(real_path(name), with_edits(sources.text(file), file, fixes));
     }
     Access with = access;
     with.instead = std::move(texts);

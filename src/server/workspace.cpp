@@ -10,11 +10,7 @@ namespace snell::server {
 Scene& Workspace::open(const std::string& path, bool alone) {
     const auto found = ranges::find_if(scenes_, [&](const Scene& s) { return s.path == path && s.alone == alone; });
     if (found != scenes_.end()) return *found;
-    Scene scene;
-    scene.path = path;
-    scene.alone = alone;
-    scenes_.push_front(std::move(scene));
-    return scenes_.front();
+    return scenes_.emplace_front(Scene{path, alone});
 }
 
 const language::Project& Workspace::read(Scene& scene) {

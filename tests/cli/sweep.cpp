@@ -291,6 +291,7 @@ TEST_F(CliSweep, ManyScenesInOneProcess) {
     const Outcome same = snell("render" + names + " " + at("more/s1.glib") + " -o '" + at("a") + "/{stem}.png'");
     EXPECT_EQ(same.status, 2);
     EXPECT_TRUE(same.says("would both be")) << same.output;
+    EXPECT_TRUE(same.says("\n   help: {path} in the name")) << "a line of its own: " << same.output;
     EXPECT_TRUE(files("a").empty());
     EXPECT_EQ(snell("render" + names + " -o '" + at("a") + "/{stem}.png' --size 8x8").status, 0);
 }

@@ -6,7 +6,9 @@
 #include <chrono>
 #include <thread>
 
+#include "parser/text/tidy.h"
 #include "src/plan/files.h"
+#include "src/plan/locate.h"
 #include "tests/sanitized.h"
 #include "tests/scratch.h"
 
@@ -276,6 +278,27 @@ TEST(Read, FromSeveralThreads) {
     EXPECT_EQ(files.counters().opened, 800U);
     EXPECT_EQ(files.counters().bytes, 4000U);
     EXPECT_EQ(files.read_paths().size(), 1U);
+}
+
+TEST(Endings, CountWithoutRegardToCaseAndOnlyBehindAName) {
+    EXPECT_TRUE(has_extension("a/light.VERT", "vert"));
+    EXPECT_TRUE(has_extension("light.vert.glsl", "vert.glsl"));
+    for (const char* other : {"vert", ".vert", "a/.vert", "lightvert", "light.verte", "light.vert/", ""})
+        EXPECT_FALSE(has_extension(other, "vert")) << other;
+}
+
+TEST(Endings, OfEveryStageAreThoseOfShaders) {
+    for (const char* shader : {"a.vert", "a.tcs", "a.tese", "a.gs", "a.FSH", "a.glsl", "b.frag.glsl"})
+        EXPECT_TRUE(is_shader_name(shader)) << shader;
+    for (const char* other : {"a.glib", "a.obj", "frag", ".frag", "a.frag.png"})
+        EXPECT_FALSE(is_shader_name(other)) << other;
+}
+
+TEST(Endings, OfTextsAreTrimmed) {
+    EXPECT_EQ(trimmed(" \t a b \r\n"), "a b");
+    EXPECT_EQ(trimmed(" \t\n"), "");
+    EXPECT_EQ(trimmed("xx a x", "x"), " a ");
+    EXPECT_EQ(lowered("uKa_Z\xC3\x84"), "uka_z\xC3\x84") << "ASCII only";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "parser/commands/commands.h"
 #include "parser/names.h"
 #include "parser/text/limits.h"
+#include "parser/text/tidy.h"
 #include "parser/text/words.h"
 #include "src/lint/lint.h"
 
@@ -32,13 +33,6 @@ std::string_view kind_name(const Parameter& p) {
             return "text to the end of the line";
     }
     return "";
-}
-
-std::string lower(std::string_view text) {
-    std::string out(text);
-    for (char& c : out)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-    return out;
 }
 
 std::string joined(const std::vector<std::string>& words, std::string_view separator) {
@@ -101,12 +95,12 @@ std::string language(const std::string& intro) {
     for (const Command& c : commands()) {
         if (c.group != group) contents += "\n\n**" + std::string(c.group) + "**:";
         group = c.group;
-        contents += " [" + std::string(c.name) + "](#" + lower(c.name) + ")";
+        contents += " [" + std::string(c.name) + "](#" + lowered(c.name) + ")";
     }
     out += contents + "\n";
     group = {};
     for (const Command& c : commands()) {
-        if (c.group != group) out += "\n## Commands: " + lower(c.group) + "\n";  // a command is named Geometry, too
+        if (c.group != group) out += "\n## Commands: " + lowered(c.group) + "\n";  // a command is named Geometry, too
         group = c.group;
         out += section(c);
     }
@@ -116,7 +110,7 @@ std::string language(const std::string& intro) {
 std::vector<std::string> command_words() {
     std::vector<std::string> words;
     for (const std::string_view name : command_names()) words.emplace_back(name);
-    std::sort(words.begin(), words.end(), [](const auto& a, const auto& b) { return lower(a) < lower(b); });
+    std::sort(words.begin(), words.end(), [](const auto& a, const auto& b) { return lowered(a) < lowered(b); });
     return words;
 }
 

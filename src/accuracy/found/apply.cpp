@@ -25,16 +25,9 @@ std::string with_line_ends(std::string_view text, std::string_view line_end) {
     return result;
 }
 
-// The first text of the same name: a shader that several others include is read once for each.
-FileId first_of_name(FileId file, const Sources& sources) {
-    for (FileId other = 0; other < file; ++other)
-        if (sources.name(other) == sources.name(file) && sources.text(other) == sources.text(file)) return other;
-    return file;
-}
-
 Change in_one_text(Change change, const Sources& sources) {
     for (Edit& edit : change.edits) {
-        edit.span.file = first_of_name(edit.span.file, sources);
+        edit.span.file = first_reading(edit.span.file, sources);
         edit.text = with_line_ends(edit.text, line_end_of(sources.text(edit.span.file)));
     }
     std::stable_sort(change.edits.begin(), change.edits.end(), [](const Edit& a, const Edit& b) {
@@ -44,7 +37,16 @@ Change in_one_text(Change change, const Sources& sources) {
     return change;
 }
 
+// A text that is cut to one line, if there is any.
+std::string shown(std::string_view text) { return text.empty() ? "(nothing)" : utf8::printable(excerpt(text)); }
+
 }  // namespace
+
+FileId first_reading(FileId file, const Sources& sources) {
+    for (FileId other = 0; other < file; ++other)
+        if (sources.name(other) == sources.name(file) && sources.text(other) == sources.text(file)) return other;
+    return file;
+}
 
 std::optional<Chosen> choose_changes(std::string_view name, std::span<const Change> changes, const Sources& sources,
                                      std::string& error) {
@@ -80,9 +82,6 @@ std::vector<std::string> other_edits(const Change& change, const Sources& source
     for (const Edit& edit : change.edits) {
         const Span &where = change.where, &at = edit.span;
         if (at.file == where.file && where.begin <= at.begin && at.end <= where.end) continue;
-        const auto shown = [](std::string_view text) {
-            return text.empty() ? std::string("(nothing)") : utf8::printable(excerpt(text));
-        };
         const Position place = sources.position(at.file, at.begin);
         lines.push_back(fmt::format("{}:{}:{}: {} → {}", utf8::printable(sources.name(at.file)), place.line,
                                     place.column, shown(sources.text(at.file).substr(at.begin, at.end - at.begin)),
@@ -92,9 +91,6 @@ std::vector<std::string> other_edits(const Change& change, const Sources& source
 }
 
 std::string change_line(const Change& change, const Sources& sources) {
-    const auto shown = [](const std::string& text) {
-        return text.empty() ? std::string("(nothing)") : utf8::printable(text);
-    };
     std::string line =
         fmt::format("{}: {} → {}", change_place(change, sources), shown(change.before), shown(change.after));
     for (const std::string& other : other_edits(change, sources)) line += "\n    and " + other;

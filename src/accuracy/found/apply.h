@@ -36,6 +36,9 @@ std::vector<std::string> other_edits(const Change& change, const Sources& source
 // Such as "glass.frag:12:5: i < 8 → i < 4". Other edits follow on lines of their own.
 std::string change_line(const Change& change, const Sources& sources);
 
+// The first of several readings of a text: a shader that several others include is read once for each.
+FileId first_reading(FileId file, const Sources& sources);
+
 // The line end of a text: that of its first line, "\n" if it has only one line.
 std::string_view line_end_of(std::string_view text);
 

@@ -1,6 +1,5 @@
 #include "src/accuracy/found/change.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -68,21 +67,15 @@ bool compatible(const Change& a, const Change& b) {
 }
 
 std::map<std::string, std::string> changed_texts(std::span<const Change* const> changes, const Sources& sources) {
-    std::map<std::string_view, std::vector<const Edit*>> by_name;  // a text that was read twice has two numbers
+    std::map<std::string_view, std::vector<Edit>> by_name;  // a text that was read twice has two numbers
     for (const Change* change : changes)
-        for (const Edit& edit : change->edits) by_name[sources.name(edit.span.file)].push_back(&edit);
+        for (const Edit& edit : change->edits) by_name[sources.name(edit.span.file)].push_back(edit);
     std::map<std::string, std::string> texts;
     for (auto& [name, edits] : by_name) {
-        std::sort(edits.begin(), edits.end(),
-                  [](const Edit* a, const Edit* b) { return a->span.begin < b->span.begin; });
-        const std::string_view text = sources.text(edits.front()->span.file);
-        std::string& made = texts[std::string(name)];
-        std::size_t at = 0;
-        for (const Edit* edit : edits) {
-            made.append(text.substr(at, edit->span.begin - at)).append(edit->text);
-            at = edit->span.end;
-        }
-        made.append(text.substr(at));
+        const FileId file = edits.front().span.file;
+        for (Edit& edit : edits) edit.span.file = file;
+        ranges::sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
+        texts.emplace(name, with_edits(sources.text(file), file, edits));
     }
     return texts;
 }

@@ -11,6 +11,7 @@
 
 #include "parser/text/source.h"
 #include "src/plan/plan.h"
+#include "src/plan/values/write_back.h"
 
 namespace snell::accuracy {
 
@@ -67,13 +68,6 @@ struct KindFacts {
     std::string_view doc;   // one line for people
 };
 const KindFacts& facts(ChangeKind kind);
-
-// Bytes of a text (Sources) that are replaced. begin == end: inserted.
-struct Edit {
-    Span span;
-    std::string text;
-    bool operator==(const Edit&) const = default;
-};
 
 struct Change {
     ChangeKind kind = ChangeKind::count;

@@ -8,6 +8,7 @@
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
+#include "src/content/base64.h"
 #include "src/content/image/image.h"
 
 namespace snell::accuracy {
@@ -48,27 +49,11 @@ figcaption{font-size:.8rem;max-width:292px}
 
 constexpr int thumbnail_width = 192;
 
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve(bytes.size() * 4 / 3 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        unsigned group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? letters[group >> (18 - 6 * k) & 63U] : '=';
-    }
-    return out;
-}
-
 // Box-filters to the width of a thumbnail; `value` computes the three components of a pixel.
 template <class Value>
 std::string thumbnail(int width, int height, const Value& value) {
     const int step = std::max(1, (width + thumbnail_width - 1) / thumbnail_width);
-    content::Image image;
-    image.width = width / step;
-    image.height = height / step;
-    image.channels = 3;
+    content::Image image{.width = width / step, .height = height / step, .channels = 3};
     image.pixels.resize(image.bytes());
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
@@ -81,7 +66,7 @@ std::string thumbnail(int width, int height, const Value& value) {
                 image.pixels[static_cast<std::size_t>(y * image.width + x) * 3 + c] =
                     static_cast<std::byte>(std::lround(255 * (mean > 0 ? mean : 0)));
             }
-    return "data:image/png;base64," + base64(content::encode_png(image));
+    return "data:image/png;base64," + content::base64(content::encode_png(image));
 }
 
 // Prevents overexposure of the bright parts of the reference; dark pictures stay dark.

@@ -1,21 +1,15 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "parser/text/tidy.h"
 #include "src/app/batch/shots.h"
 
 namespace snell::app {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-    return text;
-}
 
 template <class Number>
 std::optional<Number> number(std::string_view text) {

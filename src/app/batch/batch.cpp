@@ -8,6 +8,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/in_view.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/rounds.h"
@@ -70,8 +71,7 @@ Exit Batch::run() {
     for (std::size_t i = 0; i < records_.size(); ++i) {
         timings_.write += written()[i].milliseconds;
         if (written()[i].error.empty()) continue;
-        fmt::print(stderr, "snell: error: cannot write '{}': {}\n",
-                   utf8::printable(shots_.files[records_[i].shot.index]), utf8::printable(written()[i].error));
+        complain(fmt::format("cannot write '{}': {}", shots_.files[records_[i].shot.index], written()[i].error));
         fail();
     }
     if (non_finite_ && non_finite_->nan + non_finite_->infinite > 0)
@@ -290,17 +290,13 @@ bool Batch::ready_target(const Document& document) {
     size_ = size;
     tiling_ = tile(size, options_.access.limits, caps_, options_.tile);
     target_ = {};
-    if (!tiling_.error.empty()) {
-        fmt::print(stderr, "snell: error: {}\n", tiling_.error);
-        return false;
-    }
+    if (!tiling_.error.empty()) return complain(tiling_.error);
     if (!tiling_.whole(size)) return true;
     target_ = gl::make_target(size.width, size.height, size.samples, pixels);
     if (target_.framebuffer) return true;
-    fmt::print(stderr, "snell: error: this OpenGL gives no picture of {}x{} with {} samples\n", size.width, size.height,
-               size.samples);
     fail(exit_graphics);
-    return false;
+    return complain(
+        fmt::format("this OpenGL gives no picture of {}x{} with {} samples", size.width, size.height, size.samples));
 }
 
 // Each part has the whole time of --timeout. Returns "", or why there is no picture.
@@ -315,10 +311,8 @@ std::string Batch::draw_parts(Runtime& runtime, const Frame& frame, const std::s
 bool Batch::keeps_context(const std::string& file) {
     if (!loss_.lost()) return true;
     refused_ = true;
-    fmt::print(stderr, "snell: error: '{}' is not drawn: {} [context-lost]\n   help: {}\n", utf8::printable(file),
-               loss_message, loss_help);
     fail(exit_lost);
-    return false;
+    return complain(fmt::format("'{}' is not drawn: {} [context-lost]", file, loss_message), loss_help);
 }
 
 void Batch::draw(Open& open, const Shot& shot) {

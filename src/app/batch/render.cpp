@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "parser/text/utf8.h"
 #include "src/app/batch/batch.h"
 #include "src/app/batch/render.h"
 #include "src/app/batch/reports.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
@@ -19,11 +19,6 @@
 namespace snell::app {
 
 namespace {
-
-bool complain(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", utf8::printable(what));
-    return false;
-}
 
 std::optional<Shots> shots_of(const RenderOptions& options) {
     std::vector<Axis> axes;
@@ -119,12 +114,8 @@ bool write_sheet(const Batch& batch, const RenderOptions& options, const Shots& 
 
 bool write_reports(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard) {
     bool good = true;
-    if (!options.stats.empty() && batch.has_stats())
-        if (const std::string error = write_json(options.stats, batch.stats()); !error.empty()) good = complain(error);
-    if (!options.json.empty())
-        if (const std::string error = write_json(options.json, pictures_json(batch, options, shots, shard));
-            !error.empty())
-            good = complain(error);
+    if (!options.stats.empty() && batch.has_stats()) good = write_json(options.stats, batch.stats());
+    if (!options.json.empty()) good = write_json(options.json, pictures_json(batch, options, shots, shard)) && good;
     if (!options.sheet.empty() && !batch.records().empty()) good = write_sheet(batch, options, shots) && good;
     return good;
 }

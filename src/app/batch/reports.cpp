@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "src/app/open/complain.h"
 #include "src/content/json.h"
-#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -23,9 +23,8 @@ Json axis_json(const Axis& axis) {
 
 }  // namespace
 
-std::string write_json(const std::string& path, const Json& json) {
-    const std::string wrong = content::replace_file(path, content::json_text(json) + '\n');
-    return wrong.empty() ? "" : fmt::format("cannot write '{}': {}", path, wrong);
+bool write_json(const std::string& path, const Json& json) {
+    return write_output(path, content::json_text(json) + '\n');
 }
 
 Json pictures_json(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard) {

@@ -8,7 +8,7 @@
 namespace snell::app {
 
 // Returns "", or why the file cannot be written.
-std::string write_json(const std::string& path, const nlohmann::ordered_json& json);
+bool write_json(const std::string& path, const nlohmann::ordered_json& json);
 
 // Lists every picture with its values, file, size, hash and time.
 nlohmann::ordered_json pictures_json(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard);

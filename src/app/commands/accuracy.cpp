@@ -8,11 +8,9 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 #include "src/app/commands/accuracy_files.h"
@@ -20,6 +18,7 @@
 #include "src/app/commands/found_rungs.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
@@ -109,8 +108,7 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
     subject->measurable = !subject->sweeps.empty() || ((asks_for_advice(options) || seeks(options)) && readable);
     subject->errors = diagnostics.has_errors() || !subject->measurable;
     if (!subject->measurable && !diagnostics.has_errors())
-        fmt::print(stderr, "snell: error: '{}' has none of these ladders and no use for these knobs\n",
-                   utf8::printable(path));
+        complain(fmt::format("'{}' has none of these ladders and no use for these knobs", path));
     return subject;
 }
 
@@ -315,9 +313,8 @@ std::string check_finite(const std::string& text) {
 bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fitting) {
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0 || ranges::find(fitting, option) != fitting.end()) continue;
-        fmt::print(stderr, "snell: error: --merge excludes {}: it compares reports and measures nothing\n",
-                   option->get_name());
-        return false;
+        return complain(
+            fmt::format("--merge excludes {}: it compares reports and measures nothing", option->get_name()));
     }
     return true;
 }
@@ -381,10 +378,8 @@ Run add_accuracy(CLI::App& command) {
     return [options, &command, with_merge] {
         if (only_texts(*options)) return write_found_rungs(*options, command);
         if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge_reports(*options) : exit_usage;
-        if (options->scenes.empty()) {
-            fmt::print(stderr, "snell: error: no scene given; 'snell accuracy --help' shows the options\n");
-            return exit_usage;
-        }
+        if (options->scenes.empty())
+            return complain(exit_usage, "no scene given; 'snell accuracy --help' shows the options");
         return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage;
     };
 }

@@ -14,10 +14,10 @@
 #include "src/accuracy/report/merge.h"
 #include "src/accuracy/report/slide/slide.h"
 #include "src/app/commands/options.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/version.h"
 #include "src/app/picture/outputs.h"
-#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -44,13 +44,7 @@ std::string today() {
     return text;
 }
 
-bool write_text(const std::string& path, const std::string& text) {
-    if (path.empty()) return true;
-    const std::string wrong = content::replace_file(path, text);
-    if (wrong.empty()) return true;
-    fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(path), wrong);
-    return false;
-}
+bool write_text(const std::string& path, const std::string& text) { return path.empty() || write_output(path, text); }
 
 // plot.svg, plot-2.svg …
 std::string plot_path(const std::string& svg, std::size_t index) {
@@ -80,8 +74,7 @@ bool write_slide(const std::string& path, const Slide& slide) {
     if (path.empty()) return true;
     const SlideFile file = draw_slide(slide, slide_format(path).value_or(SlideFormat::png));
     if (file.error.empty()) return write_text(path, file.bytes);
-    fmt::print(stderr, "snell: error: cannot draw '{}': {}\n", utf8::printable(path), utf8::printable(file.error));
-    return false;
+    return complain(fmt::format("cannot draw '{}': {}", path, file.error));
 }
 
 std::string check_slide_name(const std::string& text) {
@@ -139,8 +132,7 @@ bool note_nothing_drawn(const Report& report) {
                ranges::any_of(found.rungs, [](const FoundRung& rung) { return rung.outcome != Outcome::not_tried; });
     });
     if (drawn || tried || (report.sweeps.empty() && report.found.empty())) return false;
-    fmt::print(stderr, "snell: error: no rung was drawn: the time was up; give more --budget, or a smaller --size\n");
-    return true;
+    return !complain("no rung was drawn: the time was up; give more --budget, or a smaller --size");
 }
 
 Exit check_reports(const AccuracyOptions& options, std::size_t sweeps, std::vector<std::string> read) {
@@ -176,16 +168,13 @@ Exit merge_reports(const AccuracyOptions& options) {
     std::string wrong;
     for (const std::string& file : options.merge) {
         auto text = files.read(file, wrong);
-        if (!text) {
-            fmt::print(stderr, "snell: error: cannot read '{}': {}\n", utf8::printable(file), utf8::printable(wrong));
-            return exit_input;
-        }
+        if (!text) return complain(exit_input, fmt::format("cannot read '{}': {}", file, wrong));
         reports.push_back({file, std::move(*text)});
     }
     const auto text = merged_text(reports, wrong);
-    if (!text) fmt::print(stderr, "snell: error: {}\n", utf8::printable(wrong));
-    fmt::print("{}", text.value_or(""));
-    return text ? exit_fine : exit_input;
+    if (!text) return complain(exit_input, wrong);
+    fmt::print("{}", *text);
+    return exit_fine;
 }
 
 }  // namespace snell::app

@@ -12,8 +12,8 @@
 #include "src/accuracy/found/together.h"
 #include "src/accuracy/report/quality.h"
 #include "src/app/open/command_text.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/quality.h"
-#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -35,12 +35,20 @@ std::string residual_text(const SweepResult& sweep, const Wish& wish) {
                           : " and an unknown part of the reference";
 }
 
+// What a rung takes, with the interval of the median.
+std::string time_text(const RungResult& rung) {
+    return fmt::format("{:.3g} ms [{:.3g}, {:.3g}]", rung.milliseconds, rung.low, rung.high);
+}
+
+std::string cost_text(const RungResult& rung, const SweepResult& sweep) {
+    return fmt::format("{} of {}, {} times what", time_text(rung), name(sweep.clock), ratio_text(rung.ratio));
+}
+
 std::string found_text(const Advice& advice, const SweepResult& sweep) {
     const RungResult& rung = sweep.rungs[advice.rung];
     const std::string now = sweep.rungs[sweep.sweep.current].name;
-    std::string text = fmt::format("  RMSE {:.3g}{}, {:.3g} ms [{:.3g}, {:.3g}] of {}, {} times what '{}' takes\n",
-                                   rung.own.light.rmse, residual_text(sweep, advice.wish), rung.milliseconds, rung.low,
-                                   rung.high, name(sweep.clock), ratio_text(rung.ratio), now);
+    std::string text = fmt::format("  RMSE {:.3g}{}, {} '{}' takes\n", rung.own.light.rmse,
+                                   residual_text(sweep, advice.wish), cost_text(rung, sweep), now);
     text += fmt::format("  {}; the last rungs at the scene's own samples and meshes: RMSE {:.3g}\n",
                         sweep.reference_note, sweep.rungs[sweep.sweep.reference].own.light.rmse);
     const char* what = advice.everything ? "every combination" : "every combination that differs in one ladder";
@@ -68,17 +76,11 @@ std::string advice_text(const std::string& path, const Scene& scene, const Advic
 }
 
 bool save_presets(const std::string& path, const Scene& scene, const Counsel& counsel, const Circumstances& where) {
-    if (!ranges::all_of(counsel.advice, &Advice::known)) {
-        fmt::print(stderr, "snell: error: there are no presets for '{}': nothing can be said of its rungs\n",
-                   utf8::printable(path));
-        return false;
-    }
+    if (!ranges::all_of(counsel.advice, &Advice::known))
+        return complain(fmt::format("there are no presets for '{}': nothing can be said of its rungs", path));
     const std::vector<Preset> presets = presets_of(scene, counsel);
     const std::string file = quality_path(path);
-    if (const std::string wrong = content::replace_file(file, quality_json(where, presets)); !wrong.empty()) {
-        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(file), wrong);
-        return false;
-    }
+    if (!write_output(file, quality_json(where, presets))) return false;
     fmt::print("\npresets for --quality, in {}\n", utf8::printable(file));
     for (const Preset& preset : presets)
         fmt::print("  {:<8}  {}: RMSE {:.2g}, {:.2g} from the last rungs, {} times\n", preset.name,
@@ -154,14 +156,11 @@ bool advise_knobs(const std::string& path, Bench& bench, const Rungs& now, const
 std::string found_choice_text(const std::string& path, const AccuracyOptions& options, const FoundResult& found,
                               std::size_t best) {
     const RungResult& rung = found.timed.rungs[best];
-    if (best == found.timed.sweep.current)
-        return fmt::format("the scene as it is, {:.3g} ms [{:.3g}, {:.3g}]\n", rung.milliseconds, rung.low, rung.high);
+    if (best == found.timed.sweep.current) return fmt::format("the scene as it is, {}\n", time_text(rung));
     return fmt::format(
-        "found rung {}\n  RMSE {:.3g} from the scene as it is, at the worst of {} places; {:.3g} ms [{:.3g}, {:.3g}] "
-        "of "
-        "{}, {} times what the scene takes\n  {}\n",
-        rung.name, rung.own.light.rmse, found.places.size(), rung.milliseconds, rung.low, rung.high,
-        name(found.timed.clock), ratio_text(rung.ratio), apply_command(path, options.choices, rung.name, "FOLDER"));
+        "found rung {}\n  RMSE {:.3g} from the scene as it is, at the worst of {} places; {} the scene takes\n  {}\n",
+        rung.name, rung.own.light.rmse, found.places.size(), cost_text(rung, found.timed),
+        apply_command(path, options.choices, rung.name, "FOLDER"));
 }
 
 // False, too, if it is the scene as it is: ladders are judged by the reference, not by what the scene has.
@@ -206,11 +205,9 @@ bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench
                : wish.milliseconds ? "the most exact is"
                                    : "the cheapest is",
                rung.name);
-    fmt::print(
-        "  RMSE {:.3g}{}, at the worst of {} places; {:.3g} ms [{:.3g}, {:.3g}] of {}, {} times what the scene "
-        "takes{}\n",
-        rung.own.light.rmse, residual_text(sweep, wish), advice.places, rung.milliseconds, rung.low, rung.high,
-        name(sweep.clock), ratio_text(rung.ratio), advice.settled ? "" : "; others may be better: more --budget tells");
+    fmt::print("  RMSE {:.3g}{}, at the worst of {} places; {} the scene takes{}\n", rung.own.light.rmse,
+               residual_text(sweep, wish), advice.places, cost_text(rung, sweep),
+               advice.settled ? "" : "; others may be better: more --budget tells");
     std::string scene = path;
     if (!mix.changes.empty()) {
         fmt::print("  {}\n", apply_command(path, options.choices, rung_name(mix.changes), "FOLDER"));
@@ -225,11 +222,9 @@ bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
 bool explain_presets(const std::string& path, const AccuracyOptions& options, const FoundResult* found) {
-    fmt::print(
-        stderr,
-        "snell: error: '{}' has no ladders, so no presets were written: a preset names a rung of each ladder\n   "
-        "help: write a scene with found rung N as a ladder by: {} --as-ladder N -o FOLDER\n",
-        utf8::printable(path), utf8::printable(accuracy_command(path, options.choices)));
+    complain(fmt::format("'{}' has no ladders, so no presets were written: a preset names a rung of each ladder", path),
+             fmt::format("write a scene with found rung N as a ladder by: {} --as-ladder N -o FOLDER",
+                         accuracy_command(path, options.choices)));
     if (!found) return false;
     const std::array<Wish, 3> wishes = quality_wishes();
     for (std::size_t i = 0; i < wishes.size(); ++i)

@@ -8,18 +8,17 @@
 
 #include "parser/commands/commands.h"
 #include "parser/read/parse.h"
-#include "parser/text/utf8.h"
 #include "src/app/commands/check_json.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/grade/idle_sliders.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/progress.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/json.h"
-#include "src/content/replace.h"
 #include "src/document/document.h"
 #include "src/document/unsampled.h"
 #include "src/lint/lint.h"
@@ -98,10 +97,7 @@ void print_messages(const Document& document, bool lines, std::FILE* to) {
 }
 
 bool write_json_to(const std::string& file, const Json& json) {
-    if (file.empty()) return true;
-    const std::string wrong = content::replace_file(file, content::json_text(json) + '\n');
-    if (!wrong.empty()) fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(file), wrong);
-    return wrong.empty();
+    return file.empty() || write_output(file, content::json_text(json) + '\n');
 }
 
 Exit check(const CheckOptions& options) {

@@ -4,9 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "parser/text/utf8.h"
 #include "src/app/open/version.h"
-#include "src/content/json.h"
+#include "src/server/wire/uri.h"
 
 namespace snell::app {
 
@@ -36,20 +35,10 @@ Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     return json;
 }
 
-// A path as the reference of an address: only what has a meaning there is escaped.
-std::string uri(std::string_view path) {
-    std::string text;
-    for (const char c : path) {
-        const bool plain = c > ' ' && c < 0x7f && std::string_view("%?#\"<>\\^`{|}").find(c) == std::string_view::npos;
-        text += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-    return text;
-}
-
 Json place(const Span& span, const Sources& sources) {
     const Position begin = sources.position(span.file, span.begin), end = sources.position(span.file, span.end);
     return {{"physicalLocation",
-             {{"artifactLocation", {{"uri", uri(sources.name(span.file))}}},
+             {{"artifactLocation", {{"uri", server::escaped_address(sources.name(span.file))}}},
               {"region",
                {{"startLine", begin.line},
                 {"startColumn", begin.column},
@@ -91,8 +80,8 @@ void add_sarif(Json& log, const Document& document) {
         if (diagnostic.has_span)
             result["locations"] = Json::array({place(diagnostic.span, document.sources)});
         else
-            result["locations"] =
-                Json::array({{{"physicalLocation", {{"artifactLocation", {{"uri", uri(document.path)}}}}}}});
+            result["locations"] = Json::array(
+                {{{"physicalLocation", {{"artifactLocation", {{"uri", server::escaped_address(document.path)}}}}}}});
         run["results"].push_back(std::move(result));
     }
 }

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include "parser/text/diagnostic.h"
-#include "parser/text/utf8.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
-#include "src/content/replace.h"
 
 namespace snell::app {
 
@@ -25,9 +24,8 @@ Exit print_one(const std::string& name) {
         return exit_fine;
     }
     const std::string_view near = nearest(name, command_names());
-    fmt::print(stderr, "snell: error: the language has no command '{}'\n   help: {}\n", utf8::printable(name),
-               near.empty() ? "'snell commands' lists them" : fmt::format("did you mean '{}'?", near));
-    return exit_usage;
+    return complain(exit_usage, fmt::format("the language has no command '{}'", name),
+                    near.empty() ? "'snell commands' lists them" : fmt::format("did you mean '{}'?", near));
 }
 
 }  // namespace
@@ -44,11 +42,7 @@ Run add_commands(CLI::App& command) {
     add_json(command, options->json, "print all as JSON")->excludes(name);
     return [options] {
         if (!options->name.empty()) return print_one(options->name);
-        if (!options->json.empty()) {
-            const std::string wrong = content::replace_file(options->json, commands_json() + "\n");
-            if (!wrong.empty()) fmt::print(stderr, "snell: error: cannot write '{}': {}\n", options->json, wrong);
-            return wrong.empty() ? exit_fine : exit_input;
-        }
+        if (!options->json.empty()) return write_output(options->json, commands_json() + "\n") ? exit_fine : exit_input;
         for (const Command& row : commands()) fmt::print("{:<16} {:<48} {}\n", row.name, row.signature.text, row.doc);
         return exit_fine;
     };

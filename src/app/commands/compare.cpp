@@ -10,10 +10,10 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
-#include "parser/text/words.h"
 #include "src/accuracy/difference.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
@@ -21,8 +21,8 @@
 #include "src/app/picture/scene_picture.h"
 #include "src/content/json.h"
 #include "src/content/regular_file.h"
-#include "src/content/replace.h"
 #include "src/gl/caps.h"
+#include "src/plan/locate.h"
 
 namespace snell::app {
 
@@ -43,13 +43,6 @@ struct CompareOptions {
     ScenePicture scene;
 };
 
-bool is_scene(const fs::path& path) { return same_word(path.extension().string(), ".glib"); }
-
-bool no_comparison(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", what);
-    return false;
-}
-
 // Reads pictures and draws scenes; the context is made for the first scene.
 class Pictures {
 public:
@@ -58,7 +51,7 @@ public:
     // Scenes are drawn in the size that is given. Prints why there is no picture.
     std::optional<Picture> of(const std::string& path, std::optional<std::pair<int, int>> size) {
         deadline_.begin(fmt::format("reading '{}'", path));
-        const content::ImageResult read_image = is_scene(path) ? drawn(path, size) : read(path);
+        const content::ImageResult read_image = has_extension(path, "glib") ? drawn(path, size) : read(path);
         deadline_.rest();
         if (!read_image.image) return std::nullopt;
         const content::Image& image = *read_image.image;
@@ -75,7 +68,7 @@ private:
             if (i % 4 < 3) picture.rgba[i] *= picture.rgba[i - i % 4 + 3];
     }
 
-    // What was not finite was repaired for textures; as a picture, it differs from all that is finite.
+    // What was not finite was repaired for textures; as a picture, it differs from every finite value.
     static void unrepair(Picture& picture, const content::Image& image, std::size_t index) {
         const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
         const std::size_t pixel = index / static_cast<std::size_t>(image.channels), y = pixel / width;
@@ -102,7 +95,7 @@ private:
         std::string error;
         const auto bytes = content::read_regular_file(path, Limits{}.file_bytes, nullptr, error);
         if (!bytes) {
-            no_comparison(fmt::format("cannot read '{}': {}", utf8::printable(path), error));
+            complain(fmt::format("cannot read '{}': {}", path, error));
             return {};
         }
         auto decoded = content::decode_image(path, *bytes);
@@ -110,7 +103,7 @@ private:
             fmt::print(stderr, "snell: {}: '{}': {} [{}]\n   help: {}\n", issue.error ? "error" : "warning",
                        utf8::printable(path), utf8::printable(issue.message), issue.code, issue.help);
         if (decoded.image && decoded.image->depth > 1) {
-            no_comparison(fmt::format("'{}' is a volume, not a picture", utf8::printable(path)));
+            complain(fmt::format("'{}' is a volume, not a picture", path));
             return {};
         }
         return decoded;
@@ -141,18 +134,17 @@ std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pict
                                    const std::vector<std::string>& references) {
     std::optional<Compared> best;
     std::optional<Picture> picture;
-    if (!is_scene(path)) picture = pictures.of(path, std::nullopt);
-    if (!is_scene(path) && !picture) return best;
+    if (!has_extension(path, "glib")) picture = pictures.of(path, std::nullopt);
+    if (!has_extension(path, "glib") && !picture) return best;
     for (const std::string& name : references) {
         const auto reference =
             pictures.of(name, picture ? std::optional(std::pair(picture->width, picture->height)) : std::nullopt);
         if (!reference) return std::nullopt;
-        if (is_scene(path)) picture = pictures.of(path, std::pair(reference->width, reference->height));
+        if (has_extension(path, "glib")) picture = pictures.of(path, std::pair(reference->width, reference->height));
         if (!picture) return std::nullopt;
         if (picture->width != reference->width || picture->height != reference->height) {
-            no_comparison(fmt::format("'{}' has {}x{} pixels, but '{}' has {}x{}", utf8::printable(path),
-                                      picture->width, picture->height, utf8::printable(name), reference->width,
-                                      reference->height));
+            complain(fmt::format("'{}' has {}x{} pixels, but '{}' has {}x{}", path, picture->width, picture->height,
+                                 name, reference->width, reference->height));
             continue;
         }
         Compared now{path,
@@ -211,14 +203,13 @@ std::optional<std::vector<std::string>> names_in(const std::string& folder) {
     std::error_code error;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
     for (; !error && entry != end; entry.increment(error)) {
-        constexpr std::array endings{".png", ".exr", ".hdr", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".tga", ".glib"};
-        const std::string ending = entry->path().extension().string();
-        if (ranges::any_of(endings, [&](const char* e) { return same_word(ending, e); }) &&
+        constexpr std::array endings{"png", "exr", "hdr", "jpg", "jpeg", "bmp", "tif", "tiff", "tga", "glib"};
+        if (ranges::any_of(endings, [&](const char* e) { return has_extension(entry->path().native(), e); }) &&
             entry->is_regular_file(error))
             names.push_back(entry->path().lexically_relative(folder).string());
     }
     if (error) {
-        no_comparison(fmt::format("cannot read the folder '{}': {}", utf8::printable(folder), error.message()));
+        complain(fmt::format("cannot read the folder '{}': {}", folder, error.message()));
         return std::nullopt;
     }
     ranges::sort(names);
@@ -239,24 +230,20 @@ std::optional<std::vector<Pair>> pairs_of(const CompareOptions& options, bool& d
     const auto own = names_in(options.picture), others = names_in(other);
     if (!own || !others) return std::nullopt;
     std::vector<Pair> pairs;
+    const auto lacks = [&](const std::vector<std::string>& names, const std::string& name, const std::string& folder) {
+        if (ranges::find(names, name) != names.end()) return false;
+        fmt::print("only in {}: {}\n", utf8::printable(folder), utf8::printable(name));
+        return different = true;
+    };
     for (const std::string& name : *own) {
-        if (ranges::find(*others, name) == others->end()) {
-            different = true;
-            fmt::print("only in {}: {}\n", utf8::printable(options.picture), utf8::printable(name));
-            continue;
-        }
+        if (lacks(*others, name, options.picture)) continue;
         const std::string map = options.output.empty()
                                     ? ""
                                     : (fs::path(options.output) / fs::path(name).replace_extension(".png")).string();
         pairs.push_back({(fs::path(options.picture) / name).string(), {(fs::path(other) / name).string()}, map});
     }
-    for (const std::string& name : *others)
-        if (ranges::find(*own, name) == own->end()) {
-            different = true;
-            fmt::print("only in {}: {}\n", utf8::printable(other), utf8::printable(name));
-        }
-    if (pairs.empty() && !different)
-        different = !no_comparison("there are neither pictures nor scenes in these folders");
+    for (const std::string& name : *others) lacks(*own, name, other);
+    if (pairs.empty() && !different) different = !complain("there are neither pictures nor scenes in these folders");
     return pairs;
 }
 
@@ -266,13 +253,12 @@ bool write_map(const Compared& compared, const std::string& file) {
     if (const fs::path folder = fs::path(file).parent_path(); !folder.empty()) fs::create_directories(folder, ignored);
     const std::string wrong =
         content::write_image(file, accuracy::map_image(compared.difference.map, compared.width, compared.height));
-    return wrong.empty() || no_comparison(fmt::format("cannot write '{}': {}", utf8::printable(file), wrong));
+    return wrong.empty() || complain(fmt::format("cannot write '{}': {}", file, wrong));
 }
 
 bool write_compared(const CompareOptions& options, const nlohmann::ordered_json& all, bool same) {
     const nlohmann::ordered_json json{{"schema", 1}, {"alike", same}, {"pairs", all}};
-    const std::string wrong = content::replace_file(options.json, content::json_text(json) + '\n');
-    return wrong.empty() || no_comparison(fmt::format("cannot write '{}': {}", utf8::printable(options.json), wrong));
+    return write_output(options.json, content::json_text(json) + '\n');
 }
 
 // Two folders, or one picture with any number of references; nothing that is read is overwritten.
@@ -281,14 +267,11 @@ Exit usable(const CompareOptions& options) {
     read.push_back(options.picture);
     for (const std::string& path : read) {
         std::error_code error;
-        if (!fs::exists(path, error)) {
-            no_comparison(fmt::format("there is no '{}'", utf8::printable(path)));
-            return exit_usage;
-        }
+        if (!fs::exists(path, error)) return complain(exit_usage, fmt::format("there is no '{}'", path));
         const bool folders = fs::is_directory(options.picture);
         if (fs::is_directory(path) == folders && (!folders || options.references.size() == 1)) continue;
-        no_comparison("a folder is compared with one other folder, and a picture or a scene with pictures or scenes");
-        return exit_usage;
+        return complain(exit_usage,
+                        "a folder is compared with one other folder, and a picture or a scene with pictures or scenes");
     }
     const std::vector outputs{options.output, options.json};
     if (fs::is_directory(options.picture)) return exit_fine;

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,6 +12,7 @@
 #include "src/accuracy/found/apply.h"
 #include "src/accuracy/found/ladder.h"
 #include "src/app/open/command_text.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/write_copy.h"
 #include "src/app/picture/outputs.h"
@@ -26,12 +26,6 @@ namespace snell::app {
 namespace {
 
 using namespace snell::accuracy;
-
-Exit refuse(const std::string& what, const std::string& help = "", Exit status = exit_input) {
-    fmt::print(stderr, "snell: error: {}\n", utf8::printable(what));
-    if (!help.empty()) fmt::print(stderr, "   help: {}\n", utf8::printable(help));
-    return status;
-}
 
 // A scene that was read, and what can be changed in it.
 struct Found {
@@ -103,10 +97,10 @@ Exit list_found(const AccuracyOptions& options, const Found& found) {
     const Exit wrong = check_outputs(std::vector{options.json}, read);
     if (wrong != exit_fine) return wrong;
     const std::string error = content::replace_file(options.json, list_json(options.scenes.front(), found));
-    return error.empty() ? exit_fine : refuse(error);
+    return error.empty() ? exit_fine : complain(exit_input, error);
 }
 
-// What is to be written.
+// What --apply and --as-ladder write.
 struct Texts {
     std::vector<Chosen> chosen;
     std::vector<std::string> statements;  // of ladders
@@ -121,8 +115,8 @@ std::optional<std::vector<Chosen>> choose(const std::string& names, const Found&
         std::string error;
         auto one = choose_changes(std::string_view(names).substr(at, end - at), found.changes, found.sources, error);
         if (!one) {
-            refuse(error,
-                   "list them by: " + accuracy_command(options.scenes.front(), options.choices) + " --list-found");
+            complain(error,
+                     "list them by: " + accuracy_command(options.scenes.front(), options.choices) + " --list-found");
             return std::nullopt;
         }
         chosen.push_back(std::move(*one));
@@ -157,11 +151,11 @@ std::optional<Texts> texts_of(const AccuracyOptions& options, Found& found) {
 
 Exit write_texts(const AccuracyOptions& options, Found& found) {
     if (options.html.empty())
-        return refuse("--apply and --as-ladder need a folder to write to", "add -o FOLDER", exit_usage);
+        return complain(exit_usage, "--apply and --as-ladder need a folder to write to", "add -o FOLDER");
     const auto texts = texts_of(options, found);
     if (!texts) return exit_input;
     const WrittenCopy copy = write_copy(options.scenes.front(), options.access, texts->by_path, options.html);
-    if (!copy.error.empty()) return refuse(copy.error);
+    if (!copy.error.empty()) return complain(exit_input, copy.error);
     for (const Chosen& chosen : texts->chosen)
         for (const Change& change : chosen.changes) fmt::print("{}\n", change_line(change, found.sources));
     for (const std::string& statement : texts->statements) fmt::print("{}\n", statement);
@@ -180,10 +174,8 @@ bool fits(const CLI::App& command, const AccuracyOptions& options) {
         if (option->count() == 0 || fitting.contains(option->get_single_name()) ||
             fitting.contains("--" + option->get_single_name()))
             continue;
-        refuse(fmt::format("{} excludes {}: it only {}", asked, option->get_name(),
-                           options.list_found ? "lists found rungs" : "writes a scene"),
-               "", exit_usage);
-        return false;
+        return complain(fmt::format("{} excludes {}: it only {}", asked, option->get_name(),
+                                    options.list_found ? "lists found rungs" : "writes a scene"));
     }
     return true;
 }
@@ -208,7 +200,7 @@ bool only_texts(const AccuracyOptions& options) {
 
 Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command) {
     if (!fits(command, options)) return exit_usage;
-    if (options.scenes.size() != 1) return refuse("give one scene: found rungs are those of a scene", "", exit_usage);
+    if (options.scenes.size() != 1) return complain(exit_usage, "give one scene: found rungs are those of a scene");
     Deadline deadline(options.timeout);
     deadline.begin(fmt::format("reading '{}'", options.scenes.front()));
     const auto found = find_in(options.scenes.front(), options);

@@ -12,6 +12,7 @@
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/grade/report/report.h"
+#include "src/app/open/complain.h"
 #include "src/content/whole_file.h"
 
 namespace snell::app {
@@ -23,11 +24,6 @@ struct GradeCommand {
     std::string shard;
     bool make_new = false, quiet = false;
 };
-
-Exit misuse(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", what);
-    return exit_usage;
-}
 
 std::string check_part(const std::string& text) {
     return parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
@@ -64,13 +60,13 @@ Exit run_grade(const GradeCommand& command) {
     const GradeOptions& options = command.grade;
     if (command.make_new)
         return options.submissions.empty() ? write_new_rubric(options.rubric, options.output)
-                                           : misuse("--new takes one scene");
+                                           : complain(exit_usage, "--new takes one scene");
     if (options.submissions.empty())
-        return misuse("there are no submissions: snell grade RUBRIC SUBMISSIONS… -o FOLDER");
-    if (options.output.empty()) return misuse("-o FOLDER says where the report is written");
+        return complain(exit_usage, "there are no submissions: snell grade RUBRIC SUBMISSIONS… -o FOLDER");
+    if (options.output.empty()) return complain(exit_usage, "-o FOLDER says where the report is written");
     if (!may_hold_report(options.output))
-        return misuse(fmt::format("'{}' holds other files than a report\n   help: choose a folder that does not exist",
-                                  utf8::printable(options.output)));
+        return complain(exit_usage, fmt::format("'{}' holds other files than a report", options.output),
+                        "choose a folder that does not exist");
     Grades grades;
     const Exit status = grade(options, grades);
     if (status != exit_fine) return status;
@@ -84,10 +80,7 @@ Exit run_grade(const GradeCommand& command) {
         return exit_fine;
     }
     const std::string wrong = write_report(grades, options.output);
-    if (!wrong.empty()) {
-        fmt::print(stderr, "snell: error: cannot write {}\n", utf8::printable(wrong));
-        return exit_input;
-    }
+    if (!wrong.empty()) return complain(exit_input, "cannot write " + wrong);
     fmt::print("{}: {} submissions, {} of them judged before\n",
                utf8::printable((std::filesystem::path(options.output) / "index.html").string()), grades.all.size(),
                kept);

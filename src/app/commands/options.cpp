@@ -5,14 +5,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "src/app/open/complain.h"
 #include "src/app/open/headless.h"
 #include "src/content/json.h"
+#include "src/content/whole_file.h"
 
 namespace snell::app {
 
@@ -50,8 +50,7 @@ std::string check_context(const std::string& text) {
 // Texts by path, as JSON.
 std::shared_ptr<const std::map<std::string, std::string>> texts_in(const std::string& file) {
     auto texts = std::make_shared<std::map<std::string, std::string>>();
-    std::ifstream stream(file, std::ios::binary);
-    const auto json = content::parse_json(std::string{std::istreambuf_iterator<char>(stream), {}});
+    const auto json = content::parse_json(content::whole_file(file));
     if (!json.is_object()) throw CLI::ValidationError("--instead", fmt::format("'{}' is not a JSON object", file));
     for (const auto& [path, text] : json.items())
         if (text.is_string()) texts->emplace(path, text.get<std::string>());
@@ -149,9 +148,8 @@ void add_time(CLI::App& command, double& seconds) {
 
 bool size_fits(const Size& size, const Limits& most) {
     if (!size || static_cast<std::uint64_t>(std::max(size->first, size->second)) <= most.output_side) return true;
-    fmt::print(stderr, "snell: error: {}x{} is too large\n   help: {}\n", size->first, size->second,
-               limit_help(most, &Limits::output_side));
-    return false;
+    return complain(fmt::format("{}x{} is too large", size->first, size->second),
+                    limit_help(most, &Limits::output_side));
 }
 
 }  // namespace snell::app

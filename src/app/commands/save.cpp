@@ -3,9 +3,9 @@
 
 #include <cstdio>
 
-#include "parser/text/utf8.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
@@ -25,21 +25,17 @@ struct SaveOptions {
     double timeout = 20;  // in seconds, for reading
 };
 
-Exit complain(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", utf8::printable(what));
-    return exit_input;
-}
-
 // Writes the scene's new text into another file.
 Exit write_copy(const Document& document, const Saved& saved, const std::string& output) {
     std::string text(document.sources.text(0));
     for (const SavedFile& file : saved.files) {
         if (file.path != document.path)
-            return complain(fmt::format("a value is in {}, which {} would still include", file.path, output));
+            return complain(exit_input,
+                            fmt::format("a value is in {}, which {} would still include", file.path, output));
         text = file.after;
     }
     const std::string error = content::replace_file(output, text);
-    return error.empty() ? exit_fine : complain(error);
+    return error.empty() ? exit_fine : complain(exit_input, error);
 }
 
 Exit save(const SaveOptions& options) {
@@ -66,12 +62,12 @@ Exit save(const SaveOptions& options) {
     if (problems.has_errors()) return exit_input;
 
     const Saved saved = saved_values(*document);
-    if (!saved.error.empty()) return complain(saved.error);
+    if (!saved.error.empty()) return complain(exit_input, saved.error);
     for (const Unwritten& value : saved.unwritten) complain(fmt::format("{}: {}", value.name, value.reason));
     if (!saved.unwritten.empty()) return exit_input;
     if (!options.output.empty()) return write_copy(*document, saved, options.output);
     const std::string error = write_saved(saved.files);
-    return error.empty() ? exit_fine : complain(error);
+    return error.empty() ? exit_fine : complain(exit_input, error);
 }
 
 }  // namespace

@@ -5,14 +5,15 @@
 #include <filesystem>
 
 #include "parser/text/utf8.h"
-#include "parser/text/words.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/page/gallery.h"
 #include "src/app/page/page.h"
 #include "src/content/replace.h"
 #include "src/document/view_text.h"
+#include "src/plan/locate.h"
 
 namespace snell::app {
 
@@ -38,32 +39,27 @@ std::string check_link(const std::string& text) {
 
 // Browsers show other files as text, and `-o x.glib` is a slip. Pipes and devices have the names that they have.
 std::string check_page_name(const std::string& name) {
+    if (has_extension(name, "html") || has_extension(name, "htm") || content::is_stream(name)) return "";
     const std::filesystem::path path(name);
-    const std::string ending = path.extension().string();
-    if (same_word(ending, ".html") || same_word(ending, ".htm") || content::is_stream(name)) return "";
     const std::string better =
-        (same_word(ending, ".glib") ? (path.parent_path() / path.stem()).string() : name) + ".html";
+        (has_extension(name, "glib") ? (path.parent_path() / path.stem()).string() : name) + ".html";
     return fmt::format("the name of a page ends with .html or .htm, but '{}' does not\n   help: -o '{}'",
                        utf8::printable(name), utf8::printable(better));
 }
 
-Exit misused(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", what);
-    return exit_usage;
-}
-
 Exit web(const WebOptions& options) {
     const PageOptions& page = options.page;
-    if (!options.gallery && options.names.size() > 1) return misused("a page has one scene; --gallery takes folders");
-    if (page.baked.size() > 2) return misused("--baked takes at most two sliders");
+    if (!options.gallery && options.names.size() > 1)
+        return complain(exit_usage, "a page has one scene; --gallery takes folders");
+    if (page.baked.size() > 2) return complain(exit_usage, "--baked takes at most two sliders");
     const Start& start = page.start;
     const bool one = !page.baked.empty() || !start.sets.empty() || !start.ladders.empty() || !start.view.empty() ||
                      !start.quality.empty() || !page.title.empty();
-    if (options.gallery && one) return misused("--gallery takes scenes as they are, without values");
+    if (options.gallery && one) return complain(exit_usage, "--gallery takes scenes as they are, without values");
     if (!size_fits(page.size, page.access.limits)) return exit_usage;
     if (options.gallery)
         return make_gallery({options.names, page.output, page.link, page.access, page.grade, page.timeout});
-    if (const std::string wrong = check_page_name(page.output); !wrong.empty()) return misused(wrong);
+    if (const std::string wrong = check_page_name(page.output); !wrong.empty()) return complain(exit_usage, wrong);
     PageOptions single = page;
     single.scene = options.names.front();
     return make_page(single);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "parser/text/ranges.h"
@@ -26,7 +25,7 @@ constexpr auto table = std::to_array<Kind>({
 std::vector<std::string> words_in(std::string_view name) {
     std::vector<std::string> words(1);
     for (const char c : name) {
-        const char small = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        const char small = lower(c);
         // Bytes of letters beyond ASCII belong to words, too.
         if ((small >= 'a' && small <= 'z') || static_cast<unsigned char>(c) >= 0x80)
             words.back() += small;

@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "src/app/create/create.h"
 #include "src/app/create/kinds.h"
 #include "src/app/open/command_text.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
 #include "src/content/replace.h"
 
@@ -25,11 +25,6 @@ namespace fs = std::filesystem;
 struct NewOptions {
     std::string name, kind;
 };
-
-Exit complain(Exit status, const std::string& what, const std::string& help) {
-    fmt::print(stderr, "snell: error: {}\n   help: {}\n", utf8::printable(what), utf8::printable(help));
-    return status;
-}
 
 // What is wrong with the name itself, and what to do; both empty if nothing is.
 struct Objection {

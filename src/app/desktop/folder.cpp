@@ -10,6 +10,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
+#include "src/plan/locate.h"
 #include "src/ui/panels/panels.h"
 
 namespace snell {
@@ -21,11 +22,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t most = 5000;  // entries; a folder may hold millions
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_scene(std::string_view name) {
-    constexpr std::string_view extension = ".glib";
-    return name.size() > extension.size() && same_word(name.substr(name.size() - extension.size()), extension);
-}
 
 std::string home() {
     const char* folder = std::getenv("HOME");
@@ -121,7 +117,7 @@ ui::Listing list_folder(const std::string& folder, bool all) {
         struct stat status {};
         if (stat(entry->path().c_str(), &status) != 0) continue;
         const bool is_folder = S_ISDIR(status.st_mode);
-        if (!is_folder && (!S_ISREG(status.st_mode) || (!all && !is_scene(name)))) continue;
+        if (!is_folder && (!S_ISREG(status.st_mode) || (!all && !has_extension(name, "glib")))) continue;
         listing.entries.push_back(
             {utf8::printable(name), entry->path().string(), is_folder,
              is_folder ? std::string() : ui::bytes_text(static_cast<std::uint64_t>(status.st_size)),

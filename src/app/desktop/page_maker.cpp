@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "parser/text/utf8.h"
-#include "parser/text/words.h"
+#include "src/plan/locate.h"
 
 extern char** environ;
 
@@ -35,8 +35,7 @@ std::string line_with(const std::string& output, std::string_view text) {
 }  // namespace
 
 std::string page_file(const std::string& name) {
-    const std::string ending = std::filesystem::path(name).extension().string();
-    return same_word(ending, ".html") || same_word(ending, ".htm") ? name : name + ".html";
+    return has_extension(name, "html") || has_extension(name, "htm") ? name : name + ".html";
 }
 
 PageMaker::~PageMaker() {

@@ -11,8 +11,8 @@
 #include "parser/text/utf8.h"
 #include "src/app/grade/judge.h"
 #include "src/app/grade/processes.h"
+#include "src/app/open/complain.h"
 #include "src/content/image/open_module.h"
-#include "src/content/replace.h"
 #include "src/content/workers.h"
 
 namespace snell::app {
@@ -20,11 +20,6 @@ namespace snell::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool trouble(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", what);
-    return false;
-}
 
 std::optional<Rubric> rubric_of(const std::string& path) {
     Sources sources;
@@ -64,15 +59,10 @@ private:
         std::error_code error;
         fs::create_directories(output_ / "students", error);
         if (!error) fs::create_directories(output_ / "reference", error);
-        if (error)
-            return trouble(
-                fmt::format("cannot make the folder '{}': {}", utf8::printable(options_.output), error.message()));
+        if (error) return complain(fmt::format("cannot make the folder '{}': {}", options_.output, error.message()));
         grades_.lock = lock_part(output_.string(), options_.shard, options_.shards);
-        return grades_.lock ||
-               trouble(
-                   fmt::format("another run of 'snell grade' writes into '{}'\n   help: wait until it has ended, or "
-                               "choose another folder",
-                               utf8::printable(options_.output)));
+        return grades_.lock || complain(fmt::format("another run of 'snell grade' writes into '{}'", options_.output),
+                                        "wait until it has ended, or choose another folder");
     }
 
     // What a process has written so far does not count as judged, not even if this process is killed.
@@ -185,7 +175,7 @@ private:
         if (shows) fmt::print(stderr, "\r\x1b[K");
         std::error_code error;
         fs::remove(output_ / ".unpacked", error);
-        return graphics || trouble("no graphics: nothing can be drawn");
+        return graphics || complain("no graphics: nothing can be drawn");
     }
 
     const GradeOptions& options_;

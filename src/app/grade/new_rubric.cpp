@@ -8,6 +8,7 @@
 #include "src/accuracy/difference.h"
 #include "src/app/grade/facts.h"
 #include "src/app/grade/grade.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/headless.h"
 #include "src/app/picture/picture.h"
@@ -213,21 +214,12 @@ slower = 4
 
 Exit write_new_rubric(const std::string& scene, const std::string& output) {
     std::error_code error;
-    if (!output.empty() && !content::is_stream(output) && fs::exists(output, error)) {
-        fmt::print(stderr, "snell: error: '{}' exists, and is not replaced\n   help: -o with another name\n",
-                   utf8::printable(output));
-        return exit_usage;
-    }
+    if (!output.empty() && !content::is_stream(output) && fs::exists(output, error))
+        return complain(exit_usage, fmt::format("'{}' exists, and is not replaced", output), "-o with another name");
     std::string text;
     const Exit status = NewRubric(scene, output).make(text);
     if (status != exit_fine) return status;
-    if (output.empty()) {
-        std::fwrite(text.data(), 1, text.size(), stdout);
-        return exit_fine;
-    }
-    const std::string wrong = content::replace_file(output, text);
-    if (!wrong.empty()) fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(output), wrong);
-    return wrong.empty() ? exit_fine : exit_input;
+    return write_output(output.empty() ? "/dev/stdout" : output, text) ? exit_fine : exit_input;
 }
 
 }  // namespace snell::app

@@ -1,4 +1,4 @@
-// What is known of a submission once it was judged: everything that reports need, as JSON beside its pictures.
+// What is known of a submission once it was judged: everything that reports need, as JSON next to its pictures.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct Record {
     std::size_t errors = 0, warnings = 0;
     double milliseconds = 0;         // of a frame; 0: not measured
     std::vector<Judged> items;       // in the order of the rubric's
-    std::vector<std::string> drawn;  // by picture of the rubric: its file beside the record; "" if it was not drawn
+    std::vector<std::string> drawn;  // by picture of the rubric: its file next to the record; "" if it was not drawn
     std::vector<std::string> maps;   // likewise, of the differences from the reference
     std::vector<Print> prints;
     std::vector<SourceText> texts;

@@ -7,15 +7,18 @@
 #include <map>
 
 #include "parser/text/ranges.h"
+#include "parser/text/tidy.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/app/grade/find_scene.h"
 #include "src/app/grade/report_folder.h"
 #include "src/app/grade/unpack.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/version.h"
 #include "src/app/picture/sha256.h"
 #include "src/content/regular_file.h"
 #include "src/document/document.h"
+#include "src/plan/locate.h"
 
 namespace snell::app {
 
@@ -23,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_scene(const fs::path& path) { return same_word(path.extension().string(), ".glib"); }
+bool is_scene(const fs::path& path) { return has_extension(path.native(), "glib"); }
 
 bool may_be_submission(const fs::path& path) {
     std::error_code error;
@@ -40,8 +43,8 @@ bool holds_work(const fs::path& path, const Rubric& rubric) {
     return !found.scene.empty() || !found.archives.empty() || found.several;
 }
 
-// What a folder holds if it is not a submission itself. Where scenes are next to folders, nobody can tell for certain,
-// so it is told.
+// What a folder holds if it is not a submission itself. Where scenes are next to folders, the choice is not certain,
+// so it is printed.
 std::vector<fs::path> submissions_of(const fs::path& folder, const Rubric& rubric) {
     std::error_code error;
     std::vector<fs::path> scenes, others, working;
@@ -86,16 +89,12 @@ std::string safe_name(const std::string& name) {
 // Of names that are equal, each gets its id. A folder of an earlier run keeps its name: another submission more or less
 // does not change it. Names that differ only in case would be one folder on some systems.
 void name_folders(std::vector<Submission>& submissions, const fs::path& students) {
-    const auto key = [](std::string name) {
-        for (char& c : name) c = lower(c);
-        return name;
-    };
     std::map<std::string, std::size_t> names;
-    for (const Submission& submission : submissions) ++names[key(safe_name(submission.name))];
+    for (const Submission& submission : submissions) ++names[lowered(safe_name(submission.name))];
     for (Submission& submission : submissions) {
         submission.folder = safe_name(submission.name);
         const std::string longer = submission.folder + "-" + submission.id;
-        const bool several = names[key(submission.folder)] > 1 &&
+        const bool several = names[lowered(submission.folder)] > 1 &&
                              submission_in((students / submission.folder).string()) != submission.id;
         if (several || submission.folder != submission.name ||
             submission_in((students / longer).string()) == submission.id)
@@ -132,7 +131,7 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
     std::error_code error;
     for (const std::string& argument : arguments) {
         if (!fs::exists(argument, error)) {
-            fmt::print(stderr, "snell: error: there is no submission '{}'\n", utf8::printable(argument));
+            complain(fmt::format("there is no submission '{}'", argument));
             return std::nullopt;
         }
         paths.emplace_back(argument);
@@ -146,9 +145,7 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
         submissions.push_back({absolute.string(), shown_name(path), {}, sha256(absolute.string()).substr(0, 6)});
     }
     if (submissions.empty()) {
-        fmt::print(stderr,
-                   "snell: error: there is nothing to grade\n   help: name folders, archives or scenes, or one folder "
-                   "that holds them\n");
+        complain("there is nothing to grade", "name folders, archives or scenes, or one folder that holds them");
         return std::nullopt;
     }
     std::sort(submissions.begin(), submissions.end(), [](const Submission& a, const Submission& b) {

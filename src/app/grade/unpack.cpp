@@ -12,6 +12,7 @@
 #include "src/content/archive/api.h"
 #include "src/content/load_module.h"
 #include "src/content/replace.h"
+#include "src/plan/locate.h"
 
 namespace snell::app {
 
@@ -149,9 +150,8 @@ private:
 }  // namespace
 
 bool is_archive(const std::string& path) {
-    constexpr std::array endings{".zip", ".tar", ".tgz", ".gz", ".xz", ".bz2", ".7z", ".rar", ".zst"};
-    const std::string ending = fs::path(path).extension().string();
-    return ranges::any_of(endings, [&](const char* e) { return same_word(ending, e); });
+    constexpr std::array endings{"zip", "tar", "tgz", "gz", "xz", "bz2", "7z", "rar", "zst"};
+    return ranges::any_of(endings, [&](const char* e) { return has_extension(path, e); });
 }
 
 Unpacked unpack(const std::string& archive, const std::string& folder, const UnpackLimits& limits) {

@@ -10,9 +10,9 @@
 #include "parser/commands/commands.h"
 #include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
 #include "src/app/help/pages.h"
 #include "src/app/help/program.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
 #include "src/lint/lint.h"
 
@@ -85,11 +85,9 @@ Exit help(const CLI::App& program, const std::string& name) {
     std::vector<std::string_view> known = subcommand_names();
     for (const auto& more : {explained_codes(), command_names()}) known.insert(known.end(), more.begin(), more.end());
     const std::string_view near = nearest(name, known);
-    fmt::print(stderr, "snell: error: there is no subcommand, command of the language or code '{}'\n   help: {}\n",
-               utf8::printable(name),
-               near.empty() ? "'snell help' lists the subcommands, 'snell commands' the language"
-                            : fmt::format("did you mean '{}'?", near));
-    return exit_usage;
+    return complain(exit_usage, fmt::format("there is no subcommand, command of the language or code '{}'", name),
+                    near.empty() ? "'snell help' lists the subcommands, 'snell commands' the language"
+                                 : fmt::format("did you mean '{}'?", near));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // `snell format`: lays out the text of scenes.
 #include "src/language/format.h"
+#include "src/app/open/complain.h"
 
 #include <fmt/format.h>
 
@@ -46,26 +47,20 @@ std::optional<std::string> read_standard_input(std::string& error) {
 // Why the text is not formatted: it is not that of a scene.
 std::string unfit(const std::string& path, std::string_view text) {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "the text is UTF-16: save it as UTF-8";
-    for (const Stage stage :
-         {Stage::vertex, Stage::tess_control, Stage::tess_evaluation, Stage::geometry, Stage::fragment})
-        for (const std::string_view extension : stage_extensions(stage))
-            if (path.ends_with(fmt::format(".{}", extension))) return "it is a shader; 'snell format' formats scenes";
-    return {};
+    return is_shader_name(path) ? "it is a shader; 'snell format' formats scenes" : "";
 }
 
 // Returns the exit status for this file.
 Exit format_one(const std::string& path, bool check) {
     const bool piped = path == standard_input;
-    const auto complain = [&](const std::string& what) {
-        fmt::print(stderr, "snell: error: {}: {}\n", piped ? "standard input" : utf8::printable(path),
-                   utf8::printable(what));
-        return exit_input;
+    const auto refuse = [&](const std::string& what) {
+        return complain(exit_input, fmt::format("{}: {}", piped ? "standard input" : path, what));
     };
     std::string error;
     const auto text =
         piped ? read_standard_input(error) : content::read_regular_file(path, Limits{}.text_bytes, {}, error);
-    if (!text) return complain(error);
-    if (error = unfit(path, *text); !error.empty()) return complain(error);
+    if (!text) return refuse(error);
+    if (error = unfit(path, *text); !error.empty()) return refuse(error);
     const std::string now = language::formatted(*text);
     if (check) {
         if (now == *text) return exit_fine;
@@ -79,7 +74,7 @@ Exit format_one(const std::string& path, bool check) {
     if (now == *text) return exit_fine;
     error = write_saved({{path, *text, now}});
     if (error.starts_with(path + ": ")) error.erase(0, path.size() + 2);
-    return error.empty() ? exit_fine : complain(error);
+    return error.empty() ? exit_fine : refuse(error);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder of the pages: beside an installed program, or in the folder of the sources.
+// The folder of the pages: next to an installed program, or in the folder of the sources.
 fs::path docs_folder() {
     std::error_code none;
     const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <memory>
+#include "src/server/wire/pipes.h"
 
 namespace snell {
 
@@ -55,15 +56,6 @@ struct Lines {
     std::string begun;  // a line whose end has not come yet
 };
 
-bool write_all(int file, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t done = write(file, text.data(), text.size());
-        if (done < 0 && errno != EINTR) return false;
-        if (done > 0) text.remove_prefix(static_cast<std::size_t>(done));
-    }
-    return true;
-}
-
 ssize_t take(void* cookie, const char* bytes, std::size_t count) {
     Lines& lines = *static_cast<Lines*>(cookie);
     std::string out;
@@ -79,12 +71,12 @@ ssize_t take(void* cookie, const char* bytes, std::size_t count) {
         out += lines.begun;
         lines.begun.clear();
     }
-    return write_all(lines.file, out) ? static_cast<ssize_t>(count) : 0;
+    return server::write_all(lines.file, out) ? static_cast<ssize_t>(count) : 0;
 }
 
 int finish(void* cookie) {
     const std::unique_ptr<Lines> lines(static_cast<Lines*>(cookie));
-    return write_all(lines->file, lines->begun) ? 0 : EOF;
+    return server::write_all(lines->file, lines->begun) ? 0 : EOF;
 }
 
 }  // namespace

@@ -7,19 +7,11 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <string_view>
+#include "src/server/wire/pipes.h"
 
 namespace snell::app {
 
 namespace {
-
-void write_all(int pipe, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = write(pipe, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) return;
-        if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-}
 
 std::string read_all(int pipe) {
     std::string bytes;
@@ -42,7 +34,7 @@ Apart apart(const std::function<int(std::string& result)>& work) {
         close(ends[0]);
         std::string result;
         const int status = work(result);
-        write_all(ends[1], result);
+        server::write_all(ends[1], result);
         std::fflush(nullptr);
         _exit(status);
     }

@@ -8,7 +8,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
-#include "parser/text/words.h"
+#include "src/app/open/complain.h"
 #include "src/app/page/apart.h"
 #include "src/app/page/encoder.h"
 #include "src/app/page/gallery_index.h"
@@ -18,20 +18,17 @@
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
+#include "src/content/base64.h"
 #include "src/content/image/open_module.h"
 #include "src/content/replace.h"
 #include "src/content/whole_file.h"
+#include "src/plan/locate.h"
 
 namespace snell::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-bool wrong(const std::string& what) {
-    fmt::print(stderr, "snell: error: {}\n", what);
-    return false;
-}
 
 // Sorted by name, so that the index does not depend on the file system.
 bool find_scenes(const std::vector<std::string>& folders, std::vector<Exhibit>& exhibits) {
@@ -40,20 +37,20 @@ bool find_scenes(const std::vector<std::string>& folders, std::vector<Exhibit>& 
         std::error_code error;
         const std::size_t first = exhibits.size();
         fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
-        if (error)
-            return wrong(fmt::format("cannot read the folder '{}': {}", utf8::printable(folder), error.message()));
+        if (error) return complain(fmt::format("cannot read the folder '{}': {}", folder, error.message()));
         for (; !error && entry != end; entry.increment(error)) {
             const fs::path& path = entry->path();
-            if (!same_word(path.extension().string(), ".glib") || !entry->is_regular_file(error)) continue;
+            if (!has_extension(path.native(), "glib") || !entry->is_regular_file(error)) continue;
             if (!known.insert(fs::weakly_canonical(path, error)).second) continue;
             exhibits.push_back({path.lexically_normal().string(), folder, {}});
         }
         std::sort(exhibits.begin() + static_cast<std::ptrdiff_t>(first), exhibits.end(),
                   [](const Exhibit& a, const Exhibit& b) { return a.scene < b.scene; });
     }
-    if (exhibits.empty()) return wrong("there are no scenes in these folders");
+    if (exhibits.empty()) return complain("there are no scenes in these folders");
     if (exhibits.size() > most_gallery_scenes)
-        return wrong(fmt::format("{} scenes are too many: a gallery takes {}", exhibits.size(), most_gallery_scenes));
+        return complain(
+            fmt::format("{} scenes are too many: a gallery takes {}", exhibits.size(), most_gallery_scenes));
     return true;
 }
 
@@ -71,7 +68,7 @@ std::string small_picture(const OpenedScene& opened) {
         thumbnail(draw_picture(runtime, frame, target, {.width = w, .height = h}, {}), false);
     EncodedPicture made = encoded(picture, false);
     if (!made.error.empty()) made = encoded(picture, true);  // without OpenImageIO
-    return fmt::format("data:image/{};base64,{}", made.extension, base64(made.bytes));
+    return fmt::format("data:image/{};base64,{}", made.extension, content::base64(made.bytes));
 }
 
 // Makes the page of one scene and its row of the index, in a process of its own: scenes of a class may take forever,
@@ -117,8 +114,7 @@ private:
         const std::string failed =
             text ? content::replace_file(file, *text) : "the browser's part of snell is of another version";
         if (failed.empty()) return exit_fine;
-        wrong(fmt::format("cannot write '{}': {}", utf8::printable(file), failed));
-        return exit_input;
+        return complain(exit_input, fmt::format("cannot write '{}': {}", file, failed));
     }
 
     // A scene that only browsers cannot draw has a picture all the same; the errors of another one are these.
@@ -176,10 +172,8 @@ bool replaces_only_its_own(const std::vector<std::string>& outputs) {
     for (const std::string& file : outputs) {
         std::error_code error;
         if (!fs::exists(file, error) || made_by_gallery(file)) continue;
-        good =
-            wrong(fmt::format("'{}' would be replaced, but it is not a file of a gallery\n"
-                              "   help: choose another folder, or move the file",
-                              utf8::printable(file)));
+        good = complain(fmt::format("'{}' would be replaced, but it is not a file of a gallery", file),
+                        "choose another folder, or move the file");
     }
     return good;
 }
@@ -211,10 +205,8 @@ Exit check_gallery(const GalleryOptions& options, const std::vector<Exhibit>& ex
     if (!replaces_only_its_own(outputs)) return exit_usage;
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) {
-        wrong(fmt::format("cannot make the folder '{}': {}", utf8::printable(options.output), error.message()));
-        return exit_input;
-    }
+    if (error)
+        return complain(exit_input, fmt::format("cannot make the folder '{}': {}", options.output, error.message()));
     return check_outputs(std::vector{outputs.front()}, {});
 }
 
@@ -225,7 +217,7 @@ Exit make_gallery(const GalleryOptions& options) {
     const std::string page = web_file("gallery.html", error);
     const std::string runtime = error.empty() ? web_file("runtime.js", error) : "";
     std::vector<Exhibit> exhibits;
-    if (!error.empty()) wrong(error);
+    if (!error.empty()) complain(error);
     if (!error.empty() || !find_scenes(options.folders, exhibits)) return exit_input;
     name_pages(exhibits);
     if (const Exit refused = check_gallery(options, exhibits); refused != exit_fine) return refused;
@@ -241,7 +233,7 @@ Exit make_gallery(const GalleryOptions& options) {
     if (error.empty()) error = content::replace_file((folder / "index.html").string(), gallery_index(rows));
     for (std::size_t i = 0; i < rows.size() && error.empty(); ++i)
         if (!rows[i].error.empty()) error = remove_old_page(folder / exhibits[i].page);
-    if (!error.empty()) return wrong(error) ? exit_fine : exit_input;
+    if (!error.empty()) return complain(exit_input, error);
     const auto pages = ranges::count_if(rows, [](const GalleryRow& row) { return row.error.empty(); });
     fmt::print("{}: {} of {} scenes have pages\n", utf8::printable((folder / "index.html").string()), pages,
                rows.size());

@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "parser/text/words.h"
 #include "src/app/page/html.h"
-#include "src/app/page/pack.h"
-#include "src/app/picture/sha256.h"
 #include "src/content/json.h"
+#include "src/server/wire/uri.h"
 
 namespace snell::app {
 
@@ -29,26 +26,7 @@ a:focus-visible { outline: 3px solid currentColor; outline-offset: 2px; }
 p { margin: .25rem 0; font-size: .875rem; color: var(--error); }
 )";
 
-std::string style_hash() {
-    const std::string hex = sha256(index_style);
-    std::string bytes;
-    for (std::size_t at = 0; at < hex.size(); at += 2)
-        bytes += static_cast<char>(std::strtol(hex.substr(at, 2).c_str(), nullptr, 16));
-    return base64(bytes);
-}
-
 constexpr std::string_view made_by = "<meta name=\"generator\" content=\"snell\">";
-
-// Names hold any characters; in an address, those that may have a meaning there are escaped.
-std::string address_of(std::string_view name) {
-    std::string address;
-    for (const char c : name) {
-        const bool plain = (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') ||
-                           std::string_view("-._~").find(c) != std::string_view::npos;
-        address += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-    return address;
-}
 
 constexpr std::string_view runtime_mark = "// All pages of this gallery share this file. snell made it.\n";
 
@@ -59,7 +37,7 @@ std::string gallery_item(const GalleryRow& row) {
     if (!row.picture.empty()) shown = fmt::format("<img alt=\"Picture of {}\" src=\"{}\">", title, row.picture);
     const std::string heading = fmt::format("<h2>{}</h2>", title);
     if (row.error.empty())
-        return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", address_of(row.page), shown, heading);
+        return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", server::escaped_address(row.page), shown, heading);
     return fmt::format("<li>{}{}<p>Not in the browser: {}</p></li>\n", shown, heading, html_text(row.error));
 }
 
@@ -90,7 +68,7 @@ std::string gallery_index(const std::vector<GalleryRow>& rows) {
         "'sha256-{}'; base-uri 'none'; form-action 'none'\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{}\n<title>Scenes</title>\n"
         "<style>{}</style>\n</head>\n<body>\n<main>\n<h1>Scenes</h1>\n<ul>\n",
-        style_hash(), made_by, index_style);
+        policy_hash(index_style), made_by, index_style);
     for (const GalleryRow& row : rows) page += gallery_item(row);
     return page + "</ul>\n</main>\n</body>\n</html>\n";
 }

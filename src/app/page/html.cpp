@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/utf8.h"
-#include "src/content/replace.h"
+#include "src/app/picture/sha256.h"
+#include "src/content/base64.h"
 #include "src/content/whole_file.h"
 
 namespace snell::app {
@@ -46,6 +47,14 @@ std::string web_file(const std::string& name, std::string& error) {
         "sources builds it, before snell is installed",
         utf8::printable((folders.back() / name).lexically_normal().string()));
     return {};
+}
+
+std::string policy_hash(std::string_view text) {
+    const std::string hex = sha256(text);
+    std::string bytes;
+    for (std::size_t at = 0; at < hex.size(); at += 2)
+        bytes += static_cast<char>(std::strtol(hex.substr(at, 2).c_str(), nullptr, 16));
+    return content::base64(bytes);
 }
 
 std::string html_text(std::string_view text) {

@@ -24,6 +24,5 @@ std::string archive(std::span<const PackedFile> files);
 
 // The same bytes give the same text: no time and no name is in it.
 std::string gzipped(std::string_view bytes);
-std::string base64(std::string_view bytes);
 
 }  // namespace snell::app

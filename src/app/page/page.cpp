@@ -9,10 +9,11 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
+#include "src/app/open/complain.h"
 #include "src/app/page/html.h"
 #include "src/app/page/scene_files.h"
 #include "src/app/picture/outputs.h"
-#include "src/content/replace.h"
+#include "src/content/base64.h"
 #include "src/plan/identity.h"
 #include "src/plan/plan.h"
 
@@ -21,11 +22,6 @@ namespace snell::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Exit refuse(const std::string& what, Exit status = exit_input) {
-    fmt::print(stderr, "snell: error: {}\n", what);
-    return status;
-}
 
 std::string title_for(const std::string& scene, const std::string& title) {
     return utf8::printable(title.empty() ? std::filesystem::path(scene).stem().string() : title);
@@ -54,10 +50,10 @@ Exit report_unfit(const PageOptions& options, PageContexts& contexts, const Open
     const OpenedScene native = opened_scene(options.scene, options.start, *caps, access);
     fmt::print(stderr, "{}", native.fits ? in_page.text : native.text);
     if (!native.fits) return exit_input;
-    return refuse(
-        fmt::format("a browser cannot draw '{}': it has WebGL 2, which lacks what the errors above name\n"
-                    "   help: --baked SLIDER makes a page of pictures instead",
-                    utf8::printable(options.scene)));
+    return complain(exit_input,
+                    fmt::format("a browser cannot draw '{}': it has WebGL 2, which lacks what the errors above name",
+                                options.scene),
+                    "--baked SLIDER makes a page of pictures instead");
 }
 
 PageParts baked_parts(const PageOptions& options, const gl::Caps& caps, OpenedScene& opened, const Access& access,
@@ -73,7 +69,7 @@ PageParts baked_parts(const PageOptions& options, const gl::Caps& caps, OpenedSc
     Json json = scene_json(name, parts.title, options.link, {});
     json["baked"] = std::move(pictures.json);
     parts.scene = script_json(json);
-    parts.archive = base64(gzipped(archive(pictures.pictures)));
+    parts.archive = content::base64(gzipped(archive(pictures.pictures)));
     return parts;
 }
 
@@ -170,14 +166,14 @@ PageParts page_parts(const std::string& scene, const std::string& title, const s
     PageParts parts{title_for(scene, title), {}, {}, sizes_of(files.files), files.error};
     if (!parts.error.empty()) return parts;
     parts.scene = script_json(scene_json(files.scene, parts.title, link, start_texts(*opened.document, opened.view)));
-    parts.archive = base64(gzipped(archive(files.files)));
+    parts.archive = content::base64(gzipped(archive(files.files)));
     return parts;
 }
 
 Exit make_page(const PageOptions& options) {
     std::string error;
     const std::string page = web_file("page.html", error);
-    if (!error.empty()) return refuse(error);
+    if (!error.empty()) return complain(exit_input, error);
     Deadline deadline(options.timeout);
     deadline.begin(fmt::format("reading '{}'", options.scene));
     const Access access = access_to(options.scene, options.access, options.grade);
@@ -187,16 +183,13 @@ Exit make_page(const PageOptions& options) {
     Exit status = exit_fine;
     const std::optional<PageParts> parts = parts_of_page(options, access, deadline, status);
     if (!parts) return status;
-    if (!parts->error.empty()) return refuse(parts->error);
+    if (!parts->error.empty()) return complain(exit_input, parts->error);
     deadline.begin("writing the page");
     const auto text = filled_page(page, {parts->title, parts->scene, parts->archive, options.baked.empty()});
     if (!text)
-        return refuse(
-            "the browser's part of snell is of another version\n   help: './dev web' in the folder of snell's sources "
-            "builds it "
-            "again");
-    if (error = content::replace_file(options.output, *text); !error.empty())
-        return refuse(fmt::format("cannot write '{}': {}", utf8::printable(options.output), error));
+        return complain(exit_input, "the browser's part of snell is of another version",
+                        "'./dev web' in the folder of snell's sources builds it again");
+    if (!write_output(options.output, *text)) return exit_input;
     if (has_room_for_list(options.output)) list_files(options, *parts, text->size());
     return exit_fine;
 }

@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "src/app/open/complain.h"
 #include "src/content/replace.h"
 
 namespace snell::app {
@@ -54,8 +54,7 @@ bool distinct_outputs(std::span<const std::string> outputs, std::span<const std:
         const std::string what = !other->second           ? "is read, and would be overwritten"
                                  : *other->second == file ? "would be two outputs"
                                                           : fmt::format("and '{}' would be one file", *other->second);
-        fmt::print(stderr, "snell: error: '{}' {}\n   help: give each output a name of its own\n",
-                   utf8::printable(file), utf8::printable(what));
+        complain(fmt::format("'{}' {}", file, what), "give each output a name of its own");
     }
     return distinct;
 }
@@ -65,9 +64,7 @@ Exit check_outputs(std::span<const std::string> outputs, std::span<const std::st
     Exit status = exit_fine;
     for (const std::string& file : outputs) {
         const std::string wrong = file.empty() ? "" : content::check_place(file);
-        if (wrong.empty()) continue;
-        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(file), utf8::printable(wrong));
-        status = exit_input;
+        if (!wrong.empty()) status = complain(exit_input, fmt::format("cannot write '{}': {}", file, wrong));
     }
     return status;
 }

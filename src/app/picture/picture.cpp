@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 
-#include "parser/text/ranges.h"
-#include "parser/text/words.h"
+#include "src/plan/locate.h"
 
 namespace snell::app {
 
@@ -14,11 +12,10 @@ namespace {
 
 template <class Channel>
 content::Image picture_of(const std::vector<Channel>& pixels, int width, int channels) {
-    content::Image image;
-    image.width = width;
-    image.channels = channels;
-    image.type = sizeof(Channel) == 1 ? content::PixelType::u8 : content::PixelType::f32;
-    image.height = static_cast<int>(pixels.size() / static_cast<std::size_t>(width * channels));
+    content::Image image{.width = width,
+                         .height = static_cast<int>(pixels.size() / static_cast<std::size_t>(width * channels)),
+                         .channels = channels,
+                         .type = sizeof(Channel) == 1 ? content::PixelType::u8 : content::PixelType::f32};
     image.pixels.resize(pixels.size() * sizeof(Channel));
     std::memcpy(image.pixels.data(), pixels.data(), image.pixels.size());
     return image;
@@ -94,23 +91,13 @@ content::Image drawn(Runtime& runtime, Frame frame, const Surface& surface, bool
     return picture_of(pixels, width, 4);
 }
 
-std::string extension_of(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    ranges::transform(extension, extension.begin(), lower);
-    return extension;
-}
-
 }  // namespace
 
 bool holds_floats(const std::string& path) {
-    const std::string extension = extension_of(path);
-    return extension == ".exr" || extension == ".hdr" || extension == ".pfm";
+    return has_extension(path, "exr") || has_extension(path, "hdr") || has_extension(path, "pfm");
 }
 
-bool holds_alpha(const std::string& path) {
-    const std::string extension = extension_of(path);
-    return extension == ".png" || extension == ".exr";
-}
+bool holds_alpha(const std::string& path) { return has_extension(path, "png") || has_extension(path, "exr"); }
 
 content::Image draw_picture(Runtime& runtime, Frame frame, const gl::Target& target, Surface surface,
                             const PictureKind& kind) {

@@ -13,10 +13,7 @@ constexpr int largest = 160, gap = 4;
 constexpr std::uint8_t paper = 32;
 
 content::Image blank(int width, int height, std::uint8_t gray) {
-    content::Image image;
-    image.width = width;
-    image.height = height;
-    image.channels = 3;
+    content::Image image{.width = width, .height = height, .channels = 3};
     image.pixels.assign(image.bytes(), std::byte{gray});
     return image;
 }

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "parser/text/utf8.h"
 #include "src/app/desktop/folder.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/window/app.h"
 
@@ -38,21 +38,16 @@ int run_window(const WindowOptions& options) {
     if (carried) begin_with(*carried, now);
     std::error_code none;
     if (!carried && !now.scene.empty() && !std::filesystem::is_regular_file(now.scene, none) && !is_folder(now.scene)) {
-        fmt::print(stderr, "snell: error: cannot read '{}'\n", utf8::printable(options.scene));
-        return app::exit_input;
+        return complain(app::exit_input, fmt::format("cannot read '{}'", options.scene));
     }
     Past past(kept_folder(settings_file()));
     while (true) {
         std::string error;
         std::unique_ptr<Window> window = Window::make({.title = title_of(now.scene)}, error);
-        if (!window && now.scene.empty()) {
-            fmt::print(stderr, "snell: error: no scene given, and no window to choose one in: {}\n", error);
-            return app::exit_usage;
-        }
-        if (!window) {
-            fmt::print(stderr, "snell: error: no window: {}\n  help: 'snell render' draws without a display\n", error);
-            return app::exit_graphics;
-        }
+        if (!window && now.scene.empty())
+            return complain(app::exit_usage, "no scene given, and no window to choose one in: " + error);
+        if (!window)
+            return complain(app::exit_graphics, "no window: " + error, "'snell render' draws without a display");
         App app(now, std::move(window), restart, carried ? &*carried : nullptr, past);
         app.run(carried && carried->recovery.edited);
         if (!app.lost()) return app.readable() ? app::exit_fine : app::exit_input;

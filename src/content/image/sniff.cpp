@@ -1,6 +1,7 @@
 // Recognises the format of a file by its first bytes or its name.
 #include <algorithm>
 
+#include "parser/text/tidy.h"
 #include "src/content/image/formats.h"
 
 namespace snell::content {
@@ -78,11 +79,7 @@ std::string extension_of(std::string_view path) {
     const std::size_t name = path.find_last_of("/\\") + 1;
     const std::size_t dot = path.rfind('.');
     if (dot == std::string_view::npos || dot < name) return {};
-    std::string extension(path.substr(dot + 1));
-    for (char& c : extension) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return extension;
+    return lowered(path.substr(dot + 1));
 }
 
 std::string_view format_of_extension(std::string_view extension) {

@@ -2,6 +2,7 @@
 #include "src/glsl/read/parse.h"
 
 #include "parser/text/ranges.h"
+#include "parser/text/tidy.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
@@ -98,7 +99,7 @@ bool Parser::layout(Qualifiers& q) {
     if (!accept("(")) return false;
     while (!at_end() && !is(")")) {
         LayoutItem item;
-        for (const char c : text()) item.name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        item.name = lowered(text());
         ++p_;
         if (accept("=")) {
             while (!at_end() && !is(",") && !is(")")) {

@@ -3,19 +3,13 @@
 #include <charconv>
 
 #include "parser/text/ranges.h"
+#include "parser/text/tidy.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::glsl {
 
 namespace {
-
-std::string lower(std::string_view s) {
-    std::string out(s);
-    for (char& c : out)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return out;
-}
 
 std::optional<Attribute> by_exact_name(std::string_view name) {
     static const std::vector<AttributeName> names = attribute_names();
@@ -25,7 +19,7 @@ std::optional<Attribute> by_exact_name(std::string_view name) {
 }
 
 std::optional<Attribute> by_words(std::string_view name) {
-    const std::string s = lower(name);
+    const std::string s = lowered(name);
     const auto has = [&](std::string_view part) { return s.find(part) != std::string::npos; };
     if (has("bitan") || has("binorm")) return std::nullopt;
     if (has("tang")) return Attribute::tangent;

@@ -1,6 +1,7 @@
 // Stages that a program leaves out, and layouts that a geometry shader leaves to the application.
 #include <algorithm>
 
+#include "parser/text/tidy.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::glsl {
@@ -37,10 +38,7 @@ bool layout_has(const Unit& u, Storage storage, std::initializer_list<std::strin
 
 std::string primitive(std::string_view gl_name, std::string_view otherwise) {
     if (gl_name.starts_with("gl_") || gl_name.starts_with("GL_")) gl_name.remove_prefix(3);
-    std::string name(gl_name.empty() ? otherwise : gl_name);
-    for (char& c : name)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return name;
+    return lowered(gl_name.empty() ? otherwise : gl_name);
 }
 
 std::string input_primitive(const Options& options) {

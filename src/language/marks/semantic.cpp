@@ -1,10 +1,13 @@
 // What each word is, for editors that colour it.
 #include <algorithm>
+#include <array>
 
+#include "parser/names.h"
 #include "parser/text/number.h"
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/glsl/read/words.h"
-#include "src/language/names/texts.h"
+#include "src/language/names/links.h"
 #include "src/language/services.h"
 
 namespace snell::language {
@@ -77,11 +80,9 @@ private:
         mark(token, Type::enum_member);
     }
     static bool is_choice(const Command& command, std::string_view word) {
-        for (const Parameter& parameter : command.signature.parameters)
-            if (parameter.kind == ArgumentKind::choice)
-                for (const std::string_view choice : split(parameter.choices, '/'))
-                    if (same_word(choice, word)) return true;
-        return false;
+        return ranges::any_of(command.signature.parameters, [&](const Parameter& parameter) {
+            return parameter.kind == ArgumentKind::choice && find_choice(parameter.choices, word) >= 0;
+        });
     }
 
     void uniforms(const SceneStatement& statement, std::size_t from) {
@@ -103,8 +104,7 @@ private:
 
 class ShaderTokens {
 public:
-    ShaderTokens(Texts& texts, FileId file) : o_(texts.outline(file)) {
-        for (const FileId one : texts.together(file)) files_.push_back(&texts.outline(one));
+    ShaderTokens(Texts& texts, FileId file) : texts_(texts), o_(texts.outline(file)) {
         for (const Ladder& ladder : texts.project.scene().ladders) ladders_.push_back(ladder.name);
     }
 
@@ -124,43 +124,21 @@ private:
         std::uint8_t modifiers = 0;
     };
 
-    static Look look_of(Kind kind) {
-        switch (kind) {
-            case Kind::uniform:
-            case Kind::constant:
-                return {Type::variable, SemanticToken::readonly};
-            case Kind::parameter:
-                return {Type::parameter, 0};
-            case Kind::function:
-                return {Type::function, 0};
-            case Kind::structure:
-            case Kind::block:
-                return {Type::type, 0};
-            case Kind::member:
-                return {Type::property, 0};
-            case Kind::macro:
-                return {Type::macro, 0};
-            default:
-                return {};
-        }
+    static Look look_of(const ShaderDeclaration& declaration) {
+        const Kind kind = declaration.kind;
+        // In the order of ShaderDeclaration::Kind.
+        constexpr std::array types{Type::variable, Type::variable, Type::variable,  Type::variable,
+                                   Type::variable, Type::variable, Type::parameter, Type::function,
+                                   Type::type,     Type::property, Type::type,      Type::macro};
+        const bool fixed = kind == Kind::uniform || kind == Kind::constant;
+        return {types[static_cast<std::size_t>(kind)], static_cast<std::uint8_t>(fixed ? SemanticToken::readonly : 0)};
     }
 
     Look look_global(std::string_view name) {
         const auto known = looks_.find(name);
         if (known != looks_.end()) return known->second;
-        Look look;
-        bool declared = false;
-        for (const Outline* outline : files_) {
-            for (const std::uint32_t at : outline->uses(name)) {
-                const ShaderToken& token = outline->tokens[at];
-                if (!token.declares) continue;
-                look = look_of(outline->declarations[static_cast<std::size_t>(token.declaration)].kind);
-                declared = true;
-                break;
-            }
-            if (declared) break;
-        }
-        if (!declared) look = look_of_language(name);
+        const std::vector<DeclaredPlace> declared = declarations(texts_, o_.file, name);
+        const Look look = declared.empty() ? look_of_language(name) : look_of(*declared.front().declaration);
         return looks_.emplace(name, look).first->second;
     }
 
@@ -190,7 +168,7 @@ private:
             case ShaderToken::Role::member:
                 return made({Type::property, 0});
             case ShaderToken::Role::local:
-                return made(look_of(o_.declarations[static_cast<std::size_t>(token.declaration)].kind));
+                return made(look_of(o_.declaration(token)));
             case ShaderToken::Role::global:
                 return made(look_global(word));
             default:
@@ -198,8 +176,8 @@ private:
         }
     }
 
+    Texts& texts_;
     const Outline& o_;
-    std::vector<const Outline*> files_;
     std::vector<std::string_view> ladders_;
     std::unordered_map<std::string_view, Look> looks_;
     std::vector<SemanticToken> found_;

@@ -1,5 +1,6 @@
 // The outline of a scene or a shader.
 #include <algorithm>
+#include <array>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
@@ -132,23 +133,11 @@ private:
 };
 
 Symbol::Kind symbol_kind(Kind kind) {
-    switch (kind) {
-        case Kind::uniform:
-            return Symbol::Kind::uniform;
-        case Kind::constant:
-            return Symbol::Kind::constant;
-        case Kind::function:
-            return Symbol::Kind::function;
-        case Kind::structure:
-        case Kind::block:
-            return Symbol::Kind::structure;
-        case Kind::member:
-            return Symbol::Kind::member;
-        case Kind::macro:
-            return Symbol::Kind::macro;
-        default:
-            return Symbol::Kind::variable;
-    }
+    using enum Symbol::Kind;
+    // In the order of ShaderDeclaration::Kind.
+    constexpr std::array kinds{uniform,  variable, variable,  variable, variable,  constant,
+                               variable, function, structure, member,   structure, macro};
+    return kinds[static_cast<std::size_t>(kind)];
 }
 
 std::vector<Symbol> shader_symbols(const Outline& outline) {
@@ -164,7 +153,7 @@ std::vector<Symbol> shader_symbols(const Outline& outline) {
                       std::string(outline.text.substr(d->parameters_begin, d->parameters_end - d->parameters_begin)) +
                       ")";
         Symbol made{symbol_kind(d->kind), std::string(d->name), std::move(detail), Span{outline.file, d->begin, d->end},
-                    outline.span(outline.tokens[d->token])};
+                    outline.span(*d)};
         const bool inside = !all.empty() && made.span.begin >= all.back().span.begin &&
                             made.span.end <= all.back().span.end && all.back().kind == Symbol::Kind::structure;
         (inside ? all.back().children : all).push_back(std::move(made));

@@ -10,10 +10,7 @@ namespace {
 using Kind = ShaderDeclaration::Kind;
 using What = Named::What;
 
-Span name_span(Texts& texts, const DeclaredPlace& place) {
-    const Outline& outline = texts.outline(place.file);
-    return outline.span(outline.tokens[place.declaration->token]);
-}
+Span name_span(Texts& texts, const DeclaredPlace& place) { return texts.outline(place.file).span(*place.declaration); }
 
 void add(std::vector<Span>& found, const Span& span) {
     if (ranges::find(found, span) == found.end()) found.push_back(span);
@@ -58,7 +55,7 @@ std::vector<Span> of_member(Texts& texts, const Named& named) {
     for (const FileId file : texts.together(named.span.file)) {
         const Outline& outline = texts.outline(file);
         for (const ShaderDeclaration& d : outline.declarations)
-            if (d.kind == Kind::member && d.name == named.name) add(found, outline.span(outline.tokens[d.token]));
+            if (d.kind == Kind::member && d.name == named.name) add(found, outline.span(d));
     }
     return found;
 }
@@ -72,8 +69,7 @@ std::vector<Span> definition(const Project& project, FileId file, std::uint32_t 
     switch (named.what) {
         case What::local: {
             const Outline& outline = texts.outline(file);
-            found.push_back(
-                outline.span(outline.tokens[outline.declarations[static_cast<std::size_t>(named.declaration)].token]));
+            found.push_back(outline.span(outline.declarations[static_cast<std::size_t>(named.declaration)]));
             break;
         }
         case What::global:

@@ -57,7 +57,7 @@ private:
                 result.used = true;
                 const ShaderToken& token = outline.tokens[at];
                 if (!token.declares) continue;
-                const Kind kind = outline.declarations[static_cast<std::size_t>(token.declaration)].kind;
+                const Kind kind = outline.declaration(token).kind;
                 result.declared = true;
                 result.uniform = result.uniform || kind == Kind::uniform;
                 // What a vertex shader takes, and a fragment shader gives, passes between no stages.
@@ -123,14 +123,26 @@ void tidy(std::vector<Place>& found) {
         found.end());
 }
 
+void add_uses(Texts& texts, FileId file, std::string_view name, std::vector<Place>& found) {
+    const Outline& outline = texts.outline(file);
+    for (const std::uint32_t at : outline.uses(name))
+        found.push_back({outline.span(outline.tokens[at]), outline.tokens[at].declares, false});
+}
+
 std::vector<Place> ladder_places(Texts& texts, const Named& named) {
     const Ladder& ladder = texts.project.scene().ladders[named.ladder];
     std::vector<Place> found{{texts.first(named.rung ? ladder.rung_spans[*named.rung] : ladder.name_span), true, true}};
     const std::string macro = named.rung ? ladder.name + "_" + ladder.rungs[*named.rung] : ladder.name;
-    for (const Shader& shader : texts.project.shaders) {
-        const Outline& outline = texts.outline(shader.file);
-        for (const std::uint32_t at : outline.uses(macro))
-            found.push_back({outline.span(outline.tokens[at]), false, false});
+    for (const Shader& shader : texts.project.shaders) add_uses(texts, shader.file, macro, found);
+    return found;
+}
+
+std::vector<DeclaredPlace> declared_in(Texts& texts, const std::vector<FileId>& files, std::string_view name) {
+    std::vector<DeclaredPlace> found;
+    for (const FileId file : files) {
+        const Outline& outline = texts.outline(file);
+        for (const std::uint32_t at : outline.uses(name))
+            if (outline.tokens[at].declares) found.push_back({file, &outline.declaration(outline.tokens[at])});
     }
     return found;
 }
@@ -151,11 +163,7 @@ std::vector<Place> places(Texts& texts, std::string_view name, const Linked& all
     std::set<FileId> files;
     for (const ShaderUse& use : all.stages)
         for (const FileId file : texts.files(use)) files.insert(file);
-    for (const FileId file : files) {
-        const Outline& outline = texts.outline(file);
-        for (const std::uint32_t at : outline.uses(name))
-            found.push_back({outline.span(outline.tokens[at]), outline.tokens[at].declares, false});
-    }
+    for (const FileId file : files) add_uses(texts, file, name, found);
     for (const Index program : all.programs) add_scene_places(texts, name, program, found);
     tidy(found);
     return found;
@@ -173,32 +181,13 @@ std::vector<Place> places(Texts& texts, const Named& named) {
     } else if (named.what == Named::What::global || named.what == Named::What::uniform) {
         const Linked all = linked(texts, named);
         found = places(texts, named.name, all);
-        if (all.stages.empty() && named.what == Named::What::global) {  // a text that no program uses
-            const Outline& outline = texts.outline(named.span.file);
-            for (const std::uint32_t at : outline.uses(named.name))
-                found.push_back({outline.span(outline.tokens[at]), outline.tokens[at].declares, false});
-        }
+        if (all.stages.empty() && named.what == Named::What::global)  // a text that no program uses
+            add_uses(texts, named.span.file, named.name, found);
         if (named.what == Named::What::uniform) found.push_back({named.span, false, true});
     }
     tidy(found);
     return found;
 }
-
-namespace {
-
-std::vector<DeclaredPlace> declared_in(Texts& texts, const std::vector<FileId>& files, std::string_view name) {
-    std::vector<DeclaredPlace> found;
-    for (const FileId file : files) {
-        const Outline& outline = texts.outline(file);
-        for (const std::uint32_t at : outline.uses(name))
-            if (outline.tokens[at].declares)
-                found.push_back(
-                    {file, &outline.declarations[static_cast<std::size_t>(outline.tokens[at].declaration)]});
-    }
-    return found;
-}
-
-}  // namespace
 
 std::vector<DeclaredPlace> declarations(Texts& texts, const ShaderUse& use, std::string_view name) {
     return declared_in(texts, texts.files(use), name);

@@ -88,18 +88,14 @@ Named in_scene(Texts& texts, FileId file, std::uint32_t offset) {
     }
     const auto& ladders = texts.project.scene().ladders;
     for (Index i = 0; i < ladders.size(); ++i) {
-        if (holds(texts.first(ladders[i].name_span), file, offset)) {
-            named.what = What::ladder;
-            named.ladder = i;
-            return named;
-        }
-        for (std::size_t rung = 0; rung < ladders[i].rung_spans.size(); ++rung)
-            if (holds(texts.first(ladders[i].rung_spans[rung]), file, offset)) {
-                named.what = What::ladder;
-                named.ladder = i;
-                named.rung = rung;
-                return named;
-            }
+        const auto here = [&](const Span& span) { return holds(texts.first(span), file, offset); };
+        const auto& rungs = ladders[i].rung_spans;
+        const auto rung = ranges::find_if(rungs, here);
+        if (rung == rungs.end() && !here(ladders[i].name_span)) continue;
+        named.what = What::ladder;
+        named.ladder = i;
+        if (rung != rungs.end()) named.rung = static_cast<std::size_t>(rung - rungs.begin());
+        return named;
     }
     const auto index = static_cast<std::size_t>(token - statements.tokens_of(*statement).data());
     if (index == 0) {

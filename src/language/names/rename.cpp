@@ -1,7 +1,6 @@
 // New names. A rename that could change the picture, or that would need files which are not the user's, is refused.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -155,7 +154,7 @@ private:
             if (std::string why = not_ours(file); !why.empty()) return why;
             for (const std::uint32_t at : outline.uses(named_.name)) {
                 if (!outline.tokens[at].declares) continue;
-                const bool is_macro = kind_of(outline, at) == Kind::macro;
+                const bool is_macro = outline.declaration(outline.tokens[at]).kind == Kind::macro;
                 (is_macro ? macro : other) = true;
             }
         }
@@ -170,14 +169,11 @@ private:
         return {};
     }
 
-    Kind kind_of(const Outline& outline, std::uint32_t at) const {
-        return outline.declarations[static_cast<std::size_t>(outline.tokens[at].declaration)].kind;
-    }
     bool has(Kind kind) {
         return ranges::any_of(files_, [&](FileId file) {
             const Outline& outline = texts_.outline(file);
             return ranges::any_of(outline.uses(named_.name), [&](std::uint32_t at) {
-                return outline.tokens[at].declares && kind_of(outline, at) == kind;
+                return outline.tokens[at].declares && outline.declaration(outline.tokens[at]).kind == kind;
             });
         });
     }

@@ -16,13 +16,6 @@ const Statements& Texts::statements(FileId file) {
     return statements_.emplace(file, read_statements(file, project.sources.text(file))).first->second;
 }
 
-std::vector<FileId> Texts::scenes() {
-    std::vector<FileId> found;
-    for (FileId id = 0; id < project.sources.size(); ++id)
-        if (first(id) == id && is_scene(id) && !project.path_of(id).empty()) found.push_back(id);
-    return found;
-}
-
 std::vector<ShaderUse> Texts::uses(FileId file) const {
     const Shader* shader = project.shader_of(file);
     return shader == nullptr ? std::vector<ShaderUse>() : shader->uses;

@@ -22,8 +22,6 @@ public:
     // The source of the same file that was read first: the one that editors have open.
     FileId first(FileId file) const { return project.first(file); }
     Span first(Span span) const { return {first(span.file), span.begin, span.end}; }
-    // The scene and those that it includes.
-    std::vector<FileId> scenes();
     // The stages whose text the file is a part of.
     std::vector<ShaderUse> uses(FileId file) const;
     // The files of a stage: what the scene names, and what that includes.

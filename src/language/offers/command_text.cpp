@@ -25,34 +25,12 @@ Signature command_signature(const Command& command, std::size_t alternative) {
 }
 
 std::string parameter_text(const Parameter& parameter) {
-    std::string text;
-    switch (parameter.kind) {
-        case ArgumentKind::number:
-            text = "number";
-            break;
-        case ArgumentKind::integer:
-            text = "whole number";
-            break;
-        case ArgumentKind::path:
-            text = "file";
-            break;
-        case ArgumentKind::name:
-            text = "name";
-            break;
-        case ArgumentKind::choice:
-            for (const std::string_view choice : split(parameter.choices, '/'))
-                text += (text.empty() ? "" : ", ") + std::string(choice);
-            break;
-        case ArgumentKind::vec3:
-            text = "three numbers in brackets";
-            break;
-        case ArgumentKind::uniforms:
-            text = "uniforms and their values";
-            break;
-        case ArgumentKind::rest:
-            text = "words";
-            break;
-    }
+    constexpr std::string_view kinds[] = {
+        "number", "whole number", "file", "name", "", "three numbers in brackets", "uniforms and their values",
+        "words"};
+    const std::string text = parameter.kind == ArgumentKind::choice
+                                 ? fmt::format("{}", fmt::join(split(parameter.choices, '/'), ", "))
+                                 : std::string(kinds[static_cast<std::size_t>(parameter.kind)]);
     if (!parameter.default_text.empty()) return text + "; default: " + std::string(parameter.default_text);
     if (parameter.repeated) return text + "; any number of them";
     return parameter.optional ? text + "; may be left out" : text;

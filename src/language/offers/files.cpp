@@ -3,21 +3,14 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "parser/text/words.h"
 #include "src/language/offers/offers.h"
+#include "src/plan/locate.h"
 
 namespace snell::language {
 
 namespace {
 
 constexpr std::size_t most_entries = 5000;
-
-bool has_extension(std::string_view name, std::span<const std::string_view> extensions) {
-    return ranges::any_of(extensions, [&](std::string_view extension) {
-        return name.size() > extension.size() + 1 && name[name.size() - extension.size() - 1] == '.' &&
-               same_word(name.substr(name.size() - extension.size()), extension);
-    });
-}
 
 // Whether a scene writes the name in quotes, so that it is not several words.
 bool needs_quotes(const std::string& name) {
@@ -26,7 +19,7 @@ bool needs_quotes(const std::string& name) {
 
 }  // namespace
 
-std::vector<Completion> file_completions(std::string_view folder, std::string_view written, Span replaced,
+std::vector<Completion> file_completions(std::string_view path, std::string_view written, Span replaced,
                                          std::span<const std::string_view> extensions, Quotes quotes) {
     namespace fs = std::filesystem;
     std::vector<Completion> found;
@@ -37,7 +30,7 @@ std::vector<Completion> file_completions(std::string_view folder, std::string_vi
     std::string prefix(parent);
     std::replace(prefix.begin(), prefix.end(), '\\', '/');
     std::error_code error;
-    fs::directory_iterator at(fs::path(folder.empty() ? "." : folder) / prefix, error);
+    fs::directory_iterator at("." / fs::path(path).parent_path() / prefix, error);
     if (error) return found;
     std::size_t count = 0;
     for (; at != fs::directory_iterator() && count < most_entries; at.increment(error), ++count) {
@@ -45,21 +38,19 @@ std::vector<Completion> file_completions(std::string_view folder, std::string_vi
         const std::string name = at->path().filename().string();
         if (name.starts_with('.') || name.find('\n') != std::string::npos) continue;
         const bool is_folder = at->is_directory(error);
-        if (!is_folder && !has_extension(name, extensions)) continue;
-        Completion one;
-        one.kind = is_folder ? Completion::Kind::folder : Completion::Kind::file;
-        one.label = is_folder ? name + "/" : name;
+        const auto ends = [&](std::string_view extension) { return has_extension(name, extension); };
+        if (!is_folder && ranges::none_of(extensions, ends)) continue;
         // The folders before it stay, so that editors compare its name with what is written of it.
-        one.replaced = replaced;
+        Completion& one = add_offer(found, is_folder ? name + "/" : name,
+                                    is_folder ? Completion::Kind::folder : Completion::Kind::file, replaced, "");
         one.replaced.begin += static_cast<std::uint32_t>(parent.size() + (quoted ? 1 : 0));
-        one.text = quoted && !is_folder && quotes == Quotes::added ? one.label + '"' : one.label;
+        if (quoted && !is_folder && quotes == Quotes::added) one.text += '"';
         if (!quoted && quotes == Quotes::added && needs_quotes(one.label)) {
             one.replaced = replaced;
             one.text = "\"" + std::string(parent) + one.label + (is_folder ? "" : "\"");
         }
         one.rank = is_folder ? 2 : 1;
         one.more = is_folder;
-        found.push_back(std::move(one));
     }
     return found;
 }

@@ -67,8 +67,7 @@ std::string type_of_name(Texts& texts, FileId file, std::size_t token, Stage sta
     if (token >= outline.tokens.size() || depth > most_members) return {};
     const ShaderToken& name = outline.tokens[token];
     const std::string_view word = outline.word(name);
-    if (name.role == Role::local)
-        return element_of(outline.declarations[static_cast<std::size_t>(name.declaration)].type);
+    if (name.role == Role::local) return element_of(outline.declaration(name).type);
     if (name.role == Role::member) {
         std::string type;
         const std::size_t whole = token >= 2 ? name_before(outline, token - 1) : outline.tokens.size();

@@ -1,4 +1,4 @@
-// The members of what stands before a point, and the types of names.
+// The members of the expression before a point, and the types of names.
 #pragma once
 
 #include <string>

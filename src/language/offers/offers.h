@@ -21,8 +21,15 @@ std::optional<SignatureHelp> shader_signature(Texts& texts, FileId file, std::ui
 
 // Of names with blanks: as they are, in quotes, or within quotes whose end is written already.
 enum class Quotes : std::uint8_t { never, added, closed };
-// The files and folders that `written`, the beginning of a name, may go on with; `extensions` without their points.
-std::vector<Completion> file_completions(std::string_view folder, std::string_view written, Span replaced,
+// An offer that is written as it is shown.
+inline Completion& add_offer(std::vector<Completion>& offers, std::string_view label, Completion::Kind kind,
+                             Span replaced, std::string detail, std::string documentation = {}) {
+    std::string text(label);
+    return offers.emplace_back(Completion{text, kind, std::move(detail), std::move(documentation), replaced, text});
+}
+
+// The files and folders next to the file `path` whose names begin with `written`; `extensions` without their points.
+std::vector<Completion> file_completions(std::string_view path, std::string_view written, Span replaced,
                                          std::span<const std::string_view> extensions, Quotes quotes);
 
 // "Rotate angle x=0 y=0 z=0": an alternative with its parameters.
@@ -32,6 +39,8 @@ std::string parameter_text(const Parameter& parameter);
 // The documentation of the command as Markdown.
 std::string command_text(const Command& command);
 
+// The declaration of a uniform, and what its author says of it.
+std::string uniform_text(Texts& texts, const UniformFact& fact);
 // "The uniform is set by program 'Glass' (scene.glib:12): <0. .2 1.>", a line for each program.
 std::string where_set(Texts& texts, std::string_view uniform, const std::vector<Index>& programs);
 // A ladder with its rungs, the current one in angle brackets.

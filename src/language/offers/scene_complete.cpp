@@ -14,11 +14,6 @@ namespace snell::language {
 
 namespace {
 
-std::string folder_of(std::string_view path) {
-    const std::size_t slash = path.find_last_of('/');
-    return std::string(slash == std::string_view::npos ? "" : path.substr(0, slash + 1));
-}
-
 // ---- commands
 
 std::string placeholder(const Parameter& p, int number) {
@@ -36,10 +31,7 @@ std::string snippet(const Command& command, std::size_t alternative) {
     std::string text(command.name);
     if (command.name == "Program") return "Program ${1:Name}  $0";
     if (command.name == "glBegin") {
-        std::string topologies;
-        for (const std::string_view one : topology_names())
-            topologies += (topologies.empty() ? "" : ",") + std::string(one);
-        return "glBegin ${1|" + topologies + "|}\n$0\nglEnd";
+        return fmt::format("glBegin ${{1|{}|}}\n$0\nglEnd", fmt::join(topology_names(), ","));
     }
     if (command.name == "PushMatrix") return "PushMatrix\n$0\nPopMatrix";
     int number = 1;
@@ -57,16 +49,11 @@ std::vector<Completion> command_completions(Span replaced) {
     for (const Command& command : commands())
         for (std::size_t i = 0; i < command.signature.count; ++i) {
             if (command.signature.count > 1 && command.signature.parameter_count(i) == 0) continue;
-            Completion one;
-            one.label = command.name;
-            one.kind = Completion::Kind::command;
-            one.detail = command_signature(command, i).label;
-            one.documentation = command_text(command);
-            one.replaced = replaced;
+            Completion& one = add_offer(found, command.name, Completion::Kind::command, replaced,
+                                        command_signature(command, i).label, command_text(command));
             one.text = snippet(command, i);
             one.snippet = true;
             one.rank = 1 + static_cast<int>(i);
-            found.push_back(std::move(one));
         }
     return found;
 }
@@ -103,12 +90,7 @@ private:
     const Scene& scene() const { return texts_.project.scene(); }
 
     Completion& add(std::string_view label, Completion::Kind kind, std::string detail = {}) {
-        Completion one;
-        one.label = one.text = label;
-        one.kind = kind;
-        one.detail = std::move(detail);
-        one.replaced = replaced_;
-        return found_.emplace_back(std::move(one));
+        return add_offer(found_, label, kind, replaced_, std::move(detail));
     }
 
     void offer(const Parameter& parameter, bool text, const Token* token, std::uint32_t offset) {
@@ -161,7 +143,7 @@ private:
             token == nullptr ? std::string_view() : s_.text.substr(token->begin, offset - token->begin);
         const std::vector<std::string_view> wanted = extensions();
         const bool closed = token != nullptr && token->kind == TokenKind::text && !token->unclosed;
-        for (Completion& one : file_completions(folder_of(texts_.project.path_of(s_.file)), written, replaced_, wanted,
+        for (Completion& one : file_completions(texts_.project.path_of(s_.file), written, replaced_, wanted,
                                                 closed ? Quotes::closed : Quotes::added))
             found_.push_back(std::move(one));
     }
@@ -194,20 +176,13 @@ private:
                               [&](const WrittenUniform& one) { return one.name == name && elsewhere(one.name_span); });
     }
 
-    std::string documentation(const UniformFact& fact) const {
-        std::string text = fmt::format("```glsl\nuniform {} {}\n```\nDeclared at {}.", fact.type, fact.name,
-                                       place_text(texts_, fact.file, fact.offset));
-        if (!fact.comment.empty()) text += "\n\n" + fact.comment;
-        return text;
-    }
-
     void uniform(const UniformFact& fact) {
         const ProposedValue proposed = proposed_value(scene(), fact);
         Completion& one = add(fact.name, Completion::Kind::uniform, fmt::format("{} {}", fact.type, proposed.text()));
         int number = 1;
         one.text = fmt::format("{} {}", fact.name, proposed.snippet(number));
         one.snippet = true;
-        one.documentation = documentation(fact);
+        one.documentation = uniform_text(texts_, fact);
     }
 
     void value(const UniformPlace& place, const UniformFact* fact) {
@@ -229,7 +204,7 @@ private:
         Completion& one = add(proposed.text(), Completion::Kind::number, std::string(fact->type));
         one.text = proposed.snippet(number);
         one.snippet = true;
-        one.documentation = documentation(*fact);
+        one.documentation = uniform_text(texts_, *fact);
     }
 
     // ---- ladders: shaders compare LADDER with LADDER_rung

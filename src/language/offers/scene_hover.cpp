@@ -86,10 +86,7 @@ private:
         const std::vector<UniformFact> declared = declared_uniforms(texts_, named.program);
         const auto fact = ranges::find(declared, named.name, &UniformFact::name);
         if (fact != declared.end()) {
-            text = fmt::format("```glsl\nuniform {} {}\n```\nDeclared at {}.", fact->type, fact->name,
-                               place_text(texts_, fact->file, fact->offset));
-            if (!fact->initial.empty()) text += fmt::format(" Its default is `{}`.", fact->initial);
-            if (!fact->comment.empty()) text += "\n\n" + fact->comment;
+            text = uniform_text(texts_, *fact);
         } else {
             text = fmt::format("`{}`: no shader of this program declares it.", named.name);
         }
@@ -135,6 +132,14 @@ std::string ladder_text(const Ladder& ladder) {
     std::string text = fmt::format("Ladder **{}**, from cheap to exact:", ladder.name);
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
         text += i == ladder.current ? fmt::format(" **<{}>**", ladder.rungs[i]) : " " + ladder.rungs[i];
+    return text;
+}
+
+std::string uniform_text(Texts& texts, const UniformFact& fact) {
+    std::string text = fmt::format("```glsl\nuniform {} {}\n```\nDeclared at {}.", fact.type, fact.name,
+                                   place_text(texts, fact.file, fact.offset));
+    if (!fact.initial.empty()) text += fmt::format(" Its default is `{}`.", fact.initial);
+    if (!fact.comment.empty()) text += "\n\n" + fact.comment;
     return text;
 }
 

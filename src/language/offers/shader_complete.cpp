@@ -5,7 +5,6 @@
 #include <charconv>
 #include <set>
 
-#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/words.h"
@@ -81,7 +80,7 @@ private:
         const ShaderToken* token = before(back);
         return token == nullptr ? std::string_view() : o_.word(*token);
     }
-    // The name of something new stands behind its type.
+    // A new name follows its type.
     bool declares_name() const {
         const ShaderToken* type = before(0);
         return type != nullptr && type->kind == glsl::Kind::identifier && glsl::builtin_type(o_.word(*type)) &&
@@ -89,13 +88,7 @@ private:
     }
 
     Completion& add(std::string_view label, Offer kind, std::string detail = {}, std::string documentation = {}) {
-        Completion one;
-        one.label = one.text = label;
-        one.kind = kind;
-        one.detail = std::move(detail);
-        one.documentation = std::move(documentation);
-        one.replaced = replaced_;
-        return found_.emplace_back(std::move(one));
+        return add_offer(found_, label, kind, replaced_, std::move(detail), std::move(documentation));
     }
 
     std::vector<Completion> finish() {
@@ -131,10 +124,8 @@ private:
             for (const std::string_view name : library_headers()) add(name, Offer::file);
             return finish();
         }
-        const std::string_view path = texts_.project.path_of(file_);
-        const std::size_t slash = path.find_last_of('/');
         constexpr std::array<std::string_view, 3> extensions{"glsl", "inc", "h"};
-        return file_completions(slash == std::string_view::npos ? "" : path.substr(0, slash + 1),
+        return file_completions(texts_.project.path_of(file_),
                                 o_.text.substr(directive.name_begin, offset_ - directive.name_begin), replaced_,
                                 extensions, Quotes::never);
     }

@@ -1,7 +1,8 @@
 // What the words of a shader mean.
 #include <fmt/format.h>
 
-#include "parser/text/ranges.h"
+#include <array>
+
 #include "src/language/offers/members.h"
 #include "src/language/offers/offers.h"
 #include "src/language/shader/builtins.h"
@@ -119,27 +120,14 @@ std::string declaration_text(const Outline& outline, const ShaderDeclaration& d)
         return outline.text.substr(begin, end > begin ? end - begin : 0);
     };
     constexpr std::size_t most = 160;
-    switch (d.kind) {
-        case Kind::function:
-            return fmt::format("{} {}({})", d.type, d.name,
-                               between(d.parameters_begin, d.parameters_end).substr(0, most));
-        case Kind::macro:
-            return std::string(between(d.begin, d.end).substr(0, most));
-        case Kind::structure:
-            return fmt::format("struct {}", d.name);
-        case Kind::uniform:
-            return fmt::format("uniform {} {}", d.type, d.name);
-        case Kind::input:
-            return fmt::format("in {} {}", d.type, d.name);
-        case Kind::output:
-            return fmt::format("out {} {}", d.type, d.name);
-        case Kind::varying:
-            return fmt::format("varying {} {}", d.type, d.name);
-        case Kind::constant:
-            return fmt::format("const {} {}", d.type, d.name);
-        default:
-            return d.type.empty() ? std::string(d.name) : fmt::format("{} {}", d.type, d.name);
-    }
+    // In the order of Kind.
+    constexpr std::array<std::string_view, 9> words{"uniform ", "in ", "out ", "varying ", "",
+                                                    "const ",   "",    "",     "struct "};
+    if (d.kind == Kind::function)
+        return fmt::format("{} {}({})", d.type, d.name, between(d.parameters_begin, d.parameters_end).substr(0, most));
+    if (d.kind == Kind::macro) return std::string(between(d.begin, d.end).substr(0, most));
+    const auto kind = static_cast<std::size_t>(d.kind);
+    return fmt::format("{}{}{}{}", kind < words.size() ? words[kind] : "", d.type, d.type.empty() ? "" : " ", d.name);
 }
 
 std::optional<Hover> shader_hover(Texts& texts, FileId file, std::uint32_t offset) {

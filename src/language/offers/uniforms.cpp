@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
+#include "parser/text/tidy.h"
 #include "src/glsl/glsl.h"
 
 namespace snell::language {
@@ -10,13 +11,6 @@ namespace snell::language {
 namespace {
 
 using Kind = ShaderDeclaration::Kind;
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::string_view content(std::string_view comment) {
     if (comment.starts_with("/*")) {

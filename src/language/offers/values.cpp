@@ -1,4 +1,6 @@
 // Values that a scene may begin with, by the type and the words of a uniform's name.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -131,19 +133,11 @@ ProposedValue vector_value(const UniformFact& uniform, std::size_t size) {
 
 }  // namespace
 
-std::string ProposedValue::text() const {
-    std::string all = before;
-    for (const std::string& number : numbers) all += (&number == numbers.data() ? "" : " ") + number;
-    return all + after;
-}
+std::string ProposedValue::text() const { return fmt::format("{}{}{}", before, fmt::join(numbers, " "), after); }
 
 std::string ProposedValue::snippet(int& placeholder) const {
-    if (choices.size() > 1) {
-        std::string all = "${" + std::to_string(placeholder++) + "|";
-        for (const std::string& choice : choices) all += (&choice == choices.data() ? "" : ",") + choice;
-        return all + "|}";
-    }
-    std::string all = before == "{" ? "{" : before;
+    if (choices.size() > 1) return fmt::format("${{{}|{}|}}", placeholder++, fmt::join(choices, ","));
+    std::string all = before;
     for (const std::string& number : numbers)
         all += (&number == numbers.data() ? "${" : " ${") + std::to_string(placeholder++) + ":" + number + "}";
     return all + (after == "}" ? "\\}" : after);

@@ -32,7 +32,7 @@ void find_comments(Statements& found) {
     within(static_cast<std::uint32_t>(found.text.size()));
 }
 
-// Whether a statement goes on from `begin` to `end`, which have only blanks, backslashes and comments between them.
+// Whether a statement continues from `begin` to `end`, which have only blanks, backslashes and comments between them.
 bool goes_on(std::string_view text, std::uint32_t begin, std::uint32_t end) {
     bool continued = false, any = false, comment = false;
     for (std::uint32_t i = begin; i < end; ++i) {

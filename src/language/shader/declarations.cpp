@@ -131,20 +131,18 @@ bool Resolver::same_scope(ShaderToken& token) {
 int Resolver::add(std::size_t at, Kind kind, std::string_view type, bool local) {
     ShaderToken& token = o_.tokens[at];
     const int index = static_cast<int>(o_.declarations.size());
-    ShaderDeclaration made;
-    made.kind = kind;
-    made.local = local;
-    made.name = o_.word(token);
-    made.type = type;
-    made.token = static_cast<std::uint32_t>(at);
-    made.begin = statement_ == none_ ? token.begin : std::min(statement_, token.begin);
-    made.end = token.end;
-    made.visible_from = token.end;
-    made.visible_to = static_cast<std::uint32_t>(o_.text.size());
+    o_.declarations.push_back({.kind = kind,
+                               .local = local,
+                               .name = o_.word(token),
+                               .type = type,
+                               .token = static_cast<std::uint32_t>(at),
+                               .begin = statement_ == none_ ? token.begin : std::min(statement_, token.begin),
+                               .end = token.end,
+                               .visible_from = token.end,
+                               .visible_to = static_cast<std::uint32_t>(o_.text.size())});
     token.declares = true;
     token.declaration = index;
     if (kind != Kind::member) token.role = local ? Role::local : Role::global;
-    o_.declarations.push_back(made);
     scope_of_.push_back(local ? current_ : -1);
     if (local) scope().declarations.push_back(index);
     return index;

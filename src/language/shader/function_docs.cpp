@@ -142,48 +142,14 @@ constexpr std::string_view legacy_functions =
 
 // A character of a signature, see src/glsl/read/builtins.cpp.
 std::string_view type_of(char code, bool result) {
-    switch (code) {
-        case 'F':
-            return "genType";
-        case 'I':
-            return "genIType";
-        case 'U':
-            return "genUType";
-        case 'B':
-            return "genBType";
-        case 'f':
-            return "float";
-        case 'i':
-            return "int";
-        case 'u':
-            return "uint";
-        case 'b':
-            return "bool";
-        case '2':
-            return "vec2";
-        case '3':
-            return "vec3";
-        case '4':
-            return "vec4";
-        case 'n':
-            return "ivec2";
-        case 'm':
-            return "ivec3";
-        case 'M':
-            return "mat";
-        case 'S':
-            return "sampler";
-        case 'C':
-            return "vec";
-        case 'J':
-            return "ivec";
-        case 'T':
-            return "vec4";
-        case 'Z':
-            return "ivec";
-        default:
-            return result ? "void" : "value";
-    }
+    constexpr std::pair<char, std::string_view> types[] = {
+        {'F', "genType"}, {'I', "genIType"}, {'U', "genUType"}, {'B', "genBType"}, {'f', "float"},
+        {'i', "int"},     {'u', "uint"},     {'b', "bool"},     {'2', "vec2"},     {'3', "vec3"},
+        {'4', "vec4"},    {'n', "ivec2"},    {'m', "ivec3"},    {'M', "mat"},      {'S', "sampler"},
+        {'C', "vec"},     {'J', "ivec"},     {'T', "vec4"},     {'Z', "ivec"}};
+    for (const auto& [letter, name] : types)
+        if (letter == code) return name;
+    return result ? "void" : "value";
 }
 
 std::string declared(std::string_view name, std::string_view overload, std::string_view parameters) {

@@ -131,7 +131,7 @@ bool Outline::in_comment(std::uint32_t offset) const {
                                        [](const Span& comment, std::uint32_t at) { return comment.begin < at; });
     if (next == comments.begin()) return false;
     const Span& comment = *std::prev(next);
-    // A comment of one line goes on behind its last letter; so does one that nothing closes.
+    // The end of a line belongs to its comment, and so does the end of the text if nothing closes one.
     const std::string_view written = text.substr(comment.begin, comment.end - comment.begin);
     const bool closed = written.starts_with("/*") && written.size() >= 4 && written.ends_with("*/");
     return offset < comment.end || (offset == comment.end && !closed);

@@ -75,10 +75,16 @@ struct Outline {
     std::vector<ShaderDeclaration> declarations;
     std::vector<Span> braces;  // of { … } of several lines
     bool pastes = false;       // a macro joins names by ##
-    bool splits = false;       // a name goes on in the next line
+    bool splits = false;       // a name continues on the next line
 
     std::string_view word(const ShaderToken& token) const { return text.substr(token.begin, token.end - token.begin); }
     Span span(const ShaderToken& token) const { return {file, token.begin, token.end}; }
+    // The place of its name.
+    Span span(const ShaderDeclaration& declaration) const { return span(tokens[declaration.token]); }
+    // Of a token that declares something, or means something local.
+    const ShaderDeclaration& declaration(const ShaderToken& token) const {
+        return declarations[static_cast<std::size_t>(token.declaration)];
+    }
     // The token that contains the offset or ends there; a name wins over an operator. Null in blanks and comments.
     const ShaderToken* at(std::uint32_t offset) const;
     // The number of tokens that begin before the offset.

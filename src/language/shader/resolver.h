@@ -24,7 +24,7 @@ struct Scope {
     std::uint32_t function_begin = 0;  // of the outermost scope that is not global
     int owner = -1;                    // of a function, a structure or a block: its declaration
     bool members_global = false;       // of a block without an instance
-    Qualified qualified;               // of a structure or a block: what stands before it
+    Qualified qualified;               // of a structure or a block: the qualifiers before it
     std::vector<int> declarations;
 };
 

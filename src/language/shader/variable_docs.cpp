@@ -70,22 +70,25 @@ std::string documented(std::string_view doc, std::string_view space, std::string
     return text;
 }
 
+// A row of one of snell's tables. What replaces a name of old dialects is listed under that name.
+template <class Facts>
+VariableDoc documented_name(std::string_view name, const Facts& facts, std::string_view qualifier, Stage stage) {
+    VariableDoc doc{std::string(name), std::string(facts.type), documented(facts.doc, facts.space, facts.range)};
+    doc.qualifier = qualifier;
+    doc.legacy = name.starts_with("snell_");
+    if (doc.legacy) doc.name = "gl_" + std::string(name.substr(6));
+    doc.undeclared = doc.legacy || !glsl::gstap_meaning(name, stage).empty();
+    return doc;
+}
+
 void add_systems(std::vector<VariableDoc>& all, Stage stage) {
     for (const glsl::SystemName& name : glsl::system_names()) {
         const glsl::SystemFacts& facts = glsl::system_facts()[static_cast<std::size_t>(name.system)];
-        VariableDoc doc{std::string(name.name), std::string(facts.type),
-                        documented(facts.doc, facts.space, facts.range)};
-        doc.qualifier = "uniform";
-        if (name.name.starts_with("snell_")) {
-            doc.name = "gl_" + std::string(name.name.substr(6));
-            const glsl::LegacyName* legacy = glsl::legacy_name(doc.name);
-            if (legacy == nullptr || legacy->kind == glsl::LegacyKind::core) continue;
-            if (legacy->size > 0) doc.type += "[" + std::to_string(legacy->size) + "]";
-            doc.legacy = true;
-        } else {
-            doc.undeclared = !glsl::gstap_meaning(name.name, stage).empty();
-            if (name.system == glsl::System::harmonics) doc.type += "[9]";
-        }
+        VariableDoc doc = documented_name(name.name, facts, "uniform", stage);
+        const glsl::LegacyName* legacy = glsl::legacy_name(doc.name);
+        if (doc.legacy && (legacy == nullptr || legacy->kind == glsl::LegacyKind::core)) continue;
+        if (doc.legacy && legacy->size > 0) doc.type += "[" + std::to_string(legacy->size) + "]";
+        if (!doc.legacy && name.system == glsl::System::harmonics) doc.type += "[9]";
         all.push_back(std::move(doc));
     }
 }
@@ -94,17 +97,8 @@ void add_attributes(std::vector<VariableDoc>& all, Stage stage) {
     if (stage != Stage::vertex) return;
     for (const glsl::AttributeName& name : glsl::attribute_names()) {
         const glsl::AttributeFacts& facts = glsl::attribute_facts()[static_cast<std::size_t>(name.attribute)];
-        VariableDoc doc{std::string(name.name), std::string(facts.type),
-                        documented(facts.doc, facts.space, facts.range)};
-        doc.qualifier = "in";
-        if (name.name.starts_with("snell_")) {
-            doc.name = "gl_" + std::string(name.name.substr(6));
-            if (glsl::legacy_name(doc.name) == nullptr) continue;
-            doc.legacy = true;
-        } else {
-            doc.undeclared = !glsl::gstap_meaning(name.name, stage).empty();
-        }
-        all.push_back(std::move(doc));
+        VariableDoc doc = documented_name(name.name, facts, "in", stage);
+        if (!doc.legacy || glsl::legacy_name(doc.name) != nullptr) all.push_back(std::move(doc));
     }
 }
 

@@ -7,28 +7,15 @@
 #include <optional>
 
 #include "parser/text/real.h"
+#include "parser/text/tidy.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/values/fit.h"
 
 namespace snell {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return result;
-}
-
 std::optional<double> number(std::string_view text) {
-    const std::string word = lower(text);
+    const std::string word = lowered(text);
     if (word == "true" || word == "on" || word == "yes") return 1;
     if (word == "false" || word == "off" || word == "no") return 0;
     if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include "parser/text/words.h"
 
 namespace snell {
 
@@ -48,11 +49,7 @@ Range limit_range(Range range, ValueType type) {
 
 namespace {
 
-bool names_color(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return name.find("color") != std::string::npos || name.find("colour") != std::string::npos;
-}
+bool names_color(std::string_view name) { return contains(name, "color") || contains(name, "colour"); }
 
 // Widens the range for values that lie outside of the usual one.
 void widen(Control& control) {

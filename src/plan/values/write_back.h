@@ -7,17 +7,13 @@
 #include <vector>
 
 #include "parser/scene.h"
-#include "parser/text/source.h"
+#include "parser/text/diagnostic.h"
 #include "src/plan/values/controls.h"
 
 namespace snell {
 
-// Replaces the bytes of `span` by `text`.
-struct Edit {
-    Span span;
-    std::string text;
-    bool operator==(const Edit&) const = default;
-};
+// As what a diagnostic proposes: replaces the bytes of `span` by `text`.
+using Edit = Fix;
 
 // A value that has no place in the text.
 struct Unwritten {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "parser/text/tidy.h"
 #include "parser/text/words.h"
 
 namespace snell::server {
@@ -10,13 +11,6 @@ namespace snell::server {
 namespace {
 
 constexpr std::size_t longest_line = 4096;
-
-std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 }  // namespace
 

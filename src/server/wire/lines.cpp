@@ -11,7 +11,7 @@ namespace {
 // How many units of the encoding a character has.
 std::uint32_t units(const utf8::Char& c, Encoding encoding) {
     if (encoding == Encoding::utf8) return c.length;
-    return encoding == Encoding::utf16 && c.valid && c.code > 0xFFFF ? 2 : 1;
+    return c.valid && c.code > 0xFFFF ? 2 : 1;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace snell::server {
 
-enum class Encoding : std::uint8_t { utf8, utf16, utf32 };
+enum class Encoding : std::uint8_t { utf8, utf16 };
 
 struct Place {
     std::uint32_t line = 0, character = 0;  // from 0

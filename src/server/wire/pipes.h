@@ -5,7 +5,7 @@
 
 namespace snell::server {
 
-// Returns false if nobody reads.
+// Returns false if the reader is gone.
 bool write_all(int descriptor, std::string_view bytes);
 
 }  // namespace snell::server

@@ -37,15 +37,14 @@ std::string path_of_uri(std::string_view uri) {
 }
 
 std::string uri_of_path(std::string_view path) {
-    if (!path.starts_with('/')) return std::string(path);
-    std::string uri = "file://";
-    for (const char c : path) {
-        if (plain(c))
-            uri += c;
-        else
-            uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-    return uri;
+    return path.starts_with('/') ? "file://" + escaped_address(path) : std::string(path);
+}
+
+std::string escaped_address(std::string_view path) {
+    std::string address;
+    for (const char c : path)
+        address += plain(c) ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    return address;
 }
 
 }  // namespace snell::server

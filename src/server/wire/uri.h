@@ -9,5 +9,7 @@ namespace snell::server {
 // The path of a "file:" URI; of others, the URI itself, which no file has as its name.
 std::string path_of_uri(std::string_view uri);
 std::string uri_of_path(std::string_view path);
+// A relative path as an address.
+std::string escaped_address(std::string_view path);
 
 }  // namespace snell::server

@@ -89,7 +89,7 @@ private:
         if (!costs(sides[1]) || !s_.own(node)) return;
         const int first = s_.at(inside).first;
         if (!can_go(s_.unit, s_.unit.functions[static_cast<std::size_t>(s_.function_of(first))], first, true)) return;
-        // Where it is all that an `if` holds, its semicolon stays.
+        // Where an `if` holds nothing else, its semicolon stays.
         const std::string_view before = s_.token(s_.at(node).first - 1).text;
         const bool alone = before != ";" && before != "{" && before != "}";
         offers_.add(ChangeKind::without_term, s_.span(node), {{s_.span(node), alone ? ";" : ""}});

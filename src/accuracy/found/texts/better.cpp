@@ -1,6 +1,5 @@
 // What the lints advise, where the text allows it to be written exactly.
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "parser/text/ranges.h"
@@ -29,10 +28,6 @@ struct Place {
 
 Edits around(Span span, std::string open, std::string close) {
     return {before(span, std::move(open)), after(span, std::move(close))};
-}
-
-bool calls(const Tree& tree, std::initializer_list<std::string_view> names) {
-    return tree.kind == Kind::call && std::find(names.begin(), names.end(), tree.text) != names.end();
 }
 
 class LintFixes {
@@ -184,7 +179,7 @@ private:
         if (sums.empty() || (base && sums.size() > 1)) return {};
         Edits edits;
         // 1 minus a cosine is a little below 0, by rounding.
-        const bool clamps = base && !calls(resolved(*at.shader, *base), {"clamp", "max", "abs"});
+        const bool clamps = base && !resolved(*at.shader, *base).calls({"clamp", "max", "abs"});
         const auto span = base ? span_of(unit, to_, *base) : std::nullopt;
         if (clamps && !span) return {};
         if (clamps) edits.push_back(before(*span, "clamp("));
@@ -252,10 +247,10 @@ private:
         const glsl::Unit& unit = at.shader->unit;
         const Tree given = expression(unit, at.first);
         const Tree* looked = &resolved(*at.shader, given);
-        if (calls(*looked, {"normalize"}) && looked->parts.size() == 1) looked = &bare(looked->parts[0]);
-        if (!calls(*looked, {"reflect", "refract"}) || looked->parts.empty()) return {};
+        if (looked->calls({"normalize"}) && looked->parts.size() == 1) looked = &bare(looked->parts[0]);
+        if (!looked->calls({"reflect", "refract"}) || looked->parts.empty()) return {};
         const Tree* incident = &resolved(*at.shader, looked->parts[0]);
-        if (calls(*incident, {"normalize"}) && incident->parts.size() == 1) incident = &incident->parts[0];
+        if (incident->calls({"normalize"}) && incident->parts.size() == 1) incident = &incident->parts[0];
         if (bare(*incident).is(Kind::prefix)) return {};
         const auto span = span_of(unit, to_, *incident);
         if (!span) return {};
@@ -291,7 +286,7 @@ private:
     static const Tree* in_its_place(const Tree& tree, std::string_view type) {
         const bool share = type == "float" && tree.call("mix", 3);
         const bool lookup = (type == "vec3" || type == "vec2") && tree.parts.size() >= 2 &&
-                            (calls(tree, {"texture", "textureCube", "texture2D", "texture3D", "textureLod"}));
+                            (tree.calls({"texture", "textureCube", "texture2D", "texture3D", "textureLod"}));
         if (!share && !lookup) return nullptr;
         const Tree& argument = tree.parts[share ? 2 : 1];
         return argument.kind == Kind::name ? &argument : nullptr;
@@ -301,7 +296,7 @@ private:
     Edits with_derivatives(const Place& at) const {
         const glsl::Unit& unit = at.shader->unit;
         const Tree call = expression(unit, at.first);
-        if (!calls(call, {"texture", "texture2D", "textureCube", "texture3D"}) || call.parts.size() != 2) return {};
+        if (!call.calls({"texture", "texture2D", "textureCube", "texture3D"}) || call.parts.size() != 2) return {};
         const std::string_view type = coordinate_type(unit, call);
         const auto name = span_of(unit, to_, call.first, call.first);
         const auto coordinate = span_of(unit, to_, call.parts[1].first, call.parts[1].last);
@@ -326,7 +321,7 @@ private:
         return {};
     }
 
-    // The token behind which all that the coordinate is made of has its value, outside of all branches; nothing if
+    // The token behind which everything in the coordinate has its value, outside of all branches; nothing if
     // there is none before the first branch.
     static std::optional<int> defined_from(const glsl::Unit& unit, const Body& body, const Tree& coordinate) {
         int from = body.function->open;

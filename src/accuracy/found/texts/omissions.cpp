@@ -92,7 +92,7 @@ private:
             const bool simple = piece.kind == Piece::Kind::expression && may_go(shader, body, piece);
             const bool unread =
                 piece.kind == Piece::Kind::declaration && piece.whole && !read(shader.unit, body, piece);
-            // The semicolon stays: it may be all that a branch has.
+            // The semicolon stays: a branch may have nothing else.
             const int last = simple ? piece.last - 1 : piece.last;
             if (!simple && !unread) continue;
             if (const auto span = span_of(shader.unit, to_, piece.first, last))
@@ -151,7 +151,7 @@ private:
             }
     }
 
-    // Whether what stands before the token is assigned.
+    // Whether the expression before the token is assigned.
     static bool changes(const glsl::Unit& unit, int k, int end) {
         while (k + 1 < end && (unit.at(k).text == "." || unit.at(k).text == "[")) {
             if (unit.at(k).text == "[")

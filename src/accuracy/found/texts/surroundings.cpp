@@ -13,10 +13,6 @@ namespace {
 
 using Kind = Tree::Kind;
 
-bool named(const Tree& tree, std::initializer_list<std::string_view> names) {
-    return tree.kind == Kind::call && std::find(names.begin(), names.end(), tree.text) != names.end();
-}
-
 // The draws of the shader's programs, in all passes.
 std::vector<const Draw*> draws_of(const Scene& scene, const Shader& shader) {
     std::vector<const Draw*> own;
@@ -48,7 +44,7 @@ void bend_twice(const Scene& scene, const Shader& shader, Collector& to) {
                     const bool bent = resolved(shader, part).call("refract", 3);
                     used = used || bent;
                     // By the author's own formula, or by a second refract().
-                    again = again || (bent && named(tree, {"dot", "refract", "reflect"}));
+                    again = again || (bent && tree.calls({"dot", "refract", "reflect"}));
                 }
             });
     if (bends.empty() || again || !used) return;
@@ -132,10 +128,10 @@ public:
         for (const Body& body : shader.bodies)
             for (const Piece& piece : body.pieces)
                 for_each(piece.value, [&](const Tree& tree) {
-                    if (!named(tree, {"texture", "textureCube"}) || tree.parts.size() != 2) return;
+                    if (!tree.calls({"texture", "textureCube"}) || tree.parts.size() != 2) return;
                     const Tree& way = resolved(shader, tree.parts[1]);
                     const auto span = span_of(shader.unit, to_, tree.parts[1]);
-                    if (!named(way, {"reflect", "snellReflect"}) || !span) return;
+                    if (!way.calls({"reflect", "snellReflect"}) || !span) return;
                     if (ranges::find(eye_space_, *span) != eye_space_.end()) return;
                     if (first < 0) first = tree.first;
                     lookups.push_back(*span);

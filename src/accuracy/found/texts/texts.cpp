@@ -10,6 +10,7 @@
 #include "parser/read/syntax.h"
 #include "parser/text/ranges.h"
 #include "parser/text/real.h"
+#include "src/accuracy/found/apply.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
@@ -49,10 +50,7 @@ Collector::Collector(const Files& files, const Sources& sources, std::vector<Cha
 }
 
 Span Collector::first_reading(Span span) const {
-    for (FileId file = 0; file < span.file; ++file)
-        if (sources_.name(file) == sources_.name(span.file) && sources_.text(file) == sources_.text(span.file))
-            return {file, span.begin, span.end};
-    return span;
+    return {accuracy::first_reading(span.file, sources_), span.begin, span.end};
 }
 
 // The text at the span with those edits that are within it.

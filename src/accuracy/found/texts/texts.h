@@ -1,6 +1,7 @@
 // What changes are found in: the author's texts as the parsers read them, with places that can be edited.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <optional>
@@ -91,6 +92,10 @@ struct Tree {
     bool infix(std::string_view op) const { return is(Kind::infix, op); }
     bool call(std::string_view name, std::size_t arguments) const {
         return is(Kind::call, name) && parts.size() == arguments;
+    }
+    // A call of one of these functions.
+    bool calls(std::initializer_list<std::string_view> names) const {
+        return kind == Kind::call && std::find(names.begin(), names.end(), text) != names.end();
     }
 };
 // The outermost expression that begins at the token; Kind::other if there is none.

@@ -19,34 +19,18 @@ constexpr int deepest = 100;  // a tree, and statements within one another
 
 Tree::Kind kind_of(const Unit& unit, const glsl::Node& node) {
     using glsl::Form;
-    switch (node.form) {
-        case Form::name:
-            return Tree::Kind::name;
-        case Form::number:  // but true and false
-            return unit.at(node.first).kind == glsl::Kind::identifier ? Tree::Kind::name : Tree::Kind::number;
-        case Form::group:
-            return Tree::Kind::group;
-        case Form::select:
-            return Tree::Kind::select;
-        case Form::index:
-            return Tree::Kind::index;
-        case Form::prefix:
-            return Tree::Kind::prefix;
-        case Form::step:
-            return unit.at(node.first).text == node.text ? Tree::Kind::prefix : Tree::Kind::postfix;
-        case Form::infix:
-            return Tree::Kind::infix;
-        case Form::choose:
-            return Tree::Kind::choose;
-        case Form::assign:
-            return Tree::Kind::assign;
-        case Form::construct:
-        case Form::call:
-        case Form::built_in:  // not casts and arrays
-            return unit.at(node.first + 1).text == "(" ? Tree::Kind::call : Tree::Kind::other;
-        default:
-            return Tree::Kind::other;
-    }
+    using enum Tree::Kind;
+    constexpr std::pair<Form, Tree::Kind> same_as[] = {
+        {Form::name, name},     {Form::group, group}, {Form::select, select}, {Form::index, index},
+        {Form::prefix, prefix}, {Form::infix, infix}, {Form::choose, choose}, {Form::assign, assign}};
+    for (const auto& [form, kind] : same_as)
+        if (node.form == form) return kind;
+    const std::string_view first = unit.at(node.first).text;
+    if (node.form == Form::number)  // also true and false
+        return unit.at(node.first).kind == glsl::Kind::identifier ? name : number;
+    if (node.form == Form::step) return first == node.text ? prefix : postfix;
+    const bool calls = node.form == Form::construct || node.form == Form::call || node.form == Form::built_in;
+    return calls && unit.at(node.first + 1).text == "(" ? call : other;  // not casts and arrays
 }
 
 // A tree with something in it that was not understood is not understood itself.
@@ -191,13 +175,11 @@ private:
     }
 
     int add(Piece::Kind kind, int first, int last, int value) {
-        Piece piece;
-        piece.kind = kind;
-        piece.first = first;
-        piece.last = last;
-        piece.depth = depth_;
-        piece.value = expression(u_, expressions_, value);
-        body_.pieces.push_back(std::move(piece));
+        body_.pieces.push_back({.kind = kind,
+                                .first = first,
+                                .last = last,
+                                .value = expression(u_, expressions_, value),
+                                .depth = depth_});
         return last + 1;
     }
 
@@ -243,14 +225,8 @@ private:
         if (text(k) == "[") k = matching(k) + 1;
         const std::size_t begin = body_.pieces.size();
         while (k < last && u_.at(k).kind == glsl::Kind::identifier) {
-            Piece piece;
-            piece.kind = Piece::Kind::declaration;
-            piece.first = first;
-            piece.last = last;
+            Piece piece{Piece::Kind::declaration, first, last, type, text(k), k++};
             piece.depth = depth_;
-            piece.type = type;
-            piece.name = text(k);
-            piece.name_token = k++;
             if (text(k) == "[") k = matching(k) + 1, piece.type = "";
             if (text(k) == "=") {
                 piece.value = expression(u_, expressions_, k + 1);

@@ -12,6 +12,7 @@
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/slide/choose.h"
 #include "src/accuracy/report/slide/crops.h"
+#include "src/plan/locate.h"
 
 namespace snell::accuracy {
 
@@ -253,11 +254,9 @@ Slide slide_of(const Report& report) {
 }
 
 std::optional<SlideFormat> slide_format(std::string_view path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    if (ending == ".png") return SlideFormat::png;
-    if (ending == ".svg") return SlideFormat::svg;
-    if (ending == ".pdf") return SlideFormat::pdf;
+    if (has_extension(path, "png")) return SlideFormat::png;
+    if (has_extension(path, "svg")) return SlideFormat::svg;
+    if (has_extension(path, "pdf")) return SlideFormat::pdf;
     return std::nullopt;
 }
 

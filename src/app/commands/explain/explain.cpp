@@ -6,17 +6,16 @@
 #include <array>
 #include <cstdio>
 
-#include "parser/text/utf8.h"
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/statistics.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/progress.h"
 #include "src/app/picture/outputs.h"
-#include "src/content/replace.h"
 #include "src/document/document.h"
 #include "src/gl/exact_target.h"
 #include "src/gl/present.h"
@@ -265,10 +264,8 @@ Exit explain(const ExplainOptions& options) {
         options.json.empty() ? explain_text(report, document->sources) : explain_json(report, document->sources);
     if (options.json.empty())
         std::fwrite(text.data(), 1, text.size(), stdout);
-    else if (const std::string wrong = content::replace_file(options.json, text); !wrong.empty()) {
-        fmt::print(stderr, "snell: error: cannot write '{}': {}\n", utf8::printable(options.json), wrong);
+    else if (!write_output(options.json, text))
         return exit_input;
-    }
     return errors.has_errors() ? exit_input : exit_fine;
 }
 

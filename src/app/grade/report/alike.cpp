@@ -1,4 +1,4 @@
-// Two submissions beside each other, with what they have in common.
+// Two submissions side by side, with what they have in common.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "src/app/grade/report/frame.h"
 #include "src/app/grade/report/report.h"
 #include "src/content/whole_file.h"
+#include "src/plan/locate.h"
 
 namespace snell::app {
 
@@ -45,13 +46,6 @@ std::string side(const GradedSubmission& graded, const AlikePair& pair) {
     return text + "</div>\n";
 }
 
-bool is_shader(const fs::path& path) {
-    constexpr std::array endings{".vert", ".frag", ".geom", ".tesc", ".tese", ".tcs",
-                                 ".tes",  ".glsl", ".vs",   ".fs",   ".gs"};
-    return std::any_of(endings.begin(), endings.end(),
-                       [&](const char* e) { return same_word(path.extension().string(), e); });
-}
-
 }  // namespace
 
 std::string alike_page(const Grades& grades, const AlikePair& pair) {
@@ -76,7 +70,7 @@ std::set<std::uint64_t> handed_out(const Rubric& rubric) {
             if (entry.is_regular_file(error)) files.push_back(entry.path());
     }
     for (const fs::path& file : files) {
-        if (!is_shader(file)) continue;
+        if (!is_shader_name(file.native())) continue;
         Record record;
         add_prints(record, file.string(), content::whole_file(file.string()));
         for (const Print& print : record.prints) hashes.insert(print.hash);

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "parser/text/utf8.h"
 #include "src/app/page/html.h"
-#include "src/app/page/pack.h"
-#include "src/app/picture/sha256.h"
 
 namespace snell::app {
 
@@ -33,14 +29,6 @@ img { display: block; max-width: 100%; height: auto; } td img { width: 5rem; max
 pre { overflow-x: auto; border: 1px solid var(--edge); background: var(--head); padding: .5rem; font: .8125rem/1.4 ui-monospace, monospace; margin: 0; }
 .sides { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; } .sides > div { min-width: 0; } mark { background: var(--part); color: inherit; display: block; }
 )";
-
-std::string policy_hash(std::string_view text) {
-    const std::string hex = sha256(text);
-    std::string bytes;
-    for (std::size_t at = 0; at < hex.size(); at += 2)
-        bytes += static_cast<char>(std::strtol(hex.substr(at, 2).c_str(), nullptr, 16));
-    return base64(bytes);
-}
 
 }  // namespace
 

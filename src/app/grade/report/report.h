@@ -9,9 +9,8 @@
 
 namespace snell::app {
 
-// Writes index.html, a page beside each record, results.csv, results.json, junit.xml and pages of similar shaders.
-// Returns
-// "" or the error.
+// Writes index.html, a page next to each record, results.csv, results.json, junit.xml and pages of similar shaders.
+// Returns "" or the error.
 std::string write_report(const Grades& grades, const std::string& output);
 
 // The parts of a report, each as text.

@@ -1,0 +1,37 @@
+// Errors of commands, on standard error.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "parser/text/utf8.h"
+#include "src/app/open/exit_status.h"
+#include "src/content/replace.h"
+
+namespace snell::app {
+
+// Prints the error, and what to do about it on a line of its own, with hidden characters escaped. Without `help`, that
+// may follow in `what`, after "\n   help: ". Returns false.
+inline bool complain(std::string_view what, std::string_view help = {}) {
+    constexpr std::string_view mark = "\n   help: ";
+    const std::size_t at = what.find(mark);
+    if (help.empty() && at != what.npos) help = what.substr(at + mark.size());
+    fmt::print(stderr, "snell: error: {}\n", utf8::printable(what.substr(0, at)));
+    if (!help.empty()) fmt::print(stderr, "   help: {}\n", utf8::printable(help));
+    return false;
+}
+inline Exit complain(Exit status, std::string_view what, std::string_view help = {}) {
+    complain(what, help);
+    return status;
+}
+
+// Writes a whole file, or to a pipe or device. Prints why it cannot, and returns false then.
+inline bool write_output(const std::string& file, std::string_view bytes) {
+    const std::string wrong = content::replace_file(file, bytes);
+    return wrong.empty() || complain(fmt::format("cannot write '{}': {}", file, wrong));
+}
+
+}  // namespace snell::app
