@@ -7,7 +7,7 @@
 
 #include "src/app/grade/record.h"
 #include "src/app/grade/report_folder.h"
-#include "src/app/grade/rubric.h"
+#include "src/app/grade/rubric/rubric.h"
 #include "src/app/grade/submissions.h"
 #include "src/app/open/exit_status.h"
 

@@ -158,25 +158,6 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
     return submissions;
 }
 
-std::string unusable(const std::string& path) {
-    constexpr std::size_t most_entries = 20'000;
-    constexpr std::uint64_t most_bytes = std::uint64_t{2} << 30;
-    std::error_code error;
-    if (!fs::exists(path, error)) return "is not there";
-    std::size_t entries = 0;
-    std::uint64_t bytes = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
-    fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end;
-    for (; !error && entry != end && entries <= most_entries && bytes <= most_bytes; entry.increment(error)) {
-        ++entries;
-        std::error_code unknown_size;
-        if (!fs::is_regular_file(entry->symlink_status(unknown_size))) continue;
-        const std::uintmax_t size = entry->file_size(unknown_size);
-        if (!unknown_size) bytes += size;
-    }
-    if (entries > most_entries) return fmt::format("holds more than {} files and folders", most_entries);
-    return bytes > most_bytes ? "holds more than 2 GB" : "";
-}
-
 std::string key_of(const Submission& submission, const std::string& rest) {
     std::string all = rest;
     const fs::path path = submission.path;

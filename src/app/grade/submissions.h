@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/app/grade/rubric.h"
+#include "src/app/grade/rubric/rubric.h"
 
 namespace snell::app {
 
@@ -22,9 +22,6 @@ struct Submission {
 // there is nothing to grade.
 std::optional<std::vector<Submission>> find_submissions(const std::vector<std::string>& arguments,
                                                         const std::string& output, const Rubric& rubric);
-
-// Why a file or folder that a rubric names cannot be read as a whole: it "is not there", or it is too large; or "".
-std::string unusable(const std::string& path);
 
 // A hash of everything that the result depends on: all files of the submission, and `rest`.
 std::string key_of(const Submission& submission, const std::string& rest);

@@ -1,5 +1,5 @@
 // Submissions that are broken, odd or hostile: each is reported, none ends the others, and nothing escapes.
-#include "tests/commands/grade.h"
+#include "tests/grade/submissions.h"
 
 #include <chrono>
 
