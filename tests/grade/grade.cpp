@@ -154,6 +154,22 @@ TEST_F(Grade, WhatDidNotChangeIsKept) {
     EXPECT_TRUE(grade("r.toml s -o out --again").says("0 of them judged before"));
 }
 
+TEST_F(Grade, AProgramThatWasBuiltAgainKeepsNothing) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("s/ann");
+    fs::copy_file(SNELL_BIN "/snell", at("snell"));
+    const auto by_copy = [&] { return run("cd '" + folder.path() + "' && ./snell grade r.toml s -o out"); };
+    ASSERT_TRUE(grade("r.toml s -o out").says("0 of them judged before"));
+    EXPECT_TRUE(by_copy().says("1 of them judged before")) << "a copy is the same program";
+    std::ofstream(at("snell"), std::ios::app) << "other";
+    EXPECT_TRUE(by_copy().says("0 of them judged before"));
+    EXPECT_TRUE(by_copy().says("1 of them judged before"));
+    EXPECT_TRUE(grade("r.toml s -o out --memory 5").says("0 of them judged before"));
+    EXPECT_TRUE(grade("r.toml s -o out --memory 6").says("0 of them judged before")) << "more memory may help";
+    for (const std::string number : {"nan", "inf", "-1"})
+        EXPECT_EQ(grade("r.toml s -o out --memory=" + number).status, 2) << number;
+}
+
 TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolder) {
     folder.write("r.toml", head + "[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n");
     // One picture takes long enough to end the run while it is drawn.

@@ -37,6 +37,12 @@ protected:
                    statements + "\nz.close()\n");
         ASSERT_EQ(made.status, 0) << made.output;
     }
+    // A reason is where a lecturer looks for it: on the terminal, in the table of all, and in what programs read.
+    void told_everywhere(const std::string& reason) const {
+        EXPECT_NE(said.find(reason), std::string::npos) << said;
+        for (const std::string file : {"index.html", "results.csv", "results.json"})
+            EXPECT_NE(bytes_of(at("out/" + file)).find(reason), std::string::npos) << file << ": " << reason;
+    }
     std::string said;
 };
 
@@ -45,9 +51,11 @@ TEST_F(HostileSubmission, ArchivesAndFoldersOfAnyDepth) {
     fs::create_directories(at("s/Bob_123_file"));
     zip("s/Bob_123_file/work.zip", "whole()");
     scene("s/deep/1/2/3/4/5");
-    ASSERT_EQ(run("cd '" + at("") + "' && tar czf s/tarred.tgz -C reference .").status, 0);
+    ASSERT_EQ(
+        run("cd '" + at("") + "' && for f in tarred.tgz Kim.Lee.tar.gz; do tar czf s/$f -C reference .; done").status,
+        0);
     grade_all();
-    for (const std::string name : {"zipped", "Bob_123_file", "deep", "tarred"})
+    for (const std::string name : {"zipped", "Bob_123_file", "deep", "tarred", "Kim.Lee"})
         EXPECT_EQ(result(name)["points"], 2) << name << result(name).dump(1);
     EXPECT_FALSE(fs::exists(at("out/.unpacked")));
 }
@@ -74,6 +82,8 @@ TEST_F(HostileSubmission, NothingLeavesTheArchivesFolder) {
     EXPECT_EQ(result("links")["points"], 2);
     EXPECT_NE(page("bad").find("leads out of the archive"), std::string::npos);
     EXPECT_NE(page("links").find("is a link or a device"), std::string::npos);
+    EXPECT_EQ(result("links")["notes"].size(), 2u) << result("links").dump(1);
+    told_everywhere("is a link or a device");
     for (const std::string name : {"evil", "../evil", "s/evil", "out/evil", "out/students/evil", "out/.unpacked"})
         EXPECT_FALSE(fs::exists(at(name))) << name;
     EXPECT_FALSE(fs::exists("/tmp/snell-evil-absolute"));
@@ -89,7 +99,13 @@ TEST_F(HostileSubmission, AnArchiveOfZerosIsNotUnpackedToItsEnd) {
     folder.write("s/none.zip", "no archive at all");
     grade_all();
     EXPECT_NE(page("bomb").find("it holds more than 256 MB"), std::string::npos) << page("bomb");
-    for (const std::string name : {"bomb", "torn", "none"}) EXPECT_EQ(result(name)["points"], 0) << name;
+    told_everywhere("bomb.zip was not unpacked to its end: it holds more than 256 MB; there is no scene");
+    told_everywhere("torn.zip was not unpacked to its end");
+    told_everywhere("none.zip was not unpacked to its end");
+    for (const std::string name : {"bomb", "torn", "none"}) {
+        EXPECT_EQ(result(name)["points"], 0) << name;
+        EXPECT_NE(result(name)["problem"].get<std::string>().find("not unpacked"), std::string::npos) << name;
+    }
     EXPECT_FALSE(fs::exists(at("out/.unpacked")));
 }
 
@@ -138,6 +154,22 @@ TEST_F(HostileSubmission, AShaderThatTakesForeverIsStopped) {
     EXPECT_NE(result("slow")["problem"].get<std::string>().find("takes longer than 2 seconds"), std::string::npos);
     EXPECT_EQ(result("slow")["items"][0]["points"], 1) << "what needs no picture is judged";
     EXPECT_NE(page("slow").find("takes longer than 2 seconds"), std::string::npos);
+}
+
+// Each shape and each texture is within its limits, but not all of them together.
+TEST_F(HostileSubmission, OneThatAllocatesWithoutEndIsReported) {
+    std::string shapes = ball, targets = "##OpenGL GLIB\n";
+    for (int i = 0; i < 60; ++i) {
+        shapes += "Sphere 1 " + std::to_string(1500 + i) + " 1500\n";
+        targets += "Texture2D " + std::to_string(i % 8) + " 8192 8192\nRenderToTexture " + std::to_string(i % 8) +
+                   "\nSphere 1\n";
+    }
+    scene("s/shapes", paint, shapes);
+    scene("s/targets", paint, targets + "RenderToTexture\n" + ball.substr(ball.find('\n')));
+    grade_all("--memory 1");
+    told_everywhere("it takes more than 1 GB of memory");
+    EXPECT_EQ(result("shapes")["problem"], "it takes more than 1 GB of memory");
+    EXPECT_NE(result("targets")["points"], 2) << result("targets").dump(1);
 }
 
 TEST_F(HostileSubmission, ASceneOfTenThousandPasses) {

@@ -335,14 +335,18 @@ Run add_compare(CLI::App& command) {
         ->check(check_file_name);
     add_json(command, options->json, "print the figures as JSON");
     command.add_option("--max-rmse", options->max_rmse, "fail if the RMSE of displayed values (0 to 1) is larger")
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 1e9));
     command.add_option("--max-flip", options->max_flip, "fail if the mean of FLIP (0 to 1) is larger")
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 1.));
     command.add_option("--max-pixels", options->max_pixels, "fail if more per cent of the pixels differ")
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 100.));
     command
         .add_option("--threshold", options->threshold,
                     "pixels differ if a channel differs by more (default: .0059, one and a half steps of a byte)")
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 1e9));
     command.add_flag("--displayed", options->displayed,
                      "numbers of EXR and HDR files are displayed values, as scenes without 'Output srgb' write them");

@@ -25,7 +25,7 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
 
 // A hash of everything that the result depends on: all files of the submission, and `rest`.
 std::string key_of(const Submission& submission, const std::string& rest);
-// A hash of the rubric, the files that the reference reads, and the version of snell.
-std::string common_key(const Rubric& rubric);
+// A hash of the rubric, the files that the reference reads, what else limits judging, and this build of snell.
+std::string common_key(const Rubric& rubric, const std::string& limits);
 
 }  // namespace snell::app
