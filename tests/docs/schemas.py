@@ -113,7 +113,7 @@ def main(program, root):
         with open(os.path.join(root, "docs/schemas", name + ".json"), encoding="utf-8") as file:
             schema = json.load(file)
         found += wrong(json.loads(text), schema, name)
-        if "schema" not in schema.get("required", []):
+        if "schema" not in schema.get("items", schema).get("required", []):
             found.append(f"{name}: what is printed does not tell its schema")
     schemas = {name.removesuffix(".json") for name in os.listdir(os.path.join(root, "docs/schemas"))}
     found += [f"nothing is compared with docs/schemas/{name}.json" for name in schemas - {name for name, _ in made}]

@@ -215,7 +215,20 @@ TEST_F(Compare, FoldersAreComparedByNames) {
     const Outcome outcome = compare("a b --max-rmse 0");
     EXPECT_EQ(outcome.status, 1);
     EXPECT_TRUE(outcome.says("only in b: more.bmp")) << outcome.output;
+    const json all = json::parse(compare("a b --json").output, nullptr, false);
+    EXPECT_EQ(all["unpaired"], json::array({"b/more.bmp"})) << all.dump(1);
+    EXPECT_EQ(all["alike"], false);
     EXPECT_EQ(compare("a b/1.bmp").status, 2);
+}
+
+TEST_F(Compare, StandardOutputHoldsTheMapAlone) {
+    grey("a.bmp", 100);
+    grey("b.bmp", 110);
+    ASSERT_EQ(compare("a.bmp b.bmp -o map.png >text").status, 0);
+    ASSERT_EQ(compare("a.bmp b.bmp -o - >printed.png 2>told").status, 0);
+    EXPECT_EQ(bytes_of(at("printed.png")), bytes_of(at("map.png")));
+    EXPECT_EQ(bytes_of(at("told")), bytes_of(at("text")));
+    EXPECT_EQ(compare("a.bmp b.bmp -o - --json").status, 2) << "two outputs are not mixed";
 }
 
 TEST_F(Compare, CoverageLeavesTheBackgroundOut) {

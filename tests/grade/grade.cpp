@@ -125,7 +125,9 @@ TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {
     const json all = results();
     EXPECT_EQ(result("ann")["points"], all["points"]) << all.dump(1);
     EXPECT_GE(all["items"].size(), 7u);
-    EXPECT_TRUE(grade("--new reference/ball.glib").says("uKd = \"float 0..1\""));
+    const Outcome printed = grade("--new reference/ball.glib");
+    EXPECT_TRUE(printed.says("uKd = \"float 0..1\"")) << printed.output;
+    EXPECT_EQ(grade("--new reference/ball.glib -o -").output, printed.output);
 }
 
 TEST_F(Grade, AReferenceThatFailsIsAWarning) {

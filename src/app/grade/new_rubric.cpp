@@ -219,7 +219,7 @@ Exit write_new_rubric(const std::string& scene, const std::string& output) {
         return exit_usage;
     }
     std::string text;
-    const Exit status = NewRubric(scene, output).make(text);
+    const Exit status = NewRubric(scene, content::is_stream(output) ? "" : output).make(text);
     if (status != exit_fine) return status;
     if (output.empty()) {
         std::fwrite(text.data(), 1, text.size(), stdout);
