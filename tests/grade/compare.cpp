@@ -225,7 +225,9 @@ TEST_F(Compare, StandardOutputHoldsTheMapAlone) {
     grey("a.bmp", 100);
     grey("b.bmp", 110);
     ASSERT_EQ(compare("a.bmp b.bmp -o map.png >text").status, 0);
-    ASSERT_EQ(compare("a.bmp b.bmp -o - >printed.png 2>told").status, 0);
+    ASSERT_EQ(run("cd '" + folder.path() + "' && { " SNELL_BIN "/snell compare a.bmp b.bmp -o - >printed.png 2>told; }")
+                  .status,
+              0);
     EXPECT_EQ(bytes_of(at("printed.png")), bytes_of(at("map.png")));
     EXPECT_EQ(bytes_of(at("told")), bytes_of(at("text")));
     EXPECT_EQ(compare("a.bmp b.bmp -o - --json").status, 2) << "two outputs are not mixed";

@@ -293,6 +293,10 @@ Exit usable(const CompareOptions& options) {
         no_comparison("a folder is compared with one other folder, and a picture or a scene with pictures or scenes");
         return exit_usage;
     }
+    if (options.output == "/dev/stdout" && options.json == options.output) {
+        no_comparison("the map and the figures would both be written to standard output");
+        return exit_usage;
+    }
     const std::vector outputs{options.output, options.json};
     if (fs::is_directory(options.picture)) return exit_fine;
     return check_outputs(outputs, read);
