@@ -67,9 +67,9 @@ std::string row(const Command& c) {
 }  // namespace
 
 std::string commands_json() {
-    std::string out = "[\n";
-    for (const Command& c : commands()) out += (out.size() > 2 ? ",\n" : "") + row(c);
-    return out + "\n]\n";
+    std::string rows;
+    for (const Command& c : commands()) rows += (rows.empty() ? "" : ",\n") + row(c);
+    return "{\"schema\": 1, \"commands\": [\n" + rows + "\n]}";
 }
 
 }  // namespace snell

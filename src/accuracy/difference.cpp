@@ -56,13 +56,15 @@ Bytes background_of(const Picture& picture) {
 PictureDifference picture_difference(const Picture& picture, const Picture& reference, double threshold,
                                      bool perceived) {
     PictureDifference result;
-    result.error = compare(picture, reference);
-    if (perceived) result.map = flip_map(picture, reference);
+    const Picture shown = as_bytes(picture), other = as_bytes(reference);
+    result.error = compare(shown, other);
+    if (shown != picture || other != reference) result.error.light = compare(picture, reference).light;
+    if (perceived) result.map = flip_map(shown, other);
     result.flip = mean_of(result.map);
     const auto width = static_cast<std::size_t>(picture.width);
     std::size_t beyond = 0;
     for (std::size_t i = 0; i < picture.pixels(); ++i) {
-        const double d = most_apart(picture, reference, i);
+        const double d = most_apart(shown, other, i);
         beyond += d > threshold;
         if (d > result.largest) {
             result.largest = d;
@@ -74,6 +76,12 @@ PictureDifference picture_difference(const Picture& picture, const Picture& refe
     result.cover[0] = coverage(picture);
     result.cover[1] = coverage(reference);
     return result;
+}
+
+Picture as_bytes(Picture picture) {
+    for (float& value : picture.rgba)
+        if (std::isfinite(value)) value = static_cast<float>(byte_of(value)) / 255;
+    return picture;
 }
 
 double coverage(const Picture& picture) {

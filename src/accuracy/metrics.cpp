@@ -80,7 +80,7 @@ std::size_t count(const Region& region) {
     return static_cast<std::size_t>(ranges::count_if(region, [](std::uint8_t in) { return in != 0; }));
 }
 
-double psnr(double rmse) { return rmse == 0 ? infinite : -20 * std::log10(rmse); }
+double psnr(double rmse) { return rmse == 0 ? infinite : 0 - 20 * std::log10(rmse); }
 
 Error compare(const Picture& picture, const Picture& reference, const Region& region) {
     Error error;

@@ -12,7 +12,7 @@ namespace snell::gl {
 
 namespace {
 
-constexpr std::pair<GLenum, std::string_view> type_names[]{
+constexpr std::pair<GLenum, std::string_view> names_of_types[]{
     {GL_FLOAT, "float"},
     {GL_FLOAT_VEC2, "vec2"},
     {GL_FLOAT_VEC3, "vec3"},
@@ -231,9 +231,15 @@ void set_floats(GLenum type, GLint location, GLsizei count, const float* values)
 }
 
 std::string_view type_name(GLenum type) {
-    const auto* found = std::find_if(std::begin(type_names), std::end(type_names),
+    const auto* found = std::find_if(std::begin(names_of_types), std::end(names_of_types),
                                      [&](const auto& known) { return known.first == type; });
-    return found == std::end(type_names) ? std::string_view{} : found->second;
+    return found == std::end(names_of_types) ? std::string_view{} : found->second;
+}
+
+std::vector<std::string_view> type_names() {
+    std::vector<std::string_view> names;
+    for (const auto& [type, name] : names_of_types) names.push_back(name);
+    return names;
 }
 
 }  // namespace snell::gl

@@ -50,6 +50,8 @@ Program covering_program(bool es, std::string_view fragment);
 
 // The GLSL name of the type, such as "vec3" or "sampler2D"; empty if scenes cannot set this type.
 std::string_view type_name(GLenum type);
+// All of these names.
+std::vector<std::string_view> type_names();
 
 // Sets `count` elements of a uniform of floats, which is of that type (GL_FLOAT to GL_FLOAT_MAT4x3), in the program in
 // use. Matrices are column by column.

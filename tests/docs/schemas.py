@@ -53,28 +53,54 @@ def main(program, root):
         done = subprocess.run([program, *words], capture_output=True, text=True, cwd=root, timeout=120)
         return done.stdout
 
-    bad = "tests/bad/" + sorted(name for name in os.listdir(os.path.join(root, "tests/bad")) if name.endswith(".glib"))[0]
+    def scenes_in(folder):
+        return sorted(os.path.join(folder, name) for name in os.listdir(os.path.join(root, folder)) if name.endswith(".glib"))
+
+    bad, cases = scenes_in("tests/bad"), scenes_in("tests/cases")
     scene = "tests/cases/Sphere.glib"
     ambient = "scenes/light/ambient/ambient.glib"
     mirror = "scenes/light/mirror/mirror.glib"
-    lesson = "docs/teaching/01-colour"
     small = ("--size", "32x32")
     with tempfile.TemporaryDirectory() as folder:
         def written(path, *words):
+            path = os.path.join(folder, path)
+            if os.path.exists(path):
+                os.remove(path)
             run(*words)
-            with open(os.path.join(folder, path), encoding="utf-8") as text:
+            with open(path, encoding="utf-8") as text:
                 return text.read()
 
-        file, report = os.path.join(folder, "file.json"), os.path.join(folder, "report")
+        def graded(lesson):
+            lesson = os.path.join("docs/teaching", lesson)
+            report = os.path.join(folder, os.path.basename(lesson))
+            of_class = [os.path.join(lesson, "submissions", name) for name in ("passing", "failing")]
+            return written(os.path.join(report, "results.json"), "grade", lesson + "/rubric.toml", *of_class, broken, "-o", report)
+
+        file, broken = os.path.join(folder, "file.json"), os.path.join(folder, "broken.zip")
+        with open(broken, "w", encoding="utf-8") as text:
+            text.write("no archive")
+        for name in ("a", "b"):
+            os.mkdir(os.path.join(folder, name))
+        for name, picture in (("a", scene), ("b", "tests/cases/Torus.glib")):
+            run("render", picture, "-o", os.path.join(folder, name, "one.png"), "-q", *small)
+        colour = "docs/teaching/01-colour/solution/colour.glib"
+
+        def swept(over, *words):
+            return written("file.json", "sweep", over, *small, "-o", os.path.join(folder, "{index}.png"), "--json", file, *words)
+
         made = [
-            ("check", run("check", scene, bad, "--json")),
-            ("render", run("render", scene, bad, "-o", os.path.join(folder, "{path}.png"), "-q", *small, "--json")),
-            ("render", written("file.json", "sweep", scene, "--over", "time=0,1", *small, "-o",
-                               os.path.join(folder, "{time}.png"), "--json", file)),
+            ("check", run("check", *bad, *cases, ambient, "--json")),
+            ("render", run("render", *cases[::4], *bad[::8], "-o", os.path.join(folder, "{path}.png"), "-q", *small, "--json")),
+            ("render", run("render", ambient, "-o", os.path.join(folder, "{frame}.png"), "--frames", "3", "--fps", "2", *small, "-q", "--json")),
+            ("render", swept(mirror, "--over", "LOCALITY=infinite,box", "--over", "time=0:1:3", "--shard", "1/2")),
+            ("render", swept(colour, "--over", "uColor=[1,0,0],[0,1,0]", "--set", "uKd=.5", "--samples", "2")),
+            ("render", swept(colour, "--over", "uColor=[1,0,0],[0,1,0]", "--skip-existing")),
             ("compare", run("compare", scene, "tests/cases/Torus.glib", *small, "--json")),
-            ("grade", written("report/results.json", "grade", lesson + "/rubric.toml", lesson + "/submissions", "-o", report)),
+            ("compare", run("compare", os.path.join(folder, "a"), os.path.join(folder, "b"), "--max-rmse", "0", "--json")),
+            *(("grade", graded(lesson)) for lesson in ("01-colour", "08-accuracy")),
             ("explain", run("explain", ambient, *small, "--reps", "3", "--json")),
             ("explain", run("explain", scene, *small, "--no-time", "--without-effect", "--json")),
+            *(("explain", run("explain", case, *small, "--no-time", "--json")) for case in cases[::12]),
             ("accuracy", written("file.json", "accuracy", mirror, "--size", "16x16", "--reps", "3", "--budget", "2",
                                  "--json", file)),
             ("accuracy", written("file.json", "accuracy", mirror, "--size", "16x16", "--from", "lattice", "--knobs",
@@ -84,8 +110,11 @@ def main(program, root):
         ]
     found = []
     for name, text in made:
-        with open(os.path.join(root, "docs/schemas", name + ".json"), encoding="utf-8") as schema:
-            found += wrong(json.loads(text), json.load(schema), name)
+        with open(os.path.join(root, "docs/schemas", name + ".json"), encoding="utf-8") as file:
+            schema = json.load(file)
+        found += wrong(json.loads(text), schema, name)
+        if "schema" not in schema.get("items", schema).get("required", []):
+            found.append(f"{name}: what is printed does not tell its schema")
     schemas = {name.removesuffix(".json") for name in os.listdir(os.path.join(root, "docs/schemas"))}
     found += [f"nothing is compared with docs/schemas/{name}.json" for name in schemas - {name for name, _ in made}]
     if not list(wrong([{"schema": 1}], {"type": "array", "items": {"required": ["other"]}}, "self-test")):

@@ -54,7 +54,7 @@ test('the problem matcher reads what snell check prints', (t) => {
 
 test('every command has a snippet, which is one and is laid out', (t) => {
     const snippets = json(join(here, 'snippets.json'));
-    const commands = JSON.parse(snell(['commands', '--json']).stdout).map((command) => command.name);
+    const commands = JSON.parse(snell(['commands', '--json']).stdout).commands.map((command) => command.name);
     assert.deepEqual(Object.keys(snippets), commands);
     const filled = Object.values(snippets).map(({ body }) =>
         [body].flat().join('\n')

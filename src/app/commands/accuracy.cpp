@@ -305,10 +305,6 @@ Exit accuracy(const AccuracyOptions& options) {
     return errors ? exit_input : exit_fine;
 }
 
-std::string check_finite(const std::string& text) {
-    return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is not a finite number";
-}
-
 // Not by CLI11's excludes(), which --help would print next to every option.
 bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fitting) {
     for (const CLI::Option* option : command.get_options()) {
@@ -353,7 +349,7 @@ Run add_accuracy(CLI::App& command) {
         ->check(CLI::Range(3, 10000));
     command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
         ->check(CLI::Range(1.0, 1e6))
-        ->check(check_finite);
+        ->check(check_finite_number);
     command.add_flag("--no-found", options->no_found, "do not look for changes of the scene's own text");
     CLI::Option* untimed = command.add_flag("--no-time", options->no_time, "errors only");
     command
@@ -364,7 +360,7 @@ Run add_accuracy(CLI::App& command) {
         ->excludes(untimed);
     command.add_option("--error", options->error, "find the cheapest combination with no more RMSE of light")
         ->check(CLI::NonNegativeNumber)
-        ->check(check_finite)
+        ->check(check_finite_number)
         ->excludes(untimed);
     command.add_flag("--save-quality", options->save_quality, "find presets for --quality, stored next to the scene")
         ->excludes(untimed);

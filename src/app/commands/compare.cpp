@@ -182,19 +182,19 @@ nlohmann::ordered_json compared_json(const Compared& c) {
             {"non_finite_pixels", d.error.nonfinite}};
 }
 
-void print_compared(const Compared& c, const CompareOptions& options) {
+void print_compared(const Compared& c, const CompareOptions& options, std::FILE* out) {
     const PictureDifference& d = c.difference;
     const accuracy::Figures &shown = d.error.display, &light = d.error.light;
-    fmt::print("{} against {}: {}x{}{}\n", utf8::printable(c.picture), utf8::printable(c.reference), c.width, c.height,
-               c.alike ? "" : ", different");
-    fmt::print("  RMSE      {:.6g} of displayed values, {:.6g} of light\n", shown.rmse, light.rmse);
-    fmt::print("  PSNR      {:.4g} dB of displayed values, {:.4g} dB of light\n", shown.psnr, light.psnr);
+    fmt::print(out, "{} against {}: {}x{}{}\n", utf8::printable(c.picture), utf8::printable(c.reference), c.width,
+               c.height, c.alike ? "" : ", different");
+    fmt::print(out, "  RMSE      {:.6g} of displayed values, {:.6g} of light\n", shown.rmse, light.rmse);
+    fmt::print(out, "  PSNR      {:.4g} dB of displayed values, {:.4g} dB of light\n", shown.psnr, light.psnr);
     if (d.largest > 0)
-        fmt::print("  largest   {:.6g} of displayed values at {},{} from the top left\n", d.largest, d.x, d.y);
-    fmt::print("  FLIP      {:.6g}\n", d.flip);
-    fmt::print("  pixels    {:.4g} % differ by more than {:.4g}\n", 100 * d.share, options.threshold);
-    if (d.error.nonfinite > 0) fmt::print("  NaN       in {} pixels, or infinite\n", d.error.nonfinite);
-    fmt::print("  coverage  {:.4g} % and {:.4g} %\n", 100 * d.cover[0], 100 * d.cover[1]);
+        fmt::print(out, "  largest   {:.6g} of displayed values at {},{} from the top left\n", d.largest, d.x, d.y);
+    fmt::print(out, "  FLIP      {:.6g}\n", d.flip);
+    fmt::print(out, "  pixels    {:.4g} % differ by more than {:.4g}\n", 100 * d.share, options.threshold);
+    if (d.error.nonfinite > 0) fmt::print(out, "  NaN       in {} pixels, or infinite\n", d.error.nonfinite);
+    fmt::print(out, "  coverage  {:.4g} % and {:.4g} %\n", 100 * d.cover[0], 100 * d.cover[1]);
 }
 
 // The pictures and scenes below a folder, by their paths in it.
@@ -222,29 +222,33 @@ struct Pair {
     std::string map;  // where the map of the differences is written; "": nowhere
 };
 
-// What is compared with what. A file that only one of two folders has is printed, and makes them different.
-std::optional<std::vector<Pair>> pairs_of(const CompareOptions& options, bool& different) {
+// What is compared with what.
+struct Pairing {
+    std::vector<Pair> pairs;
+    std::vector<std::pair<std::string, std::string>> unpaired;  // folder and name of files that only one folder has
+};
+
+std::optional<Pairing> pairs_of(const CompareOptions& options) {
     if (!fs::is_directory(options.picture))
-        return std::vector{Pair{options.picture, options.references, options.output}};
+        return Pairing{{Pair{options.picture, options.references, options.output}}, {}};
     const std::string& other = options.references.front();
     const auto own = names_in(options.picture), others = names_in(other);
     if (!own || !others) return std::nullopt;
-    std::vector<Pair> pairs;
-    const auto lacks = [&](const std::vector<std::string>& names, const std::string& name, const std::string& folder) {
-        if (ranges::find(names, name) != names.end()) return false;
-        fmt::print("only in {}: {}\n", utf8::printable(folder), utf8::printable(name));
-        return different = true;
-    };
+    Pairing pairing;
     for (const std::string& name : *own) {
-        if (lacks(*others, name, options.picture)) continue;
+        if (ranges::find(*others, name) == others->end()) {
+            pairing.unpaired.emplace_back(options.picture, name);
+            continue;
+        }
         const std::string map = options.output.empty()
                                     ? ""
                                     : (fs::path(options.output) / fs::path(name).replace_extension(".png")).string();
-        pairs.push_back({(fs::path(options.picture) / name).string(), {(fs::path(other) / name).string()}, map});
+        pairing.pairs.push_back(
+            {(fs::path(options.picture) / name).string(), {(fs::path(other) / name).string()}, map});
     }
-    for (const std::string& name : *others) lacks(*own, name, other);
-    if (pairs.empty() && !different) different = !complain("there are neither pictures nor scenes in these folders");
-    return pairs;
+    for (const std::string& name : *others)
+        if (ranges::find(*own, name) == own->end()) pairing.unpaired.emplace_back(other, name);
+    return pairing;
 }
 
 bool write_map(const Compared& compared, const std::string& file) {
@@ -256,8 +260,11 @@ bool write_map(const Compared& compared, const std::string& file) {
     return wrong.empty() || complain(fmt::format("cannot write '{}': {}", file, wrong));
 }
 
-bool write_compared(const CompareOptions& options, const nlohmann::ordered_json& all, bool same) {
-    const nlohmann::ordered_json json{{"schema", 1}, {"alike", same}, {"pairs", all}};
+bool write_compared(const CompareOptions& options, const nlohmann::ordered_json& all, const Pairing& pairing,
+                    bool same) {
+    nlohmann::ordered_json json{{"schema", 1}, {"alike", same}, {"pairs", all}};
+    json["unpaired"] = nlohmann::ordered_json::array();
+    for (const auto& [folder, name] : pairing.unpaired) json["unpaired"].push_back((fs::path(folder) / name).string());
     return write_output(options.json, content::json_text(json) + '\n');
 }
 
@@ -273,6 +280,9 @@ Exit usable(const CompareOptions& options) {
         return complain(exit_usage,
                         "a folder is compared with one other folder, and a picture or a scene with pictures or scenes");
     }
+    if (options.output == "/dev/stdout" && options.json == options.output) {
+        return complain(exit_usage, "the map and the figures would both be written to standard output");
+    }
     const std::vector outputs{options.output, options.json};
     if (fs::is_directory(options.picture)) return exit_fine;
     return check_outputs(outputs, read);
@@ -280,25 +290,32 @@ Exit usable(const CompareOptions& options) {
 
 Exit compare(const CompareOptions& options) {
     if (const Exit refused = usable(options); refused != exit_fine) return refused;
-    bool different = false;
-    const auto pairs = pairs_of(options, different);
-    if (!pairs) return exit_input;
+    const auto pairing = pairs_of(options);
+    if (!pairing) return exit_input;
+    const bool prints = options.json != "/dev/stdout";
+    std::FILE* const out = options.output == "/dev/stdout" ? stderr : stdout;  // a picture is not mixed with text
+    if (prints)
+        for (const auto& [folder, name] : pairing->unpaired)
+            fmt::print(out, "only in {}: {}\n", utf8::printable(folder), utf8::printable(name));
+    bool different = !pairing->unpaired.empty();
+    if (pairing->pairs.empty() && !different)
+        different = !complain("there are neither pictures nor scenes in these folders");
     Pictures pictures(options);
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     Exit status = exit_fine;
-    for (const Pair& pair : *pairs) {
+    for (const Pair& pair : pairing->pairs) {
         const auto compared = nearest_of(options, pictures, pair.picture, pair.references);
         if (!compared) {
             status = std::max(status, pictures.status());
             continue;
         }
         different = different || !compared->alike;
-        if (options.json != "/dev/stdout") print_compared(*compared, options);
+        if (prints) print_compared(*compared, options, out);
         all.push_back(compared_json(*compared));
         if (!write_map(*compared, pair.map)) status = std::max(status, exit_input);
     }
     if (different) status = std::max(status, exit_input);
-    if (!options.json.empty() && !write_compared(options, all, status == exit_fine)) return exit_input;
+    if (!options.json.empty() && !write_compared(options, all, *pairing, status == exit_fine)) return exit_input;
     return status;
 }
 
@@ -318,14 +335,18 @@ Run add_compare(CLI::App& command) {
         ->check(check_file_name);
     add_json(command, options->json, "print the figures as JSON");
     command.add_option("--max-rmse", options->max_rmse, "fail if the RMSE of displayed values (0 to 1) is larger")
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 1e9));
     command.add_option("--max-flip", options->max_flip, "fail if the mean of FLIP (0 to 1) is larger")
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 1.));
     command.add_option("--max-pixels", options->max_pixels, "fail if more per cent of the pixels differ")
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 100.));
     command
         .add_option("--threshold", options->threshold,
                     "pixels differ if a channel differs by more (default: .0059, one and a half steps of a byte)")
+        ->check(check_finite_number)
         ->check(CLI::Range(0., 1e9));
     command.add_flag("--displayed", options->displayed,
                      "numbers of EXR and HDR files are displayed values, as scenes without 'Output srgb' write them");

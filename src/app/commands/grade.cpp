@@ -42,10 +42,11 @@ bool may_hold_report(const std::string& folder) {
 void print_grades(const Grades& grades) {
     std::size_t width = 0;
     for (const GradedSubmission& graded : grades.all) width = std::max(width, graded.submission.name.size());
-    for (const GradedSubmission& graded : grades.all)
+    for (const GradedSubmission& graded : grades.all) {
+        const std::string told = remark(graded.record);
         fmt::print("{:<{}}  {:>6} of {}{}{}\n", graded.submission.name, width, points_text(graded.record.points()),
-                   points_text(grades.rubric.points()), graded.record.problem.empty() ? "" : "  ",
-                   utf8::printable(graded.record.problem));
+                   points_text(grades.rubric.points()), told.empty() ? "" : "  ", utf8::printable(told));
+    }
 }
 
 void warn_of_reference(const Grades& grades) {
@@ -101,6 +102,11 @@ Run add_grade_command(CLI::App& command) {
     command.add_option("--shard", options->shard, "I/N: judge part I of N, and write no report")->check(check_part);
     command.add_option("--jobs", grade.jobs, "processes at a time (default: one for each core)")
         ->check(CLI::Range(1, 1024));
+    command
+        .add_option("--memory", grade.gigabytes,
+                    "GB of memory that judging a submission may take (default: 4; 0: no limit)")
+        ->check(check_finite_number)
+        ->check(CLI::Range(0., 1e6));
     command.add_flag("--again", grade.again, "judge everything again, even if nothing has changed");
     command.add_flag("-q,--quiet", options->quiet, "print no line for each submission");
     command.footer(

@@ -14,6 +14,7 @@ namespace snell::app {
 using Size = std::optional<std::pair<int, int>>;  // pixels
 
 // Each check returns an empty string, or what is wrong with the text.
+std::string check_finite_number(const std::string& text);
 std::string check_positive(const std::string& text);
 std::string check_file_name(const std::string& text);
 

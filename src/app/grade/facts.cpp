@@ -76,12 +76,12 @@ std::string missing(const NeededUniform& needed, const Rubric& rubric, const Doc
             wrong = fmt::format("no shader uses '{}'", name);
         else if (!needed.type.empty() && type != needed.type)
             wrong = fmt::format("'{}' is a {}, not a {}", name, type, needed.type);
-        else if (needed.least &&
-                 (control.widget == Widget::none || control.min > *needed.least || control.max < *needed.most))
-            wrong = control.widget == Widget::none
-                        ? fmt::format("'{}' has no slider", name)
-                        : fmt::format("the slider of '{}' goes from {} to {}, not from {} to {}", name, control.min,
-                                      control.max, *needed.least, *needed.most);
+        else if ((needed.least || needed.most) && control.widget == Widget::none)
+            wrong = fmt::format("'{}' has no slider", name);
+        else if ((needed.least && control.min > *needed.least) || (needed.most && control.max < *needed.most))
+            wrong = fmt::format("the slider of '{}' goes from {} to {}, not{}{}", name, control.min, control.max,
+                                needed.least ? fmt::format(" from {}", *needed.least) : "",
+                                needed.most ? fmt::format(" to {}", *needed.most) : "");
         else
             return {};
     }

@@ -38,7 +38,7 @@ public:
 
     Exit run() {
         if (!ready()) return exit_input;
-        const std::string common = common_key(grades_.rubric);
+        const std::string common = common_key(grades_.rubric, fmt::format("{} GB", options_.gigabytes));
         if (!judge_reference(common)) return exit_graphics;
         std::vector<std::size_t> open;
         for (std::size_t i = 0; i < grades_.all.size(); ++i) {
@@ -84,7 +84,9 @@ private:
         return grades_.rubric.timeout * static_cast<double>(grades_.rubric.pictures.size() + 3) + 10;
     }
 
-    std::size_t jobs() const { return options_.jobs > 0 ? options_.jobs : content::cores(); }
+    ProcessLimits limits(std::size_t jobs) const {
+        return {jobs, most_seconds(), static_cast<std::uint64_t>(options_.gigabytes * 1e9)};
+    }
 
     // Leaves only what judging makes, so that pictures of an earlier run are not taken for new ones.
     static void clear(const std::string& folder) {
@@ -105,7 +107,7 @@ private:
         const ToJudge work = work_on(key, grades_.rubric.reference, folder, "");
         bool graphics = true;
         run_apart(
-            1, 1, most_seconds(), [&](std::size_t) { return judge(work); },
+            1, limits(1), [&](std::size_t) { return judge(work); },
             [&](std::size_t, const EndedProcess& ended) {
                 graphics = ended.status != exit_graphics;
                 grades_.reference = result_of(ended, folder, key, "");
@@ -121,6 +123,8 @@ private:
         std::string problem;
         if (ended.too_long || ended.signal == SIGXCPU || ended.status == exit_timeout)
             problem = fmt::format("it takes longer than {} seconds{}", grades_.rubric.timeout, said(ended));
+        else if (ended.output.find("[out-of-memory]") != std::string::npos)
+            problem = fmt::format("it takes more than {} GB of memory", options_.gigabytes);
         else if (ended.signal != 0)
             problem = fmt::format("it ends the program that draws it, twice, by signal {} ({})", ended.signal,
                                   strsignal(ended.signal));
@@ -152,7 +156,7 @@ private:
         std::size_t ready = 0;
         const bool shows = isatty(STDERR_FILENO) != 0;
         run_apart(
-            open.size(), jobs(), most_seconds(),
+            open.size(), limits(options_.jobs > 0 ? options_.jobs : content::cores()),
             [&](std::size_t k) {
                 const GradedSubmission& graded = grades_.all[open[k]];
                 const std::string folder = folder_of(graded.submission);

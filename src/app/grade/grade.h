@@ -7,7 +7,7 @@
 
 #include "src/app/grade/record.h"
 #include "src/app/grade/report_folder.h"
-#include "src/app/grade/rubric.h"
+#include "src/app/grade/rubric/rubric.h"
 #include "src/app/grade/submissions.h"
 #include "src/app/open/exit_status.h"
 
@@ -19,6 +19,7 @@ struct GradeOptions {
     std::string output;  // the folder of the report
     std::size_t shard = 0, shards = 1;
     std::size_t jobs = 0;  // processes at a time; 0: as many as there are cores
+    double gigabytes = 4;  // of memory that judging a submission may take; 0: no limit
     bool again = false;    // judges everything again, whatever is kept
 };
 

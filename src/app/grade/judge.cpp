@@ -86,15 +86,15 @@ private:
         return false;
     }
 
-    bool unpack_into(const std::string& archive, const std::string& folder) {
+    void unpack_into(const std::string& archive, const std::string& folder) {
         std::error_code error;
         fs::create_directories(folder, error);
         const Unpacked unpacked = unpack(archive, folder);
         const std::string name = utf8::printable(fs::path(archive).filename().string());
         for (const std::string& note : unpacked.notes) record_.notes.push_back(fmt::format("{}: {}", name, note));
         if (!unpacked.error.empty())
-            record_.notes.push_back(fmt::format("{} was not unpacked to its end: {}", name, unpacked.error));
-        return unpacked.error.empty();
+            broken_ +=
+                fmt::format("{}{} was not unpacked to its end: {}", broken_.empty() ? "" : "; ", name, unpacked.error);
     }
 
     // Finds the scene, and makes the submission's folder the working directory.
@@ -119,7 +119,8 @@ private:
             unpack_into(found.archives[i], (fs::path(folder) / std::to_string(i)).string());
         }
         if (!found.archives.empty()) found = find_scene(folder, rubric_.scene, preferred);
-        if (!found.error.empty()) return fail(found.error);
+        if (!found.error.empty()) return fail(broken_.empty() ? found.error : broken_ + "; " + found.error);
+        if (!broken_.empty()) record_.notes.push_back(broken_);
         fs::current_path(folder, error);
         if (error) return fail("cannot read its folder: " + error.message());
         record_.scene = found.scene;
@@ -299,6 +300,7 @@ private:
     Deadline deadline_;
     Access access_;
     Record record_;
+    std::string broken_;  // why archives were not unpacked to their ends
     std::unique_ptr<HeadlessContext> context_;
     gl::Caps caps_;
     std::unique_ptr<Document> document_;

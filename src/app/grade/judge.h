@@ -4,7 +4,7 @@
 #include <string>
 
 #include "src/app/grade/record.h"
-#include "src/app/grade/rubric.h"
+#include "src/app/grade/rubric/rubric.h"
 #include "src/app/open/exit_status.h"
 
 namespace snell::app {

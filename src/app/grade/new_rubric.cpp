@@ -217,7 +217,7 @@ Exit write_new_rubric(const std::string& scene, const std::string& output) {
     if (!output.empty() && !content::is_stream(output) && fs::exists(output, error))
         return complain(exit_usage, fmt::format("'{}' exists, and is not replaced", output), "-o with another name");
     std::string text;
-    const Exit status = NewRubric(scene, output).make(text);
+    const Exit status = NewRubric(scene, content::is_stream(output) ? "" : output).make(text);
     if (status != exit_fine) return status;
     return write_output(output.empty() ? "/dev/stdout" : output, text) ? exit_fine : exit_input;
 }

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
+#include <fstream>
 #include <vector>
 
 namespace snell::app {
@@ -37,30 +38,42 @@ std::string tail_of(int file) {
     return text;
 }
 
+// Counts what a driver asks for, too. Pages that were asked for are counted, not only those that are used, because a
+// process that uses more than there is ends others as well.
+void limit_memory(std::uint64_t bytes) {
+    if (bytes == 0) return;
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t most = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + bytes;
+    const rlimit memory{most, most};
+    setrlimit(RLIMIT_AS, &memory);
+}
+
 // What a process of its own needs: it ends with its parent, its messages are kept, it writes no endless file, and draws
 // on one core, because there is a process for each.
-void settle_in(int output, double seconds) {
+void settle_in(int output, const ProcessLimits& limits) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
     const rlimit file{rlim_t{512} << 20, rlim_t{512} << 20}, core{0, 0};
     setrlimit(RLIMIT_FSIZE, &file);
     setrlimit(RLIMIT_CORE, &core);
-    const auto time = static_cast<rlim_t>(std::clamp(2 * seconds, 10., 1e6));
+    const auto time = static_cast<rlim_t>(std::clamp(2 * limits.seconds, 10., 1e6));
     const rlimit processor{time, time};
     setrlimit(RLIMIT_CPU, &processor);
+    limit_memory(limits.bytes);
     setenv("LP_NUM_THREADS", "0", 0);
 }
 
-Running start(std::size_t index, bool again, double seconds, const std::function<int(std::size_t)>& work) {
+Running start(std::size_t index, bool again, const ProcessLimits& limits, const std::function<int(std::size_t)>& work) {
     Running running{0, index,
                     Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                       std::chrono::duration<double>(std::min(seconds, 1e7))),
+                                       std::chrono::duration<double>(std::min(limits.seconds, 1e7))),
                     memfd_create("output", MFD_CLOEXEC), again};
     std::fflush(nullptr);  // otherwise both processes would write what is buffered
     running.process = fork();
     if (running.process != 0) return running;
-    settle_in(running.output, seconds);
+    settle_in(running.output, limits);
     const int status = work(index);
     std::fflush(nullptr);
     _exit(status);
@@ -68,7 +81,7 @@ Running start(std::size_t index, bool again, double seconds, const std::function
 
 }  // namespace
 
-void run_apart(std::size_t count, std::size_t at_once, double seconds, const std::function<int(std::size_t)>& work,
+void run_apart(std::size_t count, const ProcessLimits& limits, const std::function<int(std::size_t)>& work,
                const std::function<void(std::size_t, const EndedProcess&)>& done) {
     std::deque<std::pair<std::size_t, bool>> waiting;
     for (std::size_t i = 0; i < count; ++i) waiting.emplace_back(i, false);
@@ -84,10 +97,10 @@ void run_apart(std::size_t count, std::size_t at_once, double seconds, const std
             done(ended.index, told);
     };
     while (!waiting.empty() || !running.empty()) {
-        while (!waiting.empty() && running.size() < std::max<std::size_t>(at_once, 1)) {
+        while (!waiting.empty() && running.size() < std::max<std::size_t>(limits.at_once, 1)) {
             const auto [index, again] = waiting.front();
             waiting.pop_front();
-            running.push_back(start(index, again, seconds, work));
+            running.push_back(start(index, again, limits, work));
             if (running.back().process > 0) continue;
             close(running.back().output);
             running.pop_back();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -15,10 +16,16 @@ struct EndedProcess {
     std::string output;     // the end of what it printed
 };
 
+struct ProcessLimits {
+    std::size_t at_once = 1;
+    double seconds = 10;      // a process that runs longer is ended
+    std::uint64_t bytes = 0;  // of memory that it may ask for beyond that of this process; 0: no limit
+};
+
 // Calls `work(k)` for 0 ≤ k < count in copies of this process, whose return value is the copy's exit status, and `done`
-// here when it has ended. A copy that runs longer than `seconds` is ended. One that ends by a signal of its own is
-// tried once more. There must be neither threads nor a context yet, because they are not copied.
-void run_apart(std::size_t count, std::size_t at_once, double seconds, const std::function<int(std::size_t)>& work,
+// here when it has ended. One that ends by a signal of its own is tried once more. There must be neither threads nor a
+// context yet, because they are not copied.
+void run_apart(std::size_t count, const ProcessLimits& limits, const std::function<int(std::size_t)>& work,
                const std::function<void(std::size_t, const EndedProcess&)>& done);
 
 }  // namespace snell::app

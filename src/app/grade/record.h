@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/app/grade/rubric.h"
+#include "src/app/grade/rubric/rubric.h"
 
 namespace snell::app {
 

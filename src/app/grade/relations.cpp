@@ -16,7 +16,7 @@ Judged light(const RubricItem& item, const Picture& picture, const Picture& othe
     const bool darker = item.expect == Expect::darker;
     Judged judged;
     judged.passed =
-        darker ? now <= before * (1 - item.by) && before > 0 : now >= before * (1 + item.by) && now > before;
+        darker ? now <= before * (1 - item.by) && now < before : now >= before * (1 + item.by) && now > before;
     const double change = before > 0 ? now / before - 1 : 0;
     judged.why = fmt::format("its mean light is {:.4g}, against {:.4g}", now, before);
     if (before > 0 && now != before)

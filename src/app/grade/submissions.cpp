@@ -1,6 +1,7 @@
 #include "src/app/grade/submissions.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include "src/app/open/version.h"
 #include "src/app/picture/sha256.h"
 #include "src/content/regular_file.h"
+#include "src/content/whole_file.h"
 #include "src/document/document.h"
 #include "src/plan/locate.h"
 
@@ -68,7 +70,9 @@ std::vector<fs::path> submissions_of(const fs::path& folder, const Rubric& rubri
 std::string shown_name(const fs::path& path) {
     std::error_code error;
     const fs::path last = path.has_filename() ? path.filename() : path.parent_path().filename();
-    return utf8::printable(fs::is_directory(path, error) ? last.string() : last.stem().string());
+    if (fs::is_directory(path, error)) return utf8::printable(last.string());
+    const bool tar = is_archive(path.string()) && same_word(last.stem().extension().string(), ".tar");
+    return utf8::printable((tar ? last.stem() : last).stem().string());
 }
 
 // Letters, digits and some signs, so that it is a name on every file system and in every address.
@@ -123,6 +127,13 @@ void add_files(const fs::path& path, std::string& all) {
     }
 }
 
+// Tells this program from one that was built again, also where several machines have copies of it.
+std::string build_of_program() {
+    const std::string program = content::whole_file("/proc/self/exe");
+    const auto* bytes = reinterpret_cast<const Bytef*>(program.data());
+    return fmt::format("{}-{:x}", program.size(), crc32_z(0, bytes, program.size()));
+}
+
 }  // namespace
 
 std::optional<std::vector<Submission>> find_submissions(const std::vector<std::string>& arguments,
@@ -155,25 +166,6 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
     return submissions;
 }
 
-std::string unusable(const std::string& path) {
-    constexpr std::size_t most_entries = 20'000;
-    constexpr std::uint64_t most_bytes = std::uint64_t{2} << 30;
-    std::error_code error;
-    if (!fs::exists(path, error)) return "is not there";
-    std::size_t entries = 0;
-    std::uint64_t bytes = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
-    fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end;
-    for (; !error && entry != end && entries <= most_entries && bytes <= most_bytes; entry.increment(error)) {
-        ++entries;
-        std::error_code unknown_size;
-        if (!fs::is_regular_file(entry->symlink_status(unknown_size))) continue;
-        const std::uintmax_t size = entry->file_size(unknown_size);
-        if (!unknown_size) bytes += size;
-    }
-    if (entries > most_entries) return fmt::format("holds more than {} files and folders", most_entries);
-    return bytes > most_bytes ? "holds more than 2 GB" : "";
-}
-
 std::string key_of(const Submission& submission, const std::string& rest) {
     std::string all = rest;
     const fs::path path = submission.path;
@@ -182,8 +174,8 @@ std::string key_of(const Submission& submission, const std::string& rest) {
     return sha256(all);
 }
 
-std::string common_key(const Rubric& rubric) {
-    std::string all = std::string(version()) + '\0' + rubric.text + '\0';
+std::string common_key(const Rubric& rubric, const std::string& limits) {
+    std::string all = fmt::format("{} {} {}", version(), build_of_program(), limits) + '\0' + rubric.text + '\0';
     if (!rubric.reference.empty())
         for (const std::string& file : files_read_by(rubric.reference, {})) add_files(file, all);
     for (const std::string& path : rubric.shared) add_files(path, all);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/app/grade/rubric.h"
+#include "src/app/grade/rubric/rubric.h"
 
 namespace snell::app {
 
@@ -23,12 +23,9 @@ struct Submission {
 std::optional<std::vector<Submission>> find_submissions(const std::vector<std::string>& arguments,
                                                         const std::string& output, const Rubric& rubric);
 
-// Why a file or folder that a rubric names cannot be read as a whole: it "is not there", or it is too large; or "".
-std::string unusable(const std::string& path);
-
 // A hash of everything that the result depends on: all files of the submission, and `rest`.
 std::string key_of(const Submission& submission, const std::string& rest);
-// A hash of the rubric, the files that the reference reads, and the version of snell.
-std::string common_key(const Rubric& rubric);
+// A hash of the rubric, the files that the reference reads, what else limits judging, and this build of snell.
+std::string common_key(const Rubric& rubric, const std::string& limits);
 
 }  // namespace snell::app

@@ -37,7 +37,7 @@ std::string row_of_table(const Rubric& rubric, const GradedSubmission& graded) {
                     folder, shown_text(graded.submission.name), record.drawn.front())
               : std::string("no picture"));
     row += fmt::format("<td><a href=\"{}/index.html\">{}</a>", folder, shown_text(graded.submission.name));
-    if (!record.problem.empty()) row += fmt::format("<br>{}", shown_text(record.problem));
+    if (const std::string told = remark(record); !told.empty()) row += "<br>" + shown_text(told);
     row += fmt::format("</td><td class=\"number\" data-key=\"{0}\"><b>{1}</b></td>", record.points(),
                        points_text(record.points()));
     for (std::size_t i = 0; i < rubric.items.size(); ++i) {
@@ -82,6 +82,15 @@ std::string about_reference(const Grades& grades) {
 }
 
 }  // namespace
+
+std::string remark(const Record& record) {
+    constexpr std::size_t most = 2;
+    std::string text = record.problem;
+    for (std::size_t i = 0; i < std::min(record.notes.size(), most); ++i)
+        text += (text.empty() ? "" : "; ") + record.notes[i];
+    if (record.notes.size() > most) text += fmt::format("; and {} more", record.notes.size() - most);
+    return text;
+}
 
 std::string points_text(double points) {
     std::string text = fmt::format("{:.2f}", points);

@@ -21,6 +21,10 @@ std::string results_csv(const Grades& grades);
 std::string results_json(const Grades& grades, const std::vector<AlikePair>& pairs);
 std::string results_junit(const Grades& grades);
 
+// Why a submission was not judged to the end, and what else is to be known of it: its problem, and the first of its
+// notes; "" if there is nothing.
+std::string remark(const Record& record);
+
 // Points with at most two decimals.
 std::string points_text(double points);
 

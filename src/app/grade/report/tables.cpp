@@ -29,12 +29,14 @@ std::string xml(std::string_view text) { return html_text(utf8::printable(text))
 std::string results_csv(const Grades& grades) {
     std::string text = "submission,points";
     for (const RubricItem& item : grades.rubric.items) text += "," + field(item.name);
-    text += ",errors,warnings,problem,folder\n";
+    text += ",errors,warnings,problem,notes,folder\n";
     for (const GradedSubmission& graded : grades.all) {
         text += fmt::format("{},{}", field(graded.submission.name), points_text(graded.record.points()));
         for (const Judged& item : graded.record.items) text += "," + points_text(item.points);
-        text += fmt::format(",{},{},{},{}\n", graded.record.errors, graded.record.warnings,
-                            field(graded.record.problem), field("students/" + graded.submission.folder));
+        text +=
+            fmt::format(",{},{},{},{},{}\n", graded.record.errors, graded.record.warnings, field(graded.record.problem),
+                        field(fmt::format("{}", fmt::join(graded.record.notes, "; "))),
+                        field("students/" + graded.submission.folder));
     }
     return text;
 }
@@ -53,8 +55,9 @@ std::string results_json(const Grades& grades, const std::vector<AlikePair>& pai
         const Record& record = graded.record;
         Json one{{"name", graded.submission.name}, {"folder", "students/" + graded.submission.folder},
                  {"scene", record.scene},          {"points", record.points()},
-                 {"problem", record.problem},      {"errors", record.errors},
-                 {"warnings", record.warnings},    {"items", Json::array()}};
+                 {"problem", record.problem},      {"notes", record.notes},
+                 {"errors", record.errors},        {"warnings", record.warnings},
+                 {"items", Json::array()}};
         for (const Judged& item : record.items)
             one["items"].push_back({{"points", item.points}, {"passed", item.passed}, {"why", item.why}});
         json["submissions"].push_back(std::move(one));

@@ -1,5 +1,5 @@
 // Submissions that are broken, odd or hostile: each is reported, none ends the others, and nothing escapes.
-#include "tests/commands/grade.h"
+#include "tests/grade/submissions.h"
 
 #include <chrono>
 
@@ -37,6 +37,12 @@ protected:
                    statements + "\nz.close()\n");
         ASSERT_EQ(made.status, 0) << made.output;
     }
+    // A reason is where a lecturer looks for it: on the terminal, in the table of all, and in what programs read.
+    void told_everywhere(const std::string& reason) const {
+        EXPECT_NE(said.find(reason), std::string::npos) << said;
+        for (const std::string file : {"index.html", "results.csv", "results.json"})
+            EXPECT_NE(bytes_of(at("out/" + file)).find(reason), std::string::npos) << file << ": " << reason;
+    }
     std::string said;
 };
 
@@ -45,9 +51,11 @@ TEST_F(HostileSubmission, ArchivesAndFoldersOfAnyDepth) {
     fs::create_directories(at("s/Bob_123_file"));
     zip("s/Bob_123_file/work.zip", "whole()");
     scene("s/deep/1/2/3/4/5");
-    ASSERT_EQ(run("cd '" + at("") + "' && tar czf s/tarred.tgz -C reference .").status, 0);
+    ASSERT_EQ(
+        run("cd '" + at("") + "' && for f in tarred.tgz Kim.Lee.tar.gz; do tar czf s/$f -C reference .; done").status,
+        0);
     grade_all();
-    for (const std::string name : {"zipped", "Bob_123_file", "deep", "tarred"})
+    for (const std::string name : {"zipped", "Bob_123_file", "deep", "tarred", "Kim.Lee"})
         EXPECT_EQ(result(name)["points"], 2) << name << result(name).dump(1);
     EXPECT_FALSE(fs::exists(at("out/.unpacked")));
 }
@@ -74,6 +82,8 @@ TEST_F(HostileSubmission, NothingLeavesTheArchivesFolder) {
     EXPECT_EQ(result("links")["points"], 2);
     EXPECT_NE(page("bad").find("leads out of the archive"), std::string::npos);
     EXPECT_NE(page("links").find("is a link or a device"), std::string::npos);
+    EXPECT_EQ(result("links")["notes"].size(), 2u) << result("links").dump(1);
+    told_everywhere("is a link or a device");
     for (const std::string name : {"evil", "../evil", "s/evil", "out/evil", "out/students/evil", "out/.unpacked"})
         EXPECT_FALSE(fs::exists(at(name))) << name;
     EXPECT_FALSE(fs::exists("/tmp/snell-evil-absolute"));
@@ -89,7 +99,13 @@ TEST_F(HostileSubmission, AnArchiveOfZerosIsNotUnpackedToItsEnd) {
     folder.write("s/none.zip", "no archive at all");
     grade_all();
     EXPECT_NE(page("bomb").find("it holds more than 256 MB"), std::string::npos) << page("bomb");
-    for (const std::string name : {"bomb", "torn", "none"}) EXPECT_EQ(result(name)["points"], 0) << name;
+    told_everywhere("bomb.zip was not unpacked to its end: it holds more than 256 MB; there is no scene");
+    told_everywhere("torn.zip was not unpacked to its end");
+    told_everywhere("none.zip was not unpacked to its end");
+    for (const std::string name : {"bomb", "torn", "none"}) {
+        EXPECT_EQ(result(name)["points"], 0) << name;
+        EXPECT_NE(result(name)["problem"].get<std::string>().find("not unpacked"), std::string::npos) << name;
+    }
     EXPECT_FALSE(fs::exists(at("out/.unpacked")));
 }
 
@@ -138,6 +154,31 @@ TEST_F(HostileSubmission, AShaderThatTakesForeverIsStopped) {
     EXPECT_NE(result("slow")["problem"].get<std::string>().find("takes longer than 2 seconds"), std::string::npos);
     EXPECT_EQ(result("slow")["items"][0]["points"], 1) << "what needs no picture is judged";
     EXPECT_NE(page("slow").find("takes longer than 2 seconds"), std::string::npos);
+}
+
+// Each shape and each texture is within its limits, but not all of them together.
+TEST_F(HostileSubmission, OneThatAllocatesWithoutEndIsReported) {
+    constexpr int targets = 12;
+    std::string shapes = ball, passes = "##OpenGL GLIB\nVertex ball.vert\nFragment ball.frag\nProgram Plain uRed 1.\n";
+    std::string units, samplers, sum;
+    for (int i = 1; i <= targets; ++i) {
+        const std::string n = std::to_string(i);
+        shapes += "Sphere 1 " + std::to_string(1500 + i) + " 1500\n";
+        passes += "Texture2D " + n + " 8192 8192\nRenderToTexture " + n + "\nSphere 1\n";
+        units += " uT" + n + " " + n;
+        samplers += "uniform sampler2D uT" + n + ";\n";
+        sum += " + texture2D(uT" + n + ", vec2(uKd))";
+    }
+    scene("s/shapes", paint, shapes);
+    scene("s/targets", paint,
+          passes + "RenderToTexture\nVertex ball.vert\nFragment sum.frag\nProgram Sum uKd <0. .7 1.>" + units +
+              "\nSphere 1\n");
+    folder.write("s/targets/sum.frag",
+                 samplers + "uniform float uKd;\nvoid main() { gl_FragColor = vec4(0.)" + sum + "; }\n");
+    grade_all("--memory 1");
+    for (const std::string name : {"shapes", "targets"})
+        EXPECT_EQ(result(name)["problem"], "it takes more than 1 GB of memory") << name;
+    told_everywhere("it takes more than 1 GB of memory");
 }
 
 TEST_F(HostileSubmission, ASceneOfTenThousandPasses) {

@@ -1,5 +1,5 @@
-// Grading: what items of a rubric judge, and what is said of mistakes in it.
-#include "tests/commands/grade.h"
+// Grading: what items of a rubric judge, and what is kept of it.
+#include "tests/grade/submissions.h"
 
 namespace snell::test {
 
@@ -53,6 +53,11 @@ TEST_F(Grade, UniformsHaveTypesAndRanges) {
     EXPECT_NE(last.find("goes from 0 to 1, not from 0 to 2"), std::string::npos) << last;
     EXPECT_NE(last.find("'uRed' is a float, not a vec3"), std::string::npos) << last;
     EXPECT_NE(last.find("no uniform 'uNone'"), std::string::npos) << last;
+    // One end of the range is enough.
+    EXPECT_EQ(points("uniforms = { uKd = \"float 0..\", uRed = \"float ..1\" }\n"), 4) << last;
+    EXPECT_EQ(points("uniforms = { uKd = \"float -1..\", uRed = \"float ..2\" }\n"), 0);
+    EXPECT_NE(last.find("goes from 0 to 1, not from -1"), std::string::npos) << last;
+    EXPECT_NE(last.find("goes from 0 to 1, not to 2"), std::string::npos) << last;
 }
 
 TEST_F(Grade, LintsCostPoints) {
@@ -73,6 +78,12 @@ TEST_F(Grade, RelationsBetweenPictures) {
     EXPECT_EQ(points("set = { uKd = 0, uSide = -1 }\nthan = { uKd = 0 }\nexpect = \"same\"\n"), 4) << last;
     EXPECT_EQ(points("set = { uSide = -0.3 }\nexpect = \"mirrored\"\n"), 4) << last;
     EXPECT_EQ(points("set = { uSide = 0.9 }\nexpect = \"mirrored\"\n"), 0);
+    EXPECT_EQ(points("expect = \"mirrored\"\n"), 0) << "one picture is compared with its own mirror image";
+    EXPECT_EQ(points("expect = \"mirrored\"\n", paint, with(ball, ".3 1.", "0. 1.")), 4) << last;
+    // The side makes it neither darker nor brighter, when by any amount would do.
+    for (const std::string expect : {"darker", "brighter"})
+        EXPECT_EQ(points("set = { uKd = 0, uSide = 1 }\nthan = { uKd = 0 }\nby = 0\nexpect = \"" + expect + "\"\n"), 0)
+            << last;
     EXPECT_EQ(points("expect = \"different\"\nset = { uKd = 0 }\n", "void main() { gl_FragColor = vec4(oops); }"), 0);
 }
 
@@ -104,47 +115,6 @@ TEST_F(Grade, OtherNamesAreMatchedByAliasesOnly) {
         << last;
 }
 
-TEST_F(Grade, MistakesInTheRubricHavePlacesAndSuggestions) {
-    scene("s/ann");
-    const auto says = [&](const std::string& item, const std::string& text) {
-        folder.write("r.toml", head + item);
-        const Outcome made = grade("r.toml s -o out");
-        EXPECT_EQ(made.status, 1) << item;
-        EXPECT_TRUE(made.says(text)) << made.output;
-        EXPECT_FALSE(fs::exists(at("out"))) << item;
-    };
-    says("[[item]]\npoint = 3\nno_errors = true\n", "r.toml:6:1: error: a rubric has no 'point' here");
-    says("[[item]]\npoint = 3\nno_errors = true\n", "did you mean 'points'?");
-    says("[[item]]\nno_lints = [\"never-red\"]\n", "did you mean 'never-read'?");
-    says("[[item]]\nneeds = [\"Teepot\"]\n", "r.toml:6:10: error: there is no command 'Teepot'");
-    says("[[item]]\nexpect = \"darkr\"\nset = { uKd = 0 }\n", "did you mean 'darker'?");
-    says("[[item]]\nexpect = \"darker\"\n", "compared with itself");
-    says("[[item]]\ncounters = { drews = 1 }\n", "did you mean 'draws'?");
-    says("[[item]]\npoints = \"two\"\nno_errors = true\n", "'points' is a number, not a text in quotes");
-    says("[[item]]\npoints = 2\n", "does not say what it judges");
-    says("[[item]]\nno_errors = true\nneeds = [\"Sphere\"]\n", "judges two things");
-    says("[[item]]\nno_errors = tru\n", "r.toml:6:");
-    says("size = \"64\"\n[[item]]\nno_errors = true\n", "error");
-    says("", "no items");
-    folder.write("r.toml", "reference = \"nothere.glib\"\n[[item]]\nno_errors = true\n");
-    EXPECT_TRUE(grade("r.toml s -o out").says("r.toml:1:13: error: there is no scene 'nothere.glib'"));
-    const auto shares = [&](const std::string& path, const std::string& text) {
-        folder.write("r.toml", "shared = [\"" + path + "\"]\n[[item]]\nno_errors = true\n");
-        const Outcome made = grade("r.toml s -o out");
-        EXPECT_TRUE(made.says("r.toml:1:10: error: 'shared' names '" + path + "', which " + text)) << made.output;
-        EXPECT_EQ(made.status, 1);
-    };
-    shares("nothere", "is not there");
-    shares("/", "holds more than 20000 files and folders");
-    fs::create_directories(at("large"));
-    folder.write("large/zeros", "");
-    fs::resize_file(at("large/zeros"), std::uintmax_t{3} << 30);
-    shares("large", "holds more than 2 GB");
-    EXPECT_EQ(grade("nothere.toml s -o out").status, 1);
-    EXPECT_EQ(grade("r.toml -o out").status, 2);
-    EXPECT_EQ(grade("r.toml s").status, 2);
-}
-
 TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {
     ASSERT_EQ(grade("--new reference/ball.glib -o r.toml").status, 0);
     EXPECT_EQ(grade("--new reference/ball.glib -o r.toml").status, 2) << "it is not replaced";
@@ -155,7 +125,9 @@ TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {
     const json all = results();
     EXPECT_EQ(result("ann")["points"], all["points"]) << all.dump(1);
     EXPECT_GE(all["items"].size(), 7u);
-    EXPECT_TRUE(grade("--new reference/ball.glib").says("uKd = \"float 0..1\""));
+    const Outcome printed = grade("--new reference/ball.glib");
+    EXPECT_TRUE(printed.says("uKd = \"float 0..1\"")) << printed.output;
+    EXPECT_EQ(grade("--new reference/ball.glib -o -").output, printed.output);
 }
 
 TEST_F(Grade, AReferenceThatFailsIsAWarning) {
@@ -182,6 +154,22 @@ TEST_F(Grade, WhatDidNotChangeIsKept) {
     scene("reference", paint + "\n");
     EXPECT_TRUE(grade("r.toml s -o out").says("0 of them judged before"));
     EXPECT_TRUE(grade("r.toml s -o out --again").says("0 of them judged before"));
+}
+
+TEST_F(Grade, AProgramThatWasBuiltAgainKeepsNothing) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("s/ann");
+    fs::copy_file(SNELL_BIN "/snell", at("snell"));
+    const auto by_copy = [&] { return run("cd '" + folder.path() + "' && ./snell grade r.toml s -o out"); };
+    ASSERT_TRUE(grade("r.toml s -o out").says("0 of them judged before"));
+    EXPECT_TRUE(by_copy().says("1 of them judged before")) << "a copy is the same program";
+    std::ofstream(at("snell"), std::ios::app) << "other";
+    EXPECT_TRUE(by_copy().says("0 of them judged before"));
+    EXPECT_TRUE(by_copy().says("1 of them judged before"));
+    EXPECT_TRUE(grade("r.toml s -o out --memory 5").says("0 of them judged before"));
+    EXPECT_TRUE(grade("r.toml s -o out --memory 6").says("0 of them judged before")) << "more memory may help";
+    for (const std::string number : {"nan", "inf", "-1"})
+        EXPECT_EQ(grade("r.toml s -o out --memory=" + number).status, 2) << number;
 }
 
 TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolder) {

@@ -2,6 +2,7 @@
 #include "tests/cli/command.h"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "src/accuracy/difference.h"
@@ -64,6 +65,60 @@ TEST_F(Compare, LimitsMakeItATest) {
     EXPECT_EQ(compare("a.bmp").status, 2);
     EXPECT_EQ(compare("a.bmp nothere.bmp").status, 2);
     EXPECT_EQ(compare("a.bmp b.bmp -o a.bmp").status, 2) << "what is read is not overwritten";
+}
+
+TEST_F(Compare, NumbersOfOptionsAreFinite) {
+    grey("a.bmp", 100);
+    for (const std::string option : {"max-rmse", "max-flip", "max-pixels", "threshold", "time", "timeout"})
+        for (const std::string number : {"nan", "inf", "-inf", "-nan", "1e999", "x"}) {
+            const Outcome refused = compare("a.bmp a.bmp --" + option + "=" + number);
+            EXPECT_EQ(refused.status, 2) << option << " " << number;
+            EXPECT_TRUE(refused.says("--" + option)) << refused.output;
+        }
+    for (const std::string option : {"max-rmse", "max-flip", "max-pixels", "threshold"})
+        EXPECT_EQ(compare("a.bmp a.bmp --" + option + "=-0.1").status, 2) << option;
+}
+
+TEST_F(Compare, BlackAndWhiteHaveNoDecibels) {
+    grey("black.bmp", 0);
+    grey("white.bmp", 255);
+    const Outcome outcome = compare("black.bmp white.bmp");
+    EXPECT_TRUE(outcome.says("PSNR      0 dB of displayed values, 0 dB of light")) << outcome.output;
+    EXPECT_FALSE(outcome.says("-0")) << outcome.output;
+}
+
+// What a display cannot show makes no difference between displayed values, but between lights.
+TEST_F(Compare, DisplayedValuesAreTheBytesOfAPng) {
+    const accuracy::Picture shown =
+        accuracy::as_bytes({1, 1, {-1.f, .5f, 4.f, std::numeric_limits<float>::quiet_NaN()}});
+    EXPECT_EQ(shown.rgba[0], 0);
+    EXPECT_FLOAT_EQ(shown.rgba[1], 128.f / 255);
+    EXPECT_EQ(shown.rgba[2], 1);
+    EXPECT_TRUE(std::isnan(shown.rgba[3]));
+    const std::string scene = "##OpenGL GLIB\nVertex h.vert\nFragment h.frag\nProgram H uMost <0. 4. 9.>\nSphere 9\n";
+    folder.write("own.glib", scene);
+    folder.write("light.glib", "Output srgb\n" + scene);
+    folder.write("h.vert", "void main() { gl_Position = ftransform(); }\n");
+    folder.write("h.frag",
+                 "uniform float uMost;\nvoid main() { float x = floor(gl_FragCoord.x) / 31.;\n"
+                 "  gl_FragColor = vec4(vec3(x < .5 ? uMost : x * x), 1.); }\n");
+    for (const std::string name : {"own", "light"}) {
+        const std::string displayed = name == "own" ? " --displayed" : "";
+        for (const std::string& file : {name + ".png", name + ".exr", std::string("more.exr")})
+            ASSERT_EQ(run(SNELL_BIN "/snell render -q " + at(name + ".glib") + " --size 32x16 -o " + at(file) +
+                          (file == "more.exr" ? " --set uMost=8" : ""))
+                          .status,
+                      0);
+        const json all = figures(name + ".exr " + name + ".png --threshold 0.004" + displayed);  // one step
+        EXPECT_EQ(all["pixels_percent"], 0) << name;
+        EXPECT_LT(all["display"]["rmse"], .002) << name;
+        EXPECT_GT(all["light"]["rmse"], 1) << name;
+        EXPECT_LE(all["display"]["max"], 1. / 254) << name;
+        const json more = figures(name + ".exr more.exr" + displayed);
+        EXPECT_EQ(more["display"]["rmse"], 0) << name;
+        EXPECT_EQ(more["flip"], 0) << name;
+        EXPECT_GT(more["light"]["rmse"], 1) << name;
+    }
 }
 
 TEST_F(Compare, TheNearestOfSeveralReferencesCounts) {
@@ -160,7 +215,22 @@ TEST_F(Compare, FoldersAreComparedByNames) {
     const Outcome outcome = compare("a b --max-rmse 0");
     EXPECT_EQ(outcome.status, 1);
     EXPECT_TRUE(outcome.says("only in b: more.bmp")) << outcome.output;
+    const json all = json::parse(compare("a b --json").output, nullptr, false);
+    EXPECT_EQ(all["unpaired"], json::array({"b/more.bmp"})) << all.dump(1);
+    EXPECT_EQ(all["alike"], false);
     EXPECT_EQ(compare("a b/1.bmp").status, 2);
+}
+
+TEST_F(Compare, StandardOutputHoldsTheMapAlone) {
+    grey("a.bmp", 100);
+    grey("b.bmp", 110);
+    ASSERT_EQ(compare("a.bmp b.bmp -o map.png >text").status, 0);
+    ASSERT_EQ(run("cd '" + folder.path() + "' && { " SNELL_BIN "/snell compare a.bmp b.bmp -o - >printed.png 2>told; }")
+                  .status,
+              0);
+    EXPECT_EQ(bytes_of(at("printed.png")), bytes_of(at("map.png")));
+    EXPECT_EQ(bytes_of(at("told")), bytes_of(at("text")));
+    EXPECT_EQ(compare("a.bmp b.bmp -o - --json").status, 2) << "two outputs are not mixed";
 }
 
 TEST_F(Compare, CoverageLeavesTheBackgroundOut) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "src/app/grade/toml.h"
+#include "src/app/grade/rubric/toml.h"
 
 namespace snell::app {
 

@@ -1,0 +1,116 @@
+#include "src/app/grade/rubric/table.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "parser/text/ranges.h"
+
+namespace snell::app {
+
+namespace {
+
+using Kind = TomlValue::Kind;
+
+std::string_view words_of(Kind kind) {
+    constexpr std::array<std::string_view, 6> words{"a text in quotes",     "a number",
+                                                    "true or false",        "a list in brackets",
+                                                    "a table in braces {}", "something else"};
+    return words[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace
+
+// Comparisons with NaN are false, so that it never fits.
+const Allowed from_0{"a number from 0", [](double number) { return number >= 0; }};
+const Allowed above_0{"a number more than 0", [](double number) { return number > 0; }};
+const Allowed seconds_above_0{"a number of seconds, more than 0 and at most 1000000",
+                              [](double number) { return number > 0 && number <= 1e6; }};
+const Allowed from_0_to_1{"a number from 0 to 1", [](double number) { return number >= 0 && number <= 1; }};
+const Allowed below_1{"a number from 0 that is less than 1", [](double number) { return number >= 0 && number < 1; }};
+const Allowed below_100{"a number from 0 that is less than 100",
+                        [](double number) { return number >= 0 && number < 100; }};
+const Allowed samples_of_a_pixel{"a whole number from 1 to 64", [](double number) {
+                                     return number >= 1 && number <= 64 && number == std::floor(number);
+                                 }};
+
+const TomlValue* Table::find(std::string_view name, std::optional<Kind> kind) {
+    known_.push_back(name);
+    for (const TomlValue::Member& member : table_.members) {
+        if (member.name != name) continue;
+        if (!kind || member.value.kind == *kind) return &member.value;
+        wrong_value(diagnostics_, member.value.span,
+                    fmt::format("'{}' is {}, not {}", name, words_of(*kind), words_of(member.value.kind)));
+    }
+    return nullptr;
+}
+
+void Table::read(std::string_view name, std::string& text) {
+    if (const TomlValue* value = find(name, Kind::text)) text = value->text;
+}
+
+void Table::read(std::string_view name, std::optional<double>& number, const Allowed& allowed) {
+    const TomlValue* value = find(name, Kind::number);
+    if (!value) return;
+    if (std::isfinite(value->number) && allowed.fits(value->number))
+        number = value->number;
+    else
+        wrong_value(diagnostics_, value->span, fmt::format("'{}' is {}", name, allowed.words));
+}
+
+void Table::read(std::string_view name, double& number, const Allowed& allowed) {
+    std::optional<double> found;
+    read(name, found, allowed);
+    number = found.value_or(number);
+}
+
+std::vector<std::string> Table::texts(std::string_view name) {
+    std::vector<std::string> texts;
+    const TomlValue* list = find(name);
+    if (list && list->kind == Kind::text) return {list->text};
+    if (list && list->kind != Kind::list)
+        wrong_value(diagnostics_, list->span, fmt::format("'{}' is a list of texts", name));
+    for (const TomlValue& part : list ? list->list : std::vector<TomlValue>{})
+        if (part.kind == Kind::text)
+            texts.push_back(part.text);
+        else
+            wrong_value(diagnostics_, part.span, fmt::format("'{}' is a list of texts", name));
+    return texts;
+}
+
+void Table::done() {
+    for (const TomlValue::Member& member : table_.members) {
+        if (ranges::find(known_, std::string_view(member.name)) != known_.end()) continue;
+        const std::string_view near = nearest(member.name, known_);
+        diagnostics_.error("rubric-key", member.span, fmt::format("a rubric has no '{}' here", member.name),
+                           near.empty() ? fmt::format("possible: {}", fmt::join(known_, ", "))
+                                        : fmt::format("did you mean '{}'?", near));
+    }
+}
+
+void wrong_value(Diagnostics& diagnostics, Span span, std::string message, std::string help) {
+    diagnostics.error("rubric-value", span, std::move(message), std::move(help));
+}
+
+void wrong_name(Diagnostics& diagnostics, Span span, std::string_view what, std::string_view name,
+                const std::vector<std::string_view>& names) {
+    const std::string_view near = nearest(name, names);
+    wrong_value(diagnostics, span, fmt::format("there is no {} '{}'", what, name),
+                near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+}
+
+std::optional<std::string> assigned_text(const TomlValue& value) {
+    if (value.kind == Kind::truth) return value.truth ? "true" : "false";
+    if (value.kind == Kind::number && std::isfinite(value.number)) return fmt::format("{}", value.number);
+    if (value.kind != Kind::list || value.list.empty()) return std::nullopt;
+    std::string text;
+    for (const TomlValue& part : value.list) {
+        const auto one = part.kind == Kind::list ? std::nullopt : assigned_text(part);
+        if (!one) return std::nullopt;
+        text += (text.empty() ? "" : ",") + *one;
+    }
+    return text;
+}
+
+}  // namespace snell::app

@@ -1,0 +1,52 @@
+// The keys of one table of a rubric, each asked for by its name and kind.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/text/diagnostic.h"
+#include "src/app/grade/rubric/toml.h"
+
+namespace snell::app {
+
+// Which numbers a key takes.
+struct Allowed {
+    std::string_view words;  // such as "a number from 0"
+    bool (*fits)(double number);
+};
+extern const Allowed from_0, above_0, seconds_above_0, from_0_to_1, below_1, below_100, samples_of_a_pixel;
+
+// Reports values of a wrong kind, and, at the end, keys that were not asked for.
+class Table {
+public:
+    Table(const TomlValue& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
+
+    // Returns null if there is no such key, or its value is not of that kind.
+    const TomlValue* find(std::string_view name, std::optional<TomlValue::Kind> kind = std::nullopt);
+    // These leave what they are given as it is if there is no such key, or its value does not fit.
+    void read(std::string_view name, std::string& text);
+    void read(std::string_view name, std::optional<double>& number, const Allowed& allowed);
+    void read(std::string_view name, double& number, const Allowed& allowed);
+    // A list of texts, or one text.
+    std::vector<std::string> texts(std::string_view name);
+    // Reports the keys that were not asked for.
+    void done();
+
+private:
+    const TomlValue& table_;
+    Diagnostics& diagnostics_;
+    std::vector<std::string_view> known_;
+};
+
+// Reports an error about a value of a rubric.
+void wrong_value(Diagnostics& diagnostics, Span span, std::string message, std::string help = {});
+// Reports a name that is none of `names`, with the nearest of them.
+void wrong_name(Diagnostics& diagnostics, Span span, std::string_view what, std::string_view name,
+                const std::vector<std::string_view>& names);
+
+// A number as a scene's text has it, true or false, or a list of them with commas; nullopt for anything else.
+std::optional<std::string> assigned_text(const TomlValue& value);
+
+}  // namespace snell::app
