@@ -16,8 +16,11 @@ inline content::Image picture_of(const std::string& path) {
 class CommandTest : public testing::Test {
 protected:
     void SetUp() override {
-        std::string error;
-        if (!HeadlessContext::make({}, error)) GTEST_SKIP() << "no graphics: " << error;
+        static const std::string missing = [] {
+            std::string error;
+            return HeadlessContext::make({}, error) ? "" : "no graphics: " + error;
+        }();
+        if (!missing.empty()) GTEST_SKIP() << missing;
     }
     std::string at(const std::string& name) const { return folder.path(name); }
     content::Image picture(const std::string& name) const { return picture_of(at(name)); }

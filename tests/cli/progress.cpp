@@ -64,7 +64,7 @@ TEST_F(ProgressLines, ASlowLoadHasABarOnATerminalThatIsGoneAfterwards) {
 
 TEST_F(ProgressLines, TimingFramesHasABarToo) {
     const auto [text, seconds] =
-        on_terminal("explain " + folder.path("quick.glib") + " --size 16x16 --reps 10000 --timeout 1.5");
+        on_terminal("explain " + folder.path("quick.glib") + " --size 80x80 --reps 10000 --timeout 4");
     if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;
     if (text.find("[timeout]") != std::string::npos) GTEST_SKIP() << "this machine is busy";
     EXPECT_NE(text.find("] timing frames: round "), std::string::npos) << text;

@@ -71,11 +71,11 @@ def small(command):
     if words[1] not in SUBCOMMANDS:
         return "snell check " + next(word for word in words if word.endswith(".glib"))
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
-            "accuracy": {"--size": "48x36", "--no-time": "", "--budget": "3"}}.get(words[1], {})
+            "accuracy": {"--size": "48x36", "--no-time": "", "--no-found": "", "--budget": "10"}}.get(words[1], {})
     if {"--list-found", "--apply", "--as-ladder"} & set(words):
         less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):
-        less = {"--size": "48x36", "--reps": "3", "--budget": "4"}
+        less = {"--size": "48x36", "--reps": "3", "--no-found": "", "--budget": "10"}
     if "--baked" in words:
         less = {"--size": "48x36"}
     if "--frames" in words:
@@ -98,7 +98,7 @@ def main():
         for name in ("page.html", "gallery.html", "runtime.js"):
             (web / name).write_text(PAGE)
         environment = {**os.environ, "PATH": f"{program.parent}{os.pathsep}{os.environ['PATH']}", "HOME": folder,
-                       "SNELL_WEB": str(web)}
+                       "SNELL_WEB": str(web), "LP_NUM_THREADS": "0"}
 
         def run(command):
             return subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,

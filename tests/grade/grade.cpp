@@ -10,22 +10,33 @@ using nlohmann::json;
 
 class Grade : public GradeTest {
 protected:
-    // Grades one submission, with the fragment shader, by one item; returns the item.
-    json judged(const std::string& item, const std::string& fragment, const std::string& text = ball) {
+    // Grades one submission, with the fragment shader, by items of four points each. What was said of them is in
+    // `last`.
+    std::vector<double> points_of(const std::vector<std::string>& items, const std::string& fragment = paint,
+                                  const std::string& text = ball) {
         fs::remove_all(at("s"));
         fs::remove_all(at("out"));
         scene("s/ann", fragment, text);
-        folder.write("r.toml", head + "[[item]]\npoints = 4\n" + item);
+        std::string rubric = head;
+        for (const std::string& item : items) rubric += "[[item]]\npoints = 4\n" + item;
+        folder.write("r.toml", rubric);
         const Outcome made = grade("r.toml s -o out");
         EXPECT_EQ(made.status, 0) << made.output;
+        std::vector<double> found;
+        last.clear();
         const json one = result("ann");
-        return one.is_null() ? one : one["items"][0];
+        for (std::size_t i = 0; i < items.size() && !one.is_null(); ++i) {
+            found.push_back(one["items"][i]["points"]);
+            last += one["items"][i]["why"].get<std::string>() + "\n";
+        }
+        return found;
     }
     double points(const std::string& item, const std::string& fragment = paint, const std::string& text = ball) {
-        const json one = judged(item, fragment, text);
-        last = one.is_null() ? "" : one["why"];
-        return one.is_null() ? -1 : one["points"].get<double>();
+        const std::vector<double> found = points_of({item}, fragment, text);
+        return found.empty() ? -1 : found[0];
     }
+    using Items = std::vector<std::string>;
+    using Points = std::vector<double>;
     static std::string with(std::string text, const std::string& from, const std::string& to) {
         text.replace(text.find(from), from.size(), to);
         return text;
@@ -34,22 +45,26 @@ protected:
 };
 
 TEST_F(Grade, ItemsWithoutPictures) {
-    EXPECT_EQ(points("no_errors = true\n"), 4);
-    EXPECT_EQ(points("no_errors = true\n", with(paint, "float d", "float e")), 0);
-    EXPECT_EQ(points("needs = [\"Sphere\", \"perspective\"]\n"), 4) << last;
-    EXPECT_EQ(points("needs = [\"Sphere\", \"Teapot\"]\n"), 2) << last;
-    EXPECT_EQ(points("forbids = [\"Sphere\"]\n"), 0);
-    EXPECT_EQ(points("forbids = [\"Sphere\"]\n", paint, ball + "# Sphere\n"), 0);
-    EXPECT_EQ(points("forbids = [\"Torus\"]\n", paint, ball + "# Torus 1 .5\n"), 4) << "a comment uses nothing";
-    EXPECT_EQ(points("counters = { draws = 1 }\n"), 4) << last;
-    EXPECT_EQ(points("counters = { draws = \"2..\" }\n"), 0);
+    const Items items{"no_errors = true\n",
+                      "needs = [\"Sphere\", \"perspective\"]\n",
+                      "needs = [\"Sphere\", \"Teapot\"]\n",
+                      "forbids = [\"Sphere\"]\n",
+                      "forbids = [\"Torus\"]\n",
+                      "counters = { draws = 1 }\n",
+                      "counters = { draws = \"2..\" }\n"};
+    // A comment uses nothing.
+    EXPECT_EQ(points_of(items, paint, ball + "# Sphere Torus 1 .5\n# Torus 1 .5\n"), (Points{4, 4, 2, 0, 4, 4, 0}))
+        << last;
     EXPECT_NE(last.find("draws 1, at least 2 expected"), std::string::npos) << last;
+    EXPECT_EQ(points(items[0], with(paint, "float d", "float e")), 0);
 }
 
 TEST_F(Grade, UniformsHaveTypesAndRanges) {
-    EXPECT_EQ(points("uniforms = { uKd = \"float 0..1\", uRed = \"float\" }\n"), 4) << last;
-    EXPECT_EQ(points("uniforms = { uKd = \"float 0..2\", uRed = \"vec3\", uNone = \"float\", uSide = \"float\" }\n"),
-              1);
+    EXPECT_EQ(
+        points_of({"uniforms = { uKd = \"float 0..1\", uRed = \"float\" }\n",
+                   "uniforms = { uKd = \"float 0..2\", uRed = \"vec3\", uNone = \"float\", uSide = \"float\" }\n"}),
+        (Points{4, 1}))
+        << last;
     EXPECT_NE(last.find("goes from 0 to 1, not from 0 to 2"), std::string::npos) << last;
     EXPECT_NE(last.find("'uRed' is a float, not a vec3"), std::string::npos) << last;
     EXPECT_NE(last.find("no uniform 'uNone'"), std::string::npos) << last;
@@ -62,22 +77,23 @@ TEST_F(Grade, UniformsHaveTypesAndRanges) {
 
 TEST_F(Grade, LintsCostPoints) {
     const std::string negative = with(paint, "float d =", "float p = pow(vN.x - uSide, 2.);\n  float d = p * 0. +");
-    EXPECT_EQ(points("no_lints = [\"pow-of-negative\", \"never-read\"]\neach = 1.5\n"), 4);
-    EXPECT_EQ(points("no_lints = [\"pow-of-negative\", \"never-read\"]\neach = 1.5\n", negative), 2.5) << last;
-    EXPECT_EQ(points("no_lints = [\"pow-of-negative\"]\n", negative), 0);
+    const Items items{"no_lints = [\"pow-of-negative\", \"never-read\"]\neach = 1.5\n",
+                      "no_lints = [\"pow-of-negative\"]\n"};
+    EXPECT_EQ(points_of(items), (Points{4, 4})) << last;
+    EXPECT_EQ(points_of(items, negative), (Points{2.5, 0})) << last;
 }
 
 TEST_F(Grade, RelationsBetweenPictures) {
-    EXPECT_EQ(points("set = { uKd = 0 }\nexpect = \"darker\"\n"), 4) << last;
-    EXPECT_EQ(points("set = { uKd = 1 }\nexpect = \"darker\"\n"), 0);
-    EXPECT_EQ(points("set = { uKd = 1 }\nexpect = \"brighter\"\n"), 4) << last;
-    EXPECT_EQ(points("set = { uKd = 1 }\nexpect = \"brighter\"\nby = 3\n"), 0);
-    EXPECT_EQ(points("set = { uRed = 0 }\nexpect = \"different\"\n"), 4) << last;
-    EXPECT_EQ(points("set = { uRed = 0 }\nexpect = \"same\"\n"), 0);
-    // Without diffuse light, its side does not matter.
-    EXPECT_EQ(points("set = { uKd = 0, uSide = -1 }\nthan = { uKd = 0 }\nexpect = \"same\"\n"), 4) << last;
-    EXPECT_EQ(points("set = { uSide = -0.3 }\nexpect = \"mirrored\"\n"), 4) << last;
-    EXPECT_EQ(points("set = { uSide = 0.9 }\nexpect = \"mirrored\"\n"), 0);
+    EXPECT_EQ(
+        points_of({"set = { uKd = 0 }\nexpect = \"darker\"\n", "set = { uKd = 1 }\nexpect = \"darker\"\n",
+                   "set = { uKd = 1 }\nexpect = \"brighter\"\n", "set = { uKd = 1 }\nexpect = \"brighter\"\nby = 3\n",
+                   "set = { uRed = 0 }\nexpect = \"different\"\n", "set = { uRed = 0 }\nexpect = \"same\"\n",
+                   // Without diffuse light, its side does not matter.
+                   "set = { uKd = 0, uSide = -1 }\nthan = { uKd = 0 }\nexpect = \"same\"\n",
+                   "set = { uSide = -0.3 }\nexpect = \"mirrored\"\n",
+                   "set = { uSide = 0.9 }\nexpect = \"mirrored\"\n"}),
+        (Points{4, 0, 4, 0, 4, 0, 4, 4, 0}))
+        << last;
     EXPECT_EQ(points("expect = \"mirrored\"\n"), 0) << "one picture is compared with its own mirror image";
     EXPECT_EQ(points("expect = \"mirrored\"\n", paint, with(ball, ".3 1.", "0. 1.")), 4) << last;
     // The side makes it neither darker nor brighter, when by any amount would do.
@@ -88,31 +104,31 @@ TEST_F(Grade, RelationsBetweenPictures) {
 }
 
 TEST_F(Grade, AnEmptyPictureIsNotTheSame) {
-    const std::string none = with(ball, "Sphere 1", "# Sphere 1");
-    EXPECT_EQ(points("set = { uKd = 0 }\nexpect = \"same\"\n", paint, none), 0);
-    EXPECT_EQ(points("slower = 100\n", paint, none), 0);
-    EXPECT_EQ(points("slower = 100\n"), 4) << last;
+    const Items items{"set = { uKd = 0 }\nexpect = \"same\"\n", "slower = 100\n"};
+    EXPECT_EQ(points_of(items, paint, with(ball, "Sphere 1", "# Sphere 1")), (Points{0, 0})) << last;
+    EXPECT_EQ(points_of(items), (Points{0, 4})) << last;
 }
 
 TEST_F(Grade, TheReferenceHasTheSameValues) {
     const std::string hidden = "set = { uRed = 0.4, uKd = 0.5 }\nexpect = \"reference\"\n";
-    EXPECT_EQ(points(hidden), 4) << last;
+    EXPECT_EQ(points_of({hidden, "expect = \"reference\"\nmax_pixels = 5\nview = \"scale=.5\"\n"}), (Points{4, 4}))
+        << last;
     // Other values in the scene's text do not matter where the rubric sets them.
     EXPECT_EQ(points(hidden, paint, with(ball, ".9 1.>", ".1 1.>")), 4) << last;
     EXPECT_EQ(points(hidden + "max_rmse = 0.001\n", with(paint, ".2, .1", ".2, .3")), 0);
     EXPECT_NE(last.find("RMSE"), std::string::npos);
-    EXPECT_EQ(points("expect = \"reference\"\nmax_pixels = 5\nview = \"scale=.5\"\n"), 4) << last;
 }
 
 TEST_F(Grade, OtherNamesAreMatchedByAliasesOnly) {
     std::string fragment = paint, text = with(ball, "uKd", "uDiffuse");
     for (int i = 0; i < 2; ++i) fragment = with(fragment, "uKd", "uDiffuse");
-    const std::string item = "set = { uKd = 0 }\nexpect = \"darker\"\n";
+    const std::string item = "set = { uKd = 0 }\nexpect = \"darker\"\n",
+                      uniform = "uniforms = { uKd = \"float 0..1\" }\n";
     EXPECT_EQ(points(item, fragment, text), 0);
     EXPECT_NE(last.find("uKd"), std::string::npos) << last;
-    EXPECT_EQ(points(item + "[aliases]\nuKd = [\"kd\", \"uDiffuse\"]\n", fragment, text), 4) << last;
-    EXPECT_EQ(points("uniforms = { uKd = \"float 0..1\" }\n[aliases]\nuKd = \"uDiffuse\"\n", fragment, text), 4)
+    EXPECT_EQ(points_of({uniform, item + "[aliases]\nuKd = [\"kd\", \"uDiffuse\"]\n"}, fragment, text), (Points{4, 4}))
         << last;
+    EXPECT_EQ(points_of({item, uniform + "[aliases]\nuKd = \"uDiffuse\"\n"}, fragment, text), (Points{4, 4})) << last;
 }
 
 TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {

@@ -4,6 +4,7 @@ diagnostic go that it is for.
 
 usage: actions.py SNELL
 """
+import concurrent.futures
 import glob
 import os
 import pathlib
@@ -181,27 +182,32 @@ def try_all(client, name, folder, least, driver):
     return len(actions), wrong
 
 
-def main(snell):
+def try_some(snell, cases, top):
+    """The number of fixes of these cases, and what is wrong with them."""
     clients = {driver: Client(snell, driver=driver) for driver in (False, True)}
-    scenes, fixes, wrong = 0, 0, []
-    with tempfile.TemporaryDirectory() as top:
-        def one(name, files, least):
-            nonlocal scenes, fixes, wrong
-            folder = os.path.join(top, str(scenes))
-            os.mkdir(folder)
-            for file, text in files.items():
-                pathlib.Path(folder, file).write_bytes(text)
-            driver = name.startswith("shader")
-            count, more = try_all(clients[driver], name, folder, least, driver)
-            scenes, fixes, wrong = scenes + 1, fixes + count, wrong + more
-            for line in more:
-                print(line, flush=True)
-        for name, (files, least) in OWN.items():
-            one(name, files, least)
-        for path in sorted(glob.glob("tests/bad/*.glib") + glob.glob("tests/odd/*.glib")):
-            one(path, {"scene.glib": pathlib.Path(path).read_bytes()}, 0)
-    print(f"{fixes} fixes of {scenes} scenes")
-    return 1 if wrong or any(client.end() != 0 for client in clients.values()) else 0
+    fixes, wrong = 0, []
+    for index, (name, files, least) in cases:
+        folder = os.path.join(top, str(index))
+        os.mkdir(folder)
+        for file, text in files.items():
+            pathlib.Path(folder, file).write_bytes(text)
+        driver = name.startswith("shader")
+        count, more = try_all(clients[driver], name, folder, least, driver)
+        fixes, wrong = fixes + count, wrong + more
+    return fixes, wrong + [f"a server ends with {status}" for status in (c.end() for c in clients.values()) if status]
+
+
+def main(snell):
+    cases = [(name, files, least) for name, (files, least) in OWN.items()]
+    cases += [(path, {"scene.glib": pathlib.Path(path).read_bytes()}, 0)
+              for path in sorted(glob.glob("tests/bad/*.glib") + glob.glob("tests/odd/*.glib"))]
+    cases = list(enumerate(cases))
+    at_once = 6  # they wait most of the time
+    with tempfile.TemporaryDirectory() as top, concurrent.futures.ThreadPoolExecutor(at_once) as pool:
+        tried = list(pool.map(lambda i: try_some(snell, cases[i::at_once], top), range(at_once)))
+    wrong = [line for _, lines in tried for line in lines]
+    print(*wrong, f"{sum(fixes for fixes, _ in tried)} fixes of {len(cases)} scenes", sep="\n")
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

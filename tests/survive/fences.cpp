@@ -27,9 +27,9 @@ protected:
                                         "cube.frag\nProgram C uUnit 6\nSphere .5\nRenderToTexture\n" + shaded +
                                         "texture.frag\nProgram A uUnit 5\nQuadXY\n");
     }
-    // Under delays.
+    // Under delays, with the driver's threads.
     Outcome late(const std::string& arguments) const {
-        return snell(arguments, "LD_PRELOAD=" SNELL_BIN "/late_unlock.so");
+        return snell(arguments, "LP_NUM_THREADS=2 LD_PRELOAD=" SNELL_BIN "/late_unlock.so");
     }
     static void expect_none(const Outcome& outcome) {
         EXPECT_EQ(outcome.status, 0) << outcome.output;

@@ -35,9 +35,11 @@ Translated vertex(const std::string& text, const Target& target = core450);
 // The user's line that the driver will name for `part`; 0 if it is not there.
 int line_of(const std::string& text, std::string_view part);
 
-// Compiles and links with glslangValidator; true where it is not installed. Its messages go to `log`.
-bool reference_accepts(const Translation& translation, std::string& log);
-// Translates for each target and asks the reference compiler; then that a second translation changes nothing.
+// glslangValidator compiles all stages, when every test has ended, and links them now if asked to. Nothing is tried
+// where it is not installed.
+void expect_accepted(const Translation& translation, bool link = false);
+// Translates for each target and asks the reference compiler, which links several stages for the first target: whether
+// they fit together does not depend on it. Then a second translation changes nothing.
 void expect_valid(const Texts& texts, const std::vector<Target>& targets = {core450, core330, es320});
 
 }  // namespace snell::glsl::test

@@ -151,7 +151,8 @@ private:
 
     bool judge_all(const std::vector<std::size_t>& open) {
         if (open.empty()) return true;
-        content::open_image_module();  // once for all processes
+        // Once for all processes. As many as there are at a time open it as quickly, and only if they need it.
+        if (open.size() > jobs()) content::open_image_module();
         bool graphics = true;
         std::size_t ready = 0;
         const bool shows = isatty(STDERR_FILENO) != 0;
