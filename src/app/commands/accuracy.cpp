@@ -307,10 +307,6 @@ Exit accuracy(const AccuracyOptions& options) {
     return errors ? exit_input : exit_fine;
 }
 
-std::string check_finite(const std::string& text) {
-    return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is not a finite number";
-}
-
 // Not by CLI11's excludes(), which --help would print next to every option.
 bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fitting) {
     for (const CLI::Option* option : command.get_options()) {
@@ -320,10 +316,6 @@ bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fittin
         return false;
     }
     return true;
-}
-
-std::string check_milliseconds(const std::string& text) {
-    return parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
 }
 
 }  // namespace
@@ -356,21 +348,10 @@ Run add_accuracy(CLI::App& command) {
         ->check(CLI::Range(3, 10000));
     command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
         ->check(CLI::Range(1.0, 1e6))
-        ->check(check_finite);
+        ->check(check_finite_number);
     command.add_flag("--no-found", options->no_found, "do not look for changes of the scene's own text");
     CLI::Option* untimed = command.add_flag("--no-time", options->no_time, "errors only");
-    command
-        .add_option_function<std::string>(
-            "--within", [options](const std::string& text) { options->within = parse_milliseconds(text); },
-            "find the most accurate combination that takes no longer, such as 16ms")
-        ->check(check_milliseconds)
-        ->excludes(untimed);
-    command.add_option("--error", options->error, "find the cheapest combination with no more RMSE of light")
-        ->check(CLI::NonNegativeNumber)
-        ->check(check_finite)
-        ->excludes(untimed);
-    command.add_flag("--save-quality", options->save_quality, "find presets for --quality, stored next to the scene")
-        ->excludes(untimed);
+    add_advice(command, *options, *untimed);
     add_time(command, options->time);
     add_repeated(command, "--set", options->sets, "uniform=value or Program.uniform=value; may be repeated");
     add_specialise(command, options->specialise);
@@ -383,6 +364,12 @@ Run add_accuracy(CLI::App& command) {
         if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge_reports(*options) : exit_usage;
         if (options->scenes.empty()) {
             fmt::print(stderr, "snell: error: no scene given; 'snell accuracy --help' shows the options\n");
+            return exit_usage;
+        }
+        if (!options->quality_copy.empty() && (options->scenes.size() != 1 || !seeks(*options))) {
+            fmt::print(stderr,
+                       "snell: error: --quality-copy looks for found rungs of one scene: give one scene, and no "
+                       "--ladders, --knobs, --from lattice or --no-found\n");
             return exit_usage;
         }
         return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage;

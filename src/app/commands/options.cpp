@@ -35,13 +35,6 @@ std::string check_limit(const std::string& text) {
     return set_limit(limits, text, error) ? "" : error;
 }
 
-// CLI11 accepts "nan" and "inf" as numbers, so they are refused here.
-std::string check_finite_number(const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    return *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
-}
-
 std::string check_context(const std::string& text) {
     ContextRequest request;
     return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
@@ -63,6 +56,13 @@ std::shared_ptr<const std::map<std::string, std::string>> texts_in(const std::st
 std::string check_positive(const std::string& text) {
     const std::string error = check_finite_number(text);
     return !error.empty() || std::strtod(text.c_str(), nullptr) > 0 ? error : "'" + text + "' is not more than 0";
+}
+
+// CLI11 accepts "nan" and "inf" as numbers, so they are refused here.
+std::string check_finite_number(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
 }
 
 std::string check_file_name(const std::string& text) { return text.empty() ? "the name of the file is empty" : ""; }
