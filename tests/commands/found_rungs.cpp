@@ -5,7 +5,6 @@
 #include "src/accuracy/found/average.h"
 #include "src/accuracy/found/ladder.h"
 #include "src/app/open/write_copy.h"
-#include "src/content/image/image.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"
 
@@ -137,64 +136,6 @@ TEST_F(FoundRungs, AMeanIsDrawnWhenItIsWritten) {
     EXPECT_NE(
         bytes_of(folder.path("ladder/a.frag")).find("    float a = float(1.18);\n#else\n    float a = exp(vP.x);\n"),
         std::string::npos);
-}
-
-// What was written is drawn by the program, and its error and time are those that its presets state.
-TEST_F(FoundRungs, PresetsOfACopyChooseFoundRungs) {
-    folder.write("slow/a.vert",
-                 "varying vec2 vP;\nvoid main() { vP = gl_Vertex.xy; gl_Position = vec4(vP, 0., 1.); }\n");
-    folder.write("slow/a.frag",
-                 "varying vec2 vP;\nvoid main() {\n    float s = .2;\n"
-                 "    for (int i = 0; i < 1500; ++i)\n        s += .0002 + .0001 * fract(float(i) * vP.x);\n"
-                 "    for (int k = 0; k < 500; ++k)\n        s += .00000001 * fract(float(k) * vP.y);\n"
-                 "    gl_FragColor = vec4(vec3(s), 1.);\n}\n");
-    folder.write("slow/a.glib", "Vertex a.vert\nFragment a.frag\nProgram A\nQuadXY 0 1\n");
-    const Outcome none = accuracy("slow/a.glib --save-quality --size 64x64 --reps 5 --budget 1");
-    EXPECT_EQ(none.status, 1);
-    EXPECT_TRUE(none.says("snell accuracy slow/a.glib --quality-copy FOLDER")) << none.output;
-    const Outcome written = accuracy("slow/a.glib --quality-copy out --size 64x64 --reps 9 --budget 12");
-    ASSERT_EQ(written.status, 0) << written.output;
-    EXPECT_TRUE(written.says("wrote out/a.glib\n")) << written.output;
-    EXPECT_EQ(everything("slow").size(), 3U) << "the scene stays as it is";
-    const auto presets = nlohmann::json::parse(bytes_of(folder.path("out/a.quality.json")))["presets"];
-    const auto render = [&](const std::string& arguments, const std::string& picture) {
-        const Outcome outcome = snell("render " + folder.path(arguments) + " -o " + folder.path(picture));
-        EXPECT_EQ(outcome.status, 0) << outcome.output;
-        return content::decode_image(picture, bytes_of(folder.path(picture))).image.value_or(content::Image{});
-    };
-    const auto light = [](std::byte value) {
-        const double x = std::to_integer<int>(value) / 255.;
-        return x <= .04045 ? x / 12.92 : std::pow((x + .055) / 1.055, 2.4);
-    };
-    const content::Image plain = render("slow/a.glib --size 64x64", "plain.png");
-    const double cost = cost_of("render " + folder.path("slow/a.glib --size 700x700 -o ") + folder.path("plain.png"));
-    for (const char* name : {"fast", "balanced", "exact"}) {
-        SCOPED_TRACE(name + presets[name].dump());
-        const std::string with = std::string("out/a.glib --quality ") + name;
-        const content::Image drawn = render(with + " --size 64x64", "drawn.png");
-        ASSERT_EQ(drawn.pixels.size(), plain.pixels.size());
-        double sum = 0;
-        for (std::size_t k = 0; k < drawn.pixels.size(); ++k)
-            sum += std::pow(light(drawn.pixels[k]) - light(plain.pixels[k]), 2);
-        const double error =
-            std::sqrt(sum / static_cast<double>(drawn.pixels.size()) * (drawn.channels == 4 ? 4 / 3. : 1));
-        EXPECT_NEAR(error, presets[name]["alone"].get<double>(), .003 + .05 * error);
-        const double ratio = std::strtod(presets[name]["ratio"].get<std::string>().c_str(), nullptr);
-        EXPECT_LT(ratio, std::string(name) == "fast" ? .7 : .95) << "a quarter of the work has no visible effect";
-        if (ratio > .7) continue;
-        EXPECT_LT(cost_of("render " + folder.path(with + " --size 700x700 -o ") + folder.path("drawn.png")),
-                  .95 * cost);
-    }
-    EXPECT_GT(presets["fast"]["alone"].get<double>(), 1 / 255.);
-    EXPECT_LT(presets["exact"]["alone"].get<double>(), .01 / 255);
-}
-
-TEST_F(FoundRungs, ACopyNeedsFoundRungsOfOneScene) {
-    for (const char* options : {"--no-found", "--ladders all", "--knobs samples", "--from lattice", "work/ball.glib"}) {
-        const Outcome refused = accuracy(std::string("work/ball.glib --quality-copy out ") + options);
-        EXPECT_EQ(refused.status, 2) << refused.output;
-        EXPECT_TRUE(refused.says("--quality-copy looks for found rungs of one scene")) << refused.output;
-    }
 }
 
 // Changes made manually, of an included text and of both stages.
