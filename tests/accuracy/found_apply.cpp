@@ -380,7 +380,8 @@ TEST_F(FoundApply, LaddersOfShippedScenesHoldBothTexts) {
         for (std::size_t i = 0; i < changes.size(); ++i) {
             std::string error;
             const auto chosen = choose_changes(std::to_string(i + 1), changes, read, error);
-            ASSERT_TRUE(chosen) << error;
+            ASSERT_EQ(chosen.has_value(), changes[i].probes.empty()) << error;
+            if (!chosen) continue;  // a number is missing that is drawn
             const AsLadders made = as_ladders(planned, reader, read, 0, std::span(&*chosen, 1));
             if (!made.error.empty()) continue;
             const std::array<const Change*, 1> ladder{&made.change}, plain{&chosen->changes.front()};

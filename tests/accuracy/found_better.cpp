@@ -309,6 +309,56 @@ TEST_F(FoundBetter, MoreRounds) {
         rounds("for (int i = 0; i < int(uX); i++) gl_FragColor = vec4(i);\n").after(ChangeKind::more_rounds).empty());
 }
 
+TEST_F(FoundBetter, OnlyNumbersOfTheLoopFollowMoreRounds) {
+    const auto more = [&](const std::string& statements) {
+        return body("float s = 0., o = 1.;\n" + statements, "", "Sphere 1").text(ChangeKind::more_rounds, 0, "a.frag");
+    };
+    const std::string adds = "for (int i = 0; i < 8; i++) s += uX;\n",
+                      twice = "for (int i = 0; i < 16; i++) s += uX;\n";
+    for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
+             {"s /= 8.;", "s /= 16.;"},
+             {"s *= 1. / 8.;", "s *= 1. / 16.;"},
+             {"gl_FragColor = vec4(vN * (s / 8.), 1.);", "gl_FragColor = vec4(vN * (s / 16.), 1.);"},
+             {"o = s * 2. / float(8);", "o = s * 2. / float(16);"}})
+        EXPECT_NE(more(adds + before).find(twice + after), std::string::npos) << before << more(adds + before);
+    for (const std::string other :
+         {"o = pow(uX, 8.);", "s += pow(uX, 8.);", "o = uX / 8.;", "o = s * 8.;", "s = uX; s /= 8.;", "o = 8. / s;",
+          "for (int k = 0; k < 8; k++) o += 1.;", "o = s / 2.; o += 8.;", "gl_FragColor = vec4(s, 8, 8., 1);"})
+        EXPECT_NE(more(adds + other).find(twice + other), std::string::npos) << more(adds + other);
+    // Within the loop: what is added, and where the counter is a share of its bound.
+    for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
+             {"s += uX * pow(uX, 8.) / 8.;", "s += uX * pow(uX, 8.) / 16.;"},
+             {"o = max(o, sin(6.28 * (float(i) + .5) / 8.));", "o = max(o, sin(6.28 * (float(i) + .5) / 16.));"},
+             {"float a = float(i) + .5; s += sin(a / 8.);", "float a = float(i) + .5; s += sin(a / 16.);"},
+             {"o = max(o, sin(uX * float(i)) / 8.);", "o = max(o, sin(uX * float(i)) / 8.);"},
+             {"s += float(i) > 8. ? 1. : .5;", "s += float(i) > 8. ? 1. : .5;"}}) {
+        const std::string text = more("for (int i = 0; i < 8; i++) { " + before + " }\n");
+        EXPECT_NE(text.find("for (int i = 0; i < 16; i++) { " + after + " }\n"), std::string::npos) << before << text;
+    }
+}
+
+TEST_F(FoundBetter, OnlyNumbersOfTheStepFollowShorterSteps) {
+    const auto more = [&](const std::string& inside, const std::string& behind) {
+        return body("float s = 0., o = 1.;\nfor (float t = 0.; t < 1.; t += .1) { " + inside + " }\n" + behind + "\n",
+                    "", "Sphere 1")
+            .text(ChangeKind::more_rounds, 0, "a.frag");
+    };
+    for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
+             {"s += o * uX * .1;", "s += o * uX * 0.05;"},
+             {"o *= exp(-uX * .1);", "o *= exp(-uX * 0.05);"},
+             {"s += o * (1. - exp(-(uX * .1)));", "s += o * (1. - exp(-(uX * 0.05)));"},
+             {"float a = 1. - exp(-uX * .1); s += a;", "float a = 1. - exp(-uX * 0.05); s += a;"},
+             {"s += sin(uX * .1);", "s += sin(uX * .1);"},
+             {"o = min(o, uX * .1);", "o = min(o, uX * .1);"},
+             {"s += uX / .1;", "s += uX / .1;"}}) {
+        const std::string text = more(before, "");
+        EXPECT_NE(text.find("t += 0.05) { " + after + " }\n"), std::string::npos) << before << text;
+    }
+    EXPECT_NE(more("s += uX;", "o = s * .1;").find("o = s * 0.05;"), std::string::npos);
+    for (const std::string other : {"o = uX * .1;", "o += .1;", "gl_FragColor = vec4(s, .1, .1, 1.);", "s += .1;"})
+        EXPECT_NE(more("s += uX;", other).find(other), std::string::npos) << more("s += uX;", other);
+}
+
 TEST(FoundBetterAll, ChangesAreSound) { expect_sound(add_better_changes); }
 
 }  // namespace

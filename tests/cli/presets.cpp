@@ -1,7 +1,9 @@
 // Files of presets and reports, which may come from strangers: what is read, kept, and shown of them.
 #include <sys/stat.h>
 
+#include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tests/cli/command.h"
 
@@ -97,6 +99,64 @@ TEST_F(Presets, NoEscapeSequenceReachesTheTerminal) {
         EXPECT_NE(refused.status, 0) << refused.output;
         EXPECT_FALSE(refused.says(escape)) << refused.output;
         EXPECT_TRUE(refused.says("[31mX")) << refused.output;
+    }
+}
+
+// What was written is drawn by the program, and its error and time are those that its presets state.
+TEST_F(Presets, OfACopyChooseFoundRungs) {
+    folder.write("k/a.vert", "varying vec2 vP;\nvoid main() { vP = gl_Vertex.xy; gl_Position = vec4(vP, 0., 1.); }\n");
+    const std::string fragment =
+        "varying vec2 vP;\nvoid main() {\n    float s = .2;\n"
+        "    for (int i = 0; i < 1500; ++i)\n        s += .0002 + .0001 * fract(float(i) * vP.x);\n"
+        "    for (int k = 0; k < 500; ++k)\n        s += .00000001 * fract(float(k) * vP.y);\n"
+        "    gl_FragColor = vec4(vec3(s), 1.);\n}\n";
+    folder.write("k/a.frag", fragment);
+    folder.write("k/a.glib", "Vertex a.vert\nFragment a.frag\nProgram A\nQuadXY 0 1\n");
+    const Outcome none = in_folder("accuracy a.glib --save-quality --size 64x64 --reps 5 --budget 1");
+    EXPECT_EQ(none.status, 1);
+    EXPECT_TRUE(none.says("snell accuracy a.glib --quality-copy FOLDER")) << none.output;
+    const Outcome written = in_folder("accuracy a.glib --quality-copy out --size 64x64 --reps 9 --budget 12");
+    ASSERT_EQ(written.status, 0) << written.output;
+    EXPECT_TRUE(written.says("wrote out/a.glib\n")) << written.output;
+    EXPECT_EQ(bytes_of(at("k/a.frag")), fragment) << "the scene stays as it is";
+    EXPECT_FALSE(std::filesystem::exists(at("k/a.quality.json")));
+    const auto presets = nlohmann::json::parse(bytes_of(at("k/out/a.quality.json")))["presets"];
+    const auto render = [&](const std::string& arguments, const std::string& picture) {
+        const Outcome outcome = snell("render " + at(arguments) + " -o " + at(picture));
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        return content::decode_image(picture, bytes_of(at(picture))).image.value_or(content::Image{});
+    };
+    const auto light = [](std::byte value) {
+        const double x = std::to_integer<int>(value) / 255.;
+        return x <= .04045 ? x / 12.92 : std::pow((x + .055) / 1.055, 2.4);
+    };
+    const content::Image plain = render("k/a.glib --size 64x64", "plain.png");
+    const double cost = cost_of("render " + at("k/a.glib --size 700x700 -o ") + at("plain.png"));
+    for (const char* name : {"fast", "balanced", "exact"}) {
+        SCOPED_TRACE(name + presets[name].dump());
+        const std::string with = std::string("k/out/a.glib --quality ") + name;
+        const content::Image drawn = render(with + " --size 64x64", "drawn.png");
+        ASSERT_EQ(drawn.pixels.size(), plain.pixels.size());
+        double sum = 0;
+        for (std::size_t k = 0; k < drawn.pixels.size(); ++k)
+            sum += std::pow(light(drawn.pixels[k]) - light(plain.pixels[k]), 2);
+        const double error =
+            std::sqrt(sum / static_cast<double>(drawn.pixels.size()) * (drawn.channels == 4 ? 4 / 3. : 1));
+        EXPECT_NEAR(error, presets[name]["alone"].get<double>(), .003 + .05 * error);
+        const double ratio = std::strtod(presets[name]["ratio"].get<std::string>().c_str(), nullptr);
+        EXPECT_LT(ratio, std::string(name) == "fast" ? .7 : .95) << "a quarter of the work has no visible effect";
+        if (ratio > .7) continue;
+        EXPECT_LT(cost_of("render " + at(with + " --size 700x700 -o ") + at("drawn.png")), .95 * cost);
+    }
+    EXPECT_GT(presets["fast"]["alone"].get<double>(), 1 / 255.);
+    EXPECT_LT(presets["exact"]["alone"].get<double>(), .01 / 255);
+}
+
+TEST_F(Presets, ACopyNeedsFoundRungsOfOneScene) {
+    for (const char* options : {"--no-found", "--ladders all", "--knobs samples", "--from lattice", "k.glib"}) {
+        const Outcome refused = in_folder(std::string("accuracy k.glib --quality-copy out ") + options);
+        EXPECT_EQ(refused.status, 2) << refused.output;
+        EXPECT_TRUE(refused.says("--quality-copy looks for found rungs of one scene")) << refused.output;
     }
 }
 

@@ -105,10 +105,14 @@ def main(program, root):
                                  "--json", file)),
             ("accuracy", written("file.json", "accuracy", mirror, "--size", "16x16", "--from", "lattice", "--knobs",
                                  "samples", "--no-time", "--no-found", "--budget", "2", "--json", file)),
+            ("accuracy", written("file.json", "accuracy", mirror, "--size", "16x16", "--reps", "3", "--budget", "8",
+                                 "--error", ".5", "--json", file)),
             ("found", written("file.json", "accuracy", mirror, "--list-found", "--json", file)),
             ("commands", run("commands", "--json")),
         ]
     found = []
+    if not any("together" in json.loads(text) for name, text in made if name == "accuracy"):
+        found.append("no report of accuracy has what was tried together")
     for name, text in made:
         with open(os.path.join(root, "docs/schemas", name + ".json"), encoding="utf-8") as file:
             schema = json.load(file)

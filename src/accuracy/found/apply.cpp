@@ -56,6 +56,11 @@ std::optional<Chosen> choose_changes(std::string_view name, std::span<const Chan
     if (!indices) return std::nullopt;
     Chosen chosen;
     for (const std::size_t index : *indices) {
+        if (!changes[index].probes.empty()) {
+            error = fmt::format("the mean of '{}' is not known: it shows in no pixel, or there was no time to draw it",
+                                changes[index].before);
+            return std::nullopt;
+        }
         chosen.numbers.push_back(index + 1);
         chosen.changes.push_back(in_one_text(changes[index], sources));
     }

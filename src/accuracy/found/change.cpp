@@ -14,6 +14,7 @@ constexpr std::array<KindFacts, static_cast<std::size_t>(ChangeKind::count)> tab
     {ChangeKind::without_term, Aim::cheaper, "without-term", "a term of a sum or a blend is left out"},
     {ChangeKind::lookup_mean, Aim::cheaper, "lookup-mean", "a texture lookup is replaced by the texture's mean"},
     {ChangeKind::lookup_coarser, Aim::cheaper, "lookup-coarser", "a texture is looked up at a coarser level"},
+    {ChangeKind::expression_mean, Aim::cheaper, "expression-mean", "an expression is replaced by its mean"},
     {ChangeKind::polynomial, Aim::cheaper, "polynomial", "a function is replaced by a polynomial with a bound"},
     {ChangeKind::per_vertex, Aim::cheaper, "per-vertex", "work moves from the fragment to the vertex shader"},
     {ChangeKind::per_frame, Aim::cheaper, "per-frame", "work on uniforms alone is done once for each vertex"},

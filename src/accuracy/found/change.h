@@ -28,6 +28,7 @@ enum class ChangeKind : std::uint8_t {
     without_term,
     lookup_mean,
     lookup_coarser,
+    expression_mean,
     polynomial,
     per_vertex,
     per_frame,
@@ -69,12 +70,18 @@ struct KindFacts {
 };
 const KindFacts& facts(ChangeKind kind);
 
+// The blue of pixels that show an expression.
+inline constexpr double probe_mark = 12345;
+
 struct Change {
     ChangeKind kind = ChangeKind::count;
     Span where;                 // the expression or statement that changes, for file:line:column
     std::string before, after;  // one line each, shortened
     std::vector<Edit> edits;    // by file and place; none overlaps another
     std::string lint = {};      // the code of the lint that knows the mistake; empty: none
+    // Not empty: the edit lacks a number, which fill_averages (average.h) finds by drawing the scene with these edits.
+    // Each draws two components of the expression and probe_mark.
+    std::vector<std::vector<Edit>> probes = {};
 };
 
 // True if the edits of the two do not touch each other, so that both can be made.

@@ -12,7 +12,7 @@ namespace {
 
 // What the edits do to the texts, however they are written: `x += 1.;` → `;` is `x += 1.` → nothing.
 std::string effect(const Change& change, const Sources& sources) {
-    std::string all;
+    std::string all = change.probes.empty() ? "" : "a number that is not known\n";
     for (const Edit& edit : change.edits) {
         std::string_view before = sources.text(edit.span.file).substr(edit.span.begin, edit.span.end - edit.span.begin),
                          after = edit.text;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <random>
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/apply.h"
+#include "src/accuracy/found/average.h"
 #include "src/accuracy/found/climb.h"
 #include "src/accuracy/found/search.h"
 
@@ -16,6 +18,8 @@ namespace {
 
 // Mean FLIP: invisible, visible for someone who looks for it, visible, plain to see, another picture.
 constexpr std::array<double, 5> error_limits{.005, .02, .06, .2, .5};
+
+constexpr double most_for_averages = .1;  // of the search's time
 
 }  // namespace
 
@@ -96,7 +100,17 @@ FoundResult untried(const Original& original, std::vector<Change> changes, const
 
 FoundResult search(const Original& original, const gl::Caps& caps, const BenchSettings& settings,
                    const SearchOptions& options) {
-    Search search(original, find_changes(original.plan, original.files, original.sources), caps, settings, options);
+    const auto start = std::chrono::steady_clock::now();
+    const auto spent = [start] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    std::vector<Change> changes = find_changes(original.plan, original.files, original.sources);
+    if (options.report) options.report({"found rungs", "drawing means of expressions", 0, options.seconds});
+    fill_averages(original, changes, caps,
+                  [&] { return spent() > most_for_averages * options.seconds || (options.stop && options.stop()); });
+    SearchOptions rest = options;
+    rest.seconds = std::max(options.seconds - spent(), 0.);
+    Search search(original, std::move(changes), caps, settings, std::move(rest));
     while (search.step()) {
     }
     return search.take();

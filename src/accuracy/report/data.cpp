@@ -206,6 +206,41 @@ Json sweep_json(const SweepResult& sweep) {
     return json;
 }
 
+// The scene as it stands is one of the rungs; the reference is none.
+SweepResult listed(const Together& together) {
+    SweepResult sweep = together.advice.sweep;
+    sweep.sweep.reference = sweep.rungs.size();
+    return sweep;
+}
+
+Json together_json(const Together& together) {
+    const MixAdvice& advice = together.advice;
+    const SweepResult sweep = listed(together);
+    const auto limit = [](const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); };
+    Json json{{"scene", together.scene},
+              {"wish", {{"ms", limit(together.wish.milliseconds)}, {"rmse", limit(together.wish.error)}}},
+              {"words", together_words(together)},
+              {"best", sweep.rungs[*advice.best].name},
+              {"met", advice.met},
+              {"settled", advice.settled},
+              {"places", advice.places},
+              {"clock", name(sweep.clock)},
+              {"trusted", sweep.trusted()},
+              {"aa_control", interval_json(sweep.control.ratio)},
+              {"mask_pixels", sweep.own_pixels},
+              {"residual", limit(sweep.residual)}};
+    json["rungs"] = Json::array();
+    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
+        const Mix& mix = advice.mixes[i];
+        Json rung{{"ladders", together.choices[i]},
+                  {"samples", mix.samples},
+                  {"found", mix.changes.empty() ? Json(nullptr) : Json(rung_name(mix.changes))}};
+        rung["measured"] = rung_json(sweep, sweep.rungs[i], i);
+        json["rungs"].push_back(std::move(rung));
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string csv_text(const Report& report) {
@@ -214,6 +249,10 @@ std::string csv_text(const Report& report) {
     text += '\n';
     for (const SweepResult& sweep : report.sweeps)
         for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row_text({report.where, sweep, i});
+    for (const Together& together : report.together) {
+        const SweepResult sweep = listed(together);
+        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row_text({report.where, sweep, i});
+    }
     for (const FoundResult& found : report.found)
         for (const Aim aim : {Aim::cheaper, Aim::better, Aim::unused}) {
             const SweepResult listed = as_sweep(found, aim);
@@ -247,6 +286,7 @@ std::string json_text(const Report& report) {
     for (const FoundResult& found : report.found) json["found"].push_back(found_json(found));
     json["ladders"] = Json::array();
     for (const SweepResult& sweep : report.sweeps) json["ladders"].push_back(sweep_json(sweep));
+    for (const Together& together : report.together) json["together"].push_back(together_json(together));
     return content::json_text(json) + "\n";
 }
 

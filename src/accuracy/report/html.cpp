@@ -150,6 +150,19 @@ std::string table(const SweepResult& sweep) {
     return out + "</table></div>";
 }
 
+// The pictures are compared with the reference, which is none of the rungs.
+std::string together_section(const Together& together) {
+    SweepResult sweep = together.advice.sweep;
+    const std::string words = together_words(together), more = in_words(sweep);
+    sweep.sweep.reference = sweep.rungs.size();
+    return fmt::format(
+        "<section><h2>{}</h2><p class=\"words\"><b>{}</b></p><p class=\"words\">{}</p><div "
+        "class=\"scroll\">{}</div>{}<p class=\"facts\">{}, errors at the worst of {} places. Control (the scene timed "
+        "twice): {}; clock: {}.</p></section>\n",
+        escaped(sweep.sweep.name), escaped(words), escaped(more), plot_svg(sweep), table(sweep),
+        escaped(together.scene), together.advice.places, ratio_text(sweep.control.ratio), name(sweep.clock));
+}
+
 std::string section(const SweepResult& sweep) {
     const bool timed = ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
     std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", escaped(sweep.sweep.name),
@@ -192,6 +205,7 @@ std::string html_text(const Report& report, std::string_view slide) {
         "one ladder's costs hold together at 95 %.</p>\n",
         errors_are);
     for (const FoundResult& found : report.found) out += found_html(found);
+    for (const Together& together : report.together) out += together_section(together);
     for (const SweepResult& sweep : report.sweeps) out += section(sweep);
     for (const std::string& problem : report.problems)
         out += fmt::format("<p class=\"facts\">{}</p>", escaped(problem));

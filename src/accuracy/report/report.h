@@ -7,6 +7,7 @@
 
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/measure.h"
+#include "src/accuracy/report/together.h"
 
 namespace snell::accuracy {
 
@@ -29,6 +30,7 @@ struct Report {
     std::vector<SweepResult> sweeps;
     std::vector<FoundResult> found;     // of each scene whose rungs were sought
     std::vector<std::string> problems;  // of the scene, one line each
+    std::vector<Together> together;     // of each scene that limits were given for
 };
 
 // What is plotted: ladders and knobs, then the found rungs that were timed.

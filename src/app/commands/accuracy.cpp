@@ -315,10 +315,6 @@ bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fittin
     return true;
 }
 
-std::string check_milliseconds(const std::string& text) {
-    return parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
-}
-
 }  // namespace
 
 Run add_accuracy(CLI::App& command) {
@@ -352,18 +348,7 @@ Run add_accuracy(CLI::App& command) {
         ->check(check_finite_number);
     command.add_flag("--no-found", options->no_found, "do not look for changes of the scene's own text");
     CLI::Option* untimed = command.add_flag("--no-time", options->no_time, "errors only");
-    command
-        .add_option_function<std::string>(
-            "--within", [options](const std::string& text) { options->within = parse_milliseconds(text); },
-            "find the most accurate combination that takes no longer, such as 16ms")
-        ->check(check_milliseconds)
-        ->excludes(untimed);
-    command.add_option("--error", options->error, "find the cheapest combination with no more RMSE of light")
-        ->check(CLI::NonNegativeNumber)
-        ->check(check_finite_number)
-        ->excludes(untimed);
-    command.add_flag("--save-quality", options->save_quality, "find presets for --quality, stored next to the scene")
-        ->excludes(untimed);
+    add_advice(command, *options, *untimed);
     add_time(command, options->time);
     add_repeated(command, "--set", options->sets, "uniform=value or Program.uniform=value; may be repeated");
     add_specialise(command, options->specialise);
@@ -376,6 +361,10 @@ Run add_accuracy(CLI::App& command) {
         if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge_reports(*options) : exit_usage;
         if (options->scenes.empty())
             return complain(exit_usage, "no scene given; 'snell accuracy --help' shows the options");
+        if (!options->quality_copy.empty() && (options->scenes.size() != 1 || !seeks(*options)))
+            return complain(exit_usage,
+                            "--quality-copy looks for found rungs of one scene: give one scene, and no --ladders, "
+                            "--knobs, --from lattice or --no-found");
         return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage;
     };
 }

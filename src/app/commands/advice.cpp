@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -11,38 +12,18 @@
 #include "parser/text/utf8.h"
 #include "src/accuracy/found/together.h"
 #include "src/accuracy/report/quality.h"
+#include "src/app/commands/found_rungs.h"
+#include "src/app/commands/options.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/quality.h"
+#include "src/document/document.h"
 
 namespace snell::app {
 
 namespace {
 
 using namespace snell::accuracy;
-
-std::string wish_text(const Wish& wish) {
-    std::string text;
-    if (wish.error) text = fmt::format("RMSE of light at most {:.3g}", *wish.error);
-    if (wish.milliseconds) text += fmt::format("{}at most {:.3g} ms", text.empty() ? "" : " and ", *wish.milliseconds);
-    return text.empty() ? "whatever its error is" : text;
-}
-
-// What is added to an error when it is compared with a limit.
-std::string residual_text(const SweepResult& sweep, const Wish& wish) {
-    if (!wish.error || sweep.residual == 0) return "";
-    return sweep.residual ? fmt::format(" and up to {:.2g} of the reference", *sweep.residual)
-                          : " and an unknown part of the reference";
-}
-
-// What a rung takes, with the interval of the median.
-std::string time_text(const RungResult& rung) {
-    return fmt::format("{:.3g} ms [{:.3g}, {:.3g}]", rung.milliseconds, rung.low, rung.high);
-}
-
-std::string cost_text(const RungResult& rung, const SweepResult& sweep) {
-    return fmt::format("{} of {}, {} times what", time_text(rung), name(sweep.clock), ratio_text(rung.ratio));
-}
 
 std::string found_text(const Advice& advice, const SweepResult& sweep) {
     const RungResult& rung = sweep.rungs[advice.rung];
@@ -183,47 +164,71 @@ bool advise_found(const std::string& path, const AccuracyOptions& options, const
     return met && !(ladders && *best == found.timed.sweep.current);
 }
 
-// All kinds together. False, if no limit is met.
+// All kinds together, which the report gets. False, if no limit is met.
 bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench& bench, const Sought& sought,
-                  const Wish& wish, const MeasureOptions& measuring, const Report& report) {
+                  const Wish& wish, const MeasureOptions& measuring, Report& report) {
     MixOptions how{.rungs = {}, .measuring = measuring};
     for (const SweepResult& sweep : report.sweeps) {
         if (sweep.scene != path || sweep.sweep.kind != SweepKind::lattice) continue;
         if (const auto best = choose(sweep, wish)) how.rungs.push_back(sweep.sweep.rungs[*best].variant.rungs);
     }
-    const MixAdvice advice =
-        advise_together(sought.original, sought.found, bench, sought.caps, sought.settings, wish, how);
+    Together together{
+        path, wish, advise_together(sought.original, sought.found, bench, sought.caps, sought.settings, wish, how), {}};
+    const MixAdvice& advice = together.advice;
     if (!advice.best) {
         fmt::print("\n{}: of everything together, can't say: the time was up\n", wish_text(wish));
         return false;
     }
-    const SweepResult& sweep = advice.sweep;
-    const RungResult& rung = sweep.rungs[*advice.best];
+    for (const Mix& mix : advice.mixes) together.choices.push_back(choices(bench.scene(), mix.rungs));
+    fmt::print("{}\n{}\n", table_text(advice.sweep), together_words(together));
     const Mix& mix = advice.mixes[*advice.best];
-    fmt::print("{}\n{}: of everything together {} '{}'\n", table_text(sweep), wish_text(wish),
-               !advice.met         ? "nothing that was measured is; the nearest is"
-               : wish.milliseconds ? "the most exact is"
-                                   : "the cheapest is",
-               rung.name);
-    fmt::print("  RMSE {:.3g}{}, at the worst of {} places; {} the scene takes{}\n", rung.own.light.rmse,
-               residual_text(sweep, wish), advice.places, cost_text(rung, sweep),
-               advice.settled ? "" : "; others may be better: more --budget tells");
     std::string scene = path;
     if (!mix.changes.empty()) {
         fmt::print("  {}\n", apply_command(path, options.choices, rung_name(mix.changes), "FOLDER"));
         scene = "FOLDER/" + std::filesystem::path(path).filename().string();
     }
     std::string line = "  snell render " + file_word(scene) + " -o picture.png";
-    for (const std::string& choice : choices(bench.scene(), mix.rungs)) line += " --ladder " + choice;
+    for (const std::string& choice : together.choices[*advice.best]) line += " --ladder " + choice;
     if (mix.samples > 1) line += fmt::format(" --samples {}", mix.samples);
     fmt::print("{}\n", line);
-    return advice.met;
+    const bool met = advice.met;
+    report.together.push_back(std::move(together));
+    return met;
+}
+
+// A copy with found rungs as ladders, and presets of what was written. The report gets their measurements.
+bool save_quality_copy(const AccuracyOptions& options, const Sought& sought, const MeasureOptions& measuring,
+                       Report& report) {
+    const std::string path = write_quality_copy(options, sought);
+    if (path.empty()) return false;
+    Files files(scene_folder(path), options.access);
+    Sources sources;
+    Diagnostics diagnostics;
+    auto parsed = parse_document(path, files, sources, diagnostics);
+    if (!parsed) {
+        fmt::print(stderr, "{}", snell::render(diagnostics, sources));
+        return false;
+    }
+    Plan plan = make_plan(std::move(parsed->scene), files, sources, diagnostics);
+    for (const std::string& choice : options.choices) choose_rung(plan.rungs, plan.scene, choice, diagnostics);
+    const Rungs now = plan.rungs;
+    Bench bench(std::move(plan), files, sources, sought.caps, sought.settings);
+    References references(measuring.references->seconds());
+    MeasureOptions own = measuring;
+    own.references = &references;
+    AccuracyOptions presets_only = options;
+    presets_only.save_quality = true;
+    presets_only.within = presets_only.error = std::nullopt;
+    bool saved = false;
+    advise_ladders(presets_only, path, bench, now, own, report, saved);
+    if (saved) fmt::print("  snell render {} -o picture.png --quality {}\n", file_word(path), quality_names[1]);
+    return saved;
 }
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
 bool explain_presets(const std::string& path, const AccuracyOptions& options, const FoundResult* found) {
     complain(fmt::format("'{}' has no ladders, so no presets were written: a preset names a rung of each ladder", path),
-             fmt::format("write a scene with found rung N as a ladder by: {} --as-ladder N -o FOLDER",
+             fmt::format("write a copy with found rungs as ladders, and its presets, by: {} --quality-copy FOLDER",
                          accuracy_command(path, options.choices)));
     if (!found) return false;
     const std::array<Wish, 3> wishes = quality_wishes();
@@ -234,9 +239,15 @@ bool explain_presets(const std::string& path, const AccuracyOptions& options, co
     return false;
 }
 
+std::string check_milliseconds(const std::string& text) {
+    return parse_milliseconds(text) ? "" : "'" + text + "' is not a time such as 16ms";
+}
+
 }  // namespace
 
-bool asks_for_advice(const AccuracyOptions& options) { return options.within || options.error || options.save_quality; }
+bool asks_for_advice(const AccuracyOptions& options) {
+    return options.within || options.error || options.save_quality || !options.quality_copy.empty();
+}
 
 std::optional<double> parse_milliseconds(const std::string& text) {
     char* end = nullptr;
@@ -247,15 +258,38 @@ std::optional<double> parse_milliseconds(const std::string& text) {
     return unit == "s" ? std::optional(1e3 * value) : std::nullopt;
 }
 
+void add_advice(CLI::App& command, AccuracyOptions& options, CLI::Option& untimed) {
+    command
+        .add_option_function<std::string>(
+            "--within", [&options](const std::string& text) { options.within = parse_milliseconds(text); },
+            "find the most accurate combination that takes no longer, such as 16ms")
+        ->check(check_milliseconds)
+        ->excludes(&untimed);
+    command.add_option("--error", options.error, "find the cheapest combination with no more RMSE of light")
+        ->check(CLI::NonNegativeNumber)
+        ->check(check_finite_number)
+        ->excludes(&untimed);
+    command.add_flag("--save-quality", options.save_quality, "find presets for --quality, stored next to the scene")
+        ->excludes(&untimed);
+    command
+        .add_option("--quality-copy", options.quality_copy,
+                    "write a copy of the scene with found rungs as ladders, and presets that choose among all ladders")
+        ->check(check_file_name)
+        ->excludes(&untimed);
+}
+
 bool give_advice(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
                  const MeasureOptions& measuring, const Sought* sought, Report& report) {
     const bool limited = options.within || options.error;
     const Wish wish{options.within, options.error};
     bool met = false, saved = true;
     const FoundResult* found = sought ? &sought->found : nullptr;
-    MeasureOptions half = measuring;  // the rest is for all kinds together
-    if (limited && found) half.seconds /= 2;
-    if (!bench.scene().ladders.empty()) {
+    MeasureOptions half = measuring;  // the rest is for all kinds together, or for the copy
+    const bool copies = found && !options.quality_copy.empty();
+    if (found && (limited || options.save_quality) && (limited || copies)) half.seconds /= 2;
+    if (!limited && !options.save_quality) {
+        saved = copies;
+    } else if (!bench.scene().ladders.empty()) {
         met = advise_ladders(options, path, bench, now, half, report, saved);
     } else {
         saved = !options.save_quality || explain_presets(path, options, found);
@@ -267,6 +301,7 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
         met = advise_found(path, options, *found, wish, !bench.scene().ladders.empty()) || met;
         if (found->cannot_say.empty()) met = advise_mixed(path, options, bench, *sought, wish, half, report) || met;
     }
+    if (copies) saved = save_quality_copy(options, *sought, half, report) && saved;
     return saved && (met || !limited);
 }
 

@@ -8,6 +8,11 @@
 #include "src/accuracy/report/report.h"
 #include "src/plan/files.h"
 
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
 namespace snell::app {
 
 struct AccuracyOptions {
@@ -26,6 +31,7 @@ struct AccuracyOptions {
     bool no_time = false;                 // measures errors only
     std::optional<double> within, error;  // limits of a wanted combination: milliseconds, RMSE
     bool save_quality = false;            // writes presets to a file next to the scene
+    std::string quality_copy;             // a folder for a copy whose presets choose found rungs, too; empty: none
     // Found rungs by their numbers, such as "3+7" and "3,7+9": what is written instead of a measurement.
     std::string apply, as_ladder;
     bool list_found = false;
@@ -33,6 +39,9 @@ struct AccuracyOptions {
     Access access;
     double timeout = 120;  // in seconds for reading a scene, or for the few frames of one step
 };
+
+// Adds the options that ask for a combination. They exclude `untimed`.
+void add_advice(CLI::App& command, AccuracyOptions& options, CLI::Option& untimed);
 
 // True if the options ask for a combination, rather than for the value of each rung.
 bool asks_for_advice(const AccuracyOptions& options);

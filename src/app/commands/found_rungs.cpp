@@ -8,12 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/found/apply.h"
+#include "src/accuracy/found/average.h"
 #include "src/accuracy/found/ladder.h"
+#include "src/accuracy/report/quality.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
+#include "src/app/open/headless.h"
 #include "src/app/open/write_copy.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/json.h"
@@ -26,6 +30,9 @@ namespace snell::app {
 namespace {
 
 using namespace snell::accuracy;
+
+constexpr std::size_t most_copied = 5;  // ladders: all of their combinations are measured
+constexpr FileId scene_text = 0;        // a scene is the first text that is read
 
 // A scene that was read, and what can be changed in it.
 struct Found {
@@ -96,8 +103,7 @@ Exit list_found(const AccuracyOptions& options, const Found& found) {
     const std::vector<std::string> read = used_files(found.plan, found.sources, found.files);
     const Exit wrong = check_outputs(std::vector{options.json}, read);
     if (wrong != exit_fine) return wrong;
-    const std::string error = content::replace_file(options.json, list_json(options.scenes.front(), found));
-    return error.empty() ? exit_fine : complain(exit_input, error);
+    return write_output(options.json, list_json(options.scenes.front(), found)) ? exit_fine : exit_input;
 }
 
 // What --apply and --as-ladder write.
@@ -106,6 +112,24 @@ struct Texts {
     std::vector<std::string> statements;  // of ladders
     std::map<std::string, std::string> by_path;
 };
+
+// Draws the expressions whose means are needed for these rungs. False if there is no OpenGL to draw them with.
+bool fill(const std::string& names, Found& found, const AccuracyOptions& options) {
+    std::vector<Change*> unfilled;
+    for (std::size_t at = 0; at <= names.size();) {
+        const std::size_t end = std::min(names.find(',', at), names.size());
+        std::string unheard;  // choose() says what is wrong
+        const auto indices = parse_rung(std::string_view(names).substr(at, end - at), found.changes, unheard);
+        for (const std::size_t index : indices.value_or(std::vector<std::size_t>{}))
+            if (!found.changes[index].probes.empty()) unfilled.push_back(&found.changes[index]);
+        at = end + 1;
+    }
+    if (unfilled.empty()) return true;
+    const auto context = headless_context(options.context);
+    if (context)
+        fill_averages({options.scenes.front(), found.plan, found.files, found.sources}, unfilled, gl::query_caps());
+    return context != nullptr;
+}
 
 std::optional<std::vector<Chosen>> choose(const std::string& names, const Found& found,
                                           const AccuracyOptions& options) {
@@ -127,7 +151,9 @@ std::optional<std::vector<Chosen>> choose(const std::string& names, const Found&
 
 std::optional<Texts> texts_of(const AccuracyOptions& options, Found& found) {
     const bool ladders = !options.as_ladder.empty();
-    auto chosen = choose(ladders ? options.as_ladder : options.apply, found, options);
+    const std::string& names = ladders ? options.as_ladder : options.apply;
+    if (!fill(names, found, options)) return std::nullopt;
+    auto chosen = choose(names, found, options);
     if (!chosen) return std::nullopt;
     Texts texts{std::move(*chosen), {}, {}};
     std::vector<const Change*> changes;
@@ -164,12 +190,46 @@ Exit write_texts(const AccuracyOptions& options, Found& found) {
     return exit_fine;
 }
 
+// The changes of the rungs that presets would choose of these, the exact one's first.
+std::vector<std::size_t> changes_for_presets(const FoundResult& found) {
+    std::vector<std::size_t> wanted;
+    const std::array<Wish, 3> wishes = quality_wishes();
+    for (auto wish = wishes.rbegin(); wish != wishes.rend(); ++wish) {
+        const auto best = choose(found.timed, *wish);
+        if (!best || *best == found.timed.sweep.current) continue;
+        for (const std::size_t change : found.timed.rungs[*best].steps)
+            if (ranges::find(wanted, change) == wanted.end()) wanted.push_back(change);
+    }
+    return wanted;
+}
+
+// As many of them as can be ladders of one scene; `left_out` gets the others, with the reasons.
+std::vector<Chosen> as_many_ladders(const Sought& sought, const std::vector<std::size_t>& changes,
+                                    std::vector<std::string>& left_out) {
+    const Original& scene = sought.original;
+    std::vector<Chosen> chosen;
+    for (const std::size_t change : changes) {
+        std::string error = "there are enough others";
+        auto one = chosen.size() < most_copied
+                       ? choose_changes(std::to_string(change + 1), sought.found.changes, scene.sources, error)
+                       : std::nullopt;
+        if (one) {
+            chosen.push_back(std::move(*one));
+            error = as_ladders(scene.plan, scene.files, scene.sources, scene_text, chosen).error;
+            if (error.empty()) continue;
+            chosen.pop_back();
+        }
+        left_out.push_back(fmt::format("found rung {} is no ladder of the copy: {}", change + 1, error));
+    }
+    return chosen;
+}
+
 // Not by CLI11's excludes(), which --help would print next to every option.
 bool fits(const CLI::App& command, const AccuracyOptions& options) {
     const std::string asked = options.list_found ? "--list-found" : options.apply.empty() ? "--as-ladder" : "--apply";
-    const std::set<std::string> fitting{
-        "SCENE",     "--limit",  "--confine", "--allow",
-        "--timeout", "--ladder", asked,       options.list_found ? "--json" : "--output"};
+    std::set<std::string> fitting{"SCENE", "--limit", "--confine", "--allow", "--timeout", "--ladder", asked};
+    fitting.insert(options.list_found ? "--json" : "--output");
+    if (!options.list_found) fitting.insert("--context");
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0 || fitting.contains(option->get_single_name()) ||
             fitting.contains("--" + option->get_single_name()))
@@ -208,6 +268,29 @@ Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command) 
     const Exit status = options.list_found ? list_found(options, *found) : write_texts(options, *found);
     deadline.rest();
     return status;
+}
+
+std::string write_quality_copy(const AccuracyOptions& options, const Sought& sought) {
+    const Original& scene = sought.original;
+    std::vector<std::string> left_out;
+    const std::vector<Chosen> chosen = as_many_ladders(sought, changes_for_presets(sought.found), left_out);
+    for (const std::string& line : left_out) fmt::print("{}\n", utf8::printable(line));
+    if (chosen.empty()) {
+        complain(left_out.empty() ? "no found rung is known to save time, so no copy was written: more --budget tells"
+                                  : "no found rung that saves time can be a ladder, so no copy was written",
+                 scene.plan.scene.ladders.empty() ? "" : "--save-quality writes presets of the scene's own ladders");
+        return {};
+    }
+    const AsLadders made = as_ladders(scene.plan, scene.files, scene.sources, scene_text, chosen);
+    const Change* all = &made.change;
+    const WrittenCopy copy =
+        write_copy(scene.path, options.access, changed_texts(std::span(&all, 1), scene.sources), options.quality_copy);
+    if (!copy.error.empty()) return complain(copy.error), "";
+    for (const Chosen& one : chosen)
+        for (const Change& change : one.changes) fmt::print("{}\n", change_line(change, scene.sources));
+    for (const std::string& statement : made.statements) fmt::print("{}\n", statement);
+    fmt::print("wrote {}\n", utf8::printable(copy.scene));
+    return copy.scene;
 }
 
 }  // namespace snell::app

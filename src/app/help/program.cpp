@@ -90,11 +90,12 @@ constexpr auto value_names = std::to_array<ValueName>({
     {"kind", "KIND"},          {"knobs", "KNOB,…"},      {"ladder", "LADDER=RUNG"}, {"ladders", "LADDER,…"},
     {"limit", "LIMIT=VALUE"},  {"link", "URL"},          {"markdown", "FILE"},      {"max-flip", "FLIP"},
     {"max-pixels", "PERCENT"}, {"memory", "GIGABYTES"},  {"max-rmse", "RMSE"},      {"merge", "FILE"},
-    {"output", "FILE"},        {"over", "NAME=VALUES"},  {"quality", "PRESET"},     {"reps", "COUNT"},
-    {"samples", "COUNT"},      {"set", "UNIFORM=VALUE"}, {"shard", "I/N"},          {"sheet", "FILE"},
-    {"size", "WIDTHxHEIGHT"},  {"slide", "FILE"},        {"stats", "FILE"},         {"steps", "COUNT"},
-    {"svg", "FILE"},           {"threshold", "VALUE"},   {"tile", "PIXELS"},        {"time", "SECONDS"},
-    {"timeout", "SECONDS"},    {"title", "TEXT"},        {"view", "VIEW"},          {"within", "TIME"},
+    {"output", "FILE"},        {"over", "NAME=VALUES"},  {"quality", "PRESET"},     {"quality-copy", "FOLDER"},
+    {"reps", "COUNT"},         {"samples", "COUNT"},     {"set", "UNIFORM=VALUE"},  {"shard", "I/N"},
+    {"sheet", "FILE"},         {"size", "WIDTHxHEIGHT"}, {"slide", "FILE"},         {"stats", "FILE"},
+    {"steps", "COUNT"},        {"svg", "FILE"},          {"threshold", "VALUE"},    {"tile", "PIXELS"},
+    {"time", "SECONDS"},       {"timeout", "SECONDS"},   {"title", "TEXT"},         {"view", "VIEW"},
+    {"within", "TIME"},
 });
 
 // Flags have no type.

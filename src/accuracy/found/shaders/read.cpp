@@ -325,4 +325,10 @@ void Offers::add(ChangeKind kind, const std::vector<Span>& shown, std::vector<Ed
     changes_.push_back({kind, shown.front(), before, after, std::move(joined)});
 }
 
+void Offers::add(Change change) {
+    const Span& at = change.where;
+    if (!full() && known_.insert(fmt::format("{}:{}-{} mean", at.file, at.begin, at.end)).second)
+        changes_.push_back(std::move(change));
+}
+
 }  // namespace snell::accuracy

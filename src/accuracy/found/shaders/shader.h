@@ -17,6 +17,8 @@ namespace snell::accuracy {
 // At most this many changes of shaders are offered for a scene. Where there are more, the kinds that have most lose
 // those that come last in the texts.
 inline constexpr std::size_t most_shader_changes = 200;
+// At most this many expressions of a scene may be replaced by their means: each is drawn to find the mean.
+inline constexpr std::size_t most_expression_means = 8;
 // Programs with a longer stage, which no one has written, are left alone.
 inline constexpr std::size_t most_tokens = 200'000;
 
@@ -98,6 +100,8 @@ public:
     void add(ChangeKind kind, const Span& where, std::vector<Edit> edits) {
         add(kind, std::vector<Span>{where}, std::move(edits));
     }
+    // One that is complete but for its order.
+    void add(Change change);
     // No more are taken: a text that has as many is not looked at to its end.
     bool full() const { return known_.size() >= 10 * most_shader_changes; }
 
@@ -135,6 +139,9 @@ void add_lower_levels(const Shader& control, Offers& offers);
 void add_shorter_sums(const Shader& fragment, Offers& offers);
 // `elsewhere`: files that stages other than the fragment stage read, too.
 void add_lookups(const Shader& fragment, const std::set<FileId>& elsewhere, Means& means, Offers& offers);
+// Until there are most_expression_means in all, those of the stage that take most work. `changes`: known ones, which
+// have the means of textures. Their numbers are missing (Change::probes).
+void add_expression_means(const Shader& fragment, const std::vector<Change>& changes, Offers& offers);
 void add_polynomials(const Shader& fragment, Offers& offers);
 void add_half_precision(const Shader& fragment, Offers& offers);
 void add_vertex_work(const Shader& vertex, const Shader& fragment, Offers& offers);

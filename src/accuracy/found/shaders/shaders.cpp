@@ -93,6 +93,7 @@ void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::v
             add_shorter_sums(*shader, offers);
             add_lookups(*shader, reader.elsewhere, means, offers);
             add_polynomials(*shader, offers);
+            add_expression_means(*shader, found, offers);
             add_half_precision(*shader, offers);
         }
         if (can_share_work(reader, stages))

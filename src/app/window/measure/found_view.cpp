@@ -10,6 +10,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/found/apply.h"
+#include "src/accuracy/found/average.h"
 #include "src/accuracy/found/search.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/write_copy.h"
@@ -22,6 +23,8 @@ namespace {
 constexpr double patience = 120;  // seconds that a search draws; the user may stop it
 // Short steps are taken together, because the window is drawn after them.
 constexpr std::chrono::milliseconds at_once{50};
+// For the means of expressions, which have no steps.
+constexpr std::chrono::seconds longest_wait{2};
 
 // Without what the numbers of found rungs do not depend on.
 Stand circumstances(Stand stand) {
@@ -128,6 +131,9 @@ void FoundView::begin(Document& scene, const Stand& stand) {
     sought.plan = make_plan(std::move(parsed->scene), sought.files, sought.sources, unheard);
     carry_over(scene.controls.rungs, scene.scene(), sought.plan.rungs, sought.plan.scene);
     sought.changes = accuracy::find_changes(sought.plan, sought.files, sought.sources);
+    const auto start = std::chrono::steady_clock::now();
+    accuracy::fill_averages({path_, sought.plan, sought.files, sought.sources}, sought.changes, caps_,
+                            [start] { return std::chrono::steady_clock::now() - start > longest_wait; });
     accuracy::SearchOptions options;
     options.seconds = patience;
     options.stop = [&sought] {

@@ -1,0 +1,193 @@
+// Expressions that their mean over the picture may replace.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "parser/text/ranges.h"
+#include "src/accuracy/found/shaders/shader.h"
+
+namespace snell::accuracy {
+
+namespace {
+
+using glsl::Form;
+using glsl::Node;
+
+constexpr int deepest_call = 4;
+constexpr std::array<std::string_view, 14> transcendental{"sin", "cos",  "tan", "asin", "acos", "atan",        "pow",
+                                                          "exp", "exp2", "log", "log2", "sqrt", "inversesqrt", "noise"};
+
+class Averages {
+public:
+    Averages(const Shader& shader, const std::vector<Change>& changes, Offers& offers)
+        : s_(shader), changes_(changes), offers_(offers) {
+        for (std::size_t f = 0; f < s_.unit.functions.size(); ++f)
+            if (s_.unit.functions[f].name == "main" && s_.unit.functions[f].open >= 0) main_ = static_cast<int>(f);
+        for (const Node& node : s_.tree)
+            if (node.form == Form::call) called_.insert(node.text);
+    }
+
+    void run() {
+        const std::string output = output_name();
+        if (output.empty() || !in_window()) return;
+        struct Candidate {
+            int node, work;
+        };
+        std::vector<Candidate> found;
+        for (int n = 0; n < s_.nodes(); ++n)
+            if (const int work = fits(n) ? work_of(n) : 0; work > 0) found.push_back({n, work});
+        // Those that take most work; of equals, the first.
+        ranges::stable_sort(found, std::greater<>(), &Candidate::work);
+        const auto known = static_cast<std::size_t>(
+            ranges::count(changes_, ChangeKind::expression_mean, [](const Change& c) { return c.kind; }));
+        found.resize(std::min(found.size(), most_expression_means - std::min(known, most_expression_means)));
+        for (const Candidate& candidate : found) offer(candidate.node, output);
+    }
+
+private:
+    const glsl::Function& function(int index) const { return s_.unit.functions[static_cast<std::size_t>(index)]; }
+
+    // What the colour is written to: a variable with four components; empty: that is not certain.
+    std::string output_name() const {
+        const bool editable = main_ >= 0 && s_.own(function(main_).name_token, function(main_).name_token) &&
+                              s_.own(function(main_).close, function(main_).close) && s_.ahead_of(main_);
+        if (!editable || s_.plan.scene.output != Encoding::raw) return {};
+        std::string name = "gl_FragColor";
+        int outputs = 0;
+        for (const glsl::Global& global : s_.unit.globals) {
+            if (global.qualifiers.storage != glsl::Storage::out) continue;
+            const bool colour = real_vector(global.type) && global.type.rows == 4;
+            if (!colour || ++outputs > 1) return {};
+            name = global.name;
+        }
+        return name;
+    }
+
+    // What is drawn to textures may be read again, and would then be another picture.
+    bool in_window() const {
+        const Scene& scene = s_.plan.scene;
+        return ranges::all_of(scene.passes, [&](const Pass& pass) {
+            return pass.kind == Pass::Kind::window || ranges::none_of(pass.items, [&](const Item& item) {
+                       return item.kind == Item::Kind::draw && scene.draws[item.index].program == s_.program;
+                   });
+        });
+    }
+
+    // All that a local variable begins with, an argument of mix, or a factor.
+    bool fits(int n) const {
+        const Node& node = s_.at(n);
+        if (node.first < 0 || node.constant || !real_vector(node.type) || !s_.own(n)) return false;
+        const int within = s_.function_of(node.first), around = s_.parent(n);
+        if (within < 0 || around < 0 || !s_.ahead_of(within) || s_.in_free_loop(node.first)) return false;
+        if (within != main_ && !called_.contains(function(within).name)) return false;
+        const Node& outer = s_.at(around);
+        const bool initial = outer.form == Form::declarator && outer.type.same(node.type) && !in_header(around);
+        const bool blended = outer.form == Form::built_in && outer.text == "mix";
+        const bool factor = outer.form == Form::infix && outer.text == "*" && real_vector(outer.type);
+        const bool plain = node.form != Form::name && node.form != Form::choose && node.form != Form::assign;
+        return (initial || blended || factor) && plain && !has_mean(n);
+    }
+
+    // What a loop begins with decides on how often it goes round.
+    bool in_header(int declarator) const {
+        const int around = s_.parent(declarator);
+        return around >= 0 && s_.at(around).form == Form::loop;
+    }
+
+    // A texture's mean is known without drawing.
+    bool has_mean(int n) const {
+        n = s_.bare(n);
+        while (s_.at(n).form == Form::select) n = s_.bare(s_.parts(n)[0]);
+        if (s_.at(n).form != Form::built_in) return false;
+        const Span span = s_.span(n);
+        return ranges::any_of(changes_,
+                              [&](const Change& c) { return c.kind == ChangeKind::lookup_mean && c.where == span; });
+    }
+
+    // About how many operations are saved; 0: none that cost anything, or it does more than to give a value.
+    int work_of(int n) const {
+        int work = 0;
+        bool effects = false;
+        add_work(s_.at(n).begin, n, 0, work, effects);
+        return effects ? 0 : work;
+    }
+
+    void add_work(int begin, int end, int depth, int& work, bool& effects) const {
+        for (int k = begin; k <= end && !effects; ++k) {
+            const Node& n = s_.at(k);
+            if (n.form == Form::step || n.form == Form::assign) effects = effects || depth == 0;
+            if (n.form == Form::name && n.global >= 0 && s_.written(k)) effects = true;
+            if (n.form == Form::built_in && n.text.starts_with("texture")) work += 8;
+            if (n.form == Form::built_in && ranges::find(transcendental, n.text) != transcendental.end()) work += 2;
+            if (n.form != Form::call) continue;
+            work += 4;
+            const auto body = n.function < 0 ? std::nullopt : body_of(n.text);
+            const auto gives = [](const glsl::Parameter& p) { return p.storage != glsl::Storage::in; };
+            if (!body || depth == deepest_call || ranges::any_of(function(n.function).parameters, gives))
+                effects = true;
+            else
+                add_work(body->first, body->second, depth + 1, work, effects);
+        }
+    }
+
+    // The nodes of all functions of the name.
+    std::optional<std::pair<int, int>> body_of(std::string_view name) const {
+        std::optional<std::pair<int, int>> nodes;
+        for (int k = 0; k < s_.nodes(); ++k) {
+            const int f = s_.at(k).first < 0 ? -1 : s_.function_of(s_.at(k).first);
+            if (f < 0 || function(f).name != name) continue;
+            if (!nodes) nodes = std::pair(k, k);
+            nodes->second = k;
+        }
+        return nodes;
+    }
+
+    void offer(int n, const std::string& output) {
+        const std::string type(s_.at(n).type.name);
+        const Span span = s_.span(n);
+        Change change{ChangeKind::expression_mean,
+                      span,
+                      excerpt(s_.text(n)),
+                      type + "(its mean over the picture)",
+                      {{span, type + "(0.)"}}};
+        for (int channel = 0; channel < s_.at(n).type.rows; channel += 2)
+            change.probes.push_back(probe(n, type, output, channel));
+        offers_.add(std::move(change));
+    }
+
+    // A shader that writes the mean of two components over all times that it computes the expression.
+    std::vector<Edit> probe(int n, const std::string& type, const std::string& output, int channel) const {
+        const Span span = s_.span(n), ahead = *s_.ahead_of(s_.function_of(s_.at(n).first));
+        const Span name = s_.span(function(main_).name_token, function(main_).name_token),
+                   close = s_.span(function(main_).close, function(main_).close);
+        const int rows = s_.at(n).type.rows;
+        const auto component = [&](int c) {
+            return rows == 1 ? std::string("snellSum") : fmt::format("snellSum.{}", "xyzw"[std::min(c, rows - 1)]);
+        };
+        return {
+            {ahead, fmt::format("{0} snellSum = {0}(0.);\nfloat snellCount = 0.;\n{0} snellSeen({0} x) {{ snellSum += "
+                                "x; snellCount += 1.; return x; }}\n",
+                                type)},
+            insertion(span, span.begin, "snellSeen("),
+            insertion(span, span.end, ")"),
+            {name, "snellAuthorMain"},
+            insertion(close, close.end,
+                      fmt::format("\nvoid main() {{\n    snellAuthorMain();\n    {} = snellCount > 0. ? vec4({} / "
+                                  "snellCount, {} / snellCount, {:.1f}, 1.) : vec4(0.);\n}}\n",
+                                  output, component(channel), component(channel + 1), probe_mark))};
+    }
+
+    const Shader& s_;
+    const std::vector<Change>& changes_;
+    Offers& offers_;
+    int main_ = -1;
+    std::set<std::string_view> called_;
+};
+
+}  // namespace
+
+void add_expression_means(const Shader& fragment, const std::vector<Change>& changes, Offers& offers) {
+    Averages(fragment, changes, offers).run();
+}
+
+}  // namespace snell::accuracy
