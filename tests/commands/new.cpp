@@ -165,7 +165,7 @@ TEST_F(NewScenes, SlidersHaveSensibleEnds) {
         };
         finite(document->controls, "as it is");
         for (std::size_t i = 0; i < document->controls.items.size(); ++i) {
-            const Control& control = document->controls.items[i];
+            const snell::Control& control = document->controls.items[i];
             if (control.widget != Widget::slider && control.widget != Widget::check_box) continue;
             ++sliders;
             bool changes = false;

@@ -64,13 +64,6 @@ std::string check_positive(const std::string& text) {
     return !error.empty() || std::strtod(text.c_str(), nullptr) > 0 ? error : "'" + text + "' is not more than 0";
 }
 
-// CLI11 accepts "nan" and "inf" as numbers, so they are refused here.
-std::string check_finite_number(const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    return *end == '\0' && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
-}
-
 std::string check_file_name(const std::string& text) { return text.empty() ? "the name of the file is empty" : ""; }
 
 CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,

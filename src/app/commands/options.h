@@ -17,7 +17,6 @@ using Size = std::optional<std::pair<int, int>>;  // pixels
 std::string check_finite_number(const std::string& text);
 std::string check_positive(const std::string& text);
 std::string check_file_name(const std::string& text);
-std::string check_finite_number(const std::string& text);
 
 // An option that may be repeated, with one value each time.
 CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,

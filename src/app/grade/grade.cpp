@@ -152,12 +152,13 @@ private:
     bool judge_all(const std::vector<std::size_t>& open) {
         if (open.empty()) return true;
         // Once for all processes. As many as there are at a time open it as quickly, and only if they need it.
-        if (open.size() > jobs()) content::open_image_module();
+        const std::size_t jobs = options_.jobs > 0 ? options_.jobs : content::cores();
+        if (open.size() > jobs) content::open_image_module();
         bool graphics = true;
         std::size_t ready = 0;
         const bool shows = isatty(STDERR_FILENO) != 0;
         run_apart(
-            open.size(), limits(options_.jobs > 0 ? options_.jobs : content::cores()),
+            open.size(), limits(jobs),
             [&](std::size_t k) {
                 const GradedSubmission& graded = grades_.all[open[k]];
                 const std::string folder = folder_of(graded.submission);
