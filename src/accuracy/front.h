@@ -44,6 +44,7 @@ bool equal_cost(const Interval& ratio);
 // as equal. So does one that differs by no more than `noise`, the control's: what the same rung shows against itself
 // is no difference between rungs.
 std::vector<Verdict> pareto_front(std::span<const Point> points, double noise = 0);
+inline constexpr std::size_t fewest_rounds = 7;  // the minimum for an interval of the median
 // The fewest rounds in which every comparison of this many rungs can be sure.
 std::size_t rounds_for(std::size_t rungs);
 

@@ -13,7 +13,6 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr std::size_t fewest_rounds = 7;  // the minimum for an interval of the median
 constexpr double too_far = 3;             // in degrees
 constexpr double rounding = 1e-7;         // of sums of samples in 32-bit floats, as an RMSE
 

@@ -1,7 +1,10 @@
 #include "src/accuracy/rounds.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "src/accuracy/front.h"
 
 namespace snell::accuracy {
 
@@ -30,20 +33,32 @@ bool Rounds::warm_next() {
     return true;
 }
 
+// If there is time for as many rounds as a front needs, all take part in all of them. Otherwise, so many rounds are the
+// aim, and entrants that would use more than their share of the time take part in every second, fourth or eighth:
+// then those of any two have as many rounds in common as possible.
 void Rounds::decide() {
-    const auto rounds = static_cast<double>(options_.rounds), time = std::max(1e3 * options_.seconds_left(), 0.0);
+    const double time = std::max(1e3 * options_.seconds_left(), 0.0);
+    const auto most = static_cast<std::size_t>(options_.rounds);
+    const std::size_t needed = std::min(std::max(rounds_for(frame_.size()), fewest_rounds), most);
     const double share = time / static_cast<double>(frame_.size() + 1);
-    double round = 0;
+    double whole = 0, strided = 0;  // milliseconds of a round
     for (std::size_t i = 0; i < frame_.size(); ++i) {
         if (!frame_[i]) continue;
         const double sample = *frame_[i] > 500 ? *frame_[i] : *frame_[i] + std::max(*frame_[i], options_.at_least);
+        const double wanted = std::ceil(sample * static_cast<double>(needed) / std::max(share, 1e-3));
         // Ensures at least three rounds.
-        const double most = std::max(std::floor(rounds / 3), 1.0);
-        const double stride = std::clamp(std::ceil(sample * rounds / std::max(share, 1e-3)), 1.0, most);
-        stride_[i] = static_cast<std::size_t>(stride);
-        round += (i == options_.base ? 2 : 1) * sample / stride;
+        const double last = std::max(std::floor(static_cast<double>(needed) / 3), 1.0);
+        stride_[i] = std::min(std::bit_ceil(static_cast<std::size_t>(std::clamp(wanted, 1.0, last))),
+                              std::bit_floor(static_cast<std::size_t>(last)));
+        const double times = i == options_.base ? 2 : 1;
+        whole += times * sample;
+        strided += times * sample / static_cast<double>(stride_[i]);
     }
-    rounds_ = static_cast<std::size_t>(std::clamp(time / std::max(round, 1e-3), 1.0, rounds));
+    if (whole * static_cast<double>(needed) <= time) {
+        std::fill(stride_.begin(), stride_.end(), 1);
+        strided = whole;
+    }
+    rounds_ = static_cast<std::size_t>(std::clamp(time / std::max(strided, 1e-3), 1.0, static_cast<double>(most)));
     decided_ = true;
 }
 

@@ -19,8 +19,8 @@
 namespace snell::accuracy {
 
 // When each part of the search must end, as parts of its time: what is left over goes to the next.
-inline constexpr double singles_end = .45, combinations_end = .55, held_out_end = .65, times_end = .82,
-                        unused_end = .92;
+inline constexpr double singles_end = .42, combinations_end = .52, held_out_end = .62, times_end = .86,
+                        unused_end = .94;
 
 // A rung that is drawn, a place in each step.
 struct Attempt {

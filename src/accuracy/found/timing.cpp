@@ -33,7 +33,7 @@ std::size_t Search::Impl::fitting(std::size_t most, double part, std::array<int,
     double frame = 0;
     const auto seconds = [&](std::size_t rungs) {
         const double sample = frame > 500 ? frame : frame + std::max(frame, options.at_least);
-        const auto needed = static_cast<double>(std::max<std::size_t>(rounds_for(rungs + 1), 7));
+        const auto needed = static_cast<double>(std::max(rounds_for(rungs + 1), fewest_rounds));
         const auto entrants = static_cast<double>(rungs + 2);
         return entrants * (sample * needed + 3 * frame) / 1e3;
     };

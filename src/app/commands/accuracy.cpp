@@ -128,16 +128,18 @@ void note_broken(const SweepResult& sweep, const Scene& scene, Diagnostics& diag
 struct Work {
     static constexpr std::size_t advice_rungs = 16;  // about as many combinations as it tries
     std::size_t sweeps = 0, rungs = 0;
+    bool ladders = false;  // any scene has some
 
-    // Two thirds of a scene's time are for rungs that are found, more if it has no ladders.
+    // Two thirds of a scene's time are for rungs that are found, six sevenths if it has no ladders.
     static std::size_t found_rungs(std::size_t others, bool ladders) {
-        return (ladders ? 2 : 4) * std::max(others, advice_rungs);
+        return (ladders ? 2 : 6) * std::max(others, advice_rungs);
     }
-    void add(const AccuracyOptions& options, std::size_t subject_sweeps, std::size_t others, bool ladders) {
+    void add(const AccuracyOptions& options, std::size_t subject_sweeps, std::size_t others, bool has_ladders) {
+        ladders = ladders || has_ladders;
         sweeps += subject_sweeps;
         rungs += others;
         if (asks_for_advice(options)) ++sweeps, rungs += advice_rungs;
-        if (seeks(options)) ++sweeps, rungs += found_rungs(others, ladders);
+        if (seeks(options)) ++sweeps, rungs += found_rungs(others, has_ladders);
     }
 };
 
@@ -147,9 +149,10 @@ public:
     Measurement(const AccuracyOptions& options, Work all, Deadline& deadline)
         : options_(options), all_(all), deadline_(deadline) {}
 
-    // A quarter of the budget is for the references, which the sweeps of a scene share.
+    // A quarter of the budget is for the references, which the sweeps of a scene share; less if only knobs need them.
+    double reference_seconds() const { return options_.budget / (all_.ladders ? 4 : 8); }
     References references() const {
-        return References(options_.budget / 4 / static_cast<double>(options_.scenes.size()));
+        return References(reference_seconds() / static_cast<double>(options_.scenes.size()));
     }
 
     // Finds rungs, before anything else is measured.
@@ -196,7 +199,7 @@ public:
 private:
     MeasureOptions next(std::size_t rungs, References& references) const {
         const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        const double later_reference = done_.sweeps == 0 ? options_.budget / 4 : 0;
+        const double later_reference = done_.sweeps == 0 ? reference_seconds() : 0;
         const double left = std::max(options_.budget - spent - later_reference, 0.0);
         const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
         MeasureOptions measuring;
