@@ -50,6 +50,10 @@ TEST(FoundReport, NothingIsSaidOfTimesThatWereNotTaken) {
     found.rungs.push_back(tried("3", {0}));
     EXPECT_TRUE(says(found, "None of those that were timed saves time.")) << found_text(found);
     found.rungs[0].quick_ratio = .5;
+    EXPECT_TRUE(says(found, "None of those that were timed saves time.")) << "half of its frames took longer";
+    EXPECT_EQ(standing_of(found, found.rungs[0]), "saves no time");
+    found.rungs[0].saves = true;
+    EXPECT_EQ(standing_of(found, found.rungs[0]), "another one saves more");
     EXPECT_TRUE(says(found, "before those that save time were timed in full")) << found_text(found);
 }
 

@@ -19,7 +19,7 @@ namespace snell::accuracy {
 namespace {
 
 constexpr double quick_sample = 8, slow_frame = 30;  // milliseconds
-constexpr int quick_pairs = 5;
+constexpr int quick_pairs = 7;
 
 bool overlap(const Span& a, const Span& b) { return a.file == b.file && a.begin <= b.end && b.begin <= a.end; }
 
@@ -239,7 +239,7 @@ Trials::Quick Trials::quick_ratio(Trial& trial, double warm, ClockKind clock, co
     }
     if (ratios.empty()) return {};
     ranges::sort(ratios);
-    return {median(ratios), ratios[ratios.size() - std::min<std::size_t>(ratios.size(), 2)]};
+    return {median(ratios), ratios[2 * ratios.size() / 3]};
 }
 
 Entrant Trials::entrant(Bench& bench, std::array<int, 2> size) const {

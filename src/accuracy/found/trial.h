@@ -54,8 +54,8 @@ public:
     // over those that differ. `flip`: with FLIP.
     Difference compare(const Picture& picture, std::size_t place, std::span<const std::size_t> changes, bool flip);
 
-    // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known. `high`: the second
-    // largest of them. `warm`: the milliseconds of its frames.
+    // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known. `high`:
+    // two of three are no larger. `warm`: the milliseconds of its frames.
     struct Quick {
         double middle = 0, high = 0;
     };

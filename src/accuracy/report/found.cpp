@@ -89,7 +89,7 @@ std::string_view no_cheaper_words(const FoundResult& found) {
     for (const FoundRung& rung : found.rungs) {
         if (rung.aim != Aim::cheaper || rung.outcome == Outcome::refused) continue;
         (rung.quick_ratio > 0 ? timed : untimed) = true;
-        saves = saves || (rung.quick_ratio > 0 && rung.quick_ratio < .97);
+        saves = saves || rung.saves;
     }
     if (!timed && !untimed) return "No cheaper change was tried.";
     if (!timed) return "No cheaper change was timed.";
@@ -233,7 +233,7 @@ std::string standing_of(const FoundResult& found, const FoundRung& rung) {
     if (rung.aim == Aim::better)
         return found.interrupted ? "stopped before it was tried at other places" : "not held out: the time was up";
     if (!found.with_times) return rung.held_out || rung.reason.empty() ? "not timed" : "not held out: " + rung.reason;
-    if (rung.quick_ratio >= .97) return "saves no time";
+    if (!rung.saves) return rung.changes.size() > 1 ? "saves no more than a part of it" : "saves no time";
     return rung.held_out ? "not timed" : "another one saves more";
 }
 
