@@ -13,8 +13,8 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr double too_far = 3;             // in degrees
-constexpr double rounding = 1e-7;         // of sums of samples in 32-bit floats, as an RMSE
+constexpr double too_far = 3;      // in degrees
+constexpr double rounding = 1e-7;  // of sums of samples in 32-bit floats, as an RMSE
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -320,6 +320,10 @@ void conclude_times(SweepResult& result, std::span<const double> base_again, std
     const std::vector<bool> cliff = row ? cliffs(points) : std::vector<bool>(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
         result.rungs[i].verdict = verdicts[i];
+        // A change without an error that saves nothing is none to make.
+        const bool idle = result.sweep.kind == SweepKind::found && i != result.sweep.current &&
+                          verdicts[i].standing == Standing::front && !(result.rungs[i].ratio.high < 1);
+        if (idle) result.rungs[i].verdict = {Standing::saves_none, result.sweep.current};
         result.rungs[i].cliff = cliff[i] && result.trusted();
     }
 }

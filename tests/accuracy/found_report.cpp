@@ -57,6 +57,28 @@ TEST(FoundReport, NothingIsSaidOfTimesThatWereNotTaken) {
     EXPECT_TRUE(says(found, "before those that save time were timed in full")) << found_text(found);
 }
 
+TEST(FoundReport, WhatIsExactAndSavesNothingIsNotOnTheFront) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0})};
+    found.rungs[0].timed = 0;
+    SweepResult& sweep = found.timed;
+    sweep.sweep = {.kind = SweepKind::found, .name = "found rungs", .reference = 1, .current = 1};
+    sweep.residual = 0;
+    sweep.clock = ClockKind::cpu;
+    sweep.rungs = {{.name = "1", .drawn = true}, {.name = "scene", .drawn = true}};
+    for (const double cost : {1., .8}) {
+        for (RungResult& rung : sweep.rungs) rung.cpu.clear();
+        for (int round = 0; round < 31; ++round) {
+            sweep.rungs[0].cpu.push_back(cost * (10 + .2 * ((round + 1) % 3)));
+            sweep.rungs[1].cpu.push_back(10 + .2 * (round % 3));
+        }
+        conclude(sweep, std::vector<double>(sweep.rungs[1].cpu), 1);
+        ASSERT_TRUE(sweep.trusted());
+        EXPECT_EQ(found.front().size(), cost < 1 ? 1u : 0u);
+        EXPECT_EQ(standing_of(found, found.rungs[0]), cost < 1 ? "front" : "no saving: scene");
+    }
+}
+
 TEST(FoundReport, CombinationsAreNotCountedAmongChanges) {
     FoundResult found = of_two();
     found.rungs = {tried("1", {0}), tried("2", {1}), tried("1+2", {0, 1})};
