@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/accuracy/found/search.h"
+#include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
 namespace {
@@ -76,6 +77,12 @@ TEST(FoundReport, WhatIsExactAndSavesNothingIsNotOnTheFront) {
         ASSERT_TRUE(sweep.trusted());
         EXPECT_EQ(found.front().size(), cost < 1 ? 1u : 0u);
         EXPECT_EQ(standing_of(found, found.rungs[0]), cost < 1 ? "front" : "no saving: scene");
+        Report report;
+        report.found = {found};
+        EXPECT_EQ(csv_text(report).find(",1,front,") != std::string::npos, cost < 1) << csv_text(report);
+        report.found[0].rungs[0].outcome = Outcome::not_tried;
+        report.found[0].rungs[0].reason = "the time was up";
+        EXPECT_NE(csv_text(report).find(",0,not tried: the time was up,"), std::string::npos) << csv_text(report);
     }
 }
 

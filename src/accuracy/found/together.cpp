@@ -66,8 +66,10 @@ public:
             if (!next.best) break;
             advice = std::move(next);
             const Mix& best = advice.mixes[*advice.best];
-            advice.settled = step > 0 && ranges::find(seen, best) != seen.end();
-            if (advice.settled) break;
+            // Where it was before, it is best of all around it.
+            const bool again = step > 0 && ranges::find(seen, best) != seen.end();
+            advice.settled = again && advice.whole;
+            if (again) break;
             centre = best;
         }
         return advice;
@@ -194,8 +196,10 @@ private:
         sweep.clock = clock_;
         judge_reference(sweep);
         std::vector<Entrant> entrants;
+        bool drawn = true;
         for (const Mix& mix : mixes) {
-            if (!entrants.empty() && time_left() < seconds / 2) break;
+            drawn = entrants.empty() || time_left() >= seconds / 2;
+            if (!drawn) break;
             RungResult rung{.name = mix_name(bench_.scene(), mix), .steps = mix.rungs};
             rung.steps.push_back(mix.samples > 1 ? 1 : 0);
             rung.steps.push_back(mix.changes.empty() ? 1 : 0);
@@ -221,6 +225,7 @@ private:
         while (rounds.step()) continue;
         for (std::size_t i = 0; i < sweep.rungs.size(); ++i) take_times(sweep.rungs[i], rounds.times()[i]);
         conclude(sweep, rounds.again(), options_.measuring.seed);
+        advice.whole = drawn && !stopped() && !sweep.few_rounds;
         advice.best = choose_surely(sweep, wish_);
         advice.met = advice.best && fulfils(sweep, sweep.rungs[*advice.best], wish_);
         return advice;

@@ -26,6 +26,7 @@ struct MixAdvice {
     std::vector<Mix> mixes;  // of the sweep's rungs
     std::optional<std::size_t> best;
     bool met = false;
+    bool whole = false;    // all that differs in one thing was drawn, and timed in enough rounds
     bool settled = false;  // nothing that differs in one thing is better
     std::size_t places = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/numbers.h"
@@ -75,9 +76,12 @@ struct Row {
     const Circumstances& where;
     const SweepResult& sweep;
     std::size_t index;
-    std::string place = {}, change = {};  // of a rung that was found
+    // Of a rung that was found; its sweep has other rungs than those that were timed together.
+    std::string place = {}, change = {};
+    std::optional<std::string> found_standing = {};
     const RungResult& rung = sweep.rungs[index];
     bool timed() const { return rung.rounds > 0; }
+    std::string standing() const { return found_standing ? *found_standing : standing_text(sweep, rung); }
     const std::vector<double>& times() const {
         return sweep.clock == ClockKind::cpu ? rung.cpu : sweep.clock == ClockKind::gpu ? rung.gpu : rung.wall;
     }
@@ -144,8 +148,9 @@ constexpr Column columns[]{
     {"cliff", [](const Row& r) { return cell(r.rung.cliff); }},
     {"ref_residual", [](const Row& r) { return r.sweep.residual ? cell(*r.sweep.residual) : ""; }},
     {"below_residual", [](const Row& r) { return cell(r.rung.below_residual); }, drawn},
-    {"on_front", [](const Row& r) { return cell(on_front(r.sweep, r.rung)); }},
-    {"standing", [](const Row& r) { return cell(standing_text(r.sweep, r.rung)); }},
+    {"on_front",
+     [](const Row& r) { return cell(r.found_standing ? *r.found_standing == "front" : on_front(r.sweep, r.rung)); }},
+    {"standing", [](const Row& r) { return cell(r.standing()); }},
     {"cannot_say", [](const Row& r) { return cell(r.sweep.cannot_say); }},
     {"machine", [](const Row& r) { return cell(r.where.cpu); }},
     {"cores", [](const Row& r) { return cell(r.where.cores); }},
@@ -258,8 +263,9 @@ std::string csv_text(const Report& report) {
             const SweepResult listed = as_sweep(found, aim);
             for (std::size_t i = 0; i < listed.rungs.size(); ++i) {
                 const FoundRung* rung = found.find(listed.rungs[i].name);
-                text += row_text(
-                    {report.where, listed, i, rung ? place_of(found, *rung) : "", rung ? change_of(found, *rung) : ""});
+                if (!rung) continue;
+                text += row_text({report.where, listed, i, place_of(found, *rung), change_of(found, *rung),
+                                  standing_of(found, *rung)});
             }
         }
     return text;

@@ -94,7 +94,7 @@ bool advise_ladders(const AccuracyOptions& options, const std::string& path, Ben
 
 // Whether a rung of the knob is what was wished for; prints it.
 bool tell_knob(const SweepResult& result, const Wish& wish) {
-    const auto best = choose(result, wish);
+    const auto best = result.few_rounds ? std::nullopt : choose(result, wish);
     if (!best || !fulfils(result, result.rungs[*best], wish)) return false;
     const RungResult& rung = result.rungs[*best];
     fmt::print("\n{}: of the knob {} it is '{}'\n  RMSE {:.3g}{}, {} times\n", wish_text(wish), result.sweep.name,
