@@ -40,7 +40,7 @@ void out_of_memory() {
 int printed(int status) {
     const int wrong = std::fflush(stdout) != 0 ? errno : std::ferror(stdout) ? EIO : 0;
     if (wrong == 0) return status;
-    fmt::print(stderr, "snell: error: cannot write to standard output: {}\n", std::strerror(wrong));
+    complain(fmt::format("cannot write to standard output: {}", std::strerror(wrong)));
     return std::max<int>(status, exit_input);
 }
 

@@ -6,14 +6,32 @@
 
 namespace snell::content {
 
+namespace {
+
+struct Places {
+    std::filesystem::path beside, installed;
+};
+
+Places places_of(const std::string& file) {
+    std::error_code error;
+    const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    return {folder / file, folder.parent_path() / "lib" / "snell" / file};
+}
+
+}  // namespace
+
+std::string module_path(const std::string& file) {
+    const auto [beside, installed] = places_of(file);
+    std::error_code error;
+    return (std::filesystem::exists(beside, error) ? beside : installed).string();
+}
+
 LoadedModule load_module(const std::string& file, const std::string& library) {
     LoadedModule result;
+    result.path = module_path(file);
     std::error_code error;
-    const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
-    const auto beside = executable.parent_path() / file;
-    const auto installed = executable.parent_path().parent_path() / "lib" / "snell" / file;
-    result.path = (std::filesystem::exists(beside, error) ? beside : installed).string();
     if (!std::filesystem::exists(result.path, error)) {
+        const auto [beside, installed] = places_of(file);
         result.error = "cannot find the " + library + " module at " + beside.string() + " or " + installed.string();
         return result;
     }

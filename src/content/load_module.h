@@ -21,7 +21,10 @@ private:
     void* symbol(const char* name) const;
 };
 
-// Looks for the file in the executable's folder, then in ../lib/snell. `library` is its name in errors. The module
+// Where the module is: in the executable's folder, otherwise in ../lib/snell, where it may be missing.
+std::string module_path(const std::string& file);
+
+// Opens the module at its path. `library` is its name in errors. The module
 // stays open.
 LoadedModule load_module(const std::string& file, const std::string& library);
 

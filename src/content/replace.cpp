@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "src/content/whole_file.h"
+
 namespace snell::content {
 
 namespace fs = std::filesystem;
@@ -115,25 +117,40 @@ std::string write_and_close(int file, std::string_view bytes) {
     return wrong;
 }
 
+// True if the file system cannot reserve room ahead of time, which does not mean that there is none.
+bool reserves_nothing(int error) { return error == EOPNOTSUPP || error == EINVAL || error == EBADF; }
+
+// In place of everything that the file holds.
+std::string overwrite(int file, std::string_view bytes) {
+    if (lseek(file, 0, SEEK_SET) < 0) return std::strerror(errno);
+    std::string wrong = write_all(file, bytes);
+    if (wrong.empty() && ftruncate(file, static_cast<off_t>(bytes.size())) != 0) wrong = std::strerror(errno);
+    return wrong;
+}
+
 }  // namespace
 
 std::string Replacement::write_through(std::string_view bytes) {
-    const int file = open(target_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+    // Where the file system reserves no room, the C library reads the file to do so.
+    const int file = open(target_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
     if (file < 0) return target_.string() + ": " + std::strerror(errno);
     const auto size = static_cast<off_t>(bytes.size());
+    const std::string old = content::whole_file(target_.string());
     const off_t before = lseek(file, 0, SEEK_END);
-    lseek(file, 0, SEEK_SET);
     // A full disk is noticed before anything is overwritten.
-    if (const int error = size > before ? posix_fallocate(file, 0, size) : 0; error != 0) {
-        [[maybe_unused]] const int shortened = ftruncate(file, before);
+    const int error = before < 0 ? errno : size > before ? posix_fallocate(file, 0, size) : 0;
+    if (error != 0 && (before < 0 || !reserves_nothing(error))) {
+        [[maybe_unused]] const int shortened = before < 0 ? 0 : ftruncate(file, before);
         close(file);
         return target_.string() + ": " + std::strerror(error);
     }
-    std::string wrong = write_all(file, bytes);
-    if (wrong.empty() && ftruncate(file, size) != 0) wrong = std::strerror(errno);
-    if (close(file) != 0 && wrong.empty()) wrong = std::strerror(errno);
-    kept_ = !wrong.empty();
-    return kept_ ? target_.string() + ": " + wrong + "; the new text is in " + path_.string() : "";
+    std::string wrong = overwrite(file, bytes);
+    const bool damaged = !wrong.empty() && (static_cast<off_t>(old.size()) != before || !overwrite(file, old).empty());
+    const bool unsure = close(file) != 0;  // some file systems write only now
+    if (unsure && wrong.empty()) wrong = std::strerror(errno);
+    if (wrong.empty()) return "";
+    kept_ = damaged || unsure;
+    return target_.string() + ": " + wrong + (kept_ ? "; the new text is in " + path_.string() : "");
 }
 
 PartFile::PartFile(const fs::path& path) : file_(new_file(path)) {

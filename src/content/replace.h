@@ -26,8 +26,8 @@ public:
     const std::filesystem::path& path() const { return path_; }
     // Replaces the target and keeps its permissions. Returns "" or what went wrong.
     std::string take_place();
-    // Writes the same bytes into the target itself. Returns "" or what went wrong; if the target was damaged, the
-    // temporary file stays.
+    // Writes the same bytes into the target itself. Returns "" or what went wrong, after which the target has its old
+    // bytes again. Where those cannot be written either, the temporary file stays.
     std::string write_through(std::string_view bytes);
 
 private:

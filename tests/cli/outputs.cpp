@@ -133,7 +133,8 @@ TEST_F(Outputs, WhereNoFileCanBeMadeIsRefusedBeforeItMeasures) {
         for (const std::string place : {"/proc/x.html", "a"}) {
             const Outcome refused = measure(option + " " + place);
             EXPECT_EQ(refused.status, 1) << option << ' ' << refused.output;
-            EXPECT_TRUE(refused.says("cannot write '" + place + "': " + place + ": ")) << refused.output;
+            EXPECT_TRUE(refused.says("cannot write '" + place + "': ")) << refused.output;
+            EXPECT_FALSE(refused.says("': " + place + ": ")) << "twice: " << refused.output;
             EXPECT_FALSE(refused.says("RMSE")) << option << " was measured: " << refused.output;
         }
     EXPECT_TRUE(fs::is_symlink(folder.path("a")));

@@ -56,6 +56,27 @@ TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
     EXPECT_EQ(state()["errors"], 0);
 }
 
+// An editor's text holds until its file is saved, whatever happens to the context, and to the window, afterwards.
+TEST_F(Recovery, ATextThatWasSavedDoesNotComeBack) {
+    const std::string path = file("paint.frag");
+    save("texts", nlohmann::json{{path, paint("uPaint.bgr")}}.dump());
+    const std::vector<std::string> given{"--instead", file("texts"), "--lose-file", file("lose")};
+    open("scene.glib", given);
+    ASSERT_TRUE(shows({0, 0, 255})) << "the editor's text";
+    save("paint.frag", paint("uPaint.grb"));
+    ASSERT_TRUE(shows(green));
+    settle();
+    save("lose", "");
+    save("scene.glib", bytes("scene.glib") + "# an edit\n");
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }, 20));
+    save("scene.glib", bytes("scene.glib") + "# another\n");
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0; }, 20));
+    EXPECT_TRUE(shows(green)) << "after the loss";
+    end_window();
+    open("scene.glib", given);
+    EXPECT_TRUE(shows(green)) << "a window that is started again gets the same arguments";
+}
+
 TEST_F(Recovery, AFrameThatDoesNotEndStartsTheWindowAgain) {
     open("scene.glib", {"--timeout", "2"});
     ASSERT_TRUE(shows(red));

@@ -71,7 +71,7 @@ Exit Batch::run() {
     for (std::size_t i = 0; i < records_.size(); ++i) {
         timings_.write += written()[i].milliseconds;
         if (written()[i].error.empty()) continue;
-        complain(fmt::format("cannot write '{}': {}", shots_.files[records_[i].shot.index], written()[i].error));
+        cannot_write(shots_.files[records_[i].shot.index], written()[i].error);
         fail();
     }
     if (non_finite_ && non_finite_->nan + non_finite_->infinite > 0)

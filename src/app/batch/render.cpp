@@ -109,7 +109,7 @@ bool write_sheet(const Batch& batch, const RenderOptions& options, const Shots& 
         tiles.push_back({batch.written()[i].tile, shots.label(batch.records()[i].shot)});
     const std::string error =
         content::write_image(options.sheet, contact_sheet(tiles, columns_of(shots, tiles.size()), options.labels));
-    return error.empty() || complain(fmt::format("cannot write '{}': {}", options.sheet, error));
+    return error.empty() || cannot_write(options.sheet, error);
 }
 
 bool write_reports(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard) {

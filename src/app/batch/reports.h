@@ -7,7 +7,7 @@
 
 namespace snell::app {
 
-// Returns "", or why the file cannot be written.
+// Prints why the file cannot be written, and returns false then.
 bool write_json(const std::string& path, const nlohmann::ordered_json& json);
 
 // Lists every picture with its values, file, size, hash and time.

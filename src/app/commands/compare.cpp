@@ -257,7 +257,7 @@ bool write_map(const Compared& compared, const std::string& file) {
     if (const fs::path folder = fs::path(file).parent_path(); !folder.empty()) fs::create_directories(folder, ignored);
     const std::string wrong =
         content::write_image(file, accuracy::map_image(compared.difference.map, compared.width, compared.height));
-    return wrong.empty() || complain(fmt::format("cannot write '{}': {}", file, wrong));
+    return wrong.empty() || cannot_write(file, wrong);
 }
 
 bool write_compared(const CompareOptions& options, const nlohmann::ordered_json& all, const Pairing& pairing,

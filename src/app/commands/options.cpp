@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,8 @@
 namespace snell::app {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 bool parse_size(const std::string& text, std::pair<int, int>& size) {
     int end = 0;
@@ -40,13 +43,25 @@ std::string check_context(const std::string& text) {
     return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
 }
 
-// Texts by path, as JSON.
+// By the clock of files. A time in the future does not count as an edit.
+bool written_between(const std::string& path, fs::file_time_type begin, fs::file_time_type end) {
+    std::error_code error;
+    const auto written = fs::last_write_time(path, error);
+    return !error && written > begin && written <= end;
+}
+
+// Texts by path, as JSON, without those whose files were saved since it was written: a window that is started again
+// reads it again.
 std::shared_ptr<const std::map<std::string, std::string>> texts_in(const std::string& file) {
     auto texts = std::make_shared<std::map<std::string, std::string>>();
     const auto json = content::parse_json(content::whole_file(file));
     if (!json.is_object()) throw CLI::ValidationError("--instead", fmt::format("'{}' is not a JSON object", file));
+    std::error_code error;
+    const auto given = fs::last_write_time(file, error);
+    const auto now = fs::file_time_type::clock::now();
     for (const auto& [path, text] : json.items())
-        if (text.is_string()) texts->emplace(path, text.get<std::string>());
+        if (text.is_string() && (error || !written_between(path, given, now)))
+            texts->emplace(path, text.get<std::string>());
     return texts;
 }
 

@@ -1,16 +1,13 @@
 #include "src/app/grade/grade.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 
-#include "parser/text/utf8.h"
 #include "src/app/grade/judge.h"
-#include "src/app/grade/processes.h"
+#include "src/app/grade/why_ended.h"
 #include "src/app/open/complain.h"
 #include "src/content/image/open_module.h"
 #include "src/content/workers.h"
@@ -120,16 +117,7 @@ private:
     Record result_of(const EndedProcess& ended, const std::string& folder, const std::string& key,
                      const std::string& submission) const {
         Record record = read_record(folder, grades_.rubric);
-        std::string problem;
-        if (ended.too_long || ended.signal == SIGXCPU || ended.status == exit_timeout)
-            problem = fmt::format("it takes longer than {} seconds{}", grades_.rubric.timeout, said(ended));
-        else if (ended.output.find("[out-of-memory]") != std::string::npos)
-            problem = fmt::format("it takes more than {} GB of memory", options_.gigabytes);
-        else if (ended.signal != 0)
-            problem = fmt::format("it ends the program that draws it, twice, by signal {} ({})", ended.signal,
-                                  strsignal(ended.signal));
-        else if (ended.status != exit_fine)
-            problem = fmt::format("it ends the program that draws it{}", said(ended));
+        const std::string problem = why_ended(ended, grades_.rubric.timeout, options_.gigabytes);
         if (record.key != unfinished(key))
             record = unjudged(grades_.rubric, problem.empty() ? "there is no result" : problem);
         record.key = key;
@@ -139,14 +127,6 @@ private:
             record.notes.push_back("the program that draws it ended by a signal once; the second time it did not");
         write_record(folder, record);
         return record;
-    }
-
-    // The first line of what it printed about itself.
-    static std::string said(const EndedProcess& ended) {
-        const std::size_t at = ended.output.find("snell: error: ");
-        if (at == std::string::npos) return {};
-        const std::string_view line = std::string_view(ended.output).substr(at + 14);
-        return fmt::format(": {}", utf8::printable(line.substr(0, line.find('\n'))));
     }
 
     bool judge_all(const std::vector<std::size_t>& open) {

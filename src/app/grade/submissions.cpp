@@ -17,6 +17,7 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/version.h"
 #include "src/app/picture/sha256.h"
+#include "src/content/load_module.h"
 #include "src/content/regular_file.h"
 #include "src/content/whole_file.h"
 #include "src/document/document.h"
@@ -127,11 +128,17 @@ void add_files(const fs::path& path, std::string& all) {
     }
 }
 
-// Tells this program from one that was built again, also where several machines have copies of it.
+// Tells this program and the modules that read submissions from those that were built again, also where several
+// machines have copies of them.
 std::string build_of_program() {
-    const std::string program = content::whole_file("/proc/self/exe");
-    const auto* bytes = reinterpret_cast<const Bytef*>(program.data());
-    return fmt::format("{}-{:x}", program.size(), crc32_z(0, bytes, program.size()));
+    std::string build;
+    for (const std::string& file : {std::string("/proc/self/exe"), content::module_path("snell_oiio.so"),
+                                    content::module_path("snell_archive.so")}) {
+        const std::string program = content::whole_file(file);
+        const auto* bytes = reinterpret_cast<const Bytef*>(program.data());
+        build += fmt::format("{}-{:x} ", program.size(), crc32_z(0, bytes, program.size()));
+    }
+    return build;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -17,6 +18,7 @@
 
 #include "parser/text/utf8.h"
 #include "src/app/desktop/named_by.h"
+#include "src/app/open/exit_status.h"
 #include "src/content/json.h"
 #include "src/server/wire/pipes.h"
 
@@ -86,15 +88,20 @@ Said said_by(const std::vector<std::string>& arguments, bool messages) {
 class OpenTexts {
 public:
     explicit OpenTexts(const Access& access) : file_(memfd_create("texts", 0)) {
+        if (file_ < 0) return;
         Json texts = Json::object();
         if (access.instead)
             for (const auto& [path, text] : *access.instead) texts[path] = text;
         server::write_all(file_, content::json_text(texts));
     }
-    ~OpenTexts() { close(file_); }
+    ~OpenTexts() {
+        if (file_ >= 0) close(file_);
+    }
     OpenTexts(const OpenTexts&) = delete;
     OpenTexts& operator=(const OpenTexts&) = delete;
 
+    // "" or why there is no such file.
+    std::string error() const { return file_ < 0 ? "its texts could not be handed over" : ""; }
     std::string option() const { return fmt::format("--instead=/proc/self/fd/{}", file_); }
 
 private:
@@ -106,25 +113,29 @@ class WindowProcess {
 public:
     WindowProcess(std::string scene, const OpenTexts& texts)
         : scene_(std::move(scene)), messages_(memfd_create("messages", MFD_CLOEXEC)) {
-        error_ = spawn(process_, {texts.option(), "--", scene_}, messages_, messages_, POSIX_SPAWN_SETSID);
+        if (messages_ < 0) wrong_ = std::strerror(errno);
+        if (wrong_.empty()) wrong_ = texts.error();
+        if (!wrong_.empty()) return;
+        const int error = spawn(process_, {texts.option(), "--", scene_}, messages_, messages_, POSIX_SPAWN_SETSID);
+        if (error != 0) wrong_ = std::strerror(error);
     }
-    ~WindowProcess() { close(messages_); }
+    ~WindowProcess() {
+        if (messages_ >= 0) close(messages_);
+    }
     WindowProcess(const WindowProcess&) = delete;
     WindowProcess& operator=(const WindowProcess&) = delete;
 
     // As server::Window.
     std::optional<std::string> look() {
-        if (error_ != 0) return failure(std::strerror(error_));
+        if (!wrong_.empty()) return failure(wrong_);
         int status = 0;
         const pid_t ended = waitpid(process_, &status, WNOHANG);
         pass_on();
         if (ended == 0) return std::nullopt;
         if (WIFSIGNALED(status)) return failure(fmt::format("signal {} ended it", WTERMSIG(status)));
-        constexpr std::string_view begin = "snell: error: ";
-        const std::size_t at = said_.rfind(begin);
-        if (WEXITSTATUS(status) == 0 || at == said_.npos) return "";  // errors of the scene were shown
-        const std::string_view rest = std::string_view(said_).substr(at + begin.size());
-        return failure(utf8::printable(rest.substr(0, rest.find('\n'))));
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun_;
+        const std::string why = failure_of_window(WEXITSTATUS(status), seconds.count(), said_);
+        return why.empty() ? why : failure(why);
     }
 
 private:
@@ -133,21 +144,27 @@ private:
                            utf8::printable(std::filesystem::path(scene_).filename().string()), why);
     }
 
-    // To the editor's log.
+    // To the editor's log. What was read is removed from the file, and only its end is kept here.
     void pass_on() {
+        constexpr std::size_t most = 1 << 14;
         std::array<char, 1 << 12> some{};
         for (;;) {
-            const ssize_t got = pread(messages_, some.data(), some.size(), static_cast<off_t>(said_.size()));
+            const ssize_t got = pread(messages_, some.data(), some.size(), read_);
             if (got <= 0) return;
             const std::string_view part(some.data(), static_cast<std::size_t>(got));
             server::write_all(STDERR_FILENO, part);
             said_ += part;
+            if (said_.size() > 2 * most) said_.erase(0, said_.size() - most);
+            read_ += got;
+            fallocate(messages_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, 0, read_);
         }
     }
 
-    std::string scene_, said_;
-    int messages_, error_ = 0;
+    std::string scene_, said_, wrong_;
+    int messages_;
+    off_t read_ = 0;  // bytes of the messages
     pid_t process_ = 0;
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
 server::Outcome failed(std::string message) { return {{}, std::move(message), true}; }
@@ -217,6 +234,17 @@ server::Outcome cost(const std::string& scene, int line, const OpenTexts& texts)
 
 }  // namespace
 
+// Later, an error of the scene may be the last one printed, and the status that of a scene which cannot be read.
+std::string failure_of_window(int status, double seconds, std::string_view printed) {
+    constexpr double start = 5;
+    constexpr std::string_view begin = "snell: error: ";
+    const bool own = status == exit_usage || status == exit_graphics || status == exit_lost || seconds < start;
+    const std::size_t at = printed.rfind(begin);
+    if (status == exit_fine || !own || at == printed.npos) return "";
+    const std::string_view rest = printed.substr(at + begin.size());
+    return utf8::printable(rest.substr(0, rest.find('\n')));
+}
+
 server::Window open_window(const std::string& scene, const Access& access) {
     const auto window = std::make_shared<WindowProcess>(scene, OpenTexts(access));
     return [window] { return window->look(); };
@@ -224,6 +252,7 @@ server::Window open_window(const std::string& scene, const Access& access) {
 
 server::Outcome run_errand(const server::Errand& errand, const Access& access) {
     const OpenTexts texts(access);
+    if (const std::string wrong = texts.error(); !wrong.empty()) return failed("The scene was not drawn: " + wrong);
     return errand.kind == server::Errand::Kind::render ? render(errand.scene, texts)
                                                        : cost(errand.scene, errand.line, texts);
 }

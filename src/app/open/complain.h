@@ -28,10 +28,16 @@ inline Exit complain(Exit status, std::string_view what, std::string_view help =
     return status;
 }
 
+// `wrong`, which is why the file cannot be written, may begin with its name. Returns false.
+inline bool cannot_write(std::string_view file, std::string_view wrong) {
+    if (wrong.starts_with(file) && wrong.substr(file.size()).starts_with(": ")) wrong.remove_prefix(file.size() + 2);
+    return complain(fmt::format("cannot write '{}': {}", file, wrong));
+}
+
 // Writes a whole file, or to a pipe or device. Prints why it cannot, and returns false then.
 inline bool write_output(const std::string& file, std::string_view bytes) {
     const std::string wrong = content::replace_file(file, bytes);
-    return wrong.empty() || complain(fmt::format("cannot write '{}': {}", file, wrong));
+    return wrong.empty() || cannot_write(file, wrong);
 }
 
 }  // namespace snell::app

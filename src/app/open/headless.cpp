@@ -1,7 +1,8 @@
 #include "src/app/open/headless.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
+#include "src/app/open/complain.h"
 #include "src/gl/debug.h"
 
 namespace snell::app {
@@ -28,11 +29,11 @@ std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
     auto context = HeadlessContext::make(request, error);
     const bool old = error.find("context") != std::string::npos;
     if (!context)
-        std::fprintf(stderr, "snell: error: no graphics: %s\n   help: %s\n", error.c_str(),
-                     old ? "snell needs OpenGL 3.3 or OpenGL ES 3.0, or the version that --context asks for"
-                         : "install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)");
+        complain("no graphics: " + error,
+                 old ? "snell needs OpenGL 3.3 or OpenGL ES 3.0, or the version that --context asks for"
+                     : "install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)");
     static const gl::MessageReport print = [](const char* message) {
-        std::fprintf(stderr, "snell: error: OpenGL driver: %s\n", message);
+        complain(fmt::format("OpenGL driver: {}", message));
     };
     if (context && request.debug) gl::watch_messages(print);
     return context;

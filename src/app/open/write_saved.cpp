@@ -1,5 +1,7 @@
 #include "src/app/open/write_saved.h"
 
+#include <fmt/format.h>
+
 #include "src/content/replace.h"
 #include "src/content/whole_file.h"
 
@@ -16,7 +18,9 @@ std::string exchange(const std::vector<SavedFile>& files, std::string SavedFile:
         std::string error = content::rewrite_file(files[i].path, files[i].*next);
         if (error.empty()) continue;
         if (!error.starts_with(files[i].path)) error = files[i].path + ": " + error;
-        while (i-- > 0) content::rewrite_file(files[i].path, files[i].*now);
+        while (i-- > 0)
+            if (!content::rewrite_file(files[i].path, files[i].*now).empty())
+                error += fmt::format("; {} could not get its previous text back", files[i].path);
         return error;
     }
     return {};

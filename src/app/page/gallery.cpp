@@ -113,8 +113,7 @@ private:
         const std::string file = (fs::path(options_.output) / exhibit_.page).string();
         const std::string failed =
             text ? content::replace_file(file, *text) : "the browser's part of snell is of another version";
-        if (failed.empty()) return exit_fine;
-        return complain(exit_input, fmt::format("cannot write '{}': {}", file, failed));
+        return failed.empty() || cannot_write(file, failed) ? exit_fine : exit_input;
     }
 
     // A scene that only browsers cannot draw has a picture all the same; the errors of another one are these.

@@ -64,7 +64,7 @@ Exit check_outputs(std::span<const std::string> outputs, std::span<const std::st
     Exit status = exit_fine;
     for (const std::string& file : outputs) {
         const std::string wrong = file.empty() ? "" : content::check_place(file);
-        if (!wrong.empty()) status = complain(exit_input, fmt::format("cannot write '{}': {}", file, wrong));
+        if (!wrong.empty() && !cannot_write(file, wrong)) status = exit_input;
     }
     return status;
 }

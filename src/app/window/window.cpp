@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/app/desktop/folder.h"
+#include "src/app/desktop/given_texts.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/window/app.h"
@@ -40,6 +41,8 @@ int run_window(const WindowOptions& options) {
     if (!carried && !now.scene.empty() && !std::filesystem::is_regular_file(now.scene, none) && !is_folder(now.scene)) {
         return complain(app::exit_input, fmt::format("cannot read '{}'", options.scene));
     }
+    // What is saved while one context is shown holds for the next, too.
+    const GivenTexts given(now.access);
     Past past(kept_folder(settings_file()));
     while (true) {
         std::string error;
@@ -48,6 +51,7 @@ int run_window(const WindowOptions& options) {
             return complain(app::exit_usage, "no scene given, and no window to choose one in: " + error);
         if (!window)
             return complain(app::exit_graphics, "no window: " + error, "'snell render' draws without a display");
+        given.remove_saved(now.access);
         App app(now, std::move(window), restart, carried ? &*carried : nullptr, past);
         app.run(carried && carried->recovery.edited);
         if (!app.lost()) return app.readable() ? app::exit_fine : app::exit_input;

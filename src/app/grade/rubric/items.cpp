@@ -8,6 +8,7 @@
 #include "parser/commands/commands.h"
 #include "parser/text/ranges.h"
 #include "parser/text/real.h"
+#include "parser/text/tidy.h"
 #include "parser/text/words.h"
 #include "src/app/grade/rubric/table.h"
 #include "src/document/view_text.h"
@@ -29,8 +30,7 @@ struct Range {
 // A range such as "0..1", "..8" or "2"; nullopt if it is none.
 std::optional<Range> parse_range(std::string_view text) {
     const auto number = [](std::string_view part, std::optional<double>& value) {
-        while (part.starts_with(' ')) part.remove_prefix(1);
-        while (part.ends_with(' ')) part.remove_suffix(1);
+        part = trimmed(part, " ");
         if (part.empty()) return true;
         double held = 0;
         const auto [end, error] = read_real(part.data(), part.data() + part.size(), held);
