@@ -187,7 +187,7 @@ TEST_F(Grade, AProgramThatWasBuiltAgainKeepsNothing) {
     }
     EXPECT_TRUE(grade("r.toml s -o out --memory 5").says("0 of them judged before"));
     EXPECT_TRUE(grade("r.toml s -o out --memory 6").says("0 of them judged before")) << "more memory may help";
-    for (const std::string number : {"nan", "inf", "-1"})
+    for (const std::string number : {"nan", "inf", "-1", ".2"})
         EXPECT_EQ(grade("r.toml s -o out --memory=" + number).status, 2) << number;
 }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "parser/text/utf8.h"
@@ -18,6 +19,8 @@
 namespace snell::app {
 
 namespace {
+
+constexpr double least_gigabytes = .3;  // measured with llvmpipe: with less, it cannot start
 
 struct GradeCommand {
     GradeOptions grade;
@@ -75,17 +78,24 @@ Exit run_grade(const GradeCommand& command) {
     if (!command.quiet) print_grades(grades);
     std::size_t kept = 0;
     for (const GradedSubmission& graded : grades.all) kept += graded.kept;
+    const std::string count = fmt::format("{} submission{}", grades.all.size(), grades.all.size() == 1 ? "" : "s");
     if (options.shards > 1) {
-        fmt::print("part {} of {}: {} submissions, {} of them judged before\n", options.shard, options.shards,
-                   grades.all.size(), kept);
+        fmt::print("part {} of {}: {}, {} of them judged before\n", options.shard, options.shards, count, kept);
         return exit_fine;
     }
     const std::string wrong = write_report(grades, options.output);
     if (!wrong.empty()) return complain(exit_input, "cannot write " + wrong);
-    fmt::print("{}: {} submissions, {} of them judged before\n",
-               utf8::printable((std::filesystem::path(options.output) / "index.html").string()), grades.all.size(),
-               kept);
+    fmt::print("{}: {}, {} of them judged before\n",
+               utf8::printable((std::filesystem::path(options.output) / "index.html").string()), count, kept);
     return exit_fine;
+}
+
+std::string check_memory(const std::string& text) {
+    const double gigabytes = std::strtod(text.c_str(), nullptr);
+    return gigabytes == 0 || gigabytes >= least_gigabytes
+               ? ""
+               : fmt::format("'{}' is less than {}, which a graphics driver needs for itself; 0: no limit", text,
+                             least_gigabytes);
 }
 
 }  // namespace
@@ -106,7 +116,8 @@ Run add_grade_command(CLI::App& command) {
         .add_option("--memory", grade.gigabytes,
                     "GB of memory that judging a submission may take (default: 4; 0: no limit)")
         ->check(check_finite_number)
-        ->check(CLI::Range(0., 1e6));
+        ->check(CLI::Range(0., 1e6))
+        ->check(check_memory);
     command.add_flag("--again", grade.again, "judge everything again, even if nothing has changed");
     command.add_flag("-q,--quiet", options->quiet, "print no line for each submission");
     command.footer(

@@ -24,7 +24,8 @@ std::string_view words_of(Kind kind) {
 
 // Comparisons with NaN are false, so that it never fits.
 const Allowed from_0{"a number from 0", [](double number) { return number >= 0; }};
-const Allowed above_0{"a number more than 0", [](double number) { return number > 0; }};
+const Allowed above_0{"a number more than 0 and at most 1000000",
+                      [](double number) { return number > 0 && number <= 1e6; }};
 const Allowed seconds_above_0{"a number of seconds, more than 0 and at most 1000000",
                               [](double number) { return number > 0 && number <= 1e6; }};
 const Allowed from_0_to_1{"a number from 0 to 1", [](double number) { return number >= 0 && number <= 1; }};
