@@ -1,5 +1,7 @@
 #include "parser/read/syntax.h"
 
+#include <algorithm>
+
 #include "parser/commands/commands.h"
 #include "parser/text/number.h"
 #include "parser/text/utf8.h"
@@ -86,6 +88,27 @@ void StatementReader::report_oddities() {
     }
     for (const Span span : lexer_.stray_backslashes())
         report_.warning("stray-backslash", span, "a '\\' in the middle of a line continues nothing");
+}
+
+std::size_t end_of_lines(std::string_view text, std::size_t at) {
+    bool continued = false, any = false, comment = false;
+    std::size_t end = at;
+    for (; end < text.size(); ++end) {
+        const char c = text[end];
+        if (c == '\n' || c == '\r') {
+            if (!continued && !(comment && any)) break;
+            if (text.substr(end, 2) == "\r\n") ++end;
+            any = true;
+            continued = comment = false;
+        } else if (c == '#' || text.substr(end, 2) == "//") {
+            comment = true;
+            end = std::min(text.find_first_of("\r\n", end), text.size()) - 1;
+            continued = continued || text[text.find_last_not_of(" \t\v\f", end)] == '\\';
+        } else if (c == '\\') {
+            continued = true;
+        }
+    }
+    return end;
 }
 
 }  // namespace snell

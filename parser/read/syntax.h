@@ -16,6 +16,10 @@ struct Statement {
     std::span<const Token> arguments() const { return tokens.subspan(1); }
 };
 
+// Where the lines of a statement end whose last token ends at `at`: behind comments, and behind lines that a backslash
+// adds but that have no token.
+std::size_t end_of_lines(std::string_view text, std::size_t at);
+
 class StatementReader {
 public:
     StatementReader(std::string_view text, FileId file, Report& report) : lexer_(text, file), report_(report) {}

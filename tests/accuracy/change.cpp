@@ -19,6 +19,22 @@ TEST(Change, EditsAreMadeInAnyOrderAndTheRestStays) {
     EXPECT_EQ(texts.at("a.frag"), "// p\nfloat a = poly(x); // é\r\n");
 }
 
+TEST(Change, AnInsertionComesAheadOfWhatIsReplacedAtItsPlace) {
+    Sources sources;
+    const FileId file = sources.add("a.frag", "ab");
+    const Change replaced{ChangeKind::without_term, {}, "", "", {{{file, 1, 2}, "B"}}};
+    const Change inserted{ChangeKind::without_term, {}, "", "", {{{file, 1, 1}, "+"}}};
+    const std::array<const Change*, 2> one{&replaced, &inserted}, other{&inserted, &replaced};
+    EXPECT_EQ(changed_texts(one, sources).at("a.frag"), "a+B");
+    EXPECT_EQ(changed_texts(other, sources).at("a.frag"), "a+B");
+}
+
+TEST(Change, AnEditThatOverlapsTheOneBeforeIsLeftOut) {
+    const std::array<Edit, 3> edits{{{{0, 0, 2}, "A"}, {{0, 1, 3}, "B"}, {{0, 3, 4}, "D"}}};
+    EXPECT_EQ(with_edits("abcd", 0, edits), "AcD");
+    EXPECT_EQ(with_edits("ab", 0, edits), "A") << "nor is what is behind the end changed";
+}
+
 TEST(Change, ATextThatWasReadTwiceIsOneText) {
     Sources sources;
     const FileId first = sources.add("a.frag", "ab"), second = sources.add("a.frag", "ab");

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 
+#include "src/plan/locate.h"
 #include "tests/accuracy/found_help.h"
 
 namespace snell::accuracy {
@@ -38,7 +39,7 @@ Found found_in(const std::string& path, Finder finder,
     found.files = std::make_unique<Files>(fs::path(path).parent_path().string(), access);
     const auto include = [&](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
         std::string error;
-        const std::string at = found.files->resolve_beside(from, name, {"glib"}).path;
+        const std::string at = found.files->resolve_beside(from, name, scene_extensions()).path;
         auto text = found.files->read(at, error);
         return text ? std::optional(IncludedText{at, *text}) : std::nullopt;
     };
@@ -164,9 +165,12 @@ TEST_F(FoundScene, ContinuedStatementsAndIncludedTextsChangeAtTheirPlace) {
     EXPECT_EQ(continued.text(ChangeKind::fewer_slices, 0, "scene.glib"),
               "Sphere 1. \\\n  # how many\n  18 \\\r\n  9\r\n");
     folder_.write("ball.inc", "Sphere 1 20 10\n");
-    const Found included = found("Include ball.inc\nTranslate 1 0 0\nInclude ball.inc\n");
-    EXPECT_EQ(included.after(ChangeKind::more_slices), Afters{"Sphere 1 40 20"}) << "one text, one change";
-    EXPECT_EQ(included.text(ChangeKind::more_slices, 0, "ball.inc"), "Sphere 1 40 20\n");
+    for (const std::string_view name : {"ball.inc", "ball"}) {
+        const std::string include = "Include " + std::string(name) + "\n";
+        const Found included = found(include + "Translate 1 0 0\n" + include);
+        EXPECT_EQ(included.after(ChangeKind::more_slices), Afters{"Sphere 1 40 20"}) << "one text, one change";
+        EXPECT_EQ(included.text(ChangeKind::more_slices, 0, "ball.inc"), "Sphere 1 40 20\n") << name;
+    }
 }
 
 TEST_F(FoundScene, SolidsAreCulledAloneAndTogether) {
@@ -185,8 +189,19 @@ TEST_F(FoundScene, SolidsAreCulledAloneAndTogether) {
               "CullFace back\r\nSphere\r\nCullFace none\r\nQuadXY\r\n");
     EXPECT_EQ(found("Sphere 2 \\\n\nQuadXY\n").text(ChangeKind::culled, 0, "scene.glib"),
               "CullFace back\nSphere 2 \\\n\nCullFace none\nQuadXY\n");
+    EXPECT_EQ(found("Sphere 2 \\ # its radius\n\nQuadXY\n").text(ChangeKind::culled, 0, "scene.glib"),
+              "CullFace back\nSphere 2 \\ # its radius\n\nCullFace none\nQuadXY\n");
     for (const std::string_view none : {"CullFace front\nSphere\n", "WireSphere\nQuadXY\nDiskXY\nPointCloud\n"})
         EXPECT_TRUE(found(none).after(ChangeKind::culled).empty()) << none;
+}
+
+TEST_F(FoundScene, WhatNoOneCanReadIsNotCulled) {
+    const Found unread = found(
+        "Sphere\nVertex a.vert\nFragment missing.frag\nProgram P\nBox\nQuadXY\nFragment a.frag\nProgram Q\nTorus\n");
+    ASSERT_EQ(unread.after(ChangeKind::culled).size(), 3u);
+    EXPECT_EQ(unread.text(ChangeKind::culled, 2, "scene.glib"),
+              "CullFace back\nSphere\nVertex a.vert\nFragment missing.frag\nProgram P\nCullFace none\nBox\nQuadXY\n"
+              "Fragment a.frag\nProgram Q\nCullFace back\nTorus\n");
 }
 
 TEST_F(FoundScene, NoiseThatIsRead) {

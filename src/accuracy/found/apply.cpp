@@ -57,8 +57,10 @@ std::optional<Chosen> choose_changes(std::string_view name, std::span<const Chan
     Chosen chosen;
     for (const std::size_t index : *indices) {
         if (!changes[index].probes.empty()) {
-            error = fmt::format("the mean of '{}' is not known: it shows in no pixel, or there was no time to draw it",
-                                changes[index].before);
+            const std::string& refused = changes[index].refused;
+            error = fmt::format("the mean of '{}' is not known: {}", changes[index].before,
+                                refused.empty() ? "it shows in no pixel, or there was no time to draw it"
+                                                : "it could not be drawn: " + refused);
             return std::nullopt;
         }
         chosen.numbers.push_back(index + 1);

@@ -33,8 +33,9 @@ BenchSettings small_picture(const Scene& scene) {
     return settings;
 }
 
-// The means of the two components that a probe draws; nothing if they are not known.
-std::optional<std::array<double, 2>> drawn_means(Trials& trials, std::size_t probe, std::size_t places) {
+// The means of the two components that a probe draws; nothing if they are not known. `refused`: why it is not drawn.
+std::optional<std::array<double, 2>> drawn_means(Trials& trials, std::size_t probe, std::size_t places,
+                                                 std::string& refused) {
     Trial trial = trials.open(std::vector{probe});
     std::array<double, 2> sum{};
     std::size_t count = 0;
@@ -48,7 +49,8 @@ std::optional<std::array<double, 2>> drawn_means(Trials& trials, std::size_t pro
             for (std::size_t c = 0; c < 2; ++c) sum[c] += static_cast<double>(pixel[c]);
         }
     }
-    if (!trial.refused.empty() || count == 0) return std::nullopt;
+    refused = trial.refused;
+    if (!refused.empty() || count == 0) return std::nullopt;
     for (double& value : sum) value /= static_cast<double>(count);
     return sum;
 }
@@ -57,7 +59,10 @@ std::optional<std::array<double, 2>> drawn_means(Trials& trials, std::size_t pro
 
 void fill_averages(const Original& original, std::span<Change*> changes, const gl::Caps& caps, const Stop& stop) {
     std::vector<Change> probes;
-    for (const Change* change : changes)
+    std::vector<Change*> once;
+    for (Change* change : changes)
+        if (ranges::find(once, change) == once.end()) once.push_back(change);
+    for (const Change* change : once)
         for (const std::vector<Edit>& edits : change->probes)
             probes.push_back({change->kind, change->where, {}, {}, edits});
     if (probes.empty()) return;
@@ -66,12 +71,14 @@ void fill_averages(const Original& original, std::span<Change*> changes, const g
     trials.open_scene(places);
     if (!trials.scene_error().empty()) return;
     std::size_t next = 0;
-    for (Change* change : changes) {
+    for (Change* change : once) {
         std::vector<double> means;
         for (std::size_t i = 0; i < change->probes.size(); ++i, ++next) {
             if (stop && stop()) return;
-            if (const auto two = drawn_means(trials, next, std::min(places.searched, trials.places().size())))
+            std::string refused;
+            if (const auto two = drawn_means(trials, next, std::min(places.searched, trials.places().size()), refused))
                 means.insert(means.end(), two->begin(), two->end());
+            if (!refused.empty()) change->refused = refused;
         }
         if (means.empty() || means.size() != 2 * change->probes.size()) continue;
         std::string& text = change->edits.front().text;

@@ -75,7 +75,7 @@ std::map<std::string, std::string> changed_texts(std::span<const Change* const> 
     for (auto& [name, edits] : by_name) {
         const FileId file = edits.front().span.file;
         for (Edit& edit : edits) edit.span.file = file;
-        ranges::sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
+        ranges::stable_sort(edits, {}, [](const Edit& edit) { return std::pair(edit.span.begin, edit.span.end); });
         texts.emplace(name, with_edits(sources.text(file), file, edits));
     }
     return texts;

@@ -82,6 +82,7 @@ struct Change {
     // Not empty: the edit lacks a number, which fill_averages (average.h) finds by drawing the scene with these edits.
     // Each draws two components of the expression and probe_mark.
     std::vector<std::vector<Edit>> probes = {};
+    std::string refused = {};  // why these could not be drawn; empty: they were, or were not tried
 };
 
 // True if the edits of the two do not touch each other, so that both can be made.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -284,24 +285,26 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
     const Wish wish{options.within, options.error};
     bool met = false, saved = true;
     const FoundResult* found = sought ? &sought->found : nullptr;
-    MeasureOptions half = measuring;  // the rest is for all kinds together, or for the copy
-    const bool copies = found && !options.quality_copy.empty();
-    if (found && (limited || options.save_quality) && (limited || copies)) half.seconds /= 2;
+    const bool copies = found && !options.quality_copy.empty(), ladders = !bench.scene().ladders.empty();
+    const bool combines = ladders ? limited || options.save_quality : limited && options.knobs.empty();
+    const bool mixes = limited && found && found->cannot_say.empty();
+    MeasureOptions part = measuring;  // of the time, for each of those that measure
+    part.seconds /= std::max(int{combines} + int{mixes} + int{copies}, 1);
     if (!limited && !options.save_quality) {
         saved = copies;
-    } else if (!bench.scene().ladders.empty()) {
-        met = advise_ladders(options, path, bench, now, half, report, saved);
+    } else if (ladders) {
+        met = advise_ladders(options, path, bench, now, part, report, saved);
     } else {
         saved = !options.save_quality || explain_presets(path, options, found);
         if (limited)
-            met = options.knobs.empty() ? advise_knobs(path, bench, now, wish, half, report)
+            met = options.knobs.empty() ? advise_knobs(path, bench, now, wish, part, report)
                                         : advise_named_knobs(path, wish, report);
     }
     if (limited && found) {
-        met = advise_found(path, options, *found, wish, !bench.scene().ladders.empty()) || met;
-        if (found->cannot_say.empty()) met = advise_mixed(path, options, bench, *sought, wish, half, report) || met;
+        met = advise_found(path, options, *found, wish, ladders) || met;
+        if (mixes) met = advise_mixed(path, options, bench, *sought, wish, part, report) || met;
     }
-    if (copies) saved = save_quality_copy(options, *sought, half, report) && saved;
+    if (copies) saved = save_quality_copy(options, *sought, part, report) && saved;
     return saved && (met || !limited);
 }
 

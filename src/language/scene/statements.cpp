@@ -32,27 +32,6 @@ void find_comments(Statements& found) {
     within(static_cast<std::uint32_t>(found.text.size()));
 }
 
-// Whether a statement continues from `begin` to `end`, which have only blanks, backslashes and comments between them.
-bool goes_on(std::string_view text, std::uint32_t begin, std::uint32_t end) {
-    bool continued = false, any = false, comment = false;
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const char c = text[i];
-        if (line_end(c)) {
-            if (c == '\r' && i + 1 < end && text[i + 1] == '\n') ++i;
-            if (!continued && !(comment && any)) return false;
-            any = true;
-            continued = comment = false;
-        } else if (c == '#' || (c == '/' && i + 1 < text.size() && text[i + 1] == '/')) {
-            comment = true;
-            while (i + 1 < end && !line_end(text[i + 1])) ++i;
-            if (text[i] == '\\') continued = true;
-        } else if (c == '\\') {
-            continued = true;
-        }
-    }
-    return true;
-}
-
 }  // namespace
 
 Statements read_statements(FileId file, std::string_view text) {
@@ -98,7 +77,7 @@ const SceneStatement* Statements::at_statement(std::uint32_t offset) const {
     if (next == items.begin()) return nullptr;
     const SceneStatement& statement = *std::prev(next);
     const std::uint32_t end = tokens[statement.first + statement.count - 1].end;
-    return offset <= end || goes_on(text, end, offset) ? &statement : nullptr;
+    return offset <= end_of_lines(text, end) ? &statement : nullptr;
 }
 
 }  // namespace snell::language

@@ -327,7 +327,7 @@ std::string with_edits(std::string_view text, FileId file, std::span<const Edit>
     std::string result;
     std::size_t at = 0;
     for (const Edit& edit : edits) {
-        if (edit.span.file != file) continue;
+        if (edit.span.file != file || edit.span.begin < at || edit.span.end > text.size()) continue;
         result += text.substr(at, edit.span.begin - at);
         result += edit.text;
         at = edit.span.end;

@@ -35,7 +35,8 @@ struct WriteBack {
 // readings agree.
 WriteBack write_back(const Scene& scene, const Controls& controls, const Sources& sources);
 
-// Applies those of `edits` that belong to `file` to its text.
+// Applies those of `edits` that belong to `file` to its text. They are in order; one that overlaps another before it,
+// or is not within the text, is left out.
 std::string with_edits(std::string_view text, FileId file, std::span<const Edit> edits);
 
 // True if the edited texts, which were read as `scene`, have exactly the intended values.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "src/accuracy/found/apply.h"
 #include "tests/accuracy/gl/common.h"
 
 namespace snell::test {
@@ -81,6 +82,31 @@ TEST_F(Averages, WhatShowsNowhereHasNone) {
     EXPECT_EQ(found.result().rungs[number].outcome, Outcome::refused);
     EXPECT_NE(found.result().rungs[number].reason.find("the mean of 'exp(vP.x)' is not known"), std::string::npos)
         << found.result().rungs[number].reason;
+}
+
+TEST_F(Averages, AChangeThatIsGivenTwiceIsDrawnOnce) {
+    read_body("float a = exp(vP.x), b = cos(vP.y);\ngl_FragColor = vec4(a * b);\n");
+    changes = find_changes(read->plan, *read->files, read->sources);
+    std::vector<Change*> given;
+    for (Change& change : changes)
+        if (change.kind == ChangeKind::expression_mean) given.insert(given.end(), 2, &change);
+    ASSERT_EQ(given.size(), 4U);
+    fill_averages(original(), given, caps);
+    EXPECT_EQ(given.front()->after, "float(1.18)");
+    EXPECT_EQ(given.back()->after, "float(0.841)") << "sin 1";
+}
+
+TEST_F(Averages, WhatCannotBeDrawnSaysWhy) {
+    const std::string main = "float a = exp(vP.x);\ngl_FragColor = vec4(a);\n}\n";
+    EXPECT_EQ(means(main + "float snellSum = 1.;\nvoid unused() {\n"), Lines{}) << "the probe has that name, too";
+    complaints.clear();  // of that
+    const auto unknown =
+        std::find_if(changes.begin(), changes.end(), [](const Change& c) { return !c.probes.empty(); });
+    ASSERT_NE(unknown, changes.end());
+    std::string error;
+    EXPECT_FALSE(choose_changes(std::to_string(unknown - changes.begin() + 1), changes, read->sources, error));
+    EXPECT_NE(error.find("the mean of 'exp(vP.x)' is not known: it could not be drawn: line "), std::string::npos)
+        << error;
 }
 
 TEST_F(Averages, OnlyWhatCostsAndDoesNothingElse) {

@@ -1,4 +1,6 @@
 // Cheaper changes of shaders: for each kind the exact edit, and what must be left alone.
+#include <ctime>
+
 #include "src/accuracy/found/apply.h"
 #include "tests/accuracy/shaders/help.h"
 
@@ -47,21 +49,28 @@ TEST_F(Rounds, ALoopThatCountsDownBeginsLower) {
     EXPECT_EQ(lines("int i; for (i = 8; i > 0; i--) color += vN;"), (Lines{"i = 8 → i = 4", "i = 8 → i = 2"}));
 }
 
-TEST_F(Rounds, LevelsOfTessellationShrinkTogether) {
-    const std::string body =
-        "layout(vertices = 3) out;\nuniform float uLevel;\nvoid main() {\n"
+class Levels : public FoundShaders {
+protected:
+    // With these statements in the control shader.
+    Found& control(const std::string& levels) {
+        return scene(
+            "Vertex a.vert\nTessControl a.tcs\nTessEvaluation a.tes\nFragment a.frag\nProgram P uLevel <1. 4. 9.>\n"
+            "NumPatchVertices 3\nglBegin gl_patches\nglVertex 0 0\nglVertex 1 0\nglVertex 0 1\nglEnd\n",
+            {{"a.vert", "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n"},
+             {"a.tcs", "#version 400 compatibility\nlayout(vertices = 3) out;\nuniform float uLevel;\nvoid main() {\n" +
+                           levels +
+                           "    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n}\n"},
+             {"a.tes",
+              "#version 400 compatibility\nlayout(triangles) in;\nvoid main() { gl_Position = "
+              "gl_in[0].gl_Position * gl_TessCoord.x; }\n"},
+             {"a.frag", "#version 400 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n"}});
+    }
+};
+
+TEST_F(Levels, OfTessellationShrinkTogether) {
+    Found& found = control(
         "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = uLevel;\n"
-        "    gl_TessLevelOuter[2] = uLevel + 1.;\n    gl_TessLevelInner[0] = 8.; // inside\n"
-        "    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n}\n";
-    Found& found = scene(
-        "Vertex a.vert\nTessControl a.tcs\nTessEvaluation a.tes\nFragment a.frag\nProgram P uLevel <1. 4. 9.>\n"
-        "NumPatchVertices 3\nglBegin gl_patches\nglVertex 0 0\nglVertex 1 0\nglVertex 0 1\nglEnd\n",
-        {{"a.vert", "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n"},
-         {"a.tcs", "#version 400 compatibility\n" + body},
-         {"a.tes",
-          "#version 400 compatibility\nlayout(triangles) in;\nvoid main() { gl_Position = "
-          "gl_in[0].gl_Position * gl_TessCoord.x; }\n"},
-         {"a.frag", "#version 400 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n"}});
+        "    gl_TessLevelOuter[2] = uLevel + 1.;\n    gl_TessLevelInner[0] = 8.; // inside\n");
     ASSERT_EQ(found.of(lower_levels).size(), 3U);
     const std::string half = found.changed(*found.of(lower_levels)[1], "a.tcs");
     for (const std::string_view line :
@@ -69,6 +78,25 @@ TEST_F(Rounds, LevelsOfTessellationShrinkTogether) {
           "gl_TessLevelInner[0] = 0.5*8.; // inside"})
         EXPECT_NE(half.find(line), std::string::npos) << half;
     EXPECT_EQ(translation_errors(found, found.of(lower_levels)), "");
+}
+
+// What is read of another level is that share of it already.
+TEST_F(Levels, AreNotMultipliedTwice) {
+    const std::string outer =
+        "    gl_TessLevelOuter[0] = uLevel;\n    gl_TessLevelOuter[1] = uLevel;\n    gl_TessLevelOuter[2] = uLevel;\n";
+    for (const std::string copy :
+         {"gl_TessLevelInner[0] = gl_TessLevelOuter[2];", "gl_TessLevelInner[0] = (gl_TessLevelOuter[2]);"}) {
+        Found& found = control(outer + "    " + copy + "\n");
+        ASSERT_EQ(found.of(lower_levels).size(), 3U) << copy;
+        const std::string half = found.changed(*found.of(lower_levels)[1], "a.tcs");
+        EXPECT_NE(half.find("gl_TessLevelOuter[2] = 0.5*uLevel;"), std::string::npos) << half;
+        EXPECT_NE(half.find(copy), std::string::npos) << half;
+    }
+    for (const std::string mixed :
+         {"gl_TessLevelInner[0] = max(gl_TessLevelOuter[1], 2.);", "gl_TessLevelInner[0] = .5 * gl_TessLevelOuter[1];",
+          "float most = gl_TessLevelOuter[1]; gl_TessLevelInner[0] = most;",
+          "gl_TessLevelInner[0] = 1.; gl_TessLevelInner[0] += uLevel;"})
+        EXPECT_TRUE(control(outer + "    " + mixed + "\n").of(lower_levels).empty()) << mixed;
 }
 
 TEST_F(Rounds, AConstantIsChangedWhereItIsDefined) {
@@ -305,6 +333,35 @@ TEST_F(FoundShaders, ThereIsALimit) {
     EXPECT_LE(found.changes.size(), 200U);
     EXPECT_GE(found.changes.size(), 190U);
     EXPECT_EQ(found.of(fewer_rounds).size(), 2U) << "kinds with few changes keep them";
+}
+
+class ExpressionMeans : public FoundShaders {};
+
+TEST_F(ExpressionMeans, OfDeepTreesOfCallsAreFoundAtOnce) {
+    std::string text = "varying vec3 vP;\nfloat f0(float x) { return sin(x); }\n";
+    for (int depth = 1; depth < 4; ++depth) {
+        const std::string below = "f" + std::to_string(depth - 1);
+        text += "float f" + std::to_string(depth) + "(float x) {\n    float s = 0.;\n";
+        for (int i = 0; i < 24; ++i) text += "    s += " + below + "(x) * " + below + "(x + 1.);\n";
+        text += "    return s;\n}\n";
+    }
+    text += "float f4(float x) { return f3(x); }\n";
+    text += "void main() {\n    float a = f3(vP.x);\n    float b = f4(vP.x);\n    gl_FragColor = vec4(a + b);\n}\n";
+    const std::clock_t start = std::clock();
+    Found& found = shaders(text);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2);
+    EXPECT_NE(found.find(expression_mean, "f3(vP.x)"), nullptr);
+    EXPECT_EQ(found.find(expression_mean, "f4(vP.x)"), nullptr) << "too deep to be sure of it";
+}
+
+// What main adds up is declared ahead of the function, so main must come after it.
+TEST_F(ExpressionMeans, AreOfMainAndOfWhatIsAheadOfIt) {
+    const std::string body = "{ float s = exp(x); return s; }\n";
+    const std::string main = "void main() { gl_FragColor = vec4(wave(vP.x)); }\n";
+    EXPECT_NE(shaders("varying vec3 vP;\nfloat wave(float x) " + body + main).find(expression_mean, "exp(x)"), nullptr);
+    EXPECT_EQ(shaders("varying vec3 vP;\nfloat wave(float x);\n" + main + "float wave(float x) " + body)
+                  .find(expression_mean, "exp(x)"),
+              nullptr);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 using glsl::Form;
 using glsl::Node;
 
-constexpr int deepest_call = 4;
+constexpr int deepest_call = 4, most_work = 1'000'000;
 constexpr std::array<std::string_view, 14> transcendental{"sin", "cos",  "tan", "asin", "acos", "atan",        "pow",
                                                           "exp", "exp2", "log", "log2", "sqrt", "inversesqrt", "noise"};
 
@@ -23,8 +23,11 @@ public:
         : s_(shader), changes_(changes), offers_(offers) {
         for (std::size_t f = 0; f < s_.unit.functions.size(); ++f)
             if (s_.unit.functions[f].name == "main" && s_.unit.functions[f].open >= 0) main_ = static_cast<int>(f);
-        for (const Node& node : s_.tree)
-            if (node.form == Form::call) called_.insert(node.text);
+        for (int n = 0; n < s_.nodes(); ++n) {
+            if (s_.at(n).form == Form::call) called_.insert(s_.at(n).text);
+            const int f = s_.at(n).first < 0 ? -1 : s_.function_of(s_.at(n).first);
+            if (f >= 0) bodies_[function(f).name].push_back(n);
+        }
     }
 
     void run() {
@@ -79,6 +82,8 @@ private:
         if (node.first < 0 || node.constant || !real_vector(node.type) || !s_.own(n)) return false;
         const int within = s_.function_of(node.first), around = s_.parent(n);
         if (within < 0 || around < 0 || !s_.ahead_of(within) || s_.in_free_loop(node.first)) return false;
+        // main adds up what the probe declares ahead of the function.
+        if (function(within).open > function(main_).open) return false;
         if (within != main_ && !called_.contains(function(within).name)) return false;
         const Node& outer = s_.at(around);
         const bool initial = outer.form == Form::declarator && outer.type.same(node.type) && !in_header(around);
@@ -104,42 +109,47 @@ private:
                               [&](const Change& c) { return c.kind == ChangeKind::lookup_mean && c.where == span; });
     }
 
-    // About how many operations are saved; 0: none that cost anything, or it does more than to give a value.
-    int work_of(int n) const {
+    // About how many operations nodes take, and whether they do more than to give a value.
+    struct Cost {
         int work = 0;
         bool effects = false;
-        add_work(s_.at(n).begin, n, 0, work, effects);
-        return effects ? 0 : work;
+    };
+
+    // About how many operations are saved; 0: none that cost anything, or it does more than to give a value.
+    int work_of(int n) {
+        Cost cost;
+        for (int k = s_.at(n).begin; k <= n; ++k) {
+            cost.effects = cost.effects || s_.at(k).form == Form::step || s_.at(k).form == Form::assign;
+            add_node(k, 0, cost);
+        }
+        return cost.effects ? 0 : cost.work;
     }
 
-    void add_work(int begin, int end, int depth, int& work, bool& effects) const {
-        for (int k = begin; k <= end && !effects; ++k) {
-            const Node& n = s_.at(k);
-            if (n.form == Form::step || n.form == Form::assign) effects = effects || depth == 0;
-            if (n.form == Form::name && n.global >= 0 && s_.written(k)) effects = true;
-            if (n.form == Form::built_in && n.text.starts_with("texture")) work += 8;
-            if (n.form == Form::built_in && ranges::find(transcendental, n.text) != transcendental.end()) work += 2;
-            if (n.form != Form::call) continue;
-            work += 4;
-            const auto body = n.function < 0 ? std::nullopt : body_of(n.text);
-            const auto gives = [](const glsl::Parameter& p) { return p.storage != glsl::Storage::in; };
-            if (!body || depth == deepest_call || ranges::any_of(function(n.function).parameters, gives))
-                effects = true;
-            else
-                add_work(body->first, body->second, depth + 1, work, effects);
+    void add_node(int k, int depth, Cost& cost) {
+        const Node& n = s_.at(k);
+        if (cost.effects) return;
+        if (n.form == Form::name && n.global >= 0 && s_.written(k)) cost.effects = true;
+        if (n.form == Form::built_in && n.text.starts_with("texture")) cost.work += 8;
+        if (n.form == Form::built_in && ranges::find(transcendental, n.text) != transcendental.end()) cost.work += 2;
+        if (n.form != Form::call) return;
+        const auto gives = [](const glsl::Parameter& p) { return p.storage != glsl::Storage::in; };
+        if (n.function < 0 || depth == deepest_call || ranges::any_of(function(n.function).parameters, gives)) {
+            cost.effects = true;
+            return;
         }
+        const Cost called = cost_of_calling(n.text, depth + 1);
+        cost.effects = called.effects;
+        cost.work = std::min(cost.work + 4 + called.work, most_work);
     }
 
-    // The nodes of all functions of the name.
-    std::optional<std::pair<int, int>> body_of(std::string_view name) const {
-        std::optional<std::pair<int, int>> nodes;
-        for (int k = 0; k < s_.nodes(); ++k) {
-            const int f = s_.at(k).first < 0 ? -1 : s_.function_of(s_.at(k).first);
-            if (f < 0 || function(f).name != name) continue;
-            if (!nodes) nodes = std::pair(k, k);
-            nodes->second = k;
-        }
-        return nodes;
+    // Of all functions of the name. Known ones are not looked at again: there may be very many ways to a function.
+    Cost cost_of_calling(std::string_view name, int depth) {
+        if (const auto known = costs_.find({name, depth}); known != costs_.end()) return known->second;
+        const auto body = bodies_.find(name);
+        Cost cost{.effects = body == bodies_.end()};
+        if (!cost.effects)
+            for (const int k : body->second) add_node(k, depth, cost);
+        return costs_[{name, depth}] = cost;
     }
 
     void offer(int n, const std::string& output) {
@@ -182,6 +192,8 @@ private:
     Offers& offers_;
     int main_ = -1;
     std::set<std::string_view> called_;
+    std::map<std::string_view, std::vector<int>> bodies_;     // the nodes of the functions of a name
+    std::map<std::pair<std::string_view, int>, Cost> costs_;  // by name and depth
 };
 
 }  // namespace

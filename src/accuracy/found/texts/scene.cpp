@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "parser/read/syntax.h"
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
@@ -14,12 +15,6 @@ namespace {
 
 constexpr std::size_t most_scene_changes = 200;
 constexpr int fewest_slices = 3, most_parts = 2048, smallest_noise = 8, fewest_texels = 8;
-
-// Whether the statement of the last line goes on in the next one, of which it may have nothing.
-bool continued(std::string_view lines) {
-    const std::size_t last = lines.find_last_not_of(" \t\r");
-    return last != lines.npos && lines[last] == '\\';
-}
 
 // A number of a shape's statement, with the value that a missing one has.
 struct Field {
@@ -199,12 +194,13 @@ private:
         bool culled = false;
         for (const Draw& draw : scene_.draws) {
             const Statement* at = statement(draw.span);
-            if (!at || !readable(draw)) continue;
-            if (solid(draw) != culled) {
+            if (!at) continue;
+            const bool cullable = readable(draw) && solid(draw);
+            if (cullable != culled) {
                 culled = !culled;
                 all.push_back(line_before(at->span, culled ? "CullFace back" : "CullFace none"));
             }
-            if (!solid(draw)) continue;
+            if (!cullable) continue;
             ++solids;
             std::vector<Edit> alone{line_before(at->span, "CullFace back")};
             if (&draw != &scene_.draws.back()) alone.push_back(line_after(at->span, "CullFace none"));
@@ -261,16 +257,15 @@ private:
         const Span at{statement.file, statement.begin, statement.begin};
         return {at, std::string(line) + std::string(line_end(sources_.text(at.file)))};
     }
-    // Behind the line that the statement ends in, with its comment.
+    // Behind the lines of the statement, of which the last may have nothing.
     Edit line_after(Span statement, std::string_view line) const {
         const std::string_view all = sources_.text(statement.file);
-        std::size_t end = all.find('\n', statement.end);
-        while (end != all.npos && continued(all.substr(0, end))) end = all.find('\n', end + 1);
         const std::string_view next = line_end(all);
-        const auto at = static_cast<std::uint32_t>(end == all.npos ? all.size() : end + 1);
-        std::string text =
-            end == all.npos ? std::string(next) + std::string(line) : std::string(line) + std::string(next);
-        return {{statement.file, at, at}, std::move(text)};
+        std::size_t end = end_of_lines(all, statement.end);
+        const bool last = end == all.size();
+        if (!last) end += all.substr(end, 2) == "\r\n" ? 2 : 1;
+        const auto at = static_cast<std::uint32_t>(end);
+        return {{statement.file, at, at}, last ? std::string(next).append(line) : std::string(line).append(next)};
     }
     void insert_line(ChangeKind kind, Span before, std::string_view line) {
         const Edit edit = line_before(before, line);

@@ -15,6 +15,7 @@
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
 #include "src/plan/identity.h"
+#include "src/plan/locate.h"
 #include "src/plan/read/texts.h"
 
 namespace snell::accuracy::texts {
@@ -121,7 +122,8 @@ void read_statements(FileId file, const Files& files, const Sources& sources, st
         const Span name = statement.arguments.front();
         std::string written = file_name(sources.text(file).substr(name.begin, name.end - name.begin));
         std::erase(written, '"');
-        const std::string path = files.resolve_beside(std::string(sources.name(file)), written, {"glib"}).path;
+        const std::string path =
+            files.resolve_beside(std::string(sources.name(file)), written, scene_extensions()).path;
         for (FileId other = 0; other < sources.size(); ++other)
             if (!path.empty() && sources.name(other) == path) {
                 read_statements(other, files, sources, seen, all);
