@@ -191,6 +191,10 @@ TEST_F(FoundScene, SolidsAreCulledAloneAndTogether) {
               "CullFace back\nSphere 2 \\\n\nCullFace none\nQuadXY\n");
     EXPECT_EQ(found("Sphere 2 \\ # its radius\n\nQuadXY\n").text(ChangeKind::culled, 0, "scene.glib"),
               "CullFace back\nSphere 2 \\ # its radius\n\nCullFace none\nQuadXY\n");
+    folder_.write("c.inc", "Box");
+    const Found twice = found("Include c.inc\nQuadXY\nInclude c.inc\n");
+    EXPECT_EQ(twice.after(ChangeKind::culled), Afters{"CullFace back Box CullFace none"}) << "and not all";
+    EXPECT_EQ(twice.text(ChangeKind::culled, 0, "c.inc"), "CullFace back\nBox\nCullFace none") << "a quad follows";
     for (const std::string_view none : {"CullFace front\nSphere\n", "WireSphere\nQuadXY\nDiskXY\nPointCloud\n"})
         EXPECT_TRUE(found(none).after(ChangeKind::culled).empty()) << none;
 }

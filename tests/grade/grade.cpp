@@ -208,7 +208,7 @@ TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolde
                             SNELL_BIN "/snell grade r.toml s -o out 2>&1; echo status $?; wait; cat first");
     EXPECT_TRUE(two.says("error: another run of 'snell grade' writes into 'out'")) << two.output;
     EXPECT_TRUE(two.says("status 1")) << two.output;
-    EXPECT_TRUE(two.says("1 submissions, 0 of them judged before")) << two.output;
+    EXPECT_TRUE(two.says("1 submission, 0 of them judged before")) << two.output;
     EXPECT_EQ(result("ann")["points"], 1) << two.output;
 }
 

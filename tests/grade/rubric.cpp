@@ -79,7 +79,7 @@ TEST_F(RubricMistakes, ItemsThatCanNeitherGiveNorCostPoints) {
     item("no_lints = []", 12, "'no_lints' is empty");
     item("counters = {}", 12, "'counters' is empty");
     item("points = 0\nno_errors = true", 10, "'points' is a number more than 0");
-    item("points = 1.5e308\nno_errors = true", 10, "at most 1000000");
+    item("points = 1.5e308\nno_errors = true", 10, "'points' is a number more than 0 and at most 1000000");
     item("slower = 0", 10, "'slower' is a number more than 0");
     item("each = 1\nno_errors = true", 1, "a rubric has no 'each' here");
     item("each = 0\nno_lints = [\"never-read\"]", 8, "'each' is a number more than 0");

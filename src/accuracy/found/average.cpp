@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_pixels = 16384;
 
 std::string three_digits(double value) {
-    std::string text = fmt::format("{:.3g}", std::abs(value) < 1e-6 ? 0. : value);
+    std::string text = fmt::format("{:.3g}", std::abs(value) < 1e-30 ? 0. : value);
     if (text.find_first_of(".e") == std::string::npos) text += '.';
     return text;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "parser/read/syntax.h"
 #include "parser/text/number.h"
@@ -191,10 +192,12 @@ private:
         if (ranges::any_of(all_, [](const Statement& at) { return at.command == "CullFace"; })) return;
         std::vector<Edit> all;
         std::size_t solids = 0;
-        bool culled = false;
+        bool culled = false, repeated = false;
+        std::set<const Statement*> seen;
         for (const Draw& draw : scene_.draws) {
             const Statement* at = statement(draw.span);
             if (!at) continue;
+            repeated = !seen.insert(at).second || repeated;
             const bool cullable = readable(draw) && solid(draw);
             if (cullable != culled) {
                 culled = !culled;
@@ -203,10 +206,13 @@ private:
             if (!cullable) continue;
             ++solids;
             std::vector<Edit> alone{line_before(at->span, "CullFace back")};
-            if (&draw != &scene_.draws.back()) alone.push_back(line_after(at->span, "CullFace none"));
+            // Nothing follows the last draw, unless its text is included again.
+            if (&draw != &scene_.draws.back() || at->span.file != 0)
+                alone.push_back(line_after(at->span, "CullFace none"));
             to_.add(ChangeKind::culled, at->span, std::move(alone));
         }
-        if (solids < 2) return;
+        // What is drawn twice by one text would need a state before it that is not the same both times.
+        if (solids < 2 || repeated) return;
         const Span where = all.front().span;
         to_.add(ChangeKind::culled, where, std::move(all));
     }
