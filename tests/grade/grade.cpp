@@ -197,14 +197,16 @@ TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolde
     scene("s/ann", with(paint, "float d =",
                         "float x = n.x;\n  for (int i = 0; i < 20000; ++i) x = fract(sin(x) * 43758.5);\n"
                         "  float d = min(x, 0.) + "));
-    const std::string start = "cd '" + folder.path() + "' && { " SNELL_BIN "/snell grade r.toml s -o out ";
+    const std::string start =
+        "cd '" + folder.path() + "' && touch begun && { " SNELL_BIN "/snell grade r.toml s -o out ";
+    // The record is written, again the second time, before the first picture.
     const std::string drawing =
-        "i=0; while [ ! -e out/students/ann/result.json ] && [ $i -lt 1000 ]; do sleep .01; "
+        "i=0; while [ ! out/students/ann/result.json -nt begun ] && [ $i -lt 1000 ]; do sleep .01; "
         "i=$((i + 1)); done; ";
     const Outcome killed =
         run(start + ">first 2>&1 & }; " + drawing + "kill -KILL $!; wait $! 2>first; cat out/students/ann/result.json");
     EXPECT_TRUE(killed.says("judging ended before")) << "it was too late to kill it";
-    const Outcome two = run(start + ">first 2>&1 & }; sleep .3; " + drawing +
+    const Outcome two = run(start + ">first 2>&1 & }; " + drawing +
                             SNELL_BIN "/snell grade r.toml s -o out 2>&1; echo status $?; wait; cat first");
     EXPECT_TRUE(two.says("error: another run of 'snell grade' writes into 'out'")) << two.output;
     EXPECT_TRUE(two.says("status 1")) << two.output;
