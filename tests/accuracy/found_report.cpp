@@ -86,6 +86,23 @@ TEST(FoundReport, WhatIsExactAndSavesNothingIsNotOnTheFront) {
     }
 }
 
+// Where a few bright pixels make the RMSE, it is not the picture that looks most different.
+TEST(FoundReport, TheLargestFlipIsShownWhereverTheRmseIsLargest) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0})};
+    FoundRung& rung = found.rungs[0];
+    rung.at.resize(2);
+    rung.at[0].own.light.rmse = .04;
+    rung.at[0].flip = .0664;
+    rung.at[1].own.light.rmse = 1.6;
+    rung.at[1].flip = .0159;
+    rung.worst_searched = 1;
+    EXPECT_EQ(rung.flip(), .0664);
+    EXPECT_EQ(found_json(found)["rungs"][0]["error"]["flip_mean"], .0664);
+    EXPECT_EQ(found_json(found)["rungs"][0]["error"]["own"]["light"]["rmse"], 1.6);
+    EXPECT_EQ(found_json(found)["rungs"][0]["at"][1]["flip_mean"], .0159);
+}
+
 TEST(FoundReport, CombinationsAreNotCountedAmongChanges) {
     FoundResult found = of_two();
     found.rungs = {tried("1", {0}), tried("2", {1}), tried("1+2", {0, 1})};

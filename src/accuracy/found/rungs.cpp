@@ -29,6 +29,13 @@ std::size_t FoundRung::worst_place() const {
 
 const Difference* FoundRung::worst() const { return at.empty() ? nullptr : &at[worst_place()]; }
 
+std::optional<double> FoundRung::flip() const {
+    std::optional<double> largest;
+    for (const Difference& difference : at)
+        if (difference.flip) largest = std::max(largest.value_or(0), *difference.flip);
+    return largest;
+}
+
 const RungResult* FoundResult::times(const FoundRung& rung) const {
     if (!rung.timed) return nullptr;
     const RungResult& result = sweep_of(rung).rungs[*rung.timed];

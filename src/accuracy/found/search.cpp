@@ -185,7 +185,8 @@ void Search::Impl::try_rung(std::size_t i, double part, std::function<void()> th
                     done.quick_ratio = quick.middle;
                     done.saves = quick.middle > 0 && quick.middle < least_saving && quick.high < 1;
                 }
-                if (useful(done)) find_flip(*trial, done, done.worst_searched);
+                for (const std::size_t place : {std::size_t{0}, done.worst_searched})
+                    if (useful(done)) find_flip(*trial, done, place);
                 // What compiled once need not compile again, as long as there are few of them.
                 if (kept.size() < most_kept && useful(done)) kept.emplace(i, std::move(*trial));
                 then();

@@ -93,6 +93,6 @@ struct Search::Impl {
 };
 
 inline double rmse_of(const FoundRung& rung) { return rung.worst()->own.light.rmse; }
-inline double flip_of(const FoundRung& rung) { return rung.searched()->flip.value_or(1); }
+inline double flip_of(const FoundRung& rung) { return rung.flip().value_or(1); }
 
 }  // namespace snell::accuracy

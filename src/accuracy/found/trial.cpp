@@ -257,7 +257,7 @@ RungResult Trials::summary(const FoundRung& rung, Trial& trial) {
     shown.whole = worst.whole;
     shown.own = worst.own;
     shown.alone = worst.own.light;
-    shown.flip = worst.flip.value_or(std::nan(""));
+    shown.flip = rung.flip().value_or(std::nan(""));
     return shown;
 }
 

@@ -34,9 +34,7 @@ std::string shown_error(const FoundRung& rung) {
 std::string shown_display(const FoundRung& rung) {
     return rung.at.empty() ? "?" : known_text("{:.2g}", rung.worst()->own.display.rmse);
 }
-std::string shown_flip(const FoundRung& rung) {
-    return rung.at.empty() || !rung.worst()->flip ? "" : fmt::format("{:.4f}", *rung.worst()->flip);
-}
+std::string shown_flip(const FoundRung& rung) { return rung.flip() ? fmt::format("{:.4f}", *rung.flip()) : ""; }
 std::string shown_ratio(const FoundResult& found, const FoundRung& rung) {
     const RungResult* times = found.times(rung);
     if (times) return ratio_text(times->ratio);
@@ -147,6 +145,7 @@ FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
     json["size"] = {rung.width, rung.height};
     json["worst_place"] = rung.worst_place();
     json["error"] = difference_json(*rung.worst());
+    if (rung.flip()) json["error"]["flip_mean"] = number(*rung.flip());
     json["searched"] = difference_json(*rung.searched());
     if (const Difference* unseen = rung.unseen()) json["held_out"] = difference_json(*unseen);
     json["only_where_tried"] = rung.only_where_tried;
@@ -288,7 +287,7 @@ SweepResult as_sweep(const FoundResult& found, Aim aim) {
             shown.own = rung.worst()->own;
             shown.whole = rung.worst()->whole;
             shown.alone = shown.own.light;
-            shown.flip = rung.worst()->flip.value_or(std::nan(""));
+            shown.flip = rung.flip().value_or(std::nan(""));
         }
         sweep.rungs.push_back(std::move(shown));
     }

@@ -52,7 +52,7 @@ void measured(ui::FoundRow& row, const FoundRung& rung, const FoundResult& resul
     if (const accuracy::Difference* worst = rung.worst()) {
         row.error = worst->own.light.rmse;
         row.of_display = worst->own.display.rmse;
-        row.flip = worst->flip;
+        row.flip = rung.flip();
     }
     row.ratio = rung.quick_ratio;
     if (const accuracy::RungResult* times = result.times(rung)) {
