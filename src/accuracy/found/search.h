@@ -60,8 +60,8 @@ struct FoundRung {
     // The worst of all places; null if it was not drawn.
     const Difference* worst() const;
     std::size_t worst_place() const;
-    // The largest mean of FLIP of the places where it was computed: the scene's own, and the worst by RMSE, which may be
-    // a place with a few bright pixels; nullopt: nowhere.
+    // The largest mean of FLIP of the places where it was computed: the scene's own, and the worst by RMSE, which may
+    // be a place with a few bright pixels; nullopt: nowhere.
     std::optional<double> flip() const;
 };
 
