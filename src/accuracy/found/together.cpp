@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    // The found rungs, those on the front first; their times are taken anew.
+    // The found rungs, those on the front first; they are timed again.
     std::vector<std::size_t> candidates() const {
         std::vector<std::size_t> timed;
         for (std::size_t i = 0; i < found_.rungs.size(); ++i)

@@ -162,10 +162,7 @@ TEST_F(Past, SaveAsHandsOnAValueThatIsGoneForAWhile) {
     open("one.glib");
     slide(.75);
     const double slid = red();
-    save("paint.frag", fragment("uRose"));
-    save("one.glib", scene("uRose"));
-    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
-    settle();
+    rename_to("uRose");
     press("ctrl+shift+s");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
     user("key ctrl+a");

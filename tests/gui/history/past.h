@@ -44,6 +44,14 @@ protected:
         user("key Escape");
     }
     void slide(double to) const { drag(on("Paint.uRed", .2), on("Paint.uRed", to)); }
+    // The uniform has this name in the shader and in the scene.
+    void rename_to(const std::string& name) {
+        save("paint.frag", fragment(name));
+        save("one.glib", scene(name));
+        ASSERT_TRUE(wait(
+            [&](const nlohmann::json& s) { return s["controls"].contains("Paint." + name) && s["errors"] == 0; }, 20));
+        settle();
+    }
     void turn() const { drag({200, 300}, {260, 320}); }
     void show(const std::string& name) {
         ASSERT_TRUE(drop_files(display_, {file(name)}));

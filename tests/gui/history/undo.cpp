@@ -122,19 +122,13 @@ TEST_F(Past, AValueThatIsGoneForAWhileOutlivesALoss) {
     open("one.glib", {"--lose-file", file("lose")});
     slide(.75);
     const double slid = red();
-    save("paint.frag", fragment("uRose"));
-    save("one.glib", scene("uRose"));
-    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
-    settle();
+    rename_to("uRose");
     save("lose", "");
     turn();
     ASSERT_TRUE(
         wait([](const json& s) { return s["problems"].get<std::string>().find("context") != std::string::npos; }));
     settle();
-    save("paint.frag", fragment("uRed"));
-    save("one.glib", scene("uRed"));
-    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }, 20));
-    settle();
+    rename_to("uRed");
     EXPECT_EQ(red(), slid);
 }
 
@@ -142,15 +136,9 @@ TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     open("one.glib");
     slide(.75);
     const double slid = red();
-    save("paint.frag", fragment("uRose"));
-    save("one.glib", scene("uRose"));
-    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose") && s["errors"] == 0; }));
-    settle();
+    rename_to("uRose");
     EXPECT_EQ(state()["controls"]["Paint.uRose"][0], .2);
-    save("paint.frag", fragment("uRed"));
-    save("one.glib", scene("uRed"));
-    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }));
-    settle();
+    rename_to("uRed");
     EXPECT_EQ(red(), slid);
     press("ctrl+z");
     EXPECT_EQ(red(), .2) << "steps outlive edits";
