@@ -36,6 +36,36 @@ bool says(const FoundResult& found, std::string_view words) {
     return found_text(found).find(words) != std::string::npos;
 }
 
+// "1+2" alone would not say what it changes.
+TEST(FoundReport, PartsOfACombinationAreListedWithIt) {
+    FoundResult found = of_two();
+    found.changes[1].kind = ChangeKind::culled;
+    found.changes[1].before = "Sphere";
+    found.rungs = {tried("1", {0}), tried("2", {1})};
+    EXPECT_FALSE(says(found, "culled: Sphere → after"));
+    found.rungs.push_back(tried("1+2", {0, 1}));
+    found.rungs.back().only_where_tried = true;
+    EXPECT_TRUE(says(found, "culled: Sphere → after")) << found_text(found);
+    EXPECT_TRUE(says(found, "fewer-rounds: before → after"));
+}
+
+TEST(FoundReport, ErrorsAsTheSceneOpensAreNextToTheWorst) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0})};
+    FoundRung& rung = found.rungs[0];
+    rung.at.resize(2);
+    rung.at[0].own.light.rmse = .001;
+    rung.at[0].flip = .002;
+    rung.at[1].own.light.rmse = .03;
+    rung.at[1].own.display.rmse = .04;
+    rung.at[1].flip = .05;
+    rung.worst_held_out = 1;
+    rung.held_out = rung.only_where_tried = true;
+    EXPECT_TRUE(says(found, "   0.001  0.0020      0.03      0.04  0.0500  ")) << found_text(found);
+    EXPECT_TRUE(found_html(found).find("<td>0.001</td><td>0.0020</td><td>0.03</td><td>0.04</td><td>0.0500</td>") !=
+                std::string::npos);
+}
+
 TEST(FoundReport, NothingIsSaidOfTimesThatWereNotTaken) {
     FoundResult found = of_two();
     found.rungs = {tried("1", {0}), tried("2", {1}, Aim::better)};

@@ -146,6 +146,12 @@ TEST_F(FoundScene, SlicesOfRoundShapes) {
     EXPECT_TRUE(found("Teapot\nBox 1 2 3\nSphere 1 2000 2000").after(ChangeKind::more_slices).empty());
 }
 
+TEST_F(FoundScene, QuadsOfAQuadBox) {
+    const Found box = found("QuadBox 60\n");
+    EXPECT_EQ(box.after(ChangeKind::fewer_slices), (Afters{"QuadBox 45", "QuadBox 30", "QuadBox 20"}));
+    EXPECT_TRUE(box.after(ChangeKind::more_slices).empty()) << "more would be denser, not more exact";
+}
+
 TEST_F(FoundScene, CellsOfQuads) {
     const Found grid = found("Vertex waves.vert\nFragment a.frag\nProgram P\nQuadXZ -1. 5. 100 40\nQuadXY\n");
     EXPECT_EQ(grid.after(ChangeKind::fewer_cells),

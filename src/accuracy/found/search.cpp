@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "parser/text/ranges.h"
@@ -17,6 +19,12 @@ namespace {
 constexpr double visible_error = .016;  // RMSE of light, for someone who looks for it
 constexpr double least_saving = .97;    // ratio of times, by a few frames: less is noise
 constexpr double least_saving_more = .98;
+// What most often saves much is tried first: there may be no time for the rest.
+constexpr std::array promising{
+    ChangeKind::culled,          ChangeKind::fewer_cells,   ChangeKind::fewer_slices, ChangeKind::lower_levels,
+    ChangeKind::fewer_rounds,    ChangeKind::smaller_noise, ChangeKind::fewer_texels, ChangeKind::less_filtered,
+    ChangeKind::expression_mean, ChangeKind::lookup_mean,   ChangeKind::per_frame,    ChangeKind::per_vertex,
+    ChangeKind::lookup_coarser,  ChangeKind::without_term,  ChangeKind::polynomial,   ChangeKind::half_precision};
 constexpr std::size_t most_held_out = 16, most_kept = 32, few_finalists = 4;
 
 }  // namespace
@@ -32,8 +40,11 @@ Search::Impl::Impl(const Original& scene, std::vector<Change> changes, const gl:
 // ---- the order of things ------------------------------------------------------------------------------------
 
 void Search::Impl::plan() {
+    std::vector<std::size_t> order(result.changes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    ranges::stable_sort(order, {}, [&](std::size_t i) { return ranges::find(promising, result.changes[i].kind); });
     const auto of_aim = [&](Aim aim, auto task) {
-        for (std::size_t i = 0; i < result.changes.size(); ++i)
+        for (const std::size_t i : order)
             if (result.rungs[i].aim == aim) tasks.emplace_back([i, task] { task(i); });
     };
     const auto single = [this](std::size_t i) { try_rung(i, singles_end, [] {}); };
@@ -260,9 +271,7 @@ void Search::Impl::hold_out(std::size_t i) {
         rung.only_where_tried =
             rung.aim == Aim::cheaper && seen <= visible_error && !(unseen <= visible_error) && !(unseen <= 2 * seen);
         const auto held = std::make_shared<Attempt>(std::move(drawn));
-        soon([this, held] {
-            if (!rung_of(*held).only_where_tried) finalists.emplace(held->rung, std::move(held->trial));
-        });
+        soon([this, held] { finalists.emplace(held->rung, std::move(held->trial)); });
         for (const std::size_t place : {rung.worst_place(), std::size_t{0}})
             soon([this, held, place, end] {
                 if (!over(end)) find_flip(held->trial, rung_of(*held), place);

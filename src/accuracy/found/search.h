@@ -45,7 +45,7 @@ struct FoundRung {
     int width = 0, height = 0;                           // of the pictures that were compared
     bool held_out = false;                               // it was drawn at the places that are held out, too
     // It was harmless only where it was searched: its error is not visible there, but at a place that is held out, and
-    // more than twice as large. Such a rung is never on the front.
+    // more than twice as large. The larger one counts.
     bool only_where_tried = false;
 
     double quick_ratio = 0;            // of its time to the scene's, by a few frames; 0: not known

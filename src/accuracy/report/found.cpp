@@ -34,6 +34,13 @@ std::string shown_error(const FoundRung& rung) {
 std::string shown_display(const FoundRung& rung) {
     return rung.at.empty() ? "?" : known_text("{:.2g}", rung.worst()->own.display.rmse);
 }
+// At the scene's own place: what is seen as the scene opens.
+std::string shown_error_here(const FoundRung& rung) {
+    return rung.at.empty() ? "?" : known_text("{:.2g}", rung.at.front().own.light.rmse);
+}
+std::string shown_flip_here(const FoundRung& rung) {
+    return rung.at.empty() || !rung.at.front().flip ? "" : fmt::format("{:.4f}", *rung.at.front().flip);
+}
 std::string shown_flip(const FoundRung& rung) { return rung.flip() ? fmt::format("{:.4f}", *rung.flip()) : ""; }
 std::string shown_ratio(const FoundResult& found, const FoundRung& rung) {
     const RungResult* times = found.times(rung);
@@ -65,6 +72,13 @@ Listed listed(const FoundResult& found, Aim aim, bool all) {
             (all || rung.timed || (rung.outcome == Outcome::tried && rung.only_where_tried) ||
              (aim == Aim::better && rung.outcome == Outcome::tried)) &&
             (all || aim == Aim::cheaper || rung.pixels_changed > 0))
+            rungs.push_back(&rung);
+    // "3+7" says nothing to someone who can't see what 3 and 7 are.
+    for (const FoundRung& rung : found.rungs)
+        if (rung.changes.size() == 1 && ranges::find(rungs, &rung) == rungs.end() &&
+            ranges::any_of(rungs, [&](const FoundRung* of) {
+                return ranges::find(of->changes, rung.changes[0]) != of->changes.end();
+            }))
             rungs.push_back(&rung);
     ranges::stable_sort(rungs, {}, [&](const FoundRung* rung) {
         const RungResult* times = found.times(*rung);
@@ -101,16 +115,19 @@ std::string rows_text(const FoundResult& found, const Listed& rungs) {
         name = std::max(name, rung->name.size());
         if (rung->changes.size() == 1) place = std::max(place, place_of(found, *rung).size());
     }
-    std::string text = fmt::format("  {:<{}}  {:>20}  {:>8}  {:>8}  {:>6}  {:<{}}  {}\n", "rung", name, "time", "RMSE",
-                                   "display", "FLIP", "place", place, "change");
+    std::string text =
+        fmt::format("  {:<{}}  {:>20}  {:>16}  {:>26}\n", "", name, "", "as it opens", "at the worst place");
+    text += fmt::format("  {:<{}}  {:>20}  {:>8}  {:>6}  {:>8}  {:>8}  {:>6}  {:<{}}  {}\n", "rung", name, "time",
+                        "RMSE", "FLIP", "RMSE", "display", "FLIP", "place", place, "change");
     for (const FoundRung* rung : rungs) {
         const bool one = rung->changes.size() == 1;
         const std::string standing = standing_of(found, *rung);
-        text += fmt::format("  {:<{}}  {:>20}  {:>8}  {:>8}  {:>6}  {:<{}}  {}{}{}\n", rung->name, name,
-                            shown_ratio(found, *rung), shown_error(*rung), shown_display(*rung), shown_flip(*rung),
-                            one ? utf8::printable(place_of(found, *rung)) : "", place, kind_of(found, *rung),
-                            one ? ": " + utf8::printable(change_of(found, *rung)) : "",
-                            standing.empty() ? "" : " (" + standing + ")");
+        text +=
+            fmt::format("  {:<{}}  {:>20}  {:>8}  {:>6}  {:>8}  {:>8}  {:>6}  {:<{}}  {}{}{}\n", rung->name, name,
+                        shown_ratio(found, *rung), shown_error_here(*rung), shown_flip_here(*rung), shown_error(*rung),
+                        shown_display(*rung), shown_flip(*rung), one ? utf8::printable(place_of(found, *rung)) : "",
+                        place, kind_of(found, *rung), one ? ": " + utf8::printable(change_of(found, *rung)) : "",
+                        standing.empty() ? "" : " (" + standing + ")");
     }
     return text;
 }
@@ -146,6 +163,7 @@ FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
     json["worst_place"] = rung.worst_place();
     json["error"] = difference_json(*rung.worst());
     if (rung.flip()) json["error"]["flip_mean"] = number(*rung.flip());
+    json["as_it_opens"] = difference_json(rung.at.front());
     json["searched"] = difference_json(*rung.searched());
     if (const Difference* unseen = rung.unseen()) json["held_out"] = difference_json(*unseen);
     json["only_where_tried"] = rung.only_where_tried;
@@ -166,31 +184,35 @@ FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
 std::string cells_html(const FoundResult& found, const FoundRung& rung) {
     const std::string place = rung.changes.size() == 1 ? place_of(found, rung) : "";
     return fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td "
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td "
         "style=\"text-align:left\">{}</td><td "
         "style=\"text-align:left\">{}</td><td>{}</td></tr>",
-        rung.name, shown_ratio(found, rung), shown_error(rung), shown_display(rung), shown_flip(rung),
-        rung.pixels_changed, escaped(place),
+        rung.name, shown_ratio(found, rung), shown_error_here(rung), shown_flip_here(rung), shown_error(rung),
+        shown_display(rung), shown_flip(rung), rung.pixels_changed, escaped(place),
         escaped(kind_of(found, rung) + (place.empty() ? "" : ": " + change_of(found, rung))),
         escaped(standing_of(found, rung)));
 }
 
 std::string table_html(const FoundResult& found, const Listed& rungs) {
     std::string text =
-        "<div class=\"scroll\"><table><tr><th>rung</th><th>time</th><th>RMSE</th><th>RMSE of display</th><th>FLIP</th>"
-        "<th>pixels</th><th>place</th><th>change</th><th></th></tr>";
+        "<div class=\"scroll\"><table><tr><th></th><th></th><th colspan=\"2\">as the scene opens</th><th colspan=\"3\">"
+        "at the worst view and values</th><th></th><th></th><th></th><th></th></tr><tr><th>rung</th><th>time</th>"
+        "<th>RMSE</th><th>FLIP</th><th>RMSE</th><th>RMSE of "
+        "display</th><th>FLIP</th><th>pixels</th><th>place</th><th>change</th><th></th></tr>";
     for (const FoundRung* rung : rungs) text += cells_html(found, *rung);
     return text + "</table></div>";
 }
 
 std::string table_markdown(const FoundResult& found, const Listed& rungs) {
     std::string text =
-        "\n| rung | time | RMSE | RMSE of display | FLIP | place | change | |\n|---|--:|--:|--:|--:|---|---|---|\n";
+        "\n| rung | time | RMSE, as it opens | FLIP | RMSE, at worst | of display | FLIP | place | change | "
+        "|\n|---|--:|--:|--:|--:|--:|--:|---|---|---|\n";
     for (const FoundRung* rung : rungs) {
         const bool one = rung->changes.size() == 1;
         text += fmt::format(
-            "| {} | {} | {} | {} | {} | {} | {}{} | {} |\n", rung->name, shown_ratio(found, *rung), shown_error(*rung),
-            shown_display(*rung), shown_flip(*rung), one ? escaped(place_of(found, *rung)) : "", kind_of(found, *rung),
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {}{} | {} |\n", rung->name, shown_ratio(found, *rung),
+            shown_error_here(*rung), shown_flip_here(*rung), shown_error(*rung), shown_display(*rung),
+            shown_flip(*rung), one ? escaped(place_of(found, *rung)) : "", kind_of(found, *rung),
             one ? ": <code>" + escaped(change_of(found, *rung)) + "</code>" : "", standing_of(found, *rung));
     }
     return text;
@@ -222,11 +244,15 @@ std::string standing_of(const FoundResult& found, const FoundRung& rung) {
     if (rung.at.empty()) return "";
     if (!std::isfinite(rung.worst()->own.light.rmse))
         return pixels_text(rung.worst()->own.nonfinite) + " NaN or infinite";
-    if (rung.only_where_tried) return "at other views and values its error is more than twice as large";
+    const std::string elsewhere =
+        rung.only_where_tried ? "at other views and values its error is more than twice as large" : "";
     if (rung.aim == Aim::unused)
         return rung.held_out && rung.pixels_changed == 0 ? "changes 0 pixels" : "changes pixels";
-    if (const RungResult* times = found.times(rung))
-        return rung.aim == Aim::cheaper ? standing_text(found.timed, *times) : "";
+    if (const RungResult* times = found.times(rung)) {
+        const std::string standing = rung.aim == Aim::cheaper ? standing_text(found.timed, *times) : "";
+        return standing + (standing.empty() || elsewhere.empty() ? "" : "; ") + elsewhere;
+    }
+    if (!elsewhere.empty()) return elsewhere;
     if (rung.timed) return "not timed";
     if (rung.aim == Aim::better && rung.held_out) return "";
     if (rung.aim == Aim::better)
@@ -253,7 +279,8 @@ std::string found_words(const FoundResult& found) {
         text += fmt::format(" {} not tried: {}.", untried,
                             found.interrupted ? "the search was stopped" : "the time was up");
     text += fmt::format(
-        " Errors are differences from the scene as it is, in pictures of {} × {}, at the place where they are largest.",
+        " Errors are differences from the scene as it is, in pictures of {} × {}, as the scene opens and where they "
+        "are largest.",
         found.search_width, found.search_height);
     if (found.broken) text += fmt::format(" But {}; these pixels are not compared.", found.broken_words());
     if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)

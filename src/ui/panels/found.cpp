@@ -47,6 +47,9 @@ std::string errors_of(const FoundRow& row) {
 std::string tip_of(const FoundRow& row) {
     std::string text = fmt::format("{}: {}\n{}\n\u2192 {}", row.kind, row.meaning, row.before,
                                    row.after.empty() ? "(nothing)" : row.after);
+    if (row.error_here)
+        text += fmt::format("\nas the scene opens: error {}{}", error_text(*row.error_here),
+                            row.flip_here ? fmt::format(", FLIP {}", error_text(*row.flip_here)) : "");
     if (row.of_display) text += fmt::format("\nerror of display values {}", error_text(*row.of_display));
     if (row.front) text += "\nworth its time";
     if (!row.remark.empty()) text += "\n" + row.remark;

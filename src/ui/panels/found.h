@@ -33,6 +33,7 @@ struct FoundRow {
     Place place;
     std::string before, after;
     std::optional<double> error, of_display, flip;  // RMSE of light and of display values, where it is worst
+    std::optional<double> error_here, flip_here;    // as the scene opens
     double ratio = 0;                               // of its time to the scene's; 0: not known
     double low = 0, high = 0;                       // interval of the ratio; 0: it was only estimated
     std::uint64_t bytes = 0;                        // of GPU memory that an unused one takes

@@ -147,14 +147,31 @@ TEST_F(Rounds, EveryElementIsWritten) {
 
 TEST_F(Rounds, AUniformIsDividedWhereverTheFunctionReadsIt) {
     EXPECT_EQ(lines("for (int i = 0; i < uSteps; i++) color += vN;"),
-              (Lines{"i < uSteps → i < uSteps/2", "i < uSteps → i < uSteps/4"}));
+              (Lines{"i < uSteps → i < (uSteps+1)/2", "i < uSteps → i < (uSteps+3)/4"}));
     Found& found = shaders(in_main("for (int i = 0; i < uSteps; i++) color += vN / float(uSteps);"));
     ASSERT_EQ(found.of(fewer_rounds).size(), 2U);
     EXPECT_NE(found.changed(*found.of(fewer_rounds)[0], "a.frag")
-                  .find("for (int i = 0; i < uSteps/2; i++) color += vN / float((uSteps/2));"),
+                  .find("for (int i = 0; i < (uSteps+1)/2; i++) color += vN / float(((uSteps+1)/2));"),
               std::string::npos);
     EXPECT_EQ(lines("for (float t = 0.; t < uA + 1.; t += .01) color += vN;").front(),
               "t < uA + 1. → t < .5*(uA + 1.)");
+}
+
+TEST_F(Rounds, ALocalIsChangedWhereItBegins) {
+    EXPECT_EQ(lines("int n = 1 << uSteps; float d = 1. / float(n); for (int i = 0; i < n; i++) color += d * vN;"),
+              (Lines{"n = 1 << uSteps → n = ((1 << uSteps)+1)/2", "n = 1 << uSteps → n = ((1 << uSteps)+3)/4"}));
+    EXPECT_EQ(lines("int n = 9; float d = 1. / float(n); for (int i = 0; i < n; i++) color += d * vN;"),
+              (Lines{"n = 9 → n = 4", "n = 9 → n = 2"}));
+    EXPECT_EQ(lines("int n = 1; for (int i = 0; i < n; i++) color += vN;"), Lines{}) << "one round stays";
+    EXPECT_EQ(lines("int n = uSteps; n += 2; for (int i = 0; i < n; i++) color += vN;"),
+              (Lines{"i < n → i < (n+1)/2", "i < n → i < (n+3)/4"}))
+        << "where it is assigned again, the loop's own bound changes";
+}
+
+// A slider at 1 leaves one round, not none.
+TEST_F(Rounds, AShareOfAnUnknownNumberIsRoundedUp) {
+    EXPECT_EQ(lines("for (uint i = 0u; i < uCount; i++) color += vN;", "uniform uint uCount;\n"),
+              (Lines{"i < uCount → i < (uCount+1u)/2u", "i < uCount → i < (uCount+3u)/4u"}));
 }
 
 TEST_F(Rounds, AMeanStaysAMean) {
@@ -220,6 +237,14 @@ TEST_F(FoundShaders, TermsOfSumsAreLeftOut) {
     EXPECT_EQ(shaders(in_main("color = uA * (vN * vP + sin(vN));")).lines(without_term).size(), 2U);
     EXPECT_EQ(shaders(in_main("color = clamp(sin(vN) + cos(vP), 0., 1.);")).lines(without_term).size(), 2U);
     EXPECT_EQ(shaders(in_main("int n = 1 + uSteps; color = vec3(float(n));")).lines(without_term), Lines{});
+}
+
+// Work on a local is only saved if nothing else reads it.
+TEST_F(FoundShaders, ATermSavesALocalThatNothingElseReads) {
+    const std::string_view lookup = "vec4 n = sin(vN.xyzx); ";
+    EXPECT_EQ(shaders(in_main(std::string(lookup) + "color = vec3(n.x + n.y + vN.x);")).lines(without_term), Lines{});
+    EXPECT_EQ(shaders(in_main(std::string(lookup) + "color = vec3(n.x + vN.x);")).lines(without_term),
+              (Lines{"n.x + vN.x → vN.x"}));
 }
 
 TEST_F(FoundShaders, StatementsThatAddAreLeftOut) {

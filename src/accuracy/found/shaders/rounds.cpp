@@ -235,17 +235,34 @@ private:
         });
     }
 
-    // A constant: where it is declared, so that the size of a step shrinks with the number of steps.
+    // A constant, or a local that nothing assigns later: where it is declared, so that the size of a step follows the
+    // number of steps.
     bool definition_of_name(const RoundBound& bound, int share) {
         const Node& n = s_.at(bound.node);
         if (n.form != Form::name || n.variable < 0 || sizes_.contains(n.text)) return false;
         const int declared = s_.declarator(n.variable);
-        if (declared < 0 || !s_.at(declared).constant) return false;
+        if (declared < 0) return false;
         const std::vector<int> inside = s_.parts(declared);
-        if (inside.size() != 1 || s_.at(inside[0]).form != Form::number || !s_.own(declared)) return false;
+        if (inside.size() != 1 || !s_.own(declared)) return false;
+        if (!s_.at(declared).constant) return local(n, declared, inside[0], share);
+        if (s_.at(inside[0]).form != Form::number) return false;
         if (const auto value = fewer(bound, s_.at(inside[0]).value.front(), share))
             offers_.add(ChangeKind::fewer_rounds, s_.span(declared),
                         {{s_.span(inside[0]), literal(*value, s_.at(inside[0]).type)}});
+        return true;
+    }
+
+    bool local(const Node& bound, int declared, int begins, int share) {
+        const Node& n = s_.at(begins);
+        const bool assigned = std::any_of(s_.uses(bound.variable).begin(), s_.uses(bound.variable).end(),
+                                          [&](int use) { return s_.written(use); });
+        if (assigned || s_.function_of(s_.at(declared).first) < 0 || n.type.base != bound.type.base) return false;
+        if (n.value.size() == 1 && n.value.front() < share) return true;
+        const std::string text = closed(n) ? s_.text(begins) : "(" + s_.text(begins) + ")";
+        const bool number = n.form == Form::number;
+        offers_.add(ChangeKind::fewer_rounds, s_.span(declared),
+                    {{s_.span(begins),
+                      number ? literal(std::floor(n.value.front() / share), n.type) : divided(text, n, share)}});
         return true;
     }
 
@@ -290,21 +307,24 @@ private:
         const auto begin = t.offset, end = begin + static_cast<std::uint32_t>(name.size());
         const Span use{s_.files[t.file], begin, end};
         if (s_.text(use) == name)
-            offers_.add(ChangeKind::fewer_rounds, use, {{use, divided(std::string(name), n.type, share)}});
+            offers_.add(ChangeKind::fewer_rounds, use, {{use, divided(std::string(name), n, share)}});
     }
 
-    static std::string divided(const std::string& text, const glsl::Type& type, int share) {
-        if (type.base == glsl::Base::real) return fmt::format("{}*{}", share == 2 ? ".5" : ".25", text);
-        return fmt::format("{}/{}{}", text, share, type.base == glsl::Base::uinteger ? "u" : "");
+    static std::string divided(const std::string& text, const Node& n, int share) {
+        if (n.type.base == glsl::Base::real) return fmt::format("{}*{}", share == 2 ? ".5" : ".25", text);
+        const std::string_view suffix = n.type.base == glsl::Base::uinteger ? "u" : "";
+        if (n.value.size() == 1) return fmt::format("{}/{}{}", text, share, suffix);
+        // Rounded up: a slider at 1 leaves one round, and no division by 0 where the number divides something.
+        return fmt::format("({}+{}{})/{}{}", text, share - 1, suffix, share, suffix);
     }
 
     void expression(const RoundBound& bound, int share) {
         const Node& n = s_.at(bound.node);
         if (!s_.own(bound.where)) return;
         const std::string text = closed(n) ? s_.text(bound.node) : "(" + s_.text(bound.node) + ")";
-        std::vector<Edit> edits{{s_.span(bound.node), divided(text, n.type, share)}};
+        std::vector<Edit> edits{{s_.span(bound.node), divided(text, n, share)}};
         for (const int use : other_uses(bound.node))
-            edits.push_back({s_.span(use), "(" + divided(text, n.type, share) + ")"});
+            edits.push_back({s_.span(use), "(" + divided(text, n, share) + ")"});
         offers_.add(ChangeKind::fewer_rounds, s_.span(bound.where), std::move(edits));
     }
 

@@ -45,9 +45,15 @@ private:
         for (int k = s_.at(node).begin; k <= node; ++k) {
             const Node& n = s_.at(k);
             if (n.form == Form::infix || n.form == Form::call || n.form == Form::built_in) return true;
-            if (n.form == Form::name && n.global < 0 && n.variable >= 0) return true;  // a local may take work
+            if (n.form == Form::name && n.global < 0 && n.variable >= 0 && only_here(k, node)) return true;
         }
         return false;
+    }
+
+    // A local that nothing else reads: the work on it is saved, too.
+    bool only_here(int name, int node) const {
+        return ranges::all_of(s_.uses(s_.at(name).variable),
+                              [&](int use) { return s_.written(use) || (s_.at(node).begin <= use && use <= node); });
     }
 
     // A part of the header of a loop, which must end.

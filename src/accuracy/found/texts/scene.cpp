@@ -151,11 +151,13 @@ private:
             for (const double factor : {2., 4.}) scale(ChangeKind::finer_cells, *at, fields, factor, 1, cells);
             return;
         }
-        const auto round = [](const Field& field) { return field.round; };
-        if (ranges::none_of(fields, round)) return;
+        const bool slabs = std::holds_alternative<QuadBox>(draw.shape);
+        const auto slices = [&](const Field& field) { return field.round || slabs; };
+        if (ranges::none_of(fields, slices)) return;
         for (const double factor : {3. / 4, 1. / 2, 1. / 3})
-            scale(ChangeKind::fewer_slices, *at, fields, factor, fewest_slices, round);
-        scale(ChangeKind::more_slices, *at, fields, 2, fewest_slices, round);
+            scale(ChangeKind::fewer_slices, *at, fields, factor, fewest_slices, slices);
+        // More quads of a QuadBox are denser, not more exact.
+        if (!slabs) scale(ChangeKind::more_slices, *at, fields, 2, fewest_slices, slices);
     }
 
     // Smaller numbers of texels for a texture's statement, as its edits; none if there is no size that may shrink.

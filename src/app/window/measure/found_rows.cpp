@@ -53,6 +53,8 @@ void measured(ui::FoundRow& row, const FoundRung& rung, const FoundResult& resul
         row.error = worst->own.light.rmse;
         row.of_display = worst->own.display.rmse;
         row.flip = rung.flip();
+        row.error_here = rung.at.front().own.light.rmse;
+        row.flip_here = rung.at.front().flip;
     }
     row.ratio = rung.quick_ratio;
     if (const accuracy::RungResult* times = result.times(rung)) {
