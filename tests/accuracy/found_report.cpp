@@ -66,6 +66,19 @@ TEST(FoundReport, ErrorsAsTheSceneOpensAreNextToTheWorst) {
                 std::string::npos);
 }
 
+TEST(FoundReport, APlaceThatDoesNotChangeIsNoFlipOfTheWorst) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0})};
+    FoundRung& rung = found.rungs[0];
+    rung.at.resize(2);
+    rung.at[0].flip = 0;
+    rung.at[1].own.light.rmse = .6;
+    rung.worst_searched = 1;
+    EXPECT_EQ(rung.flip(), std::nullopt);
+    rung.at[1].flip = .7;
+    EXPECT_EQ(rung.flip(), .7);
+}
+
 TEST(FoundReport, NothingIsSaidOfTimesThatWereNotTaken) {
     FoundResult found = of_two();
     found.rungs = {tried("1", {0}), tried("2", {1}, Aim::better)};

@@ -31,6 +31,8 @@ const Difference* FoundRung::worst() const { return at.empty() ? nullptr : &at[w
 
 std::optional<double> FoundRung::flip() const {
     std::optional<double> largest;
+    // Where nothing changes it is 0 without computing, which says nothing about the worst place.
+    if (at.empty() || !worst()->flip) return largest;
     for (const Difference& difference : at)
         if (difference.flip) largest = std::max(largest.value_or(0), *difference.flip);
     return largest;

@@ -61,7 +61,7 @@ struct FoundRung {
     const Difference* worst() const;
     std::size_t worst_place() const;
     // The largest mean of FLIP of the places where it was computed: the scene's own, and the worst by RMSE, which may
-    // be a place with a few bright pixels; nullopt: nowhere.
+    // be a place with a few bright pixels; nullopt: not at the worst.
     std::optional<double> flip() const;
 };
 
