@@ -152,6 +152,13 @@ TEST_F(Presets, OfACopyChooseFoundRungs) {
     EXPECT_LT(presets["exact"]["alone"].get<double>(), .01 / 255);
 }
 
+TEST_F(Presets, AFolderThatCannotBeMadeIsToldBeforeAnythingIsMeasured) {
+    const Outcome refused = in_folder("accuracy k.glib --quality-copy k.glib/out");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_TRUE(refused.says("cannot make the folder 'k.glib/out'")) << refused.output;
+    EXPECT_FALSE(refused.says("found rungs")) << refused.output;
+}
+
 TEST_F(Presets, ACopyNeedsFoundRungsOfOneScene) {
     for (const char* options : {"--no-found", "--ladders all", "--knobs samples", "--from lattice", "k.glib"}) {
         const Outcome refused = in_folder(std::string("accuracy k.glib --quality-copy out ") + options);

@@ -24,6 +24,7 @@
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/version.h"
+#include "src/app/open/write_copy.h"
 #include "src/document/document.h"
 #include "src/plan/used_files.h"
 
@@ -368,6 +369,9 @@ Run add_accuracy(CLI::App& command) {
             return complain(exit_usage,
                             "--quality-copy looks for found rungs of one scene: give one scene, and no --ladders, "
                             "--knobs, --from lattice or --no-found");
+        if (const std::string wrong = options->quality_copy.empty() ? "" : check_folder(options->quality_copy);
+            !wrong.empty())
+            return complain(exit_input, wrong);
         return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage;
     };
 }
