@@ -269,6 +269,32 @@ TEST_F(Grade, ReportsAreNotWrittenOverOtherFiles) {
     EXPECT_EQ(std::distance(fs::directory_iterator(at("mine")), fs::directory_iterator{}), 1);
 }
 
+TEST_F(Grade, AFolderOfStudentsIsNoReport) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("students/ann");
+    for (const std::string file : {"reference/wall.png", "students/ann/wall.png", "similar/wall.png"})
+        folder.write(file, "x");
+    const Outcome made = grade("r.toml students -o .");
+    EXPECT_EQ(made.status, 2) << made.output;
+    EXPECT_TRUE(made.says("'.' holds other files than a report")) << made.output;
+    for (const std::string file : {"reference/wall.png", "students/ann/wall.png", "similar/wall.png"})
+        EXPECT_EQ(bytes_of(at(file)), "x") << file;
+    EXPECT_FALSE(fs::exists(at(".lock")));
+}
+
+TEST_F(Grade, FilesThatALecturerAddsToAReportStay) {
+    folder.write("r.toml", head + "[[item]]\nexpect = \"reference\"\n");
+    scene("s/ann");
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    const std::vector<std::string> added{"out/students/ann/corrected.png", "out/reference/board.png"};
+    for (const std::string& file : added) folder.write(file, "x");
+    folder.write("out/students/ann/picture-7.png", "of another rubric");
+    folder.write("r.toml", head + "[[item]]\npoints = 3\nexpect = \"reference\"\n");
+    ASSERT_TRUE(grade("r.toml s -o out").says("0 of them judged before"));
+    for (const std::string& file : added) EXPECT_EQ(bytes_of(at(file)), "x") << file;
+    EXPECT_FALSE(fs::exists(at("out/students/ann/picture-7.png")));
+}
+
 TEST_F(Grade, SimilarShadersAreTold) {
     const std::string long_one = with(
         paint, "  gl_FragColor",
