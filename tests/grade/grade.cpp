@@ -295,6 +295,20 @@ TEST_F(Grade, FilesThatALecturerAddsToAReportStay) {
     EXPECT_FALSE(fs::exists(at("out/students/ann/picture-7.png")));
 }
 
+TEST_F(Grade, WhatCannotBeWrittenIsTold) {
+    folder.write("r.toml", head + "[[item]]\nexpect = \"reference\"\n");
+    scene("s/ann");
+    scene("s/bob");
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    fs::remove(at("out/students/ann/map-0.png"));
+    fs::create_directories(at("out/students/ann/map-0.png/of a user"));
+    fs::remove_all(at("out/students/bob"));
+    folder.write("out/students/bob", "no folder");
+    const Outcome made = grade("r.toml s -o out --again");
+    EXPECT_TRUE(made.says("'map-0.png' cannot be written: ")) << made.output;
+    EXPECT_TRUE(made.says("it ends the program that draws it: cannot write the record: ")) << made.output;
+}
+
 TEST_F(Grade, SimilarShadersAreTold) {
     const std::string long_one = with(
         paint, "  gl_FragColor",
