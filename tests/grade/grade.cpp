@@ -146,6 +146,23 @@ TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {
     EXPECT_EQ(grade("--new reference/ball.glib -o -").output, printed.output);
 }
 
+TEST_F(Grade, ANewRubricNamesWhatItsSceneWrites) {
+    std::string text = with(ball, "uKd", "uLight.power");
+    text = with(text, "Sphere 1", "WireSphere .5\nTriangles [0 0 0] [1 0 0] [0 1 0]\nwirecube 1 1 1\nSphere 1");
+    std::string fragment =
+        with(paint, "uniform float uKd, ", "struct L { float power; };\nuniform L uLight;\nuniform float ");
+    scene("reference", with(fragment, "uKd * d", "uLight.power * d"), text);
+    scene("s/ann", with(fragment, "uKd * d", "uLight.power * d"), text);
+    ASSERT_EQ(grade("--new reference/ball.glib -o r.toml").status, 0);
+    const Outcome made = grade("r.toml s -o out");
+    EXPECT_EQ(made.status, 0) << made.output;
+    EXPECT_FALSE(made.says("reference-fails")) << made.output;
+    EXPECT_EQ(result("ann")["points"], results()["points"]) << made.output << bytes_of(at("r.toml"));
+    for (const std::string part :
+         {"\"WireSphere\", \"Triangles\", \"WireBox\", \"Sphere\"]", "{ \"uLight.power\" = 0 }"})
+        EXPECT_NE(bytes_of(at("r.toml")).find(part), std::string::npos) << part << bytes_of(at("r.toml"));
+}
+
 TEST_F(Grade, AReferenceThatFailsIsAWarning) {
     scene("s/ann");
     folder.write("r.toml", head + "[[item]]\nneeds = [\"Torus\"]\n");

@@ -78,9 +78,11 @@ private:
                 grades_.reference ? grades_.reference->milliseconds : 0};
     }
 
-    // The whole time of a submission: that of each picture is kept by the process itself.
+    // The whole time of a submission. The process itself keeps that of each step: it reads, draws each picture twice
+    // (once for NaN), measures a frame, and judges each item.
     double most_seconds() const {
-        return grades_.rubric.timeout * static_cast<double>(grades_.rubric.pictures.size() + 3) + 10;
+        const Rubric& rubric = grades_.rubric;
+        return rubric.timeout * static_cast<double>(2 * rubric.pictures.size() + rubric.items.size() + 2) + 10;
     }
 
     ProcessLimits limits(std::size_t jobs) const {
