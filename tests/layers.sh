@@ -45,7 +45,7 @@ complain "libc++ lacks std::ranges and std::bit_cast where the browser's program
 
 complain "the files of a scene are opened by src/content/regular_file.cpp, which a browser replaces" \
   "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |
-     grep -vE '^src/content/(regular_file.cpp|replace.cpp|load_module.cpp|image/module.cpp|oiio/)' |
+     grep -vE '^src/content/(regular_file.cpp|replace.cpp|pipes.cpp|load_module.cpp|image/module.cpp|oiio/)' |
      xargs grep -nE '\bO_(PATH|RDONLY)\b|/proc/self|#include <(fcntl|unistd|sys/mman)')"
 complain "libraries that a browser lacks have units of their own, which src/platform/web replaces or does without" \
   "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|content/(load_module|image/(png_(read|write)|whole|module)|mesh/shp)\.)' |
@@ -70,7 +70,7 @@ allow tests/oracle/optics 'tests/oracle/optics'
 allow src/plan 'parser|shaders|src/content|src/glsl|src/plan'
 allow src/lint 'parser|src/content|src/glsl|src/plan|src/lint'
 allow src/language 'parser|src/content|src/glsl|src/plan|src/lint|src/language'
-allow src/server 'parser|src/plan|src/lint|src/language|src/server'
+allow src/server 'parser|src/content|src/plan|src/lint|src/language|src/server'
 allow src/gl 'src/gl'
 allow src/runtime 'parser|shaders|src/content|src/glsl|src/plan|src/gl|src/runtime'
 allow src/document 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/document'

@@ -216,6 +216,11 @@ private:
             report_.error("include-cycle", span, "'" + included->name + "' includes itself");
             return;
         }
+        if (!included->exact.empty())
+            report_
+                .warning("file-inexact", name_span, inexact_name(file_name(name), included->name),
+                         std::string(inexact_name_help))
+                .fixes.push_back({name_span, text_of::name(included->exact)});
         const FileId file = sources_.add(included->name, std::move(included->text));
         read(file, std::move(included->name), span);
     }
@@ -238,6 +243,10 @@ private:
 };
 
 }  // namespace
+
+std::string inexact_name(std::string_view name, std::string_view path) {
+    return "there is no file '" + std::string(name) + "'; '" + std::string(path) + "' is used";
+}
 
 Parsed parse(FileId file, Sources& sources, const IncludeReader& include, const Limits& limits) {
     Parsed parsed;

@@ -19,9 +19,15 @@ struct IncludedText {
     std::string name;
     std::string text;
     std::string nearest = {};  // without a name: the file that was probably meant
+    std::string exact = {};    // the name as the scene should write it, if it writes another one
 };
 // Reads the scene `name` that is included by the scene `from`; returns nullopt if it cannot be read.
 using IncludeReader = std::function<std::optional<IncludedText>(std::string_view from, std::string_view name)>;
+
+// What is said of a name that leads to a file of another one (file-inexact).
+std::string inexact_name(std::string_view name, std::string_view path);
+inline constexpr std::string_view inexact_name_help =
+    "write the name exactly as on disk: other systems distinguish upper and lower case";
 
 struct Parsed {
     Scene scene;

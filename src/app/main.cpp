@@ -36,9 +36,10 @@ void out_of_memory() {
     _exit(exit_input);
 }
 
-// Standard output may be on a full disk.
-int printed(int status) {
-    const int wrong = std::fflush(stdout) != 0 ? errno : std::ferror(stdout) ? EIO : 0;
+// Standard output may be on a full disk. One that is painted holds a line back until its end, which the last may lack.
+int printed(int status, bool painted) {
+    const bool failed = std::ferror(stdout) != 0;
+    const int wrong = (painted ? std::fclose(stdout) : std::fflush(stdout)) != 0 ? errno : failed ? EIO : 0;
     if (wrong == 0) return status;
     complain(fmt::format("cannot write to standard output: {}", std::strerror(wrong)));
     return std::max<int>(status, exit_input);
@@ -52,9 +53,12 @@ void print_usage_error(const CLI::App& program, const CLI::ParseError& error) {
     for (std::string line; std::getline(text, line);) fmt::print(stderr, "{}\n", utf8::printable(line));
 }
 
-void choose_colors(const std::string& when) {
-    if (wants_color(when, isatty(STDOUT_FILENO) != 0)) paint(stdout);
+// Returns whether standard output is painted.
+bool choose_colors(const std::string& when) {
     if (wants_color(when, isatty(STDERR_FILENO) != 0)) paint(stderr);
+    const bool painted = wants_color(when, isatty(STDOUT_FILENO) != 0);
+    if (painted) paint(stdout);
+    return painted;
 }
 
 }  // namespace
@@ -78,7 +82,7 @@ int main(int argc, char** argv) {
         std::reverse(words.begin(), words.end());  // CLI11 takes the last one first
         program.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+        if (error.get_exit_code() == 0) return printed(program.exit(error), false);  // --help, --version
         if (const auto misspelt = misspelt_option(program, first, argc, argv)) {
             return complain(exit_usage, fmt::format("there is no option '{}'", misspelt->word),
                             fmt::format("did you mean '{}'?", misspelt->meant));
@@ -86,9 +90,9 @@ int main(int argc, char** argv) {
         print_usage_error(program, error);
         return exit_usage;
     }
-    choose_colors(request.color);
+    const bool painted = choose_colors(request.color);
     try {
-        return printed(request.run());
+        return printed(request.run(), painted);
     } catch (const std::exception& error) {
         return complain(exit_input, error.what());
     }

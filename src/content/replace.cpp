@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "src/content/pipes.h"
 #include "src/content/whole_file.h"
 
 namespace snell::content {
@@ -78,16 +79,6 @@ std::string check_place(const std::string& path) {
 }
 
 namespace {
-
-std::string write_all(int file, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = write(file, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return std::strerror(count < 0 ? errno : ENOSPC);
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return {};
-}
 
 // A descriptor of this process is written to where it stands, so that whoever shares it goes on behind what is written.
 int open_stream(const std::string& path) {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "parser/read/parse.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "parser/text_of.h"
@@ -28,15 +29,6 @@ void say(Severity severity, std::string_view code, const Span& span, std::string
     diagnostics.add_once(std::move(diagnostic));
 }
 
-// A path as a scene writes it: relative to the scene that contains the name.
-std::string written(const std::string& path, const FileName& file, const Files& files) {
-    std::string folder = files.folder();
-    if (const std::size_t slash = file.from.rfind('/'); slash != std::string::npos) folder = file.from.substr(0, slash);
-    if (folder.empty()) return path;
-    if (folder.back() != '/') folder += '/';
-    return path.starts_with(folder) ? path.substr(folder.size()) : path;
-}
-
 void report_missing(const FileName& file, const std::string& nearest, Diagnostics& diagnostics) {
     say(Severity::error, "file-not-found", file.span, fmt::format("there is no file '{}'", file.name),
         nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest), diagnostics, nearest);
@@ -56,10 +48,8 @@ std::string accept(const FileName& file, const Resolved& resolved, const Files& 
         else
             report_missing(file, resolved.nearest, diagnostics);
     } else if (resolved.inexact) {
-        say(Severity::warning, "file-inexact", file.span,
-            fmt::format("there is no file '{}'; '{}' is used", file.name, resolved.path),
-            "write the name exactly as on disk: other systems distinguish upper and lower case", diagnostics,
-            written(resolved.path, file, files));
+        say(Severity::warning, "file-inexact", file.span, inexact_name(file.name, resolved.path),
+            std::string(inexact_name_help), diagnostics, written_name(resolved.path, file.from, files));
     }
     return resolved.path;
 }
@@ -128,6 +118,14 @@ bool is_shader_name(std::string_view path) {
         for (const std::string_view extension : stage_extensions(static_cast<Stage>(stage)))
             if (has_extension(path, extension)) return true;
     return false;
+}
+
+std::string written_name(const std::string& path, std::string_view from, const Files& files) {
+    const std::size_t slash = from.rfind('/');
+    std::string folder(slash == std::string_view::npos ? files.folder() : from.substr(0, slash));
+    if (folder.empty()) return path;
+    if (folder.back() != '/') folder += '/';
+    return path.starts_with(folder) ? path.substr(folder.size()) : path;
 }
 
 std::string locate(const FileName& file, const Extensions& extensions, const Files& files, Diagnostics& diagnostics) {

@@ -1,6 +1,6 @@
 #include "src/server/commands.h"
 
-#include "src/server/wire/uri.h"
+#include "src/content/uri.h"
 
 namespace snell::server {
 
@@ -9,7 +9,7 @@ namespace {
 // The path of the scene that a text belongs to.
 std::string scene_of(State& state, const std::string& uri) {
     const Document* document = state.documents.find(uri);
-    if (!document) return path_of_uri(uri);
+    if (!document) return content::path_of_uri(uri);
     const Scene& scene = state.workspace.scene_of(*document);
     if (scene.alone) throw Failure{Failure::request_failed, "no scene names this shader"};
     return scene.path;

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
+#include "src/content/uri.h"
 #include "src/server/commands.h"
-#include "src/server/wire/uri.h"
 
 namespace snell::server {
 
@@ -22,7 +22,7 @@ std::string Encoder::uri(FileId file) const {
     const std::string path(project_.path_of(file));
     if (path.empty()) return {};
     const Document* document = state_.documents.with_path(path);
-    return document ? document->uri : uri_of_path(real_path(path));
+    return document ? document->uri : content::uri_of_path(real_path(path));
 }
 
 Json Encoder::locations(const std::vector<Span>& spans) const {
@@ -106,7 +106,7 @@ Json Encoder::hover(const Hover& hover) const {
     std::string picture = hover.picture;
     if (!picture.empty() && !picture.starts_with('/'))
         picture = state_.services.doc_file ? state_.services.doc_file(picture) : "";
-    if (!picture.empty()) text += fmt::format("\n\n![]({})", uri_of_path(picture));
+    if (!picture.empty()) text += fmt::format("\n\n![]({})", content::uri_of_path(picture));
     return {{"contents", markdown(text)}, {"range", range(hover.span)}};
 }
 

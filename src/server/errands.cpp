@@ -1,6 +1,6 @@
 #include "src/server/errands.h"
 
-#include "src/server/wire/uri.h"
+#include "src/content/uri.h"
 
 namespace snell::server {
 
@@ -23,7 +23,8 @@ void Errands::report(const std::string& result) {
     const std::string file = read ? string_at(outcome, "file") : "";
     const std::string message = read ? string_at(outcome, "message") : "snell ended before it was done";
     if (!file.empty() && state_.can("/window/showDocument/support"))
-        state_.ask("window/showDocument", {{"uri", uri_of_path(file)}, {"external", false}, {"takeFocus", false}});
+        state_.ask("window/showDocument",
+                   {{"uri", content::uri_of_path(file)}, {"external", false}, {"takeFocus", false}});
     else if (!message.empty())
         state_.notify("window/showMessage",
                       {{"type", !read || outcome.at("failed") == true ? 1 : 3}, {"message", message}});

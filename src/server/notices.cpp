@@ -1,7 +1,7 @@
 #include "src/server/notices.h"
 
+#include "src/content/uri.h"
 #include "src/server/capabilities.h"
-#include "src/server/wire/uri.h"
 
 namespace snell::server {
 
@@ -10,7 +10,7 @@ namespace {
 void did_open(State& state, const Json& params) {
     const Json& item = params.at("textDocument");
     const std::string uri = string_at(item, "uri");
-    const Document& opened = state.documents.open({uri, path_of_uri(uri), item.value("languageId", ""),
+    const Document& opened = state.documents.open({uri, content::path_of_uri(uri), item.value("languageId", ""),
                                                    item.value("version", std::int64_t{0}), string_at(item, "text")});
     state.workspace.rearranged();
     state.workspace.arrange();
@@ -51,7 +51,7 @@ void did_close(State& state, const Json& params) {
 void did_change_files(State& state, const Json& params) {
     bool arrangement = false;
     for (const Json& change : params.at("changes")) {
-        const std::string path = path_of_uri(string_at(change, "uri"));
+        const std::string path = content::path_of_uri(string_at(change, "uri"));
         arrangement = arrangement || change.value("type", 2) != 2;
         if (!state.documents.with_path(path)) state.workspace.changed(path);
     }

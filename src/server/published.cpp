@@ -4,8 +4,8 @@
 #include <map>
 
 #include "parser/text/ranges.h"
+#include "src/content/uri.h"
 #include "src/lint/lint.h"
-#include "src/server/wire/uri.h"
 
 namespace snell::server {
 
@@ -78,7 +78,8 @@ private:
         if (known != texts_.end()) return &known->second;
         const Document* document = documents_.with_path(name);
         if (!document && !name.starts_with('/')) return nullptr;
-        Text text{document ? document->uri : uri_of_path(real_path(name)), Lines(sources_.text(file)), std::nullopt};
+        Text text{document ? document->uri : content::uri_of_path(real_path(name)), Lines(sources_.text(file)),
+                  std::nullopt};
         if (document) text.version = document->version;
         return &texts_.emplace(name, std::move(text)).first->second;
     }

@@ -8,11 +8,11 @@
 #include <cerrno>
 #include <csignal>
 
+#include "src/content/pipes.h"
 #include "src/server/checks.h"
 #include "src/server/commands.h"
 #include "src/server/errands.h"
 #include "src/server/session.h"
-#include "src/server/wire/pipes.h"
 
 namespace snell::server {
 
@@ -22,7 +22,7 @@ class Server {
 public:
     Server(Services services, int in, int out)
         : in_(in), session_(std::move(services), [this, out](const std::string& message) {
-              if (!write_all(out, framed(message))) ended_ = true;
+              if (!content::write_all(out, framed(message)).empty()) ended_ = true;
           }) {}
 
     int run() {

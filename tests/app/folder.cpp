@@ -229,6 +229,7 @@ TEST(DroppedFiles, TheFirstSceneAmongThemIsOpened) {
     Opener opener(folder.path("window.json"));
     ui::Memory memory;
     EXPECT_EQ(opener.serve_dropped({text, scene}, memory), scene);
+    EXPECT_EQ(opener.serve_dropped({folder.path("B.GLIB")}, memory), folder.path("B.GLIB")) << "as on Windows";
     EXPECT_EQ(opener.serve_dropped({text}, memory), std::nullopt);
     EXPECT_NE(memory.notice.find("a.txt"), std::string::npos);
     EXPECT_FALSE(memory.browser.open);

@@ -146,6 +146,23 @@ TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {
     EXPECT_EQ(grade("--new reference/ball.glib -o -").output, printed.output);
 }
 
+TEST_F(Grade, ANewRubricNamesWhatItsSceneWrites) {
+    std::string text = with(ball, "uKd", "uLight.power");
+    text = with(text, "Sphere 1", "WireSphere .5\nTriangles [0 0 0] [1 0 0] [0 1 0]\nwirecube 1 1 1\nSphere 1");
+    std::string fragment =
+        with(paint, "uniform float uKd, ", "struct L { float power; };\nuniform L uLight;\nuniform float ");
+    scene("reference", with(fragment, "uKd * d", "uLight.power * d"), text);
+    scene("s/ann", with(fragment, "uKd * d", "uLight.power * d"), text);
+    ASSERT_EQ(grade("--new reference/ball.glib -o r.toml").status, 0);
+    const Outcome made = grade("r.toml s -o out");
+    EXPECT_EQ(made.status, 0) << made.output;
+    EXPECT_FALSE(made.says("reference-fails")) << made.output;
+    EXPECT_EQ(result("ann")["points"], results()["points"]) << made.output << bytes_of(at("r.toml"));
+    for (const std::string part :
+         {"\"WireSphere\", \"Triangles\", \"WireBox\", \"Sphere\"]", "{ \"uLight.power\" = 0 }"})
+        EXPECT_NE(bytes_of(at("r.toml")).find(part), std::string::npos) << part << bytes_of(at("r.toml"));
+}
+
 TEST_F(Grade, AReferenceThatFailsIsAWarning) {
     scene("s/ann");
     folder.write("r.toml", head + "[[item]]\nneeds = [\"Torus\"]\n");
@@ -267,6 +284,46 @@ TEST_F(Grade, ReportsAreNotWrittenOverOtherFiles) {
     folder.write("mine/letter.txt", "x");
     EXPECT_EQ(grade("r.toml s -o mine").status, 2);
     EXPECT_EQ(std::distance(fs::directory_iterator(at("mine")), fs::directory_iterator{}), 1);
+}
+
+TEST_F(Grade, AFolderOfStudentsIsNoReport) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("students/ann");
+    for (const std::string file : {"reference/wall.png", "students/ann/wall.png", "similar/wall.png"})
+        folder.write(file, "x");
+    const Outcome made = grade("r.toml students -o .");
+    EXPECT_EQ(made.status, 2) << made.output;
+    EXPECT_TRUE(made.says("'.' holds other files than a report")) << made.output;
+    for (const std::string file : {"reference/wall.png", "students/ann/wall.png", "similar/wall.png"})
+        EXPECT_EQ(bytes_of(at(file)), "x") << file;
+    EXPECT_FALSE(fs::exists(at(".lock")));
+}
+
+TEST_F(Grade, FilesThatALecturerAddsToAReportStay) {
+    folder.write("r.toml", head + "[[item]]\nexpect = \"reference\"\n");
+    scene("s/ann");
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    const std::vector<std::string> added{"out/students/ann/corrected.png", "out/reference/board.png"};
+    for (const std::string& file : added) folder.write(file, "x");
+    folder.write("out/students/ann/picture-7.png", "of another rubric");
+    folder.write("r.toml", head + "[[item]]\npoints = 3\nexpect = \"reference\"\n");
+    ASSERT_TRUE(grade("r.toml s -o out").says("0 of them judged before"));
+    for (const std::string& file : added) EXPECT_EQ(bytes_of(at(file)), "x") << file;
+    EXPECT_FALSE(fs::exists(at("out/students/ann/picture-7.png")));
+}
+
+TEST_F(Grade, WhatCannotBeWrittenIsTold) {
+    folder.write("r.toml", head + "[[item]]\nexpect = \"reference\"\n");
+    scene("s/ann");
+    scene("s/bob");
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    fs::remove(at("out/students/ann/map-0.png"));
+    fs::create_directories(at("out/students/ann/map-0.png/of a user"));
+    fs::remove_all(at("out/students/bob"));
+    folder.write("out/students/bob", "no folder");
+    const Outcome made = grade("r.toml s -o out --again");
+    EXPECT_TRUE(made.says("'map-0.png' cannot be written: ")) << made.output;
+    EXPECT_TRUE(made.says("it ends the program that draws it: cannot write the record: ")) << made.output;
 }
 
 TEST_F(Grade, SimilarShadersAreTold) {

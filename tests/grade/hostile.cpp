@@ -108,6 +108,31 @@ TEST_F(HostileSubmission, AnArchiveOfZerosIsNotUnpackedToItsEnd) {
     EXPECT_FALSE(fs::exists(at("out/.unpacked")));
 }
 
+TEST_F(HostileSubmission, AnArchiveStartsNoProgram) {
+    // libarchive would run `lrzip` to read it.
+    const std::string lrzip("LRZI\0\6\0\0\0\0", 10);
+    folder.write("s/other.tar.gz", lrzip + std::string(4096, '\0'));
+    folder.write("bin/lrzip", "#!/bin/sh\ntouch '" + at("ran") + "'\n");
+    fs::permissions(at("bin/lrzip"), fs::perms::owner_all);
+    const Outcome made =
+        run("cd '" + at("") + "' && PATH=\"$PWD/bin:$PATH\" " SNELL_BIN "/snell grade r.toml s -o out");
+    ASSERT_EQ(made.status, 0) << made.output;
+    EXPECT_TRUE(made.says("other.tar.gz was not unpacked to its end")) << made.output;
+    EXPECT_FALSE(fs::exists(at("ran")));
+}
+
+TEST_F(HostileSubmission, WhyAnEntryIsLeftOut) {
+    fs::create_directories(at("s/many"));
+    for (int i = 0; i < 5; ++i)
+        zip("s/many/" + std::to_string(i) + ".zip", i == 4 ? "whole()" : "z.writestr('a', 'x')");
+    zip("s/odd.zip", "whole()\nz.writestr('a/' * 40 + 'deep', 'x')\nz.writestr('n' * 300, 'x')");
+    grade_all();
+    EXPECT_EQ(result("odd")["points"], 2);
+    told_everywhere("it is more than 32 folders deep");
+    told_everywhere("it has a name of more than 240 bytes");
+    told_everywhere("only 4 of 5 archives are unpacked");
+}
+
 TEST_F(HostileSubmission, LinksOfFoldersAreNotFollowed) {
     scene("s/eve");
     scene("s/kim", "#include \"own.frag\"\n");
@@ -174,6 +199,8 @@ TEST_F(HostileSubmission, OneThatAllocatesWithoutEndIsReported) {
               "\nSphere 1\n");
     folder.write("s/targets/sum.frag",
                  samplers + "uniform float uKd;\nvoid main() { gl_FragColor = vec4(0.)" + sum + "; }\n");
+    std::string rubric = bytes_of(at("r.toml"));
+    folder.write("r.toml", rubric.replace(rubric.find("timeout = 10"), 12, "timeout = 60"));
     grade_all("--memory 1");
     for (const std::string name : {"shapes", "targets"})
         EXPECT_EQ(result(name)["problem"], "it takes more than 1 GB of memory") << name;

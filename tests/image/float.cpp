@@ -1,5 +1,6 @@
 // Half floats, and pictures with values that are no numbers.
 #include <cmath>
+#include <ctime>
 #include <limits>
 
 #include "tests/hard_case.h"
@@ -84,6 +85,27 @@ TEST(ImageMend, WideHolesFillFromTheirEdge) {
     for (std::size_t i = 0; i < 64; ++i) EXPECT_EQ(value_at(*result.image, 4 * i), 2.0f);
     ASSERT_EQ(result.issues.size(), 1u);
     EXPECT_NE(result.issues[0].message.find("46"), std::string::npos) << result.issues[0].message;
+}
+
+// A picture of distances is infinite wherever it shows the sky.
+TEST(ImageMend, OneWideHoleTakesHardlyLongerThanManyNarrowOnes) {
+    constexpr std::int32_t side = 512;
+    constexpr std::size_t texels = side * side;
+    std::vector<float> lattice(4 * texels, 2.0f), corner(4 * texels, infinity);
+    for (std::size_t i = 1; i < texels; i += 2) std::fill_n(lattice.begin() + 4 * i, 4, infinity);
+    std::fill_n(corner.begin(), 4, 2.0f);
+    const auto seconds = [](const std::vector<float>& values) {
+        std::string file = Bytes().i32(side).i32(side).str();
+        file.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+        const std::clock_t before = std::clock();
+        const auto result = decode_image("a.tex", file);
+        const std::clock_t took = std::clock() - before;
+        EXPECT_TRUE(result.image && red_of(*result.image, side - 1, side - 1) == 2);
+        return static_cast<double>(took) / CLOCKS_PER_SEC;
+    };
+    const double narrow = std::min(seconds(lattice), seconds(lattice));
+    const double wide = std::min(seconds(corner), seconds(corner));
+    EXPECT_LT(wide, 16 * narrow);
 }
 
 TEST(ImageMend, NothingFiniteIsZero) {

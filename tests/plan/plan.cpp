@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "src/plan/plan.h"
+#include "src/plan/read/texts.h"
 #include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
 
@@ -115,6 +116,38 @@ TEST_F(Planning, UsualExtensionsOfTheStage) {
     EXPECT_EQ(sources.text(made.programs[0].stages.at(0).file), "v");
     EXPECT_EQ(sources.text(made.programs[0].stages.at(1).file), "f");
     EXPECT_EQ(codes_of(diagnostics), (Codes{"file-inexact", "file-inexact"}));
+}
+
+TEST_F(Planning, AnIncludedSceneOfAnotherNameIsSaidLikeAnyFile) {
+    folder.write("parts/b.inc", "Include C.inc\nSphere 1\n");
+    folder.write("parts/c.inc", "Torus\n");
+    const std::string text = "Include parts/B.inc\nInclude parts/b\nInclude parts/c.inc\n";
+    folder.write("s.glib", text);
+    const auto parsed = parse_document(folder.path("s.glib"), files, sources, diagnostics);
+    ASSERT_TRUE(parsed);
+    EXPECT_EQ(parsed->scene.draws.size(), 5U);
+    std::vector<std::string> said;
+    for (const Diagnostic& one : diagnostics.items()) {
+        EXPECT_EQ(one.code, "file-inexact") << one.message;
+        EXPECT_EQ(one.severity, Severity::warning);
+        ASSERT_EQ(one.fixes.size(), 1U);
+        EXPECT_EQ(one.fixes[0].span, one.span);
+        const std::string_view written = sources.text(one.span.file);
+        said.push_back(std::string(written.substr(one.span.begin, one.span.end - one.span.begin)) + " " +
+                       one.fixes[0].text);
+    }
+    std::sort(said.begin(), said.end());
+    EXPECT_EQ(said, (std::vector<std::string>{"C.inc c.inc", "C.inc c.inc", "parts/B.inc parts/b.inc",
+                                              "parts/b parts/b.inc"}));
+    // The same words as of any other file.
+    program("A", "parts/B.inc", "");
+    Diagnostics of_shader;
+    make_plan(scene, files, sources, of_shader);
+    ASSERT_EQ(of_shader.items().size(), 1U);
+    const auto same = [&](const Diagnostic& one) {
+        return one.message == of_shader.items()[0].message && one.help == of_shader.items()[0].help;
+    };
+    EXPECT_TRUE(std::any_of(diagnostics.items().begin(), diagnostics.items().end(), same));
 }
 
 TEST_F(Planning, MissingShaderIsSaidOnceAtItsPlace) {

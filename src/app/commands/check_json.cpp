@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/app/open/version.h"
-#include "src/server/wire/uri.h"
+#include "src/content/uri.h"
 
 namespace snell::app {
 
@@ -38,7 +38,7 @@ Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
 Json place(const Span& span, const Sources& sources) {
     const Position begin = sources.position(span.file, span.begin), end = sources.position(span.file, span.end);
     return {{"physicalLocation",
-             {{"artifactLocation", {{"uri", server::escaped_address(sources.name(span.file))}}},
+             {{"artifactLocation", {{"uri", content::escaped_address(sources.name(span.file))}}},
               {"region",
                {{"startLine", begin.line},
                 {"startColumn", begin.column},
@@ -81,7 +81,7 @@ void add_sarif(Json& log, const Document& document) {
             result["locations"] = Json::array({place(diagnostic.span, document.sources)});
         else
             result["locations"] = Json::array(
-                {{{"physicalLocation", {{"artifactLocation", {{"uri", server::escaped_address(document.path)}}}}}}});
+                {{{"physicalLocation", {{"artifactLocation", {{"uri", content::escaped_address(document.path)}}}}}}});
         run["results"].push_back(std::move(result));
     }
 }

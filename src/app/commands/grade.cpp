@@ -14,7 +14,6 @@
 #include "src/app/commands/subcommands.h"
 #include "src/app/grade/report/report.h"
 #include "src/app/open/complain.h"
-#include "src/content/whole_file.h"
 
 namespace snell::app {
 
@@ -30,16 +29,6 @@ struct GradeCommand {
 
 std::string check_part(const std::string& text) {
     return parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
-}
-
-// A folder with other people's files is left alone.
-bool may_hold_report(const std::string& folder) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    if (!fs::exists(folder, error) || fs::is_empty(folder, error)) return true;
-    const fs::path index = fs::path(folder) / "index.html";
-    if (!fs::exists(index, error)) return fs::is_directory(fs::path(folder) / "students", error);
-    return is_report_page(content::whole_file(index.string()));
 }
 
 void print_grades(const Grades& grades) {

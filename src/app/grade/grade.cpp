@@ -54,12 +54,14 @@ private:
 
     bool ready() {
         std::error_code error;
-        fs::create_directories(output_ / "students", error);
+        fs::create_directories(output_, error);
+        if (!error) grades_.lock = lock_part(output_.string(), options_.shard, options_.shards);
+        if (!error && !grades_.lock)
+            return complain(fmt::format("another run of 'snell grade' writes into '{}'", options_.output),
+                            "wait until it has ended, or choose another folder");
+        if (!error) fs::create_directories(output_ / "students", error);
         if (!error) fs::create_directories(output_ / "reference", error);
-        if (error) return complain(fmt::format("cannot make the folder '{}': {}", options_.output, error.message()));
-        grades_.lock = lock_part(output_.string(), options_.shard, options_.shards);
-        return grades_.lock || complain(fmt::format("another run of 'snell grade' writes into '{}'", options_.output),
-                                        "wait until it has ended, or choose another folder");
+        return !error || complain(fmt::format("cannot make the folder '{}': {}", options_.output, error.message()));
     }
 
     // What a process has written so far does not count as judged, not even if this process is killed.
@@ -76,22 +78,15 @@ private:
                 grades_.reference ? grades_.reference->milliseconds : 0};
     }
 
-    // The whole time of a submission: that of each picture is kept by the process itself.
+    // The whole time of a submission. The process itself keeps that of each step: it reads, draws each picture twice
+    // (once for NaN), measures a frame, and judges each item.
     double most_seconds() const {
-        return grades_.rubric.timeout * static_cast<double>(grades_.rubric.pictures.size() + 3) + 10;
+        const Rubric& rubric = grades_.rubric;
+        return rubric.timeout * static_cast<double>(2 * rubric.pictures.size() + rubric.items.size() + 2) + 10;
     }
 
     ProcessLimits limits(std::size_t jobs) const {
         return {jobs, most_seconds(), static_cast<std::uint64_t>(options_.gigabytes * 1e9)};
-    }
-
-    // Leaves only what judging makes, so that pictures of an earlier run are not taken for new ones.
-    static void clear(const std::string& folder) {
-        std::error_code error;
-        for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-            if (entry->path().extension() == ".png" || entry->path().filename() == "result.json")
-                fs::remove(entry->path(), error);
-        fs::create_directories(folder, error);
     }
 
     bool judge_reference(const std::string& common) {
@@ -100,7 +95,7 @@ private:
         const FolderLock lock = lock_reference(output_.string());
         grades_.reference = read_record(folder, grades_.rubric);
         if (grades_.reference->key == key && !options_.again) return true;
-        if (grades_.reference->key != key) clear(folder);  // otherwise other parts may be reading its pictures
+        if (grades_.reference->key != key) remove_judged(folder);  // otherwise other parts may be reading its pictures
         const ToJudge work = work_on(key, grades_.rubric.reference, folder, "");
         bool graphics = true;
         run_apart(
@@ -142,10 +137,11 @@ private:
             [&](std::size_t k) {
                 const GradedSubmission& graded = grades_.all[open[k]];
                 const std::string folder = folder_of(graded.submission);
-                clear(folder);
+                std::error_code error;
+                fs::create_directories(folder, error);
+                remove_judged(folder);  // pictures of an earlier run are not taken for new ones
                 const ToJudge work = work_on(graded.record.key, graded.submission.path, folder,
                                              grades_.reference ? reference_folder(output_.string()) : "");
-                std::error_code error;
                 fs::remove_all(work.unpacked, error);  // of a process or run that was killed
                 return judge(work);
             },

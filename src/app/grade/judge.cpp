@@ -13,6 +13,7 @@
 #include "src/app/grade/relations.h"
 #include "src/app/grade/similarity.h"
 #include "src/app/grade/unpack.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/headless.h"
 #include "src/app/picture/non_finite.h"
@@ -74,8 +75,7 @@ public:
 private:
     Exit keep() {
         const std::string wrong = write_record(work_.output, record_);
-        if (!wrong.empty()) fmt::print(stderr, "cannot write the record: {}\n", wrong);
-        return wrong.empty() ? exit_fine : exit_input;
+        return wrong.empty() ? exit_fine : complain(exit_input, "cannot write the record: " + wrong);
     }
 
     bool fail(const std::string& why) {
@@ -114,7 +114,10 @@ private:
             found = find_scene(folder, rubric_.scene, preferred);
         }
         // Learning platforms put an archive into a folder with the student's name.
-        for (std::size_t i = 0; i < found.archives.size() && i < 4; ++i) {
+        constexpr std::size_t most = 4;
+        if (found.archives.size() > most)
+            record_.notes.push_back(fmt::format("only {} of {} archives are unpacked", most, found.archives.size()));
+        for (std::size_t i = 0; i < std::min(found.archives.size(), most); ++i) {
             folder = work_.unpacked;
             unpack_into(found.archives[i], (fs::path(folder) / std::to_string(i)).string());
         }
@@ -212,9 +215,9 @@ private:
                                         found->nan == 1 ? "" : "s", shown.label(), found->nan == 1 ? "is" : "are");
     }
 
-    void write(const std::string& name, const std::string& bytes) const {
+    void write(const std::string& name, const std::string& bytes) {
         const std::string wrong = content::replace_file((fs::path(work_.output) / name).string(), bytes);
-        if (!wrong.empty()) fmt::print(stderr, "cannot write '{}': {}\n", name, wrong);
+        if (!wrong.empty()) record_.notes.push_back(fmt::format("'{}' cannot be written: {}", name, wrong));
     }
 
     // On the CPU, the processor's time, which does not depend on what else the machine does.

@@ -1,9 +1,12 @@
 // Writes a rubric that a lecturer can change without reading a manual.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 
+#include "parser/commands/commands.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/difference.h"
 #include "src/app/grade/facts.h"
@@ -29,6 +32,12 @@ std::string toml_text(std::string_view text) {
     for (const char c : utf8::printable(text))
         result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
     return result + "\"";
+}
+
+// A name as a key: one with a dot, of a structure's member, would be two.
+std::string toml_key(const std::string& name) {
+    const auto bare = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    return std::all_of(name.begin(), name.end(), bare) ? name : toml_text(name);
 }
 
 constexpr std::string_view head = R"(# A rubric for `snell grade`. Run it with
@@ -125,7 +134,7 @@ private:
             "\"Uniforms\"\npoints = 2\n[item.uniforms]\n";
         for (const snell::Control* control : all)
             text +=
-                fmt::format("{} = {}\n", control->name,
+                fmt::format("{} = {}\n", toml_key(control->name),
                             toml_text(control->widget == Widget::slider
                                           ? fmt::format("{} {}..{}", type_name(*control), control->min, control->max)
                                           : type_name(*control)));
@@ -137,9 +146,10 @@ private:
             "\n# Commands that must be used; `forbids` names those that must not.\n[[item]]\npoints = 1\nneeds = [";
         std::size_t count = 0;
         for (const Draw& draw : document_->scene().draws) {
-            const std::string name(
-                std::visit([](const auto& shape) { return std::string(shape.command()); }, draw.shape));
-            if (text.find('"' + name + '"') == text.npos) text += (count++ > 0 ? ", " : "") + toml_text(name);
+            const std::string_view statement = document_->sources.text(draw.span.file).substr(draw.span.begin);
+            const Command* command = find_command(statement.substr(0, statement.find_first_of(" \t\r\n\\#")));
+            if (command && text.find(toml_text(command->name)) == text.npos)
+                text += (count++ > 0 ? ", " : "") + toml_text(command->name);
         }
         return count > 0 ? text + "]\n# forbids = [\"Teapot\"]\n" : "";
     }
@@ -177,8 +187,8 @@ private:
                                                                   : "different";
             if (share < .02) continue;
             ++count;
-            text += fmt::format("[[item]]\npoints = 1\nset = {{ {} = {} }}\nexpect = {}\n\n", control->name, value,
-                                toml_text(expect));
+            text += fmt::format("[[item]]\npoints = 1\nset = {{ {} = {} }}\nexpect = {}\n\n", toml_key(control->name),
+                                value, toml_text(expect));
         }
         return text;
     }

@@ -58,9 +58,6 @@ void settle_in(int output, const ProcessLimits& limits) {
     const rlimit file{rlim_t{512} << 20, rlim_t{512} << 20}, core{0, 0};
     setrlimit(RLIMIT_FSIZE, &file);
     setrlimit(RLIMIT_CORE, &core);
-    const auto time = static_cast<rlim_t>(std::clamp(2 * limits.seconds, 10., 1e6));
-    const rlimit processor{time, time};
-    setrlimit(RLIMIT_CPU, &processor);
     limit_memory(limits.bytes);
     setenv("LP_NUM_THREADS", "0", 0);
 }
@@ -90,7 +87,7 @@ void run_apart(std::size_t count, const ProcessLimits& limits, const std::functi
         EndedProcess told{WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0,
                           ended.killed, ended.again, tail_of(ended.output)};
         close(ended.output);
-        const bool by_itself = told.signal != 0 && !told.too_long && told.signal != SIGXCPU;
+        const bool by_itself = told.signal != 0 && !told.too_long;
         if (by_itself && !told.again)
             waiting.emplace_back(ended.index, true);
         else

@@ -20,12 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view lock_name = ".lock";
 constexpr std::size_t most_parts = std::size_t{1} << 20;
 
 // Locks bytes of one file, which need not exist: one for each part, and one for the reference. Such locks are those of
 // the open file, so that they end with the process and hold between machines that share the folder.
 FolderLock lock_bytes(const std::string& output, std::size_t first, std::size_t count, bool wait) {
-    const FolderLock lock(new int(open((fs::path(output) / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)),
+    const FolderLock lock(new int(open((fs::path(output) / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)),
                           [](const int* file) {
                               if (*file >= 0) close(*file);
                               delete file;
@@ -57,8 +58,9 @@ Json record_in(const fs::path& folder) {
     }
 }
 
-bool is_made_by_grading(const std::string& name) {
-    if (name == "index.html" || name == "result.json") return true;
+// The record of a submission or the reference, and its pictures.
+bool is_made_by_judging(const std::string& name) {
+    if (name == "result.json") return true;
     const std::size_t dash = name.find('-'), dot = name.rfind('.');
     const std::string kind = name.substr(0, dash);
     if (dash == name.npos || dot == name.npos || dot <= dash + 1 || name.substr(dot) != ".png") return false;
@@ -67,13 +69,18 @@ bool is_made_by_grading(const std::string& name) {
                        name.begin() + static_cast<std::ptrdiff_t>(dot), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+bool is_report_page(const fs::path& page) {
+    std::error_code error;
+    return fs::is_regular_file(page, error) &&
+           content::whole_file(page.string()).find("content=\"snell grade\"") != std::string::npos;
+}
+
 // A run that was killed has removed the record before it writes another, but not the page.
 bool is_of_a_submission(const fs::path& folder) {
     std::error_code error;
     if (!fs::is_directory(fs::symlink_status(folder, error))) return false;
     if (!record_in(folder).is_null()) return true;
-    const fs::path page = folder / "index.html";
-    return fs::is_regular_file(page, error) && is_report_page(content::whole_file(page.string()));
+    return is_report_page(folder / "index.html");
 }
 
 std::vector<fs::path> entries(const fs::path& folder) {
@@ -93,7 +100,19 @@ FolderLock lock_part(const std::string& output, std::size_t part, std::size_t pa
 
 FolderLock lock_reference(const std::string& output) { return lock_bytes(output, most_parts, 1, true); }
 
-bool is_report_page(const std::string& text) { return text.find("content=\"snell grade\"") != std::string::npos; }
+bool may_hold_report(const std::string& output) {
+    std::error_code error;
+    if (!fs::exists(output, error) || fs::is_empty(output, error)) return true;
+    const fs::path page = fs::path(output) / "index.html";
+    // A run that was killed, and parts of a run, have left no page, but made the lock before anything else.
+    return fs::exists(page, error) ? is_report_page(page) : fs::is_regular_file(fs::path(output) / lock_name, error);
+}
+
+void remove_judged(const std::string& folder) {
+    std::error_code error;
+    for (const fs::path& file : entries(folder))
+        if (is_made_by_judging(file.filename().string())) fs::remove(file, error);
+}
 
 std::string submission_in(const std::string& folder) {
     const Json json = record_in(folder);
@@ -104,8 +123,8 @@ void remove_former_students(const std::string& output, const std::set<std::strin
     std::error_code error;
     for (const fs::path& folder : entries(fs::path(output) / "students")) {
         if (folders.contains(folder.filename().string()) || !is_of_a_submission(folder)) continue;
-        for (const fs::path& file : entries(folder))
-            if (is_made_by_grading(file.filename().string())) fs::remove(file, error);
+        remove_judged(folder.string());
+        fs::remove(folder / "index.html", error);
         fs::remove(folder, error);  // if it is empty
     }
 }

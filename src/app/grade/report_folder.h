@@ -20,8 +20,11 @@ FolderLock lock_reference(const std::string& output);
 // The id (submissions.h) of the submission whose record is in the folder; "" if there is none.
 std::string submission_in(const std::string& folder);
 
-// True for a page that grading has written.
-bool is_report_page(const std::string& text);
+// Whether it is a report, or one that was begun, or a folder without anything in it. Files of others are left alone.
+bool may_hold_report(const std::string& output);
+
+// Removes the record and the pictures from the folder of a submission or the reference, and nothing else.
+void remove_judged(const std::string& folder);
 
 // Removes the folders of submissions that are not in `folders`. What grading did not make stays, with its folder.
 void remove_former_students(const std::string& output, const std::set<std::string>& folders);

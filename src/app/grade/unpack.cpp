@@ -62,13 +62,13 @@ std::optional<std::vector<std::string>> parts_of(std::string name) {
     std::vector<std::string> parts;
     for (const std::string_view part : split(name, '/')) {
         if (part == "..") return std::nullopt;
-        if (part.empty() || part == ".") continue;
-        // Longer names are none on most file systems.
-        if (part.size() > 240) return std::nullopt;
-        parts.emplace_back(part);
+        if (!part.empty() && part != ".") parts.emplace_back(part);
     }
     return parts;
 }
+
+// Most file systems hold no longer ones.
+bool too_long(const std::string& part) { return part.size() > 240; }
 
 bool of_macos(const std::vector<std::string>& parts) {
     return ranges::any_of(parts, [](const std::string& part) {
@@ -97,7 +97,10 @@ private:
         if (++entries_ > limits_.files) return stop(fmt::format("it has more than {} entries", limits_.files));
         const std::string name = as_utf8(entry.name);
         const auto parts = parts_of(name);
-        if (!parts || parts->size() > limits_.depth) return leave_out(name, "leads out of the archive's folder");
+        if (!parts) return leave_out(name, "leads out of the archive's folder");
+        if (parts->size() > limits_.depth + 1)
+            return leave_out(name, fmt::format("is more than {} folders deep", limits_.depth));
+        if (ranges::any_of(*parts, too_long)) return leave_out(name, "has a name of more than 240 bytes");
         if (parts->empty() || of_macos(*parts)) return true;
         if (entry.kind == snell_archive_other) return leave_out(name, "is a link or a device");
         fs::path place(folder_);

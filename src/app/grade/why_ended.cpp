@@ -29,7 +29,7 @@ bool out_of_memory(const EndedProcess& ended) {
 }  // namespace
 
 std::string why_ended(const EndedProcess& ended, double timeout, double gigabytes) {
-    if (ended.too_long || ended.signal == SIGXCPU || ended.status == exit_timeout)
+    if (ended.too_long || ended.status == exit_timeout)
         return fmt::format("it takes longer than {} seconds{}", timeout, said(ended));
     if (out_of_memory(ended))
         return gigabytes > 0 ? fmt::format("it takes more than {} GB of memory", gigabytes)

@@ -20,7 +20,7 @@
 #include "src/app/desktop/named_by.h"
 #include "src/app/open/exit_status.h"
 #include "src/content/json.h"
-#include "src/server/wire/pipes.h"
+#include "src/content/pipes.h"
 
 extern char** environ;
 
@@ -50,16 +50,6 @@ int spawn(pid_t& process, std::vector<std::string> arguments, int out, int err, 
     return error;
 }
 
-std::string read_all(int pipe) {
-    std::string bytes;
-    std::array<char, 1 << 14> some{};
-    for (;;) {
-        const ssize_t got = read(pipe, some.data(), some.size());
-        if (got == 0 || (got < 0 && errno != EINTR)) return bytes;
-        if (got > 0) bytes.append(some.data(), static_cast<std::size_t>(got));
-    }
-}
-
 struct Said {
     int status = -1;
     std::string output;
@@ -74,7 +64,7 @@ Said said_by(const std::vector<std::string>& arguments, bool messages) {
     close(ends[1]);
     Said said;
     if (error == 0) {
-        said.output = read_all(ends[0]);
+        said.output = content::read_all(ends[0]);
         int status = 0;
         while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
         }
@@ -92,7 +82,7 @@ public:
         Json texts = Json::object();
         if (access.instead)
             for (const auto& [path, text] : *access.instead) texts[path] = text;
-        server::write_all(file_, content::json_text(texts));
+        content::write_all(file_, content::json_text(texts));
     }
     ~OpenTexts() {
         if (file_ >= 0) close(file_);
@@ -152,7 +142,7 @@ private:
             const ssize_t got = pread(messages_, some.data(), some.size(), read_);
             if (got <= 0) return;
             const std::string_view part(some.data(), static_cast<std::size_t>(got));
-            server::write_all(STDERR_FILENO, part);
+            content::write_all(STDERR_FILENO, part);
             said_ += part;
             if (said_.size() > 2 * most) said_.erase(0, said_.size() - most);
             read_ += got;

@@ -13,9 +13,9 @@
 #include "src/app/lsp/errands.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/version.h"
+#include "src/content/uri.h"
 #include "src/lint/lint.h"
 #include "src/server/server.h"
-#include "src/server/wire/uri.h"
 
 namespace snell::app {
 
@@ -45,7 +45,7 @@ std::string page_of(const fs::path& docs, std::string_view code) {
     const auto rules = lint::rules();
     const auto rule = ranges::find(rules, code, &lint::RuleFacts::code);
     const fs::path page = docs / (rule == rules.end() ? "diagnostics.md" : "teaching.md");
-    return fmt::format("{}#{}", server::uri_of_path(page.string()), rule == rules.end() ? code : rule->anchor);
+    return fmt::format("{}#{}", content::uri_of_path(page.string()), rule == rules.end() ? code : rule->anchor);
 }
 
 server::Services::Checker driver() {

@@ -6,7 +6,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <memory>
-#include "src/server/wire/pipes.h"
+
+#include "src/content/pipes.h"
 
 namespace snell {
 
@@ -71,12 +72,12 @@ ssize_t take(void* cookie, const char* bytes, std::size_t count) {
         out += lines.begun;
         lines.begun.clear();
     }
-    return server::write_all(lines.file, out) ? static_cast<ssize_t>(count) : 0;
+    return content::write_all(lines.file, out).empty() ? static_cast<ssize_t>(count) : 0;
 }
 
 int finish(void* cookie) {
     const std::unique_ptr<Lines> lines(static_cast<Lines*>(cookie));
-    return server::write_all(lines->file, lines->begun) ? 0 : EOF;
+    return content::write_all(lines->file, lines->begun).empty() ? 0 : EOF;
 }
 
 }  // namespace

@@ -5,25 +5,11 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
-#include "src/server/wire/pipes.h"
+
+#include "src/content/pipes.h"
 
 namespace snell::app {
-
-namespace {
-
-std::string read_all(int pipe) {
-    std::string bytes;
-    std::array<char, 1 << 16> some{};
-    for (;;) {
-        const ssize_t got = read(pipe, some.data(), some.size());
-        if (got == 0 || (got < 0 && errno != EINTR)) return bytes;
-        if (got > 0) bytes.append(some.data(), static_cast<std::size_t>(got));
-    }
-}
-
-}  // namespace
 
 Apart apart(const std::function<int(std::string& result)>& work) {
     std::array<int, 2> ends{};
@@ -34,13 +20,13 @@ Apart apart(const std::function<int(std::string& result)>& work) {
         close(ends[0]);
         std::string result;
         const int status = work(result);
-        server::write_all(ends[1], result);
+        content::write_all(ends[1], result);
         std::fflush(nullptr);
         _exit(status);
     }
     close(ends[1]);
     Apart ended;
-    if (child > 0) ended.result = read_all(ends[0]);
+    if (child > 0) ended.result = content::read_all(ends[0]);
     close(ends[0]);
     int status = 0;
     if (child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status)) ended.status = WEXITSTATUS(status);

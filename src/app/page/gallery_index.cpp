@@ -6,7 +6,7 @@
 
 #include "src/app/page/html.h"
 #include "src/content/json.h"
-#include "src/server/wire/uri.h"
+#include "src/content/uri.h"
 
 namespace snell::app {
 
@@ -37,7 +37,7 @@ std::string gallery_item(const GalleryRow& row) {
     if (!row.picture.empty()) shown = fmt::format("<img alt=\"Picture of {}\" src=\"{}\">", title, row.picture);
     const std::string heading = fmt::format("<h2>{}</h2>", title);
     if (row.error.empty())
-        return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", server::escaped_address(row.page), shown, heading);
+        return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", content::escaped_address(row.page), shown, heading);
     return fmt::format("<li>{}{}<p>Not in the browser: {}</p></li>\n", shown, heading, html_text(row.error));
 }
 

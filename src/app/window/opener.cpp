@@ -6,6 +6,7 @@
 #include "parser/text/utf8.h"
 #include "src/app/desktop/folder.h"
 #include "src/app/desktop/thumbnails.h"
+#include "src/plan/locate.h"
 
 namespace snell {
 
@@ -71,7 +72,7 @@ std::optional<std::string> Opener::serve(const ui::Requests& requests, const std
 
 std::optional<std::string> Opener::serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory) {
     for (const std::string& path : paths)
-        if (is_folder(path) || fs::path(path).extension() == ".glib") return scene_at(path, memory);
+        if (is_folder(path) || has_extension(path, "glib")) return scene_at(path, memory);
     if (!paths.empty()) memory.notice = "no .glib scene: " + file_name(paths[0]);
     return std::nullopt;
 }

@@ -48,7 +48,11 @@ SNELL_EXPORT void* snell_archive_open(const char* path, char* message, size_t me
     const Utf8Names names;
     archive* reading = archive_read_new();
     if (!reading) return nullptr;
-    archive_read_support_filter_all(reading);
+    // Not all: some of libarchive's filters are other programs, which an archive would choose.
+    archive_read_support_filter_gzip(reading);
+    archive_read_support_filter_bzip2(reading);
+    archive_read_support_filter_xz(reading);
+    archive_read_support_filter_zstd(reading);
     archive_read_support_format_zip(reading);
     archive_read_support_format_tar(reading);
     archive_read_support_format_7zip(reading);

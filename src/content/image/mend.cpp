@@ -1,5 +1,6 @@
 // Replaces non-finite values of floating-point images, because filtering would spread a single NaN over the whole mip
 // chain.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -13,61 +14,61 @@ constexpr float half_max = 65504.0f;
 // Accesses width · height · depth · channels values in place.
 class Grid {
 public:
-    Grid(const Image& shape, std::vector<float>& values) : shape_(shape), values_(values) {}
+    Grid(const Image& shape, const std::vector<float>& values) : shape_(shape), values_(values) {}
 
-    // The mean of the finite values among the eight neighbours in the same slice and channel; NaN if none is finite.
-    float neighbours(std::size_t i) const {
+    // Calls each(k) for the value itself and its eight neighbours in the same slice and channel.
+    template <class Each>
+    void around(std::size_t i, Each each) const {
         const auto channels = static_cast<std::size_t>(shape_.channels);
         const auto width = static_cast<std::int64_t>(shape_.width), height = static_cast<std::int64_t>(shape_.height);
         const auto texel = static_cast<std::int64_t>(i / channels);
         const std::int64_t x = texel % width, y = texel / width % height, slice = texel / width / height;
+        for (std::int64_t v = std::max<std::int64_t>(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+            for (std::int64_t u = std::max<std::int64_t>(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
+                each(static_cast<std::size_t>((slice * height + v) * width + u) * channels + i % channels);
+    }
+
+    // The mean of the finite values around it; NaN if none is finite.
+    float mean_around(std::size_t i) const {
         double sum = 0;
         int count = 0;
-        for (std::int64_t v = std::max<std::int64_t>(y - 1, 0); v <= std::min(y + 1, height - 1); ++v) {
-            for (std::int64_t u = std::max<std::int64_t>(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
-                const float value =
-                    values_[static_cast<std::size_t>((slice * height + v) * width + u) * channels + i % channels];
-                if (!std::isfinite(value)) continue;
-                sum += static_cast<double>(value);
-                ++count;
-            }
-        }
+        around(i, [&](std::size_t k) {
+            if (!std::isfinite(values_[k])) return;
+            sum += static_cast<double>(values_[k]);
+            ++count;
+        });
         return count > 0 ? static_cast<float>(sum / count) : std::nanf("");
     }
 
 private:
     const Image& shape_;
-    std::vector<float>& values_;
+    const std::vector<float>& values_;
 };
 
 // Fills each hole from its edge inwards, one ring per round, so that the result does not depend on the order in which
-// texels are visited. An image without any finite value becomes 0. Returns the indices of the values that were
+// texels are visited. What has no finite value around it becomes 0. Returns the indices of the values that were
 // replaced.
 std::vector<std::size_t> mend(const Image& shape, std::vector<float>& values) {
-    std::vector<std::size_t> holes;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!std::isfinite(values[i])) holes.push_back(i);
-    }
-    const std::vector<std::size_t> all = holes;
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!std::isfinite(values[i])) all.push_back(i);
     const Grid grid(shape, values);
-    while (!holes.empty()) {
+    std::vector<std::size_t> ring = all;  // later only what is next to the last ring: a hole may be wide
+    while (!ring.empty()) {
         std::vector<std::pair<std::size_t, float>> found;
-        std::vector<std::size_t> left;
-        for (const std::size_t i : holes) {
-            const float value = grid.neighbours(i);
-            if (std::isnan(value)) {
-                left.push_back(i);
-            } else {
-                found.emplace_back(i, value);
-            }
-        }
-        if (found.empty()) {
-            for (const std::size_t i : left) values[i] = 0;
-            break;
-        }
-        for (const auto& [i, value] : found) values[i] = value;
-        holes = std::move(left);
+        for (const std::size_t i : ring)
+            if (const float mean = grid.mean_around(i); !std::isnan(mean)) found.emplace_back(i, mean);
+        for (const auto& [i, mean] : found) values[i] = mean;
+        ring.clear();
+        for (const auto& [i, mean] : found)
+            grid.around(i, [&](std::size_t k) {
+                if (!std::isfinite(values[k])) ring.push_back(k);
+            });
+        std::sort(ring.begin(), ring.end());
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     }
+    for (const std::size_t i : all)
+        if (!std::isfinite(values[i])) values[i] = 0;
     return all;
 }
 

@@ -17,7 +17,8 @@ IncludeReader scene_includes(Files& files) {
         std::string error;
         auto text = files.read(resolved.path, error);
         if (!text) return std::nullopt;
-        return IncludedText{resolved.path, std::move(*text)};
+        return IncludedText{
+            resolved.path, std::move(*text), {}, resolved.inexact ? written_name(resolved.path, from, files) : ""};
     };
 }
 

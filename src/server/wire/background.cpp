@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <csignal>
 
-#include "src/server/wire/pipes.h"
+#include "src/content/pipes.h"
 
 namespace snell::server {
 
@@ -27,7 +27,7 @@ bool Background::start(const std::function<std::string()>& work, Clock::duration
         } catch (...) {
             _exit(1);
         }
-        write_all(ends[1], result);
+        content::write_all(ends[1], result);
         _exit(0);
     }
     close(ends[1]);

@@ -53,7 +53,7 @@ std::string row_of_table(const Rubric& rubric, const GradedSubmission& graded) {
 std::string alike_table(const Grades& grades, const std::vector<AlikePair>& pairs) {
     std::string text =
         "<h2 id=\"similar\">Similar shaders</h2>\n<p>Pairs whose shaders have much in common beyond what was handed "
-        "out and what a third of the class has. Names, numbers, blanks and comments are not compared. This is a hint "
+        "out and what many of the class have. Names, numbers, blanks and comments are not compared. This is a hint "
         "for a person to look at; it does not count as points.</p>\n";
     if (pairs.empty()) return text + "<p>There are none.</p>\n";
     text += "<div class=\"wide\"><table><thead><tr>" + heading("In common", "", true) + heading("One", "", false) +

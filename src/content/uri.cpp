@@ -1,10 +1,10 @@
-#include "src/server/wire/uri.h"
+#include "src/content/uri.h"
 
 #include <fmt/format.h>
 
 #include "parser/text/words.h"
 
-namespace snell::server {
+namespace snell::content {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::string escaped_address(std::string_view path) {
     return address;
 }
 
-}  // namespace snell::server
+}  // namespace snell::content
