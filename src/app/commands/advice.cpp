@@ -177,7 +177,9 @@ bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench
         path, wish, advise_together(sought.original, sought.found, bench, sought.caps, sought.settings, wish, how), {}};
     const MixAdvice& advice = together.advice;
     if (!advice.best) {
-        fmt::print("\n{}: of everything together, can't say: the time was up\n", wish_text(wish));
+        const std::string& why = advice.sweep.cannot_say;
+        fmt::print("\n{}: of everything together, can't say: {}\n", wish_text(wish),
+                   why.empty() ? "the time was up" : why);
         return false;
     }
     for (const Mix& mix : advice.mixes) together.choices.push_back(choices(bench.scene(), mix.rungs));
