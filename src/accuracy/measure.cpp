@@ -42,11 +42,12 @@ std::vector<Point> points_of(const SweepResult& result) {
 
 // If directions are far off, RMSE no longer ranks; angles do, if all rungs have directions.
 void choose_metric(SweepResult& result) {
+    const auto has_angles = [](const RungResult& rung) { return rung.degrees && rung.degrees->pixels > 0; };
     const bool all_known =
-        ranges::all_of(result.rungs, [](const RungResult& rung) { return !rung.drawn || rung.degrees.has_value(); });
+        ranges::all_of(result.rungs, [&](const RungResult& rung) { return !rung.drawn || has_angles(rung); });
     bool far = false;
     for (RungResult& rung : result.rungs) {
-        const bool by_angle = rung.degrees && rung.degrees->pixels > 0;
+        const bool by_angle = has_angles(rung);
         rung.saturated = rung.drawn && (by_angle ? rung.degrees->mean > too_far : rung.own.unrelated);
         far = far || (by_angle && rung.saturated);
     }
@@ -183,9 +184,7 @@ private:
             if (const NonFinite bad = picture ? non_finite(*picture, goal.own) : NonFinite{};
                 bad.count > 0 && !result_.broken) {
                 result_.broken = true;
-                result_.cannot_say = fmt::format(
-                    "the reference is NaN or infinite in {} pixel{}, the first at ({}, {}) from the top left",
-                    bad.count, bad.count > 1 ? "s" : "", bad.x, bad.y);
+                result_.cannot_say = "the reference is " + text_of(bad);
             }
         if (!result_.cannot_say.empty() || reference.half.rgba.empty()) return;
         result_.residual = std::max(compare(reference.half, reference.picture, goal.own).light.rmse, rounding);
@@ -258,9 +257,10 @@ private:
 void extrapolate(SweepResult& result) {
     const std::size_t n = result.rungs.size();
     if (result.sweep.kind != SweepKind::ladder || !result.sweep.numeric || n < 3 || !result.residual) return;
+    if (!result.rungs[n - 2].drawn || !result.rungs[n - 3].drawn) return result.residual.reset();
     const double last = result.rungs[n - 2].alone.rmse, before = result.rungs[n - 3].alone.rmse;
-    const double shrinks = before > 0 ? last / before : 0;
     if (last == 0) return;
+    const double shrinks = last / before;
     if (!(shrinks < .7)) {
         result.residual.reset();
         result.reference_note = "not converged: the errors of the last rungs before it do not decrease";

@@ -64,6 +64,8 @@ struct SweepResult {
     bool trusted() const { return cannot_say.empty() && !control.noisy && !few_rounds; }
     // The error by `metric`, which the front uses: an RMSE is at least the residual, so nothing ranks below it.
     double error(const RungResult& rung) const;
+    // What errors are from: the reference, or, of found rungs, the scene as it is. May be empty.
+    const Picture& compared_with() const { return reference.rgba.empty() ? rungs[sweep.reference].picture : reference; }
 };
 
 struct Progress {

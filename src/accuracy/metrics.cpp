@@ -1,6 +1,6 @@
 #include "src/accuracy/metrics.h"
 
-#include "src/content/image/image.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "parser/text/ranges.h"
+#include "src/content/image/image.h"
 
 namespace snell::accuracy {
 
@@ -123,6 +124,11 @@ NonFinite non_finite(const Picture& picture, const Region& region) {
     return found;
 }
 
+std::string text_of(const NonFinite& pixels) {
+    return fmt::format("NaN or infinite in {} pixel{}, the first at ({}, {}) from the top left", pixels.count,
+                       pixels.count > 1 ? "s" : "", pixels.x, pixels.y);
+}
+
 Degrees compare_directions(const Picture& picture, const Picture& reference, const Region& region) {
     std::vector<double> angles;
     bool one_sided = false;
@@ -140,8 +146,10 @@ Degrees compare_directions(const Picture& picture, const Picture& reference, con
     }
     Degrees result;
     result.pixels = angles.size();
-    if (one_sided) result.mean = result.p99 = result.max = infinite;
-    if (angles.empty() || one_sided) return result;
+    if (angles.empty() || one_sided) {
+        result.mean = result.p99 = result.max = one_sided ? infinite : unknown;
+        return result;
+    }
     for (double angle : angles) result.mean += angle / static_cast<double>(angles.size());
     ranges::sort(angles);
     result.max = angles.back();

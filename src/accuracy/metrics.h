@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace snell::accuracy {
@@ -57,10 +58,13 @@ struct NonFinite {
     int x = 0, y = 0;  // of the first; from the top left
 };
 NonFinite non_finite(const Picture& picture, const Region& region = {});
+// Such as "NaN or infinite in 2 pixels, the first at (3, 0) from the top left".
+std::string text_of(const NonFinite& pixels);
 
 // Angles, in degrees, between two pictures of directions (xyz in red, green and blue, of any length). Pixels in which
 // either has no direction (zero, or not finite in both) are excluded; those finite in only one make the angles
-// infinite. Angles are computed by atan2, because acos is inaccurate below a hundredth of a degree.
+// infinite. Without any pixel they are NaN. Angles are computed by atan2, because acos is inaccurate below a hundredth
+// of a degree.
 struct Degrees {
     double mean = 0, p99 = 0, max = 0;
     std::size_t pixels = 0;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "parser/text/ranges.h"
 
@@ -62,6 +64,10 @@ struct Setting {
     bool current = false;
 };
 
+bool is_rendered_cube(const Texture& texture) {
+    return texture.target == TextureTarget::cube && texture.files.empty() && texture.computed == Computed::no;
+}
+
 // The last setting is the reference.
 std::vector<Setting> sample_settings() {
     std::vector<Setting> settings{{"1", {}, true}, {"msaa4", {.multisample = 4}}};
@@ -77,39 +83,67 @@ std::vector<Setting> tessellation_settings() {
             {"x8", {.plan = {.tessellation = 8}}}};
 }
 
+// As the scene filters all of its files; nullopt if it does so in several ways.
+std::optional<Filter> own_filter(const Scene& scene, bool software) {
+    std::optional<Filter> own;
+    for (const Texture& texture : scene.textures) {
+        if (texture.files.empty()) continue;
+        const bool as_mipmap = software && texture.target == TextureTarget::cube;
+        const Filter filter = as_mipmap && texture.filter.mode == Filter::Mode::anisotropic
+                                  ? Filter{Filter::Mode::mipmap, 1}
+                                  : texture.filter;
+        if (own && *own != filter) return std::nullopt;
+        own = filter;
+    }
+    return own;
+}
+
 // Filters approximate the picture that many samples of the finest texels give.
 std::vector<Setting> filter_settings(const Scene& scene, bool software) {
     using Mode = Filter::Mode;
-    const auto first = ranges::find_if(scene.textures, [](const Texture& t) { return !t.files.empty(); });
-    const bool anisotropic = !software || !has_cube_maps(scene);
-    Mode now = first == scene.textures.end() ? Mode::linear : first->filter.mode;
-    if (now == Mode::anisotropic && !anisotropic) now = Mode::mipmap;
-    const auto setting = [now](std::string name, Mode mode, int anisotropy, int grid) {
-        Knobs knobs{.grid = grid, .plan = {.filter = Filter{mode, anisotropy}}};
-        return Setting{std::move(name), knobs, mode == now && grid == 1};
-    };
-    std::vector<Setting> settings{setting("nearest", Mode::nearest, 1, 1), setting("linear", Mode::linear, 1, 1),
-                                  setting("mipmap", Mode::mipmap, 1, 1)};
-    if (anisotropic) settings.push_back(setting("anisotropic8", Mode::anisotropic, 8, 1));
-    settings.push_back(setting("linear_8x8", Mode::linear, 1, 8));
+    const std::optional<Filter> own = own_filter(scene, software);
+    std::vector<std::pair<std::string, Filter>> filters{
+        {"nearest", {Mode::nearest, 1}}, {"linear", {Mode::linear, 1}}, {"mipmap", {Mode::mipmap, 1}}};
+    if (!software || !has_cube_maps(scene)) filters.emplace_back("anisotropic8", Filter{Mode::anisotropic, 8});
+    std::vector<Setting> settings;
+    bool listed = false;
+    for (auto& [name, filter] : filters) {
+        const bool current = filter == own;
+        listed = listed || current;
+        settings.push_back({std::move(name), {.plan = {.filter = filter}}, current});
+    }
+    if (!listed) settings.push_back({"scene", {}, true});
+    settings.push_back({"linear_8x8", {.grid = 8, .plan = {.filter = Filter{Mode::linear, 1}}}});
     return settings;
 }
 
 std::vector<Setting> cube_size_settings(const Scene& scene) {
     int rendered = 0;
     for (const Texture& texture : scene.textures)
-        if (texture.target == TextureTarget::cube && texture.files.empty())
-            rendered = std::max(rendered, texture.size[0]);
+        if (is_rendered_cube(texture)) rendered = std::max(rendered, texture.size[0]);
     const int largest = rendered > 0 ? std::clamp(2 * rendered, 512, 2048) : 512;
+    std::vector<int> sizes;
+    for (int size = 32; size <= largest; size *= 2) sizes.push_back(size);
+    if (rendered > 0 && ranges::find(sizes, rendered) == sizes.end())
+        sizes.insert(std::upper_bound(sizes.begin(), sizes.end(), rendered), rendered);
     std::vector<Setting> settings;
-    for (int size = 32; size <= largest; size *= 2)
-        settings.push_back({std::to_string(size), {.plan = {.cube_size = size}}, size == rendered});
+    for (const int size : sizes) {
+        const bool current = size == rendered;
+        settings.push_back({std::to_string(size), {.plan = {.cube_size = current ? 0 : size}}, current});
+    }
     if (rendered == 0) settings.push_back({"files", {}, true});
     return settings;
 }
 
-std::vector<Setting> precision_settings() {
-    return {{"8bit", {.plan = {.cube_bits = 8}}}, {"half", {.plan = {.cube_bits = 16}}, true}};
+// Cube maps that are drawn to have bytes, unless this says otherwise; those of files have what the files have.
+std::vector<Setting> precision_settings(const Scene& scene) {
+    const bool drawn = ranges::any_of(scene.textures, is_rendered_cube);
+    const bool read = ranges::any_of(
+        scene.textures, [](const Texture& t) { return t.target == TextureTarget::cube && !t.files.empty(); });
+    std::vector<Setting> settings{{"8bit", {.plan = {.cube_bits = 8}}, !read}};
+    if (drawn && read) settings.push_back({"scene", {}, true});
+    settings.push_back({"half", {.plan = {.cube_bits = 16}}, !drawn});
+    return settings;
 }
 
 std::vector<Setting> settings_of(std::string_view knob, const Scene& scene, bool software) {
@@ -117,7 +151,7 @@ std::vector<Setting> settings_of(std::string_view knob, const Scene& scene, bool
     if (knob == "tessellation" && has_round_shapes(scene)) return tessellation_settings();
     if (knob == "filter" && has_textures(scene)) return filter_settings(scene, software);
     if (knob == "cube-size" && has_cube_maps(scene)) return cube_size_settings(scene);
-    if (knob == "cube-precision" && has_cube_maps(scene)) return precision_settings();
+    if (knob == "cube-precision" && has_cube_maps(scene)) return precision_settings(scene);
     return {};
 }
 

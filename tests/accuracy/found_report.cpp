@@ -146,6 +146,58 @@ TEST(FoundReport, TheLargestFlipIsShownWhereverTheRmseIsLargest) {
     EXPECT_EQ(found_json(found)["rungs"][0]["at"][1]["flip_mean"], .0159);
 }
 
+TEST(FoundReport, TextsOfShadersStayWithinTheirCells) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0})};
+    found.changes[0].before = "a || b";
+    found.rungs[0].outcome = Outcome::refused;
+    found.rungs[0].reason = "error: a | <b>";
+    const std::string page = found_markdown(found, "");
+    const std::size_t row = page.find("| 1 | ");
+    ASSERT_NE(row, std::string::npos) << page;
+    EXPECT_EQ(std::count(page.begin() + static_cast<std::ptrdiff_t>(row), page.end(), '|'), 9) << page;
+    EXPECT_NE(page.find("a &#124;&#124; b"), std::string::npos) << page;
+    EXPECT_NE(page.find("error: a &#124; &lt;b&gt;"), std::string::npos) << page;
+}
+
+TEST(FoundReport, AMeanThatIsNotKnownIsNoMistakeOfTheShader) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0}), tried("2", {1})};
+    for (FoundRung& rung : found.rungs) rung.outcome = Outcome::refused;
+    found.changes[1].probes = {{}};
+    EXPECT_TRUE(says(found, " 1 would not compile, or make another error or warning.")) << found_text(found);
+    EXPECT_TRUE(says(found, " 1 would need a mean that is not known.")) << found_text(found);
+}
+
+// Slow scenes are timed in smaller pictures than those that are compared, or than other rungs.
+TEST(FoundReport, SizesAreThoseOfThePictures) {
+    FoundResult found = of_two();
+    found.rungs = {tried("1", {0}), tried("2", {1}, Aim::better)};
+    found.width = found.height = 512;
+    found.timed_size = {256, 256};
+    found.costs_size = {128, 128};
+    for (FoundRung& rung : found.rungs) {
+        rung.timed = 0;
+        rung.width = rung.height = 64;
+    }
+    for (const auto& [sweep, rung] : {std::pair{&found.timed, "1"}, {&found.costs, "2"}})
+        for (const char* name : {rung, "scene"}) {
+            sweep->rungs.push_back({.name = name, .drawn = true, .cpu = {1}, .wall = {1}});
+            sweep->rungs.back().rounds = 1;
+        }
+    EXPECT_TRUE(says(found, "Times are of pictures of 256 × 256")) << found_text(found);
+    EXPECT_TRUE(says(found, "What better changes cost, and what changes no pixel, is of pictures of 128 × 128"));
+    EXPECT_EQ(found_json(found)["costs_size"][0], 128);
+    const std::string csv = csv_text({.where = {.width = 512, .height = 512}, .found = {found}});
+    EXPECT_TRUE(csv.substr(0, csv.find('\n')).ends_with(",ms_width,ms_height")) << csv;
+    EXPECT_NE(csv.find(",256,256\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",128,128\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",64,64,"), std::string::npos) << csv;
+    EXPECT_EQ(csv.find("512"), std::string::npos) << csv;
+    found.costs_size = found.timed_size;
+    EXPECT_FALSE(says(found, "What better changes cost"));
+}
+
 TEST(FoundReport, CombinationsAreNotCountedAmongChanges) {
     FoundResult found = of_two();
     found.rungs = {tried("1", {0}), tried("2", {1}), tried("1+2", {0, 1})};

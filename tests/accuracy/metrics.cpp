@@ -150,6 +150,7 @@ TEST(Directions, AnglesHaveTheirDigitsHoweverSmall) {
     EXPECT_NEAR(compare_directions(a, b).max, 180, 1e-4);
     b.rgba[0] = b.rgba[1] = b.rgba[2] = 0;
     EXPECT_EQ(compare_directions(a, b).pixels, 4U) << "no direction, no angle";
+    EXPECT_TRUE(std::isnan(compare_directions(a, filled(a.width, a.height, 0, 0, 0)).mean)) << "and not one of 0";
     b.rgba[5] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_TRUE(std::isinf(compare_directions(a, b).mean));
 }

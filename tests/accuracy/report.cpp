@@ -1,4 +1,4 @@
-// What reports say of results that are written here by hand.
+// What reports say of results that are written here by hand, and what is concluded from such results.
 #include "src/accuracy/report/report.h"
 
 #include <gtest/gtest.h>
@@ -31,9 +31,64 @@ TEST(Report, OnePixelIsSingular) {
         EXPECT_EQ(text.find("1 pixels"), std::string::npos) << text;
 }
 
+// A lattice varies some of them; the others are at their last rungs.
+TEST(Report, OtherLaddersAreNotAsInALattice) {
+    for (const char* from : {"reference", "scene", "lattice"}) {
+        const Report report{.where = {.from = from}, .sweeps = {sweep_of_two_rungs()}};
+        const std::string words =
+            std::string("ther ladders are as in the ") + (from == std::string("scene") ? "scene" : "reference");
+        EXPECT_NE(header_text(report).find(words), std::string::npos) << header_text(report);
+        for (const std::string& text : {html_text(report), markdown_text(report, {})})
+            EXPECT_EQ(text.find("as in the lattice"), std::string::npos);
+    }
+}
+
+TEST(Report, MoreRoundsAreAskedForWhereThereWereTooFew) {
+    Together together;
+    together.advice.sweep = sweep_of_two_rungs();
+    together.advice.best = 0;
+    EXPECT_TRUE(together_words(together).ends_with("more --budget tells")) << together_words(together);
+    together.advice.sweep.few_rounds = true;
+    EXPECT_TRUE(together_words(together).ends_with("too few rounds to be sure: more --budget or --reps tells"))
+        << together_words(together);
+    together.advice.settled = true;
+    EXPECT_EQ(together_words(together).find("--budget"), std::string::npos);
+}
+
 TEST(Report, PageShowsTheNameOfTheScene) {
     const std::string page = markdown_text({{}, {sweep_of_two_rungs()}, {}}, {});
     EXPECT_NE(page.find("## a&lt;b&gt;&amp;c.glib: "), std::string::npos) << page;
+}
+
+// The errors next to them are from the reference, which has finer samples than any rung.
+TEST(Report, DifferencesAreThoseFromTheReference) {
+    SweepResult sweep = sweep_of_two_rungs();
+    sweep.sweep.kind = SweepKind::ladder;
+    for (RungResult& rung : sweep.rungs) rung.picture = {1, 1, {.25, .25, .25, 1}};
+    const auto shown = [&] {
+        const std::string page = html_text({{}, {sweep}, {}});
+        const auto source_before = [&](std::string_view alt) {
+            const std::size_t end = page.find(alt), begin = page.rfind("src=", end);
+            return end == std::string::npos ? "" : page.substr(begin, end - begin);
+        };
+        const std::string off = source_before("\" alt=\"difference of exact from the reference");
+        EXPECT_FALSE(off.empty());
+        return off;
+    };
+    const std::string none = shown();
+    sweep.reference = {1, 1, {.75, .75, .75, 1}};
+    EXPECT_NE(shown(), none);
+}
+
+TEST(Report, PicturesOfAnyShapeAreShown) {
+    for (const auto& [width, height] : {std::pair{600, 1}, {1, 600}, {3, 3}}) {
+        SweepResult sweep = sweep_of_two_rungs();
+        for (RungResult& rung : sweep.rungs)
+            rung.picture = {width, height, std::vector<float>(static_cast<std::size_t>(4 * width * height), .5F)};
+        const std::string page = html_text({{}, {sweep}, {}});
+        EXPECT_NE(page.find("base64,iVBOR"), std::string::npos) << width;
+        EXPECT_EQ(page.find("base64,\""), std::string::npos) << width;
+    }
 }
 
 TEST(Report, UnknownNumbersAreQuestionMarks) {
@@ -44,6 +99,64 @@ TEST(Report, UnknownNumbersAreQuestionMarks) {
     for (const std::string& text :
          {table_text(sweep), html_text({{}, {sweep}, {}}), markdown_text({{}, {sweep}, {}}, {})})
         EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+// ---- conclusions from errors and times that are written here ----------------------------------------------------
+
+SweepResult ladder_of(std::initializer_list<const char*> names) {
+    SweepResult result;
+    result.own_pixels = 1;
+    for (const char* name : names) {
+        result.sweep.rungs.push_back({name, {}, {}, {}});
+        result.rungs.push_back({.name = name, .drawn = true});
+    }
+    result.sweep.reference = names.size() - 1;
+    return result;
+}
+
+// A rung that looks nothing up has no direction, which is no angle of 0.
+TEST(Conclusions, ARungWithoutDirectionsIsNotTheMostExact) {
+    SweepResult result = ladder_of({"none", "far", "exact"});
+    result.rungs[0].own.light.rmse = .3;
+    result.rungs[0].degrees = Degrees{std::nan(""), std::nan(""), std::nan(""), 0};
+    result.rungs[1].own.light.rmse = .1;
+    result.rungs[1].degrees = Degrees{20, 20, 20, 5};
+    result.rungs[2].degrees = Degrees{0, 0, 0, 5};
+    conclude(result, {}, 1);
+    EXPECT_EQ(result.metric, Metric::rmse) << "angles don't rank all of them";
+    EXPECT_GT(result.error(result.rungs[0]), result.error(result.rungs[1]));
+    EXPECT_TRUE(result.rungs[1].saturated);
+    for (const std::string& text :
+         {table_text(result), html_text({{}, {result}, {}}), markdown_text({{}, {result}, {}}, {})})
+        EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+// As of everything together, where each combination is compared with a picture that is none of them.
+TEST(Conclusions, TheSceneDoesNotUseAReferenceThatIsNoRung) {
+    SweepResult result = ladder_of({"scene", "cheap"});
+    result.sweep.reference = 2;
+    result.reference = {1, 1, {1, 1, 1, 1}};
+    for (RungResult& rung : result.rungs) rung.wall = std::vector<double>(9, &rung == &result.rungs[0] ? 4. : 2.);
+    result.rungs[0].own.light.rmse = .1;
+    conclude(result, result.rungs[0].wall, 1);
+    ASSERT_TRUE(result.trusted());
+    const std::string words = in_words(result);
+    EXPECT_TRUE(words.starts_with("The best value is 'cheap': ")) << words;
+    EXPECT_EQ(words.find("reference"), std::string::npos) << words;
+}
+
+// Counts that were not drawn may be as wrong as any.
+TEST(Conclusions, WhatCountsLeaveIsNotKnownWithoutTheLastOnes) {
+    for (const std::size_t missing : {std::size_t{4}, std::size_t{2}, std::size_t{1}}) {
+        SweepResult result = ladder_of({"1", "2", "4", "8"});
+        result.sweep.numeric = true;
+        result.residual = 1e-4;
+        for (std::size_t i = 0; i < 3; ++i) result.rungs[i].alone.rmse = .1 * std::exp2(-static_cast<double>(i));
+        if (missing < 4) result.rungs[missing] = {.name = "missing"};
+        conclude(result, {}, 1);
+        EXPECT_EQ(result.residual.has_value(), missing == 4) << missing << ": " << result.reference_note;
+        EXPECT_EQ(result.reference_note.find("not known") != std::string::npos, missing < 4) << result.reference_note;
+    }
 }
 
 }  // namespace

@@ -97,7 +97,11 @@ TEST_F(Outputs, NoFileThatASceneReadsIsOverwritten) {
         std::vector<std::string> commands{"accuracy s.glib w.glib --no-time --size 8x8 --csv out/c -o link/../" + name,
                                           "render w.glib --size 8x8 -o o.png --json " + name,
                                           "render s.glib w.glib --size 8x8 -o '{stem}.png' --sheet " + name,
-                                          "render w.glib --size 8x8 -o o.png --stats ./" + name};
+                                          "render w.glib --size 8x8 -o o.png --stats ./" + name,
+                                          "explain w.glib --no-time --size 8x8 --json=" + name,
+                                          "check w.glib --json=" + name,
+                                          "check s.glib w.glib --sarif=./" + name,
+                                          "compare w.glib s.glib --size 8x8 --json=" + name};
         if (picture) commands.push_back("render w.glib --size 8x8 --skip-existing -o " + name);
         for (const std::string& command : commands) {
             const Outcome refused = in_folder(command);

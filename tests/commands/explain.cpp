@@ -85,6 +85,30 @@ TEST_F(Explain, SaysWhatChangesNoPixelFirst) {
     EXPECT_EQ(bytes_of(folder.path("less/scene.glib")).find("200 200"), std::string::npos);
 }
 
+TEST_F(Explain, OfASceneThatIsNotFiniteNothingIsLeftOut) {
+    folder.write("nan.frag", "uniform float uRed;\nvoid main() { gl_FragColor = vec4(sqrt(uRed - 2.)); }\n");
+    const std::string scene =
+        "Ortho -1 1 -1 1\nVertex plain.vert\nFragment nan.frag\nProgram P uRed <0. .5 1.>\nQuadXY\nSphere 1 9 9\n";
+    const json found = explain(scene, "--no-time --without-effect")["without_effect"];
+    EXPECT_NE(found["cannot_say"].get<std::string>().find("NaN or infinite"), std::string::npos) << found;
+    EXPECT_EQ(found["tried"], 0);
+    EXPECT_TRUE(found["rows"].empty());
+    const Outcome text = snell("explain " + folder.path("scene.glib") + " --size 32x32 --no-time --without-effect");
+    EXPECT_TRUE(text.says("can't say: the scene itself is NaN or infinite in ")) << text.output;
+    EXPECT_FALSE(text.says("that were left out")) << text.output;
+}
+
+// What shaders of strangers say does not reach a terminal as it is.
+TEST_F(Explain, TextIsPrintable) {
+    folder.write("p.frag",
+                 "void main() {\n  float gone = sin(gl_FragCoord.x);\n  gone = gone /*\x1b[31m*/ * 2.;\n"
+                 "  gl_FragColor = vec4(.2);\n}\n");
+    folder.write("scene.glib", "Ortho -1 1 -1 1\nVertex plain.vert\nFragment p.frag\nProgram P\nQuadXY\n");
+    const Outcome outcome = snell("explain " + folder.path("scene.glib") + " --size 8x8 --no-time --without-effect");
+    EXPECT_TRUE(outcome.says("gone = gone /*\\x1B[31m*/ * 2.")) << outcome.output;
+    EXPECT_EQ(outcome.output.find('\x1b'), std::string::npos);
+}
+
 TEST_F(Explain, SaysWhatIsPaidForAndWhy) {
     const json report = explain(two_of_twenty);
     const std::vector<json> images = of_kind(report, "image");

@@ -221,6 +221,28 @@ TEST_F(Compare, FoldersAreComparedByNames) {
     EXPECT_EQ(compare("a b/1.bmp").status, 2);
 }
 
+TEST_F(Compare, MapsOfFoldersOverwriteNeitherPicturesNorEachOther) {
+    const std::string grey_png = content::encode_png(content::checkerboard(8));
+    for (const std::string side : {"a", "b"}) {
+        fs::create_directories(at(side));
+        for (const std::string name : {"/1.png", "/2.png"}) folder.write(side + name, grey_png);
+        grey(side + "/1.bmp", side == "a" ? 100 : 200);
+        folder.write(side + "/s.glib", "Texture2D 5 not.png\nSphere 1\n");
+        folder.write(side + "/not.png", grey_png);
+    }
+    for (const char* into : {"-o a", "-o ./b", "--json=a/1.png", "--json=b/not.png"}) {
+        const Outcome refused = compare(std::string("a b ") + into);
+        EXPECT_EQ(refused.status, 2) << into << refused.output;
+        EXPECT_TRUE(refused.says("is read, and would be overwritten")) << refused.output;
+    }
+    for (const char* name : {"a/1.png", "a/not.png", "b/1.png", "b/not.png"}) EXPECT_EQ(bytes_of(at(name)), grey_png);
+    fs::remove(at("a/s.glib"));
+    EXPECT_EQ(compare("a b -o maps").status, 1) << "a scene is missing";
+    for (const char* map : {"maps/1.png.png", "maps/1.bmp.png", "maps/2.png"}) EXPECT_TRUE(fs::exists(at(map))) << map;
+    EXPECT_NE(bytes_of(at("maps/1.png.png")), bytes_of(at("maps/1.bmp.png")));
+    EXPECT_EQ(compare("b/s.glib b/1.bmp -o b/not.png").status, 2) << "the scene reads it";
+}
+
 TEST_F(Compare, StandardOutputHoldsTheMapAlone) {
     grey("a.bmp", 100);
     grey("b.bmp", 110);

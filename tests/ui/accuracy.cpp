@@ -188,10 +188,21 @@ TEST(Heat, GetsLighterAllTheWay) {
     EXPECT_EQ(heat(NAN).green, heat(1).green) << "what is no number is as wrong as can be";
 }
 
+TEST(Texts, OfPicturesThatAreNotFiniteDoNotSayThatNothingDiffers) {
+    const auto tip = [](double error, double psnr) { return error_tip({.error = error, .psnr = psnr}); };
+    EXPECT_NE(tip(0, INFINITY).find("nothing differs"), std::string::npos);
+    EXPECT_NE(tip(.1, 20).find("20.0 dB"), std::string::npos);
+    for (const std::string& odd : {tip(INFINITY, -INFINITY), tip(NAN, NAN)}) {
+        EXPECT_EQ(odd.find("nothing differs"), std::string::npos) << odd;
+        EXPECT_NE(odd.find("there is no signal-to-noise ratio"), std::string::npos) << odd;
+    }
+}
+
 TEST(Texts, AreShort) {
     EXPECT_EQ(error_text(0), "0");
     EXPECT_EQ(error_text(.0031415), ".0031");
     EXPECT_EQ(error_text(1.25), "1.2");
+    EXPECT_EQ(error_text(NAN), "unknown");
     EXPECT_EQ(milliseconds_text(1.234), "1.23 ms");
     EXPECT_EQ(milliseconds_text(12.34), "12.3 ms");
     EXPECT_EQ(milliseconds_text(123.4), "123 ms");

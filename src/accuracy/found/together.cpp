@@ -63,7 +63,10 @@ public:
             seen.push_back(centre);
             MixAdvice next = measure(around(centre), left() / 2);
             next.places = advice.places;
-            if (!next.best) break;
+            if (!next.best) {
+                if (!advice.best) advice.sweep.cannot_say = next.sweep.cannot_say;
+                break;
+            }
             advice = std::move(next);
             const Mix& best = advice.mixes[*advice.best];
             // Where it was before, it is best of all around it.
@@ -154,7 +157,7 @@ private:
             if (place == 0 || !(error.light.rmse <= rung.own.light.rmse)) rung.own = error;
             if (place > 0) continue;
             rung.whole = compare(*picture, goal.picture);
-            rung.alone = rung.own.light;
+            rung.alone = unknown_figures;
             rung.flip = mean_of(flip_map(*picture, goal.picture), goal.region);
             rung.picture = std::move(*picture);
         }
@@ -168,6 +171,8 @@ private:
         sweep.finest = reference_->knobs;
         sweep.reference = reference_->picture;
         sweep.own_pixels = region.empty() ? 0 : count(region);
+        if (const NonFinite bad = non_finite(reference_->picture, region); bad.count > 0)
+            sweep.cannot_say = "the reference is " + text_of(bad);
         if (reference_->half.rgba.empty()) return;
         sweep.residual = compare(reference_->half, reference_->picture, region).light.rmse;
         sweep.whole_residual = compare(reference_->half, reference_->picture).light.rmse;
@@ -223,6 +228,7 @@ private:
                                             .stopped = [&] { return stopped() || time_left() <= 0; },
                                             .report = [](std::string_view, double) {}});
         while (rounds.step()) continue;
+        sweep.sweep.reference = sweep.rungs.size();  // it is none of them
         for (std::size_t i = 0; i < sweep.rungs.size(); ++i) take_times(sweep.rungs[i], rounds.times()[i]);
         conclude(sweep, rounds.again(), options_.measuring.seed);
         advice.whole = drawn && !stopped() && !sweep.few_rounds;

@@ -21,7 +21,8 @@ struct Mix {
 
 struct MixAdvice {
     // Errors are the largest of all places: at the scene's own, from the reference, over the pixels in which the scene
-    // draws; elsewhere, from the last rungs with as many samples. The scene as it stands is the current rung.
+    // draws; elsewhere, from the last rungs with as many samples. The scene as it stands is the current rung; the
+    // reference is none of them.
     SweepResult sweep;
     std::vector<Mix> mixes;  // of the sweep's rungs
     std::optional<std::size_t> best;

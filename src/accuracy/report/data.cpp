@@ -1,6 +1,7 @@
 // Results of measurements for other programs: CSV and JSON.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -23,10 +24,7 @@ std::vector<double> present(const std::vector<double>& times) {
     return result;
 }
 
-Interval interval(const std::vector<double>& times) {
-    const std::vector<double> values = present(times);
-    return values.empty() ? Interval{} : bootstrap_median(values);
-}
+Interval interval(const std::vector<double>& times) { return bootstrap_median(present(times)); }
 
 Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t index) {
     Json json{{"rung", rung.name},
@@ -79,6 +77,7 @@ struct Row {
     // Of a rung that was found; its sweep has other rungs than those that were timed together.
     std::string place = {}, change = {};
     std::optional<std::string> found_standing = {};
+    std::array<int, 2> pictures{where.width, where.height}, frames = pictures;  // that were compared; that were timed
     const RungResult& rung = sweep.rungs[index];
     bool timed() const { return rung.rounds > 0; }
     std::string standing() const { return found_standing ? *found_standing : standing_text(sweep, rung); }
@@ -157,14 +156,16 @@ constexpr Column columns[]{
     {"os", [](const Row& r) { return cell(r.where.os); }},
     {"renderer", [](const Row& r) { return cell(r.where.renderer); }},
     {"gl", [](const Row& r) { return cell(r.where.gl); }},
-    {"width", [](const Row& r) { return cell(r.where.width); }},
-    {"height", [](const Row& r) { return cell(r.where.height); }},
+    {"width", [](const Row& r) { return cell(r.pictures[0]); }},
+    {"height", [](const Row& r) { return cell(r.pictures[1]); }},
     {"reps", [](const Row& r) { return cell(r.where.rounds); }},
     {"date", [](const Row& r) { return cell(r.where.date); }},
     {"load_before", [](const Row& r) { return cell(r.where.load_before); }},
     {"load_after", [](const Row& r) { return cell(r.where.load_after); }},
     {"place", [](const Row& r) { return cell(std::string_view(r.place)); }},
     {"change", [](const Row& r) { return cell(std::string_view(r.change)); }},
+    {"ms_width", [](const Row& r) { return cell(r.frames[0]); }, timed},
+    {"ms_height", [](const Row& r) { return cell(r.frames[1]); }, timed},
 };
 
 std::string row_text(const Row& row) {
@@ -211,16 +212,9 @@ Json sweep_json(const SweepResult& sweep) {
     return json;
 }
 
-// The scene as it stands is one of the rungs; the reference is none.
-SweepResult listed(const Together& together) {
-    SweepResult sweep = together.advice.sweep;
-    sweep.sweep.reference = sweep.rungs.size();
-    return sweep;
-}
-
 Json together_json(const Together& together) {
     const MixAdvice& advice = together.advice;
-    const SweepResult sweep = listed(together);
+    const SweepResult& sweep = advice.sweep;
     const auto limit = [](const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); };
     Json json{{"scene", together.scene},
               {"wish", {{"ms", limit(together.wish.milliseconds)}, {"rmse", limit(together.wish.error)}}},
@@ -254,18 +248,23 @@ std::string csv_text(const Report& report) {
     text += '\n';
     for (const SweepResult& sweep : report.sweeps)
         for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row_text({report.where, sweep, i});
-    for (const Together& together : report.together) {
-        const SweepResult sweep = listed(together);
-        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row_text({report.where, sweep, i});
-    }
+    for (const Together& together : report.together)
+        for (std::size_t i = 0; i < together.advice.sweep.rungs.size(); ++i)
+            text += row_text({report.where, together.advice.sweep, i});
     for (const FoundResult& found : report.found)
         for (const Aim aim : {Aim::cheaper, Aim::better, Aim::unused}) {
             const SweepResult listed = as_sweep(found, aim);
             for (std::size_t i = 0; i < listed.rungs.size(); ++i) {
                 const FoundRung* rung = found.find(listed.rungs[i].name);
                 if (!rung) continue;
-                text += row_text({report.where, listed, i, place_of(found, *rung), change_of(found, *rung),
-                                  standing_of(found, *rung)});
+                text += row_text({report.where,
+                                  listed,
+                                  i,
+                                  place_of(found, *rung),
+                                  change_of(found, *rung),
+                                  standing_of(found, *rung),
+                                  {rung->width, rung->height},
+                                  aim == Aim::cheaper ? found.timed_size : found.costs_size});
             }
         }
     return text;

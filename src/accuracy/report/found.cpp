@@ -4,20 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
-#include "src/accuracy/report/numbers.h"
 #include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
-#include "src/document/view_text.h"
 
 namespace snell::accuracy {
 
 namespace {
 
-using FoundJson = nlohmann::ordered_json;
 using Listed = std::vector<const FoundRung*>;
 
 template <class One>
@@ -109,6 +105,11 @@ std::string_view no_cheaper_words(const FoundResult& found) {
     return untimed ? "None of those that were timed saves time." : "None of them saves time.";
 }
 
+std::string size_of_times(const FoundResult& found, std::array<int, 2> size) {
+    return fmt::format("pictures of {} × {}{}", size[0], size[1],
+                       size[0] < found.width ? ", because larger ones take too long for the budget" : "");
+}
+
 std::string rows_text(const FoundResult& found, const Listed& rungs) {
     std::size_t name = 4, place = 5;
     for (const FoundRung* rung : rungs) {
@@ -130,55 +131,6 @@ std::string rows_text(const FoundResult& found, const Listed& rungs) {
                         standing.empty() ? "" : " (" + standing + ")");
     }
     return text;
-}
-
-FoundJson difference_json(const Difference& difference) {
-    FoundJson json{{"own", error_json(difference.own)},
-                   {"whole", error_json(difference.whole)},
-                   {"pixels_changed", difference.pixels_changed}};
-    if (difference.flip) json["flip_mean"] = number(*difference.flip);
-    return json;
-}
-
-FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
-    constexpr std::array<std::string_view, 3> aims{"cheaper", "better", "unused"},
-        outcomes{"tried", "refused", "not tried"};
-    FoundJson json{{"rung", rung.name},
-                   {"aim", aims[static_cast<std::size_t>(rung.aim)]},
-                   {"outcome", outcomes[static_cast<std::size_t>(rung.outcome)]},
-                   {"standing", standing_of(found, rung)}};
-    json["changes"] = FoundJson::array();
-    for (const std::size_t i : rung.changes) {
-        const Change& change = found.changes[i];
-        json["changes"].push_back({{"number", i + 1},
-                                   {"kind", facts(change.kind).name},
-                                   {"place", found.positions[i]},
-                                   {"before", change.before},
-                                   {"after", change.after}});
-        if (!change.lint.empty()) json["changes"].back()["lint"] = change.lint;
-    }
-    if (!rung.reason.empty()) json["reason"] = rung.reason;
-    if (rung.at.empty()) return json;
-    json["size"] = {rung.width, rung.height};
-    json["worst_place"] = rung.worst_place();
-    json["error"] = difference_json(*rung.worst());
-    if (rung.flip()) json["error"]["flip_mean"] = number(*rung.flip());
-    json["as_it_opens"] = difference_json(rung.at.front());
-    json["searched"] = difference_json(*rung.searched());
-    if (const Difference* unseen = rung.unseen()) json["held_out"] = difference_json(*unseen);
-    json["only_where_tried"] = rung.only_where_tried;
-    json["pixels_changed"] = rung.pixels_changed;
-    json["at"] = FoundJson::array();
-    for (const Difference& difference : rung.at) json["at"].push_back(difference_json(difference));
-    if (rung.quick_ratio > 0) json["quick_ratio"] = rung.quick_ratio;
-    if (const RungResult* times = found.times(rung)) {
-        json["n_rounds"] = times->rounds;
-        json["ms"] = interval_json({times->low, times->milliseconds, times->high});
-        json["ratio_to_scene"] = interval_json(times->ratio);
-    }
-    if (rung.aim == Aim::unused) json["saves"] = {{"gpu_bytes", rung.gpu_bytes}, {"bytes_decoded", rung.bytes_decoded}};
-    if (rung.load_ms) json["saves"]["load_ms"] = *rung.load_ms;
-    return json;
 }
 
 std::string cells_html(const FoundResult& found, const FoundRung& rung) {
@@ -203,17 +155,25 @@ std::string table_html(const FoundResult& found, const Listed& rungs) {
     return text + "</table></div>";
 }
 
+// A bar would begin the next cell, even in code.
+std::string cell_markdown(std::string_view text) {
+    std::string cell = escaped(text);
+    for (std::size_t at = 0; (at = cell.find('|', at)) != cell.npos;) cell.replace(at, 1, "&#124;");
+    return cell;
+}
+
 std::string table_markdown(const FoundResult& found, const Listed& rungs) {
     std::string text =
         "\n| rung | time | RMSE, as it opens | FLIP | RMSE, at worst | of display | FLIP | place | change | "
         "|\n|---|--:|--:|--:|--:|--:|--:|---|---|---|\n";
     for (const FoundRung* rung : rungs) {
         const bool one = rung->changes.size() == 1;
-        text += fmt::format(
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {}{} | {} |\n", rung->name, shown_ratio(found, *rung),
-            shown_error_here(*rung), shown_flip_here(*rung), shown_error(*rung), shown_display(*rung),
-            shown_flip(*rung), one ? escaped(place_of(found, *rung)) : "", kind_of(found, *rung),
-            one ? ": <code>" + escaped(change_of(found, *rung)) + "</code>" : "", standing_of(found, *rung));
+        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {}{} | {} |\n", rung->name,
+                            shown_ratio(found, *rung), shown_error_here(*rung), shown_flip_here(*rung),
+                            shown_error(*rung), shown_display(*rung), shown_flip(*rung),
+                            one ? cell_markdown(place_of(found, *rung)) : "", kind_of(found, *rung),
+                            one ? ": <code>" + cell_markdown(change_of(found, *rung)) + "</code>" : "",
+                            cell_markdown(standing_of(found, *rung)));
     }
     return text;
 }
@@ -266,7 +226,12 @@ std::string found_words(const FoundResult& found) {
     if (!found.cannot_say.empty()) return "Nothing can be said: " + found.cannot_say + ".";
     const auto tried = static_cast<std::size_t>(ranges::count_if(
         found.rungs, [](const FoundRung& rung) { return rung.outcome == Outcome::tried && rung.changes.size() == 1; }));
-    const std::size_t combined = count_of(found, Outcome::tried) - tried, refused = count_of(found, Outcome::refused),
+    const auto unknown = static_cast<std::size_t>(ranges::count_if(found.rungs, [&](const FoundRung& rung) {
+        return rung.outcome == Outcome::refused &&
+               ranges::any_of(rung.changes, [&](std::size_t change) { return !found.changes[change].probes.empty(); });
+    }));
+    const std::size_t combined = count_of(found, Outcome::tried) - tried,
+                      refused = count_of(found, Outcome::refused) - unknown,
                       untried = count_of(found, Outcome::not_tried);
     std::string text = fmt::format(
         "{} change{} found; {} {} tried alone, and {} combination{}, at {} places, of which {} were held out from the "
@@ -275,6 +240,7 @@ std::string found_words(const FoundResult& found) {
         combined, combined == 1 ? "" : "s", found.places.size(),
         found.places.size() - std::min(found.searched, found.places.size()), found.seed);
     if (refused > 0) text += fmt::format(" {} would not compile, or make another error or warning.", refused);
+    if (unknown > 0) text += fmt::format(" {} would need a mean that is not known.", unknown);
     if (untried > 0)
         text += fmt::format(" {} not tried: {}.", untried,
                             found.interrupted ? "the search was stopped" : "the time was up");
@@ -283,11 +249,14 @@ std::string found_words(const FoundResult& found) {
         "are largest.",
         found.search_width, found.search_height);
     if (found.broken) text += fmt::format(" But {}; these pixels are not compared.", found.broken_words());
-    if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)
-        text +=
-            fmt::format(" Times are of pictures of {} × {}{}.", found.timed_size[0], found.timed_size[1],
-                        found.timed_size[0] < found.width ? ", because larger ones take too long for the budget" : "");
-    const bool timed = !found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0;
+    const auto has_times = [](const SweepResult& sweep) {
+        return !sweep.rungs.empty() && sweep.rungs.back().rounds > 0;
+    };
+    const bool timed = has_times(found.timed);
+    if (timed) text += fmt::format(" Times are of {}.", size_of_times(found, found.timed_size));
+    if (has_times(found.costs) && (!timed || found.costs_size != found.timed_size))
+        text += fmt::format(" What better changes cost, and what changes no pixel, is of {}.",
+                            size_of_times(found, found.costs_size));
     if (timed && found.timed.few_rounds) text += " There are too few rounds to compare costs.";
     if (timed && !found.timed.few_rounds && found.timed.control.noisy)
         text += fmt::format(
@@ -381,33 +350,6 @@ std::string found_html(const FoundResult& found) {
         text += fmt::format(" {}{}: {};", i, i < found.searched ? "" : " (held out)",
                             escaped(place_text(found.places[i], found.places[0])));
     return text + "</p></section>\n";
-}
-
-FoundJson found_json(const FoundResult& found) {
-    FoundJson json{{"scene", found.scene},
-                   {"seed", found.seed},
-                   {"words", found_words(found)},
-                   {"size", {found.width, found.height}},
-                   {"search_size", {found.search_width, found.search_height}},
-                   {"timed_size", found.timed_size},
-                   {"clock", name(found.timed.clock)},
-                   {"trusted", found.timed.trusted()},
-                   {"interrupted", found.interrupted},
-                   {"late", found.late}};
-    json["aa_control"] = interval_json(found.timed.control.ratio);
-    json["places"] = FoundJson::array();
-    for (std::size_t i = 0; i < found.places.size(); ++i)
-        json["places"].push_back({{"held_out", i >= found.searched},
-                                  {"view", view_text(found.places[i].view)},
-                                  {"time", found.places[i].time},
-                                  {"sets", found.places[i].sets}});
-    json["front"] = FoundJson::array();
-    for (const FoundRung* rung : found.front()) json["front"].push_back(rung->name);
-    json["without_effect"] = FoundJson::array();
-    for (const FoundRung* rung : found.without_effect()) json["without_effect"].push_back(rung->name);
-    json["rungs"] = FoundJson::array();
-    for (const FoundRung& rung : found.rungs) json["rungs"].push_back(found_rung_json(found, rung));
-    return json;
 }
 
 }  // namespace snell::accuracy

@@ -52,17 +52,17 @@ constexpr int thumbnail_width = 192;
 // Box-filters to the width of a thumbnail; `value` computes the three components of a pixel.
 template <class Value>
 std::string thumbnail(int width, int height, const Value& value) {
-    const int step = std::max(1, (width + thumbnail_width - 1) / thumbnail_width);
-    content::Image image{.width = width / step, .height = height / step, .channels = 3};
+    const int step = std::max(1, (width + thumbnail_width - 1) / thumbnail_width), rows = std::min(step, height);
+    content::Image image{.width = width / step, .height = std::max(1, height / step), .channels = 3};
     image.pixels.resize(image.bytes());
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (std::size_t c = 0; c < 3; ++c) {
                 double sum = 0;
-                for (int j = 0; j < step; ++j)
+                for (int j = 0; j < rows; ++j)
                     for (int i = 0; i < step; ++i)
                         sum += value(static_cast<std::size_t>((y * step + j) * width + x * step + i), c);
-                const double mean = std::clamp(sum / (step * step), 0.0, 1.0);
+                const double mean = std::clamp(sum / (step * rows), 0.0, 1.0);
                 image.pixels[static_cast<std::size_t>(y * image.width + x) * 3 + c] =
                     static_cast<std::byte>(std::lround(255 * (mean > 0 ? mean : 0)));
             }
@@ -92,7 +92,7 @@ double amplification(const SweepResult& sweep) {
 }
 
 std::string pictures(const SweepResult& sweep) {
-    const Picture& reference = sweep.rungs[sweep.sweep.reference].picture;
+    const Picture& reference = sweep.compared_with();
     if (reference.rgba.empty()) return {};
     const double bright = exposure(reference), factor = amplification(sweep);
     std::string out = "<div class=\"pictures\">";
@@ -143,7 +143,8 @@ std::string table(const SweepResult& sweep) {
         out += fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", known_text("{:.3g}", display.rmse),
                            psnr_text(display.psnr), known_text("{:.3g}", rung.alone.rmse),
                            known_text("{:.3f}", rung.flip));
-        if (degrees) out += rung.degrees ? fmt::format("<td>{:.3g}</td>", rung.degrees->mean) : "<td></td>";
+        if (degrees)
+            out += rung.degrees ? fmt::format("<td>{}</td>", known_text("{:.3g}", rung.degrees->mean)) : "<td></td>";
         out += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>", psnr_text(rung.whole.light.psnr), rung.rounds,
                            escaped(notes_text(sweep, rung)));
     }
@@ -152,9 +153,8 @@ std::string table(const SweepResult& sweep) {
 
 // The pictures are compared with the reference, which is none of the rungs.
 std::string together_section(const Together& together) {
-    SweepResult sweep = together.advice.sweep;
+    const SweepResult& sweep = together.advice.sweep;
     const std::string words = together_words(together), more = in_words(sweep);
-    sweep.sweep.reference = sweep.rungs.size();
     return fmt::format(
         "<section><h2>{}</h2><p class=\"words\"><b>{}</b></p><p class=\"words\">{}</p><div "
         "class=\"scroll\">{}</div>{}<p class=\"facts\">{}, errors at the worst of {} places. Control (the scene timed "
@@ -195,7 +195,7 @@ std::string html_text(const Report& report, std::string_view slide) {
         "<p class=\"facts\">{} · {} × {}, up to {} rounds, other ladders as in the {} · {} · {} ({}) · {}, {} cores, "
         "{} · "
         "load {:.1f} before, {:.1f} after · {}</p>",
-        escaped(w.scene), w.width, w.height, w.rounds, w.from, w.date, escaped(w.renderer), escaped(w.gl),
+        escaped(w.scene), w.width, w.height, w.rounds, w.others(), w.date, escaped(w.renderer), escaped(w.gl),
         escaped(w.cpu), w.cores, escaped(w.os), w.load_before, w.load_after, escaped(w.tool));
     out += fmt::format(
         "<p class=\"words\">{} Differences in the pictures are of display values. Filled: on the front. Hollow: "

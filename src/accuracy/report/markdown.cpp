@@ -21,7 +21,7 @@ std::string row(const SweepResult& sweep, std::size_t index, bool degrees) {
     text += fmt::format(" {} | {} | {} | {} | {} |", known_text("{:.3g}", rung.own.light.rmse),
                         psnr_text(rung.own.light.psnr), psnr_text(rung.own.display.psnr),
                         known_text("{:.3g}", rung.alone.rmse), known_text("{:.3f}", rung.flip));
-    if (degrees) text += rung.degrees ? fmt::format(" {:.3g} |", rung.degrees->mean) : " |";
+    if (degrees) text += rung.degrees ? fmt::format(" {} |", known_text("{:.3g}", rung.degrees->mean)) : " |";
     return text + fmt::format(" {} |\n", notes_text(sweep, rung));
 }
 
@@ -54,7 +54,7 @@ std::string markdown_text(const Report& report, const std::vector<std::string>& 
         "apart from rounding and the reference. Times are valid for this machine at that time; they mean nothing if "
         "the "
         "control says that it was too noisy.\n",
-        w.cpu, w.cores, w.os, w.renderer, w.gl, w.tool, w.date, w.width, w.height, w.rounds, w.from, w.load_before,
+        w.cpu, w.cores, w.os, w.renderer, w.gl, w.tool, w.date, w.width, w.height, w.rounds, w.others(), w.load_before,
         w.load_after, errors_are);
     const std::vector<const SweepResult*> plotted = plots_of(report);
     const auto plot_for = [&](const SweepResult& sweep) {

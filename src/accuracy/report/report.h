@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct Circumstances {
     double query_over_wall = 0;  // ratio of the GPU's timer to wall time; 0 if it was not measured
     std::string from = {};       // "reference", "scene" or "lattice"
     std::vector<std::string> sets = {};
+
+    // What those ladders are at that a sweep does not vary: "reference" or "scene".
+    std::string_view others() const { return from == "lattice" ? std::string_view("reference") : from; }
 };
 
 struct Report {

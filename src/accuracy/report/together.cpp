@@ -38,7 +38,9 @@ std::string together_words(const Together& together) {
         : together.wish.milliseconds ? "the most exact is"
                                      : "the cheapest is",
         rung.name, rung.own.light.rmse, residual_text(sweep, together.wish), advice.places, cost_text(rung, sweep),
-        advice.settled ? "" : "; others may be better: more --budget tells");
+        advice.settled     ? ""
+        : sweep.few_rounds ? "; there were too few rounds to be sure: more --budget or --reps tells"
+                           : "; others may be better: more --budget tells");
 }
 
 }  // namespace snell::accuracy

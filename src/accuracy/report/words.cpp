@@ -13,7 +13,10 @@ namespace snell::accuracy {
 namespace {
 
 const RungResult& base_of(const SweepResult& sweep) { return sweep.rungs[sweep.sweep.current]; }
-const RungResult& reference_of(const SweepResult& sweep) { return sweep.rungs[sweep.sweep.reference]; }
+// Null if the reference is none of the rungs.
+const RungResult* last_of(const SweepResult& sweep) {
+    return sweep.sweep.reference < sweep.rungs.size() ? &sweep.rungs[sweep.sweep.reference] : nullptr;
+}
 
 std::string error_text(const SweepResult& sweep, const RungResult& rung) {
     if (sweep.metric == Metric::degrees) return fmt::format("{:.3g}°", sweep.error(rung));
@@ -28,7 +31,8 @@ std::string list_text(const std::vector<std::string>& names) {
 }
 
 std::string price_sentence(const SweepResult& sweep) {
-    const RungResult &base = base_of(sweep), &reference = reference_of(sweep);
+    if (!last_of(sweep)) return {};
+    const RungResult &base = base_of(sweep), &reference = *last_of(sweep);
     if (&base == &reference) return "The scene already uses the reference.";
     if (reference.rounds == 0) return fmt::format("'{}' was not timed.", reference.name);
     if (equal_cost(reference.ratio))
@@ -44,7 +48,7 @@ std::string bargain_sentence(const SweepResult& sweep) {
     if (!(sweep.error(base) > 0) || !std::isfinite(sweep.error(base))) return {};
     const RungResult* best = nullptr;
     for (const RungResult& rung : sweep.rungs) {
-        if (rung.verdict.standing != Standing::front || rung.rounds == 0 || &rung == &reference_of(sweep)) continue;
+        if (rung.verdict.standing != Standing::front || rung.rounds == 0 || &rung == last_of(sweep)) continue;
         if (sweep.error(rung) > .5 * sweep.error(base)) continue;
         if (!best || rung.milliseconds < best->milliseconds) best = &rung;
     }
@@ -182,7 +186,7 @@ std::string in_words(const SweepResult& sweep) {
     if (!sweep.cannot_say.empty()) return fmt::format("Can't say: {}.", sweep.cannot_say);
     std::string text = cost_sentences(sweep);
     std::size_t count = 0;
-    const auto reference = &reference_of(sweep);
+    const auto reference = last_of(sweep);
     if (const std::string same = those(
             sweep, [&](const RungResult& rung) { return rung.below_residual && &rung != reference; }, count);
         count > 0 && sweep.metric == Metric::rmse)
@@ -203,7 +207,7 @@ std::string in_words(const SweepResult& sweep) {
         text += fmt::format(" Some pixels of {} are NaN or infinite.", odd);
     if (sweep.late) text += " The time was up before every rung was drawn; more --budget draws all.";
     text += hidden_sentences(sweep);
-    return text;
+    return text.starts_with(' ') ? text.substr(1) : text;
 }
 
 std::string header_text(const Report& report) {
@@ -212,7 +216,7 @@ std::string header_text(const Report& report) {
         "{}: {}x{}, up to {} rounds, {}\n{} ({}), {}, {} cores, load {:.1f} before, {:.1f} after\n{} Other ladders are "
         "as in the {}.\n",
         w.scene, w.width, w.height, w.rounds, w.date, w.renderer, w.gl, w.cpu, w.cores, w.load_before, w.load_after,
-        errors_are, w.from);
+        errors_are, w.others());
 }
 
 std::string table_text(const SweepResult& sweep) {
@@ -241,7 +245,7 @@ std::string table_text(const SweepResult& sweep) {
                             psnr_text(rung.own.display.psnr), known_text("{:.2g}", rung.alone.rmse),
                             known_text("{:.3f}", rung.flip),
                             !degrees       ? ""
-                            : rung.degrees ? fmt::format("{:>8.3g}  ", rung.degrees->mean)
+                            : rung.degrees ? fmt::format("{:>8}  ", known_text("{:.3g}", rung.degrees->mean))
                                            : "          ",
                             psnr_text(rung.whole.light.psnr), notes_text(sweep, rung));
     }

@@ -342,7 +342,7 @@ Run add_accuracy(CLI::App& command) {
         .add_option("--from", options->from,
                     "the rungs of the other ladders: reference, scene; or lattice: all combinations")
         ->check(CLI::IsMember({"reference", "scene", "lattice"}));
-    add_size(command, options->size, "WIDTHxHEIGHT (default: the scene's)");
+    add_size(command, options->size, "WIDTHxHEIGHT (default: that of the first scene)");
     command
         .add_option("--reps", options->rounds,
                     "rounds, in each of which every rung is timed once; fewer if the budget is too small")

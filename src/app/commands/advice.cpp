@@ -35,7 +35,9 @@ std::string found_text(const Advice& advice, const SweepResult& sweep) {
                         sweep.reference_note, sweep.rungs[sweep.sweep.reference].own.light.rmse);
     const char* what = advice.everything ? "every combination" : "every combination that differs in one ladder";
     text += advice.settled ? fmt::format("  {} was measured, none is better\n", what)
-                           : std::string("  time was up: others may be better; more --budget tells\n");
+            : sweep.few_rounds
+                ? "  there were too few rounds to be sure: others may be better; more --budget or --reps tells\n"
+                : "  time was up: others may be better; more --budget tells\n";
     if (!sweep.few_rounds && sweep.control.noisy)
         text += fmt::format("  the machine is too noisy to be sure of costs: '{}' took {} times what it took itself\n",
                             now, ratio_text(sweep.control.ratio));
@@ -177,7 +179,9 @@ bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench
         path, wish, advise_together(sought.original, sought.found, bench, sought.caps, sought.settings, wish, how), {}};
     const MixAdvice& advice = together.advice;
     if (!advice.best) {
-        fmt::print("\n{}: of everything together, can't say: the time was up\n", wish_text(wish));
+        const std::string& why = advice.sweep.cannot_say;
+        fmt::print("\n{}: of everything together, can't say: {}\n", wish_text(wish),
+                   why.empty() ? "the time was up" : why);
         return false;
     }
     for (const Mix& mix : advice.mixes) together.choices.push_back(choices(bench.scene(), mix.rungs));

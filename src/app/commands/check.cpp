@@ -101,10 +101,12 @@ bool write_json_to(const std::string& file, const Json& json) {
 }
 
 Exit check(const CheckOptions& options) {
-    if (const Exit refused = check_outputs(std::array{options.json, options.sarif}, options.scenes);
+    Deadline deadline(options.timeout);
+    deadline.begin("reading the scenes");
+    const std::array outputs{options.json, options.sarif};
+    if (const Exit refused = check_outputs(outputs, read_by(options.scenes, outputs, options.access, options.grade));
         refused != exit_fine)
         return refused;
-    Deadline deadline(options.timeout);
     deadline.begin("starting OpenGL");
     std::unique_ptr<HeadlessContext> context;
     std::optional<gl::Caps> caps;

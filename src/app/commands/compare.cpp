@@ -235,16 +235,22 @@ std::optional<Pairing> pairs_of(const CompareOptions& options) {
     const auto own = names_in(options.picture), others = names_in(other);
     if (!own || !others) return std::nullopt;
     Pairing pairing;
+    const auto same_map = [](const std::string& name) {
+        return [map = fs::path(name).replace_extension(".png")](const std::string& another) {
+            return fs::path(another).replace_extension(".png") == map;
+        };
+    };
     for (const std::string& name : *own) {
         if (ranges::find(*others, name) == others->end()) {
             pairing.unpaired.emplace_back(options.picture, name);
             continue;
         }
-        const std::string map = options.output.empty()
-                                    ? ""
-                                    : (fs::path(options.output) / fs::path(name).replace_extension(".png")).string();
-        pairing.pairs.push_back(
-            {(fs::path(options.picture) / name).string(), {(fs::path(other) / name).string()}, map});
+        // a.png, or a.exr.png and a.png.png if there are both.
+        fs::path map = fs::path(options.output) / name;
+        map.replace_extension(ranges::count_if(*own, same_map(name)) > 1 ? map.extension().string() + ".png" : ".png");
+        pairing.pairs.push_back({(fs::path(options.picture) / name).string(),
+                                 {(fs::path(other) / name).string()},
+                                 options.output.empty() ? "" : map.string()});
     }
     for (const std::string& name : *others)
         if (ranges::find(*own, name) == own->end()) pairing.unpaired.emplace_back(other, name);
@@ -268,7 +274,7 @@ bool write_compared(const CompareOptions& options, const nlohmann::ordered_json&
     return write_output(options.json, content::json_text(json) + '\n');
 }
 
-// Two folders, or one picture with any number of references; nothing that is read is overwritten.
+// Two folders, or one picture with any number of references.
 Exit usable(const CompareOptions& options) {
     std::vector<std::string> read = options.references;
     read.push_back(options.picture);
@@ -283,15 +289,33 @@ Exit usable(const CompareOptions& options) {
     if (options.output == "/dev/stdout" && options.json == options.output) {
         return complain(exit_usage, "the map and the figures would both be written to standard output");
     }
-    const std::vector outputs{options.output, options.json};
-    if (fs::is_directory(options.picture)) return exit_fine;
-    return check_outputs(outputs, read);
+    return exit_fine;
+}
+
+// Neither what is compared is overwritten nor what its scenes read.
+Exit outputs_fit(const CompareOptions& options, const Pairing& pairing) {
+    std::vector<std::string> outputs{options.json}, read, scenes;
+    const auto add = [&](const std::string& path) { (has_extension(path, "glib") ? scenes : read).push_back(path); };
+    for (const Pair& pair : pairing.pairs) {
+        outputs.push_back(pair.map);
+        add(pair.picture);
+        for (const std::string& reference : pair.references) add(reference);
+    }
+    for (const auto& [folder, name] : pairing.unpaired) add((fs::path(folder) / name).string());
+    Deadline deadline(options.timeout);
+    deadline.begin("reading the scenes");
+    const auto files = read_by(scenes, outputs, options.scene.access, options.scene.grade);
+    read.insert(read.end(), files.begin(), files.end());
+    if (!distinct_outputs(outputs, read)) return exit_usage;
+    if (fs::is_directory(options.picture)) outputs.resize(1);  // folders for the maps are made
+    return check_outputs(outputs, {});
 }
 
 Exit compare(const CompareOptions& options) {
     if (const Exit refused = usable(options); refused != exit_fine) return refused;
     const auto pairing = pairs_of(options);
     if (!pairing) return exit_input;
+    if (const Exit refused = outputs_fit(options, *pairing); refused != exit_fine) return refused;
     const bool prints = options.json != "/dev/stdout";
     std::FILE* const out = options.output == "/dev/stdout" ? stderr : stdout;  // a picture is not mixed with text
     if (prints)

@@ -190,17 +190,12 @@ std::string remove_old_page(const fs::path& page) {
 // Nothing that a scene reads is overwritten, and nothing that a gallery has not made.
 Exit check_gallery(const GalleryOptions& options, const std::vector<Exhibit>& exhibits) {
     const fs::path folder(options.output);
-    std::vector<std::string> outputs{(folder / "index.html").string(), (folder / "runtime.js").string()}, read;
+    std::vector<std::string> outputs{(folder / "index.html").string(), (folder / "runtime.js").string()}, scenes;
     for (const Exhibit& exhibit : exhibits) {
         outputs.push_back((folder / exhibit.page).string());
-        read.push_back(exhibit.scene);
+        scenes.push_back(exhibit.scene);
     }
-    if (replace_a_file(outputs))
-        for (const Exhibit& exhibit : exhibits)
-            for (std::string& path :
-                 files_read_by(exhibit.scene, access_to(exhibit.scene, options.access, options.grade)))
-                read.push_back(std::move(path));
-    if (!distinct_outputs(outputs, read)) return exit_usage;
+    if (!distinct_outputs(outputs, read_by(scenes, outputs, options.access, options.grade))) return exit_usage;
     if (!replaces_only_its_own(outputs)) return exit_usage;
     std::error_code error;
     fs::create_directories(folder, error);

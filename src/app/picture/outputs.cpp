@@ -9,6 +9,7 @@
 #include "parser/text/ranges.h"
 #include "src/app/open/complain.h"
 #include "src/content/replace.h"
+#include "src/document/document.h"
 
 namespace snell::app {
 
@@ -39,6 +40,15 @@ bool replace_a_file(std::span<const std::string> outputs) {
         std::error_code error;
         return !file.empty() && fs::is_regular_file(file, error);
     });
+}
+
+std::vector<std::string> read_by(std::span<const std::string> scenes, std::span<const std::string> outputs,
+                                 const Access& access, bool grade) {
+    std::vector<std::string> read(scenes.begin(), scenes.end());
+    if (!replace_a_file(outputs)) return read;
+    for (const std::string& scene : scenes)
+        for (std::string& file : files_read_by(scene, access_to(scene, access, grade))) read.push_back(std::move(file));
+    return read;
 }
 
 bool distinct_outputs(std::span<const std::string> outputs, std::span<const std::string> read) {

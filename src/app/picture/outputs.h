@@ -6,11 +6,17 @@
 #include <vector>
 
 #include "src/app/open/exit_status.h"
+#include "src/plan/files.h"
 
 namespace snell::app {
 
 // Returns true if writing these would replace at least one file.
 bool replace_a_file(std::span<const std::string> outputs);
+
+// The scenes, and, only if an output would replace a file, all that they may read: what outputs must not overwrite.
+// `grade`: as for access_to().
+std::vector<std::string> read_by(std::span<const std::string> scenes, std::span<const std::string> outputs,
+                                 const Access& access, bool grade = false);
 
 // Whether some of them are one file, under whatever names, or one of `read`, which is not to be overwritten; says so.
 // Empty names, pipes and devices lose nothing.

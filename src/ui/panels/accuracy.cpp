@@ -37,15 +37,6 @@ void remark(const Text& text) {
     ImGui::TextDisabled("%s", text.c_str());
 }
 
-// One sentence, with what else is known of the error.
-std::string error_tip(const AccuracyFacts& facts) {
-    return fmt::format(
-        "{};\nthe largest is {}, {},\nand the root mean square of display values {}.",
-        facts.of_scene ? found_meaning : error_meaning, error_text(facts.largest),
-        std::isfinite(facts.psnr) ? fmt::format("the signal-to-noise ratio {:.1f} dB", facts.psnr) : "nothing differs",
-        error_text(facts.of_display));
-}
-
 void figures(const Facts& all, Layout& layout) {
     const AccuracyFacts& facts = *all.accuracy;
     last_picture(all, layout);
@@ -206,8 +197,18 @@ std::string milliseconds_text(double milliseconds) {
     return fmt::format("{:.{}f} ms", milliseconds, milliseconds < 9.995 ? 2 : milliseconds < 99.95 ? 1 : 0);
 }
 
+std::string error_tip(const AccuracyFacts& facts) {
+    const std::string ratio = std::isfinite(facts.psnr) ? fmt::format("the signal-to-noise ratio {:.1f} dB", facts.psnr)
+                              : facts.error == 0        ? "nothing differs"
+                                                        : "there is no signal-to-noise ratio";
+    return fmt::format("{};\nthe largest is {}, {},\nand the root mean square of display values {}.",
+                       facts.of_scene ? found_meaning : error_meaning, error_text(facts.largest), ratio,
+                       error_text(facts.of_display));
+}
+
 std::string error_text(double error) {
     if (error == 0) return "0";
+    if (std::isnan(error)) return "unknown";
     if (!(error >= 1e-4 && error < 1)) return fmt::format("{:.2g}", error);
     const std::string text = fmt::format("{:.2g}", error);  // drops the leading zero, as in .0031
     return text.starts_with("0.") ? text.substr(1) : text;

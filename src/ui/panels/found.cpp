@@ -26,8 +26,8 @@ std::string ratio_number(double ratio) {
 }
 
 std::string time_of(const FoundRow& row) {
-    if (row.ratio <= 0) return {};
-    if (row.high <= 0) return "about " + ratio_text(row.ratio);
+    if (!(row.ratio > 0)) return {};
+    if (!(row.high > 0)) return "about " + ratio_text(row.ratio);
     return fmt::format("{} [{}, {}]", ratio_text(row.ratio), ratio_number(row.low), ratio_number(row.high));
 }
 

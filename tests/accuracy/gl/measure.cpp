@@ -131,7 +131,7 @@ TEST_F(Measure, CubeMapsAreNotFilteredAnisotropicallyInSoftware) {
     Scene scene;
     scene.textures.resize(1);
     scene.textures[0].files.resize(1);
-    scene.textures[0].filter.mode = Filter::Mode::anisotropic;
+    scene.textures[0].filter = {Filter::Mode::anisotropic, 8};
     const auto rungs = [&](bool software) {
         Diagnostics problems;
         std::vector<std::string> names;

@@ -71,6 +71,7 @@ TEST_F(Misleading, ReferenceThatIsNotFiniteSaysNothingAndNamesItsPixels) {
     for (const Wish& wish : {Wish{}, Wish{.error = 1}, Wish{.milliseconds = 1e4}})
         EXPECT_EQ(advised(result, wish), std::nullopt);
     EXPECT_EQ(table_text(result).find("equal"), std::string::npos) << table_text(result);
+    for (const RungResult& rung : result.rungs) EXPECT_TRUE(std::isnan(rung.flip)) << rung.name;
     EXPECT_TRUE(std::isnan(result.rungs[1].own.light.rmse));
     EXPECT_EQ(result.rungs[1].own.nonfinite, 64U);
     EXPECT_TRUE(in_words(result).starts_with("Can't say: ")) << in_words(result);
@@ -91,6 +92,7 @@ TEST_F(Misleading, DrawsThatCoverNoPixelSayNothing) {
                                         "Translate 9 0 0\nQuadXY 0 .5\n");
     EXPECT_EQ(result.cannot_say, "the ladder's draws cover no pixel");
     EXPECT_TRUE(std::isnan(result.rungs[1].whole.light.psnr)) << "no number stands beside what is unknown";
+    EXPECT_TRUE(std::isnan(result.rungs[1].flip));
     EXPECT_EQ(table_text(result).find("nan"), std::string::npos) << table_text(result);
     EXPECT_FALSE(result.broken);
     EXPECT_FALSE(result.trusted());

@@ -69,8 +69,7 @@ struct Shown {
 bool same_size(const Picture& a, const Picture& b) { return a.width == b.width && a.height == b.height; }
 
 const Picture* reference_of(const SweepResult& sweep) {
-    const Picture& picture =
-        sweep.reference.rgba.empty() ? sweep.rungs[sweep.sweep.reference].picture : sweep.reference;
+    const Picture& picture = sweep.compared_with();
     return picture.rgba.empty() ? nullptr : &picture;
 }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/statistics.h"
 #include "src/app/commands/options.h"
@@ -136,9 +138,10 @@ std::optional<FrameCost> saved_by(const FoundRung& rung, const FoundResult& resu
         std::vector<double> differences;
         for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
             if (a[i] > 0 && b[i] > 0) differences.push_back(a[i] - b[i]);
-        return differences.empty() ? 0 : accuracy::median(differences);
+        return accuracy::median(differences);
     };
     FrameCost cost{median(with.cpu, without->cpu), median(with.wall, without->wall), std::nullopt};
+    if (std::isnan(cost.wall)) return std::nullopt;  // they have no round in common
     if (result.costs.clock == accuracy::ClockKind::gpu) cost.gpu = median(with.gpu, without->gpu);
     return cost;
 }
@@ -162,8 +165,13 @@ Omissions omissions_of(const Plan& plan, Document& document) {
 
 // The most expensive first.
 WithoutEffect without_effect(const FoundResult& result, const Omissions& omissions, bool software) {
-    WithoutEffect found{
-        {}, omissions.changes.size(), result.places.size(), result.places.size() - result.searched, result.late};
+    const auto tried = ranges::count(result.rungs, accuracy::Outcome::tried, &FoundRung::outcome);
+    WithoutEffect found{.cannot_say = result.cannot_say,
+                        .rows = {},
+                        .tried = static_cast<std::size_t>(tried),
+                        .places = result.places.size(),
+                        .held_out = result.places.size() - std::min(result.searched, result.places.size()),
+                        .late = result.late};
     for (const FoundRung* rung : result.without_effect()) {
         const std::size_t change = rung->changes.front();
         found.rows.push_back({std::to_string(omissions.numbers[change]), result.positions[change],
@@ -228,11 +236,13 @@ void measure(ExplainReport& report, Document& document, const Plan& plan, const 
 }
 
 Exit explain(const ExplainOptions& options) {
-    if (const Exit refused = check_outputs(std::array{options.json}, std::array{options.scene}); refused != exit_fine)
-        return refused;
     const runtime::Stopwatch watch;
     Deadline deadline(options.timeout);
     deadline.begin(fmt::format("reading '{}'", options.scene));
+    const std::array outputs{options.json};
+    if (const Exit refused = check_outputs(outputs, read_by(std::array{options.scene}, outputs, options.access));
+        refused != exit_fine)
+        return refused;
     auto context = headless_context(options.context);
     if (!context) return exit_graphics;
     ExplainReport report;

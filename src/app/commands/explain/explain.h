@@ -26,6 +26,7 @@ struct WithoutEffect {
         std::int64_t gpu_bytes = 0, bytes_decoded = 0;
         std::optional<double> load_ms = {};  // of loading; 0: less than can be measured; nullopt: not measured
     };
+    std::string cannot_say;  // why nothing was left out; empty if nothing is wrong with the scene
     std::vector<Row> rows;
     std::size_t tried = 0, places = 0, held_out = 0;
     bool late = false;  // the time was up before all were tried

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "parser/text/utf8.h"
 #include "src/app/commands/explain/explain.h"
 #include "src/content/json.h"
 
@@ -67,6 +68,17 @@ std::string switched_off_text(const ExplainReport& report, const Sources& source
     return text;
 }
 
+// Names and texts of scenes go to the terminal, and may hold anything.
+std::string printable_lines(std::string_view text) {
+    std::string lines;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        lines += utf8::printable(text.substr(at, end - at)) + "\n";
+        at = end + 1;
+    }
+    return lines;
+}
+
 std::string without_effect_text(const ExplainReport& report) {
     if (!report.without_effect) return "";
     const WithoutEffect& found = *report.without_effect;
@@ -77,12 +89,12 @@ std::string without_effect_text(const ExplainReport& report) {
         text += fmt::format("      {}: found rung {}{}\n", row.place, row.rung,
                             row.load_ms.value_or(0) > 0 ? fmt::format(", {:.3g} ms of loading", *row.load_ms) : "");
     }
-    text += found.tried == 0
-                ? "  nothing can be left out\n\n"
-                : fmt::format("  {} of {} that were left out, at {} places, {} of which were held out{}\n\n",
-                              found.rows.size(), found.tried, found.places, found.held_out,
-                              found.late ? "; the time was up before all were tried: give a longer --timeout" : "");
-    return text;
+    if (!found.cannot_say.empty()) return text + fmt::format("  can't say: {}\n\n", found.cannot_say);
+    const std::string_view late = "the time was up before all were tried: give a longer --timeout";
+    if (found.tried == 0) return text + fmt::format("  {}\n\n", found.late ? late : "nothing can be left out");
+    return text + fmt::format("  {} of {} that were left out, at {} places, {} of which were held out{}{}\n\n",
+                              found.rows.size(), found.tried, found.places, found.held_out, found.late ? "; " : "",
+                              found.late ? late : "");
 }
 
 }  // namespace
@@ -118,7 +130,7 @@ std::string explain_text(const ExplainReport& report, const Sources& sources) {
         const std::uint64_t load = report.load.*counter.value, frame = report.per_frame.*counter.value;
         if (load || frame) text += fmt::format("  {:<22}{:>12}{:>12}\n", counter.name, load, frame);
     }
-    return text;
+    return printable_lines(text);
 }
 
 namespace {
@@ -177,7 +189,11 @@ Json switched_off_json(const ExplainReport& report, const Sources& sources) {
 }
 
 Json without_effect_json(const WithoutEffect& found) {
-    Json json{{"tried", found.tried}, {"places", found.places}, {"held_out", found.held_out}, {"late", found.late}};
+    Json json{{"cannot_say", found.cannot_say},
+              {"tried", found.tried},
+              {"places", found.places},
+              {"held_out", found.held_out},
+              {"late", found.late}};
     json["rows"] = Json::array();
     for (const WithoutEffect::Row& row : found.rows)
         json["rows"].push_back({{"rung", row.rung},
