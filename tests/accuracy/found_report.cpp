@@ -85,7 +85,14 @@ TEST(FoundReport, NothingIsSaidOfTimesThatWereNotTaken) {
     found.interrupted = true;
     EXPECT_TRUE(says(found, "No cheaper change was timed.")) << found_text(found);
     EXPECT_FALSE(says(found, "saves time"));
+    EXPECT_EQ(standing_of(found, found.rungs[0]), "not timed") << "it may save time";
     EXPECT_EQ(standing_of(found, found.rungs[1]), "stopped before it was tried at other places");
+    FoundRung omission = tried("1", {0}, Aim::unused);
+    EXPECT_EQ(standing_of(found, omission), "stopped before it was tried at other places");
+    omission.held_out = true;
+    EXPECT_EQ(standing_of(found, omission), "changes 0 pixels");
+    omission.pixels_changed = 1;
+    EXPECT_EQ(standing_of(found, omission), "changes pixels");
     found.interrupted = false;
     EXPECT_EQ(standing_of(found, found.rungs[1]), "not held out: the time was up");
 

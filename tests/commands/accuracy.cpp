@@ -154,8 +154,11 @@ TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
     EXPECT_NE(text("out.txt").find("--ladder SHADE=exact\n"), std::string::npos) << text("out.txt");
     // A found rung may have no error at all, and then meets any limit of it.
     for (const char* unmet : {"--within 0.0001ms", "--error 1e-9 --no-found"}) {
-        EXPECT_EQ(run(quick + unmet), 1) << unmet;
+        EXPECT_EQ(run(quick + "--time 1.5 " + unmet), 1) << unmet;
         EXPECT_NE(text("out.txt").find("nothing that was measured is; the nearest is SHADE="), std::string::npos);
+        EXPECT_NE(text("out.txt").find(".glib -o picture.png --size 64x64 --time 1.5 --ladder SHADE="),
+                  std::string::npos)
+            << "the picture that was measured: " << text("out.txt");
     }
     EXPECT_EQ(run("--within soon"), 2);
     for (const char* odd : {"--error nan", "--error inf", "--error -1", "--budget nan"}) EXPECT_EQ(run(odd), 2) << odd;

@@ -89,6 +89,7 @@ std::size_t count_of(const FoundResult& found, Outcome outcome) {
 
 constexpr std::string_view lacking = "What the picture lacks, and what it would cost";
 constexpr std::string_view invisible = "What changes no pixel";
+constexpr const char* stopped_early = "stopped before it was tried at other places";
 
 // Why no cheaper rung is listed.
 std::string_view no_cheaper_words(const FoundResult& found) {
@@ -207,7 +208,7 @@ std::string standing_of(const FoundResult& found, const FoundRung& rung) {
     const std::string elsewhere =
         rung.only_where_tried ? "at other views and values its error is more than twice as large" : "";
     if (rung.aim == Aim::unused)
-        return rung.held_out && rung.pixels_changed == 0 ? "changes 0 pixels" : "changes pixels";
+        return rung.pixels_changed > 0 ? "changes pixels" : rung.held_out ? "changes 0 pixels" : stopped_early;
     if (const RungResult* times = found.times(rung)) {
         const std::string standing = rung.aim == Aim::cheaper ? standing_text(found.timed, *times) : "";
         return standing + (standing.empty() || elsewhere.empty() ? "" : "; ") + elsewhere;
@@ -215,9 +216,9 @@ std::string standing_of(const FoundResult& found, const FoundRung& rung) {
     if (!elsewhere.empty()) return elsewhere;
     if (rung.timed) return "not timed";
     if (rung.aim == Aim::better && rung.held_out) return "";
-    if (rung.aim == Aim::better)
-        return found.interrupted ? "stopped before it was tried at other places" : "not held out: the time was up";
-    if (!found.with_times) return rung.held_out || rung.reason.empty() ? "not timed" : "not held out: " + rung.reason;
+    if (rung.aim == Aim::better) return found.interrupted ? stopped_early : "not held out: the time was up";
+    if (!found.with_times || !(rung.quick_ratio > 0))
+        return rung.held_out || rung.reason.empty() ? "not timed" : "not held out: " + rung.reason;
     if (!rung.saves) return rung.changes.size() > 1 ? "saves no more than a part of it" : "saves no time";
     return rung.held_out ? "not timed" : "another one saves more";
 }

@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <iterator>
 
 #include "parser/text/ranges.h"
@@ -18,6 +18,7 @@
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/quality.h"
+#include "src/app/open/write_copy.h"
 #include "src/document/document.h"
 
 namespace snell::app {
@@ -44,19 +45,29 @@ std::string found_text(const Advice& advice, const SweepResult& sweep) {
     return text;
 }
 
-std::string advice_text(const std::string& path, const Scene& scene, const Advice& advice, const SweepResult& sweep) {
+// The command that draws what was measured: in the same size, at the same time and with the same values.
+std::string render_line(const Bench& bench, const std::string& path, const std::vector<std::string>& rungs) {
+    const BenchSettings& how = bench.settings();
+    std::string line = "snell render " + file_word(path) + " -o picture.png";
+    if (std::array{how.width, how.height} != bench.scene().window_size)
+        line += fmt::format(" --size {}x{}", how.width, how.height);
+    if (how.time != 0) line += fmt::format(" --time {}", how.time);
+    for (const std::string& set : how.sets) line += " --set " + shell_word(set);
+    for (const std::string& rung : rungs) line += " --ladder " + shell_word(rung);
+    return line;
+}
+
+std::string advice_text(const std::string& path, const Bench& bench, const Advice& advice, const SweepResult& sweep) {
     if (!advice.known)
         return fmt::format(
             "\n{}: can't say: {}\n", wish_text(advice.wish),
             sweep.cannot_say.empty() ? "no combination was drawn and timed with a finite error" : sweep.cannot_say);
-    const std::vector<std::string> rungs = choices(scene, sweep.sweep.rungs[advice.rung].variant.rungs);
+    const std::vector<std::string> rungs = choices(bench.scene(), sweep.sweep.rungs[advice.rung].variant.rungs);
     const char* kind = !advice.wish.milliseconds ? "the cheapest" : "the most exact";
     std::string text = advice.met ? fmt::format("\n{}: {} is {}\n", wish_text(advice.wish), kind, fmt::join(rungs, " "))
                                   : fmt::format("\n{}: nothing that was measured is; the nearest is {}\n",
                                                 wish_text(advice.wish), fmt::join(rungs, " "));
-    text += found_text(advice, sweep) + "  snell render " + file_word(path) + " -o picture.png";
-    for (const std::string& choice : rungs) text += " --ladder " + choice;
-    return text + "\n";
+    return text + found_text(advice, sweep) + "  " + render_line(bench, path, rungs) + "\n";
 }
 
 bool save_presets(const std::string& path, const Scene& scene, const Counsel& counsel, const Circumstances& where) {
@@ -87,7 +98,7 @@ bool advise_ladders(const AccuracyOptions& options, const std::string& path, Ben
     if (options.within || options.error) {
         const Advice& advice = counsel.advice.back();
         met = advice.met;
-        fmt::print("{}", advice_text(path, bench.scene(), advice, counsel.sweeps[advice.sweep]));
+        fmt::print("{}", advice_text(path, bench, advice, counsel.sweeps[advice.sweep]));
         counsel.advice.pop_back();
     }
     saved = !options.save_quality || save_presets(path, bench.scene(), counsel, report.where);
@@ -190,12 +201,10 @@ bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench
     std::string scene = path;
     if (!mix.changes.empty()) {
         fmt::print("  {}\n", apply_command(path, options.choices, rung_name(mix.changes), "FOLDER"));
-        scene = "FOLDER/" + std::filesystem::path(path).filename().string();
+        scene = copied_scene(path, options.access, "FOLDER");
     }
-    std::string line = "  snell render " + file_word(scene) + " -o picture.png";
-    for (const std::string& choice : together.choices[*advice.best]) line += " --ladder " + choice;
-    if (mix.samples > 1) line += fmt::format(" --samples {}", mix.samples);
-    fmt::print("{}\n", line);
+    fmt::print("  {}{}\n", render_line(bench, scene, together.choices[*advice.best]),
+               mix.samples > 1 ? fmt::format(" --samples {}", mix.samples) : "");
     const bool met = advice.met;
     report.together.push_back(std::move(together));
     return met;
@@ -226,7 +235,7 @@ bool save_quality_copy(const AccuracyOptions& options, const Sought& sought, con
     presets_only.within = presets_only.error = std::nullopt;
     bool saved = false;
     advise_ladders(presets_only, path, bench, now, own, report, saved);
-    if (saved) fmt::print("  snell render {} -o picture.png --quality {}\n", file_word(path), quality_names[1]);
+    if (saved) fmt::print("  {} --quality {}\n", render_line(bench, path, {}), quality_names[1]);
     return saved;
 }
 

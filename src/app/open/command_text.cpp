@@ -18,7 +18,8 @@ std::string option_name(const Document& document, const Control& control) {
                      : fmt::format("{}.{}", document.scene().programs[control.program].name, control.name);
 }
 
-// Quotes a word if a shell would interpret it.
+}  // namespace
+
 std::string shell_word(std::string_view word) {
     constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@%";
     if (!word.empty() && word.find_first_not_of(plain) == word.npos) return std::string(word);
@@ -26,8 +27,6 @@ std::string shell_word(std::string_view word) {
     for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + "'";
 }
-
-}  // namespace
 
 std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "src/document/document.h"
@@ -27,6 +28,8 @@ std::vector<std::string> value_options(const Document& document, const View& vie
 std::string render_command(const Document& document, const Picture& picture);
 // The rungs that are not the scene's own, as "LADDER=rung".
 std::vector<std::string> changed_rungs(const Scene& scene, const Rungs& rungs);
+// A word of such a line: quoted if a shell would interpret it.
+std::string shell_word(std::string_view word);
 // A path as a word of such a line, which no command takes for an option.
 std::string file_word(const std::string& name);
 // The beginning of such a line about found rungs. Their numbers depend on `choices`, the "LADDER=rung" that are chosen.

@@ -33,12 +33,16 @@ std::string plain(const std::string& path) { return fs::path(path).lexically_nor
 
 std::string shown(const fs::path& path) { return utf8::printable(path.string()); }
 
+CopyNames names_for(const std::string& marked, const Access& access) {
+    return copy_names(marked, files_read_by(marked, access), "the new folder");
+}
+
 // The files of the copy. Sets `copy.error` if the scene would not find them there.
 std::vector<Target> gather(const std::string& scene, const Access& access,
                            const std::map<std::string, std::string>& texts, const fs::path& folder, WrittenCopy& copy) {
     const std::string marked = marked_path(scene);
     Files files(scene_folder(marked), access);
-    const CopyNames names = copy_names(marked, files_read_by(marked, access), "the new folder");
+    const CopyNames names = names_for(marked, access);
     copy.error = names.error;
     if (names.files.empty()) copy.error = fmt::format("cannot read '{}'", shown(scene));
     copy.scene = (folder / names.scene).string();
@@ -123,6 +127,10 @@ std::string check_folder(const std::string& folder) {
         wrong = fmt::format("cannot write into '{}': {}", shown(folder), std::strerror(errno));
     for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, error);
     return wrong;
+}
+
+std::string copied_scene(const std::string& scene, const Access& access, const std::string& folder) {
+    return (fs::path(folder) / names_for(marked_path(scene), access).scene).string();
 }
 
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,

@@ -38,7 +38,7 @@ private:
 bool replace_a_file(std::span<const std::string> outputs) {
     return ranges::any_of(outputs, [](const std::string& file) {
         std::error_code error;
-        return !file.empty() && fs::is_regular_file(file, error);
+        return !file.empty() && !content::is_stream(file) && fs::is_regular_file(file, error);
     });
 }
 

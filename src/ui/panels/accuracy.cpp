@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
+#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/state.h"
@@ -52,7 +53,9 @@ void figures(const Facts& all, Layout& layout) {
     remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
-        fitted(Text("{} pixels are NaN or infinite", facts.nonfinite).view(), ImGui::GetContentRegionAvail().x);
+        fitted(
+            Text("{} {} NaN or infinite", counted(facts.nonfinite, "pixel"), facts.nonfinite > 1 ? "are" : "is").view(),
+            ImGui::GetContentRegionAvail().x);
         ImGui::PopStyleColor();
     }
 }
