@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
+#include "src/content/json.h"
 #include "src/server/published.h"
 #include "src/server/trial.h"
 
@@ -86,7 +87,7 @@ void Checks::take(const std::string& result) {
     Scene* scene = current();
     if (!scene) return;
     (driver_ ? scene->driver : scene->check) = false;
-    Json said = parse_json(result);
+    Json said = content::parse_json(result);
     if (!said.is_array()) return;
     scene->said = std::move(said);
     publish();

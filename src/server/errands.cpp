@@ -1,5 +1,6 @@
 #include "src/server/errands.h"
 
+#include "src/content/json.h"
 #include "src/content/uri.h"
 
 namespace snell::server {
@@ -18,7 +19,7 @@ void Errands::go_on() {
 }
 
 void Errands::report(const std::string& result) {
-    const Json outcome = parse_json(result);
+    const Json outcome = content::parse_json(result);
     const bool read = outcome.is_object();
     const std::string file = read ? string_at(outcome, "file") : "";
     const std::string message = read ? string_at(outcome, "message") : "snell ended before it was done";

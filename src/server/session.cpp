@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "parser/text/ranges.h"
+#include "src/content/json.h"
 #include "src/server/capabilities.h"
 #include "src/server/features.h"
 #include "src/server/notices.h"
@@ -28,6 +29,21 @@ const Json& member(const Json& json, const char* key) {
     return found == json.end() ? nothing : *found;
 }
 
+// Values are copied and printed by functions that call themselves.
+bool too_deep(std::string_view json) {
+    constexpr int deepest = 100;
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < json.size() && depth <= deepest; ++i) {
+        const char c = json[i];
+        if (quoted && c == '\\') ++i;
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+    }
+    return depth > deepest;
+}
+
 std::string method_of(const Json& message) {
     const Json& method = member(message, "method");
     return method.is_string() ? method.get<std::string>() : "";
@@ -37,7 +53,8 @@ std::string method_of(const Json& message) {
 
 void Session::receive(Arrived arrived) {
     if (!arrived.wrong.empty()) return queue_.push_back({{}, std::move(arrived.wrong)});
-    Json message = parse_json(arrived.body);
+    if (too_deep(arrived.body)) return queue_.push_back({{}, "the message is nested too deeply"});
+    Json message = content::parse_json(arrived.body);
     if (message.is_discarded()) return queue_.push_back({{}, "the message is not JSON"});
     if (method_of(message) != "$/cancelRequest") return queue_.push_back({std::move(message), {}});
     const Json& id = member(member(message, "params"), "id");

@@ -263,6 +263,15 @@ TEST_F(Grade, FoldersOfStudentsKeepTheirNamesAndGoWithThem) {
     EXPECT_TRUE(fs::exists(at("out/students/ann/index.html")));
 }
 
+TEST_F(Grade, ASubmissionThatIsNamedTwiceIsOne) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("s/ann");
+    fs::create_directory_symlink("ann", at("s/link"));
+    const Outcome made = grade("r.toml s/* s/ann s/ann/ s/../s/ann -o out");
+    EXPECT_TRUE(made.says("1 submission, 0 of them judged before")) << made.output;
+    EXPECT_EQ(result("ann")["points"], 1) << made.output;
+}
+
 TEST_F(Grade, PartsTogetherAreTheWhole) {
     folder.write("r.toml",
                  head + "[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n[[item]]\nexpect = \"reference\"\n");
@@ -303,7 +312,8 @@ TEST_F(Grade, FilesThatALecturerAddsToAReportStay) {
     folder.write("r.toml", head + "[[item]]\nexpect = \"reference\"\n");
     scene("s/ann");
     ASSERT_EQ(grade("r.toml s -o out").status, 0);
-    const std::vector<std::string> added{"out/students/ann/corrected.png", "out/reference/board.png"};
+    const std::vector<std::string> added{"out/students/ann/corrected.png", "out/reference/board.png",
+                                         "out/similar/letter.txt"};
     for (const std::string& file : added) folder.write(file, "x");
     folder.write("out/students/ann/picture-7.png", "of another rubric");
     folder.write("r.toml", head + "[[item]]\npoints = 3\nexpect = \"reference\"\n");

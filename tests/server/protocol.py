@@ -141,8 +141,14 @@ class Wrong(unittest.TestCase):
             self.assertEqual([code(m) for m in self.answers(frame(message))], [-32600], message)
 
     def test_deep_nesting(self):
-        deep = b'{"jsonrpc":"2.0","id":9,"method":"x","params":' + b"[" * 200000 + b"]" * 200000 + b"}"
-        self.assertEqual([code(m) for m in self.answers(frame(deep))], [-32601])
+        # What is nested is copied and printed by functions that call themselves.
+        for place in (b'"id":9,"method":"x","params":', b'"method":"x","id":', b'"id":9,"method":"textDocument/codeAction",'
+                      b'"params":{"textDocument":{"uri":"file:///a.glib"},"context":'):
+            for opens, closes in ((b"[", b"]"), (b'{"a":', b"}")):
+                deep = b"{" + place + opens * 200000 + b"0" + closes * 200000 + b"}" * (1 + place.count(b"{") - place.count(b"}"))
+                self.assertEqual([code(m) for m in self.answers(frame(deep))], [-32700], place)
+        fine = b'{"jsonrpc":"2.0","id":9,"method":"x","params":["' + b"[" * 5000 + b'\\"]", ' + b"[" * 90 + b"]" * 90 + b"]}"
+        self.assertEqual([code(m) for m in self.answers(frame(fine))], [-32601])
 
     def test_batches(self):
         answers = self.answers(frame([request(5, "a"), notification("b"), request(6, "c"), 7]) + frame([]) +

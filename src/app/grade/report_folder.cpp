@@ -119,6 +119,14 @@ std::string submission_in(const std::string& folder) {
     return json.is_object() && json.contains("submission") && json["submission"].is_string() ? json["submission"] : "";
 }
 
+void remove_pairs(const std::string& output) {
+    std::error_code error;
+    const fs::path folder = fs::path(output) / "similar";
+    for (const fs::path& page : entries(folder))
+        if (is_report_page(page)) fs::remove(page, error);
+    fs::remove(folder, error);  // if it is empty
+}
+
 void remove_former_students(const std::string& output, const std::set<std::string>& folders) {
     std::error_code error;
     for (const fs::path& folder : entries(fs::path(output) / "students")) {

@@ -26,6 +26,9 @@ bool may_hold_report(const std::string& output);
 // Removes the record and the pictures from the folder of a submission or the reference, and nothing else.
 void remove_judged(const std::string& folder);
 
+// Removes the pages of pairs that an earlier run found alike.
+void remove_pairs(const std::string& output);
+
 // Removes the folders of submissions that are not in `folders`. What grading did not make stays, with its folder.
 void remove_former_students(const std::string& output, const std::set<std::string>& folders);
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "parser/text/ranges.h"
 #include "parser/text/tidy.h"
@@ -169,6 +170,8 @@ std::optional<std::vector<Submission>> find_submissions(const std::vector<std::s
     std::sort(submissions.begin(), submissions.end(), [](const Submission& a, const Submission& b) {
         return std::tie(a.name, a.path) < std::tie(b.name, b.path);
     });
+    std::set<std::string> known;  // one that is named twice, or by a link, too, is one
+    std::erase_if(submissions, [&known](const Submission& one) { return !known.insert(one.path).second; });
     name_folders(submissions, report / "students");
     return submissions;
 }

@@ -7,8 +7,6 @@ namespace snell::server {
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-Json parse_json(std::string_view text) { return Json::parse(text, nullptr, false); }
-
 Json place_json(Place place) { return {{"line", place.line}, {"character", place.character}}; }
 
 Json range_json(const Lines& lines, const Span& span, Encoding encoding) {

@@ -14,8 +14,6 @@ using Json = nlohmann::ordered_json;
 
 // Bytes that are not UTF-8 become U+FFFD.
 std::string text_of(const Json& json);
-// Returns a discarded value if the text is not JSON.
-Json parse_json(std::string_view text);
 
 Json place_json(Place place);
 Json range_json(const Lines& lines, const Span& span, Encoding encoding);

@@ -65,9 +65,9 @@ std::set<std::uint64_t> handed_out(const Rubric& rubric) {
     std::vector<fs::path> files;
     for (const std::string& path : rubric.templates) {
         if (fs::is_regular_file(path, error)) files.emplace_back(path);
-        if (!fs::is_directory(path, error)) continue;
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path, error))
-            if (entry.is_regular_file(error)) files.push_back(entry.path());
+        fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end;
+        for (; !error && entry != end; entry.increment(error))
+            if (entry->is_regular_file(error)) files.push_back(entry->path());
     }
     for (const fs::path& file : files) {
         if (!is_shader_name(file.native())) continue;

@@ -25,7 +25,7 @@ std::string write_report(const Grades& grades, const std::string& output) {
     const fs::path folder(output);
     const std::vector<AlikePair> pairs = pairs_of_all(grades);
     std::error_code error;
-    fs::remove_all(folder / "similar", error);  // of an earlier run
+    remove_pairs(output);
     std::set<std::string> students;
     for (const GradedSubmission& graded : grades.all) students.insert(graded.submission.folder);
     remove_former_students(output, students);
