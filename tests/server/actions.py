@@ -124,7 +124,7 @@ class Scene:
 
     def settle(self):
         if self.driver:
-            return self.client.rest(1.5)  # until the driver has spoken
+            return self.client.rest(.6)  # the driver is asked .3 s after a change
         self.client.wait_for(lambda: all(
             self.client.published.get(uri, {}).get("version") == self.versions[uri] for uri in self.uris
             if uri in self.client.published or uri == self.uris[0]))

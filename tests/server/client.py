@@ -153,9 +153,16 @@ class Client:
         return self.wait_for(there, seconds)["diagnostics"]
 
     def rest(self, seconds=1.0):
-        """Takes what comes until nothing came for so long."""
-        while self.pump(seconds):
-            pass
+        """Takes what comes until nothing came, and nothing was checked, for so long."""
+        since = time.monotonic()
+        while time.monotonic() - since < seconds:
+            if self.pump(.02) or self.checks():
+                since = time.monotonic()
+
+    def checks(self):
+        """Whether the server has a child: each check is a process of its own."""
+        pid = self.process.pid
+        return bool(pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii"))
 
     def end(self):
         """Ends the server as the protocol asks, and returns its exit status."""
