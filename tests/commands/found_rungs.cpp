@@ -256,6 +256,7 @@ TEST_F(FoundRungs, WrongNumbersAndOptionsAreErrors) {
     refused("work/ball.glib --apply 999 -o new", 1, "'999' is not the number of a found rung; they go from 1 to ");
     refused("work/ball.glib --apply 999 -o new", 1, "list them by: snell accuracy work/ball.glib --list-found\n");
     refused("work/ball.glib --apply x -o new", 1, "'x' is not the number");
+    refused("work/ball.glib --apply 1,2 -o new", 1, "'1,2' is not the number of a found rung");
     refused("work/ball.glib --as-ladder 1, -o new", 1, "is not the number");
     refused("work/ball.glib --apply 1", 2, "add -o FOLDER");
     refused("work/ball.glib --apply 1 -o new --budget 3", 2, "--apply excludes --budget: it only writes a scene");

@@ -113,16 +113,27 @@ struct Texts {
     std::map<std::string, std::string> by_path;
 };
 
-// Draws the expressions whose means are needed for these rungs. False if there is no OpenGL to draw them with.
-bool fill(const std::string& names, Found& found, const AccuracyOptions& options) {
-    std::vector<Change*> unfilled;
+// --apply makes one rung, --as-ladder several, such as "3,7+9".
+std::vector<std::string_view> wanted_rungs(const AccuracyOptions& options) {
+    if (options.as_ladder.empty()) return {options.apply};
+    const std::string_view names = options.as_ladder;
+    std::vector<std::string_view> rungs;
     for (std::size_t at = 0; at <= names.size();) {
         const std::size_t end = std::min(names.find(',', at), names.size());
+        rungs.push_back(names.substr(at, end - at));
+        at = end + 1;
+    }
+    return rungs;
+}
+
+// Draws the expressions whose means are needed for these rungs. False if there is no OpenGL to draw them with.
+bool fill(Found& found, const AccuracyOptions& options) {
+    std::vector<Change*> unfilled;
+    for (const std::string_view name : wanted_rungs(options)) {
         std::string unheard;  // choose() says what is wrong
-        const auto indices = parse_rung(std::string_view(names).substr(at, end - at), found.changes, unheard);
+        const auto indices = parse_rung(name, found.changes, unheard);
         for (const std::size_t index : indices.value_or(std::vector<std::size_t>{}))
             if (!found.changes[index].probes.empty()) unfilled.push_back(&found.changes[index]);
-        at = end + 1;
     }
     if (unfilled.empty()) return true;
     const auto context = headless_context(options.context);
@@ -131,29 +142,25 @@ bool fill(const std::string& names, Found& found, const AccuracyOptions& options
     return context != nullptr;
 }
 
-std::optional<std::vector<Chosen>> choose(const std::string& names, const Found& found,
-                                          const AccuracyOptions& options) {
+std::optional<std::vector<Chosen>> choose(const Found& found, const AccuracyOptions& options) {
     std::vector<Chosen> chosen;
-    for (std::size_t at = 0; at <= names.size();) {
-        const std::size_t end = std::min(names.find(',', at), names.size());
+    for (const std::string_view name : wanted_rungs(options)) {
         std::string error;
-        auto one = choose_changes(std::string_view(names).substr(at, end - at), found.changes, found.sources, error);
+        auto one = choose_changes(name, found.changes, found.sources, error);
         if (!one) {
             complain(error,
                      "list them by: " + accuracy_command(options.scenes.front(), options.choices) + " --list-found");
             return std::nullopt;
         }
         chosen.push_back(std::move(*one));
-        at = end + 1;
     }
     return chosen;
 }
 
 std::optional<Texts> texts_of(const AccuracyOptions& options, Found& found) {
     const bool ladders = !options.as_ladder.empty();
-    const std::string& names = ladders ? options.as_ladder : options.apply;
-    if (!fill(names, found, options)) return std::nullopt;
-    auto chosen = choose(names, found, options);
+    if (!fill(found, options)) return std::nullopt;
+    auto chosen = choose(found, options);
     if (!chosen) return std::nullopt;
     Texts texts{std::move(*chosen), {}, {}};
     std::vector<const Change*> changes;
