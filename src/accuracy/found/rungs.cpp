@@ -78,8 +78,7 @@ void FoundResult::refuse_all(const std::string& reason) {
 
 std::string FoundResult::broken_words() const {
     const auto& [place, pixels] = *broken;
-    return fmt::format("the scene itself is NaN or infinite in {} pixel{}, the first at ({}, {}) from the top left{}",
-                       pixels.count, pixels.count > 1 ? "s" : "", pixels.x, pixels.y,
+    return fmt::format("the scene itself is {}{}", text_of(pixels),
                        place == 0 ? "" : ", with " + place_text(places[place], places[0]));
 }
 
