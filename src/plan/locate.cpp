@@ -122,10 +122,13 @@ bool is_shader_name(std::string_view path) {
 
 std::string written_name(const std::string& path, std::string_view from, const Files& files) {
     const std::size_t slash = from.rfind('/');
-    std::string folder(slash == std::string_view::npos ? files.folder() : from.substr(0, slash));
-    if (folder.empty()) return path;
-    if (folder.back() != '/') folder += '/';
-    return path.starts_with(folder) ? path.substr(folder.size()) : path;
+    for (std::string folder :
+         {std::string(slash == std::string_view::npos ? "" : from.substr(0, slash)), files.folder()}) {
+        if (folder.empty()) continue;
+        if (folder.back() != '/') folder += '/';
+        if (path.starts_with(folder)) return path.substr(folder.size());
+    }
+    return path;
 }
 
 std::string locate(const FileName& file, const Extensions& extensions, const Files& files, Diagnostics& diagnostics) {

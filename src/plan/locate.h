@@ -22,7 +22,7 @@ bool has_extension(std::string_view path, std::string_view extension);
 // True for a file with an extension of a shader, of whatever stage.
 bool is_shader_name(std::string_view path);
 
-// A path as a scene writes it: relative to the file `from` that contains the name, or, if that is empty, to the scene.
+// A path as a scene writes it: relative to the file `from` that contains the name, or to the scene.
 std::string written_name(const std::string& path, std::string_view from, const Files& files);
 
 // Returns the path. Returns an empty string and reports file-not-found if there is none; reports file-inexact if the

@@ -129,6 +129,11 @@ TEST_F(Grade, OtherNamesAreMatchedByAliasesOnly) {
     EXPECT_EQ(points_of({uniform, item + "[aliases]\nuKd = [\"kd\", \"uDiffuse\"]\n"}, fragment, text), (Points{4, 4}))
         << last;
     EXPECT_EQ(points_of({item, uniform + "[aliases]\nuKd = \"uDiffuse\"\n"}, fragment, text), (Points{4, 4})) << last;
+    // A member of a structure, and a uniform of a program.
+    const std::string dotted = "set = { \"uLamp.power\" = 0 }\nexpect = \"darker\"\n",
+                      program = "set = { \"Ball.uKd\" = 0 }\nexpect = \"darker\"\n",
+                      aliases = "[aliases]\n\"uLamp.power\" = \"uDiffuse\"\nuKd = \"uDiffuse\"\n";
+    EXPECT_EQ(points_of({dotted, program + aliases}, fragment, text), (Points{4, 4})) << last;
 }
 
 TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {

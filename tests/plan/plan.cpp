@@ -119,7 +119,8 @@ TEST_F(Planning, UsualExtensionsOfTheStage) {
 }
 
 TEST_F(Planning, AnIncludedSceneOfAnotherNameIsSaidLikeAnyFile) {
-    folder.write("parts/b.inc", "Include C.inc\nSphere 1\n");
+    folder.write("parts/b.inc", "Include C.inc\nInclude D.inc\nSphere 1\n");
+    folder.write("d.inc", "");  // next to the scene
     folder.write("parts/c.inc", "Torus\n");
     const std::string text = "Include parts/B.inc\nInclude parts/b\nInclude parts/c.inc\n";
     folder.write("s.glib", text);
@@ -137,8 +138,8 @@ TEST_F(Planning, AnIncludedSceneOfAnotherNameIsSaidLikeAnyFile) {
                        one.fixes[0].text);
     }
     std::sort(said.begin(), said.end());
-    EXPECT_EQ(said, (std::vector<std::string>{"C.inc c.inc", "C.inc c.inc", "parts/B.inc parts/b.inc",
-                                              "parts/b parts/b.inc"}));
+    EXPECT_EQ(said, (std::vector<std::string>{"C.inc c.inc", "C.inc c.inc", "D.inc d.inc", "D.inc d.inc",
+                                              "parts/B.inc parts/b.inc", "parts/b parts/b.inc"}));
     // The same words as of any other file.
     program("A", "parts/B.inc", "");
     Diagnostics of_shader;

@@ -5,7 +5,6 @@
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
 #include "parser/text/ranges.h"
-#include "parser/text/words.h"
 
 namespace snell::app {
 
@@ -162,10 +161,12 @@ Judged judge_counters(const RubricItem& item, const Counters& counters) {
 
 std::string with_aliases(const std::string& assignment, const Rubric& rubric, const Document& document) {
     const std::size_t equals = std::min(assignment.find('='), assignment.size());
-    std::string name;
-    for (const std::string_view part : split(std::string_view(assignment).substr(0, equals), '.'))
-        name += (name.empty() ? "" : ".") + own_name(std::string(part), rubric, document);
-    return name + assignment.substr(equals);
+    const std::string name = assignment.substr(0, equals);
+    std::string own = own_name(name, rubric, document);
+    // What is ahead of a dot is a program's name, or a structure's.
+    if (const std::size_t behind = name.find('.') + 1; own == name && behind > 0)
+        own = name.substr(0, behind) + own_name(name.substr(behind), rubric, document);
+    return own + assignment.substr(equals);
 }
 
 }  // namespace snell::app
