@@ -158,7 +158,7 @@ TEST_F(CliSweep, WhatIsNoWholePictureIsDrawnAgain) {
             return !json("s.json")["pictures"][0].contains("skipped");
         };
         EXPECT_FALSE(draws(whole)) << name;
-        for (const std::size_t cut : {std::size_t{100}, whole.size() - 1}) EXPECT_TRUE(draws(whole.substr(0, cut)));
+        EXPECT_TRUE(draws(whole.substr(0, whole.size() - 1)));
     }
     fs::create_directory(at("out/folder.png"));
     EXPECT_EQ(snell("render " + at("good.glib") + " --size 8x8 --skip-existing -o " + at("out/folder.png")).status, 1);

@@ -146,10 +146,14 @@ TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
     const auto error = [&](std::size_t rung) { return shade["rungs"][rung]["own"]["light"]["rmse"].get<double>(); };
     ASSERT_GT(error(0), 1.2 * error(1));
     const double between = (error(0) + error(1)) / 2 + shade["reference"]["residual"].get<double>();
-    ASSERT_EQ(run("--size 64x64 --reps 7 --budget 10 --error " + std::to_string(between) + " --json " +
-                  folder.path("r.json") + " --csv " + folder.path("r.csv") + " -o " + folder.path("r.html")),
-              0)
-        << text("out.txt");
+    // A busy machine does not come to the combinations in as little time as others.
+    int status = -1;
+    for (const char* budget : {"10", "60"}) {
+        status = run("--size 64x64 --reps 7 --error " + std::to_string(between) + " --budget " + budget + " --json " +
+                     folder.path("r.json") + " --csv " + folder.path("r.csv") + " -o " + folder.path("r.html"));
+        if (nlohmann::json::parse(text("r.json")).contains("together")) break;
+    }
+    ASSERT_EQ(status, 0) << text("out.txt");
     expect_together(between);
     EXPECT_NE(text("out.txt").find("--ladder SHADE=exact\n"), std::string::npos) << text("out.txt");
     // A found rung may have no error at all, and then meets any limit of it.
@@ -244,12 +248,11 @@ TEST_F(Accuracy, ValuesThatAreNoneAreErrors) {
 
 TEST_F(Accuracy, FoundRungsArePlottedToo) {
     folder.write("lit.frag",
-                 "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = 0.;\n for (int i = 0; i < 2000; "
-                 "i++) c += abs(sin(vN.z + float(i))) / 2000.;\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
-    ASSERT_EQ(run("--size 64x64 --reps 7 --budget 6 --knobs samples --svg " + folder.path("k.svg")), 0);
+                 "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = 0.;\n for (int i = 0; i < 200; "
+                 "i++) c += abs(sin(vN.z + float(i))) / 200.;\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
+    ASSERT_EQ(run("--size 32x32 --reps 7 --budget 2 --knobs samples --svg " + folder.path("k.svg")), 0);
     EXPECT_NE(
-        run("--size 64x64 --reps 7 --budget 12 --svg " + folder.path("p.svg") + " --markdown " + folder.path("p.md")),
-        2)
+        run("--size 32x32 --reps 7 --budget 4 --svg " + folder.path("p.svg") + " --markdown " + folder.path("p.md")), 2)
         << text("err.txt");
     const std::string page = text("p.md");
     const std::size_t plot = page.find("![found rungs: error over time](p");

@@ -71,12 +71,12 @@ def small(command):
     if words[1] not in SUBCOMMANDS:
         return "snell check " + next(word for word in words if word.endswith(".glib"))
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
-            "accuracy": {"--size": "48x36", "--no-time": "", "--no-found": "", "--budget": "10"}}.get(words[1], {})
+            "accuracy": {"--size": "16x12", "--no-time": "", "--no-found": "", "--budget": "10"}}.get(words[1], {})
     if {"--list-found", "--apply", "--as-ladder"} & set(words):
         less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):
         less = {"--size": "48x36", "--reps": "3", "--no-found": "", "--budget": "10"}
-    if "--baked" in words:
+    if "--baked" in words or words[1] == "compare" and any(word.endswith(".glib") for word in words):
         less = {"--size": "48x36"}
     if "--frames" in words:
         less |= {"--frames": "3"}

@@ -185,17 +185,18 @@ TEST_F(Compare, NaNIsDifferentFromAllButNaN) {
     };
     quarter("nan.pfm", std::nanf(""));
     quarter("none.pfm", .5f);
-    folder.write("nan.glib",
-                 "##OpenGL GLIB\nVertex nan.vert\nFragment nan.frag\nProgram Nan uZero <0. 0. 1.>\nSphere 9\n");
-    folder.write("nan.vert", "void main() { gl_Position = ftransform(); }\n");
-    folder.write("nan.frag",
-                 "uniform float uZero;\nvoid main() { gl_FragColor = vec4(vec3(gl_FragCoord.x < 5. ? uZero / uZero : "
-                 ".5), 1.); }\n");
-    for (const std::string name : {"nan.glib", "nan.pfm"}) {
-        EXPECT_EQ(compare(name + " none.pfm --max-rmse 1e9").status, 1) << name;
-        EXPECT_EQ(compare(name + " none.pfm --max-pixels 24").status, 1) << name;
-        EXPECT_EQ(compare("none.pfm " + name + " --max-flip 1e-3").status, 1) << name;
+    folder.write("a.vert", "void main() { gl_Position = ftransform(); }\n");
+    for (const auto& [name, left] : {std::pair("nan", "uZero / uZero"), std::pair("none", ".5")}) {
+        const std::string n = name;
+        folder.write(n + ".glib",
+                     "##OpenGL GLIB\nVertex a.vert\nFragment " + n + ".frag\nProgram P uZero <0. 0. 1.>\nSphere 9\n");
+        folder.write(n + ".frag",
+                     "uniform float uZero;\nvoid main() { gl_FragColor = vec4(vec3(gl_FragCoord.x < 5. ? " +
+                         std::string(left) + " : .5), 1.); }\n");
     }
+    EXPECT_EQ(compare("nan.pfm none.pfm --max-rmse 1e9").status, 1);
+    EXPECT_EQ(compare("nan.glib none.glib --size 20x10 --max-pixels 24").status, 1);
+    EXPECT_EQ(compare("none.glib nan.glib --size 20x10 --max-flip 1e-3").status, 1);
     for (const std::string two : {"nan.glib nan.pfm", "nan.glib nan.glib --size 20x10"})
         EXPECT_TRUE(compare(two).says("NaN       in 50 pixels")) << two;
     EXPECT_EQ(compare("nan.glib nan.glib --size 20x10 --max-rmse 0 --max-pixels 0").status, 0);
