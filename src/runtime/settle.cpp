@@ -266,6 +266,7 @@ bool Runtime::Impl::specialise(const Frame& frame, const Surface& surface) {
         if (settled_values != 0) return false;
         making = {making.number + 1, std::move(now), State::linking, 0};
     }
+    if (making.state == State::done) return false;  // nothing can be settled, as was found before
     if (making.state == State::linking && !link_next()) return false;
     if (making.state == State::drawing) warm_next(frame, surface);
     return true;

@@ -52,6 +52,19 @@ TEST_F(Forms, TakeOverWhenReadyAndLeaveAtOnce) {
     EXPECT_EQ(by_constants(*document), 2U) << "the first values are back, and so is their program";
 }
 
+// A window measures nothing while there is more to compile.
+TEST_F(Forms, OfScenesWithoutValuesAreNotSoughtForEver) {
+    folder.write("one.frag",
+                 "#version 330 compatibility\nin vec2 vST;\nvoid main() { gl_FragColor = vec4(vST, 0., 1.); }\n");
+    auto document = open("Ortho -1 1 -1 1\nVertex plain.vert\nFragment one.frag\nProgram P\nQuadXY\n");
+    expect_clean(*document);
+    const Picture first = draw(*document);
+    rest(*document);
+    EXPECT_EQ(rest(*document), 0);
+    EXPECT_EQ(draw(*document), first);
+    EXPECT_EQ(by_constants(*document), 0U);
+}
+
 TEST_F(Forms, AreFew) {
     auto document = open(scene);
     draw(*document);
