@@ -18,8 +18,6 @@ namespace {
 
 using Standing = AccuracyPoint::Standing;
 
-ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
-
 // The range of an axis, in powers of ten.
 struct Range {
     double low = 0, high = 1;
