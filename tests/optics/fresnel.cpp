@@ -13,6 +13,7 @@ namespace snell::optics {
 namespace {
 
 using std::numbers::pi;
+
 constexpr double indices[] = {1.0003, 1.31, 1.33, 1.5, 1.52, 2.42, 4.0};
 
 // The transmitted part, from the amplitudes of Fresnel's equations: T = (n2 cos t) / (n1 cos i) · t².

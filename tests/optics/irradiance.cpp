@@ -14,6 +14,7 @@ namespace snell::optics {
 namespace {
 
 using std::numbers::pi;
+
 std::vector<glm::dvec3> directions(int count) {
     std::mt19937 random(5);
     std::normal_distribution<double> any;

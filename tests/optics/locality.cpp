@@ -16,6 +16,7 @@ namespace snell::optics {
 namespace {
 
 using std::numbers::pi;
+
 const Room room{{0, 0, 0}, {5, 5, 5}};
 
 TEST(BoxDirection, PointsAtTheWallTheRayMeets) {

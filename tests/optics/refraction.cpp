@@ -11,6 +11,7 @@ namespace snell::optics {
 namespace {
 
 using std::numbers::pi;
+
 glm::dvec3 random_direction(std::mt19937& random) {
     std::normal_distribution<double> gauss;
     return *unit({gauss(random), gauss(random), gauss(random)});
@@ -43,7 +44,7 @@ TEST(Mirror, TwiceIsTheIdentity) {
 TEST(Mirror, WithoutADirectionThereIsNone) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& bad : {glm::dvec3(0), glm::dvec3(nan, 0, 1), glm::dvec3(infinity, 0, 0)}) {
-        EXPECT_FALSE(mirror(bad, up));
+        EXPECT_FALSE(mirror(bad, upward));
         EXPECT_FALSE(mirror(upward, bad));
         EXPECT_FALSE(meet(bad, upward, 1, 1.5));
     }
@@ -69,7 +70,7 @@ TEST(Refraction, ObeysSnellsLawFromBothSides) {
             const auto in = meet(ray_down(angle), upward, 1.0, n);
             ASSERT_TRUE(in && !in->total);
             EXPECT_EQ(in->side, Side::outside);
-            const double beyond = angle_between(in->transmitted, -up);
+            const double beyond = angle_between(in->transmitted, -upward);
             EXPECT_NEAR(std::sin(angle), n * std::sin(beyond), 4e-15);
             // The same path backwards leaves as it came.
             const auto back = meet(-in->transmitted, upward, 1.0, n);
@@ -116,7 +117,7 @@ TEST(Refraction, TotalReflectionBeginsAtTheCriticalAngle) {
         EXPECT_EQ(beyond.transmitted, beyond.reflected);
         EXPECT_GT(from_inside(critical - 1e-9).cos_transmitted, 0.0);
         // Near it the transmitted ray runs along the surface.
-        EXPECT_NEAR(angle_between(from_inside(critical - 1e-9).transmitted, up), pi / 2, 1e-4);
+        EXPECT_NEAR(angle_between(from_inside(critical - 1e-9).transmitted, upward), pi / 2, 1e-4);
     }
     EXPECT_FALSE(critical_angle(1.0, 1.5));
     EXPECT_FALSE(critical_angle(1.5, 1.5));

@@ -15,6 +15,7 @@ namespace snell::optics {
 namespace {
 
 using std::numbers::pi;
+
 // A ray along -z that meets the ball of radius 1 at distance b from its axis.
 struct Impact {
     glm::dvec3 incident{0, 0, -1}, normal;
